@@ -48,7 +48,8 @@ class WorkspaceResult(Frozen):
     Attributes
     ----------
     kind : str
-        ``"constant_orientation"``: positions at one orientation; ``"orientation"``: rotations at one position;
+        ``"constant_orientation"``: positions at one orientation;
+        ``"orientation"``: rotations at one position;
         ``"six_dof"``: both.
     volume : float
         Its size, in ``unit``. Of rotations that is the integral of cos(theta_y) over roll, pitch and yaw.

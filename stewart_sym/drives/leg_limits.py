@@ -75,7 +75,7 @@ def limited_angles(robot: Robot, motion: Motion) -> dict[str, Array]:
 def leg_codes(
     robot: Robot, name: str, values: Array, sd: Array | None = None, there: Flags | None = None
 ) -> NDArray[np.uint8]:
-    """``status_codes`` of the values at instants, (n, 6), named as a limit's; sd, there: as of ``status_codes``."""
+    """Return ``status_codes`` of the values, (n, 6); sd, there: as for ``status_codes``."""
     found = [
         status_codes(limit.sizes(values), limit.most(robot), sd, there)
         for limit in LEG_LIMITS

@@ -1,8 +1,8 @@
 """Writes the tables of the documentation from the figures that studies wrote.
 
 ``python -m stewart_sym.studies.published [RUN]``, in the top folder of the source. RUN is a folder that
-``benchmark``, ``chart``, ``control``, ``controller``, ``stability`` or ``planning.study`` wrote: its figures and
-pictures replace those in ``.docs``. Tables go to ``.docs/tables``, those of the README between their marks.
+``benchmark``, ``chart``, ``control``, ``controller``, ``stability``, or ``planning.study`` wrote: its figures
+and pictures replace the files in ``.docs``. Tables go to ``.docs/tables``, those of the README between their marks.
 """
 
 import json

@@ -34,7 +34,7 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     assert float(rows[0]["F_3"]) == pytest.approx(1419.36, abs=0.005)
 
 
-@pytest.mark.parametrize(("command", "instead"), [("reproduce", ", or give --no-plots"), ("benchmark", "")])
+@pytest.mark.parametrize(("command", "instead"), [("reproduce", ", or use --no-plots"), ("benchmark", "")])
 def test_without_matplotlib_a_study_says_how_to_get_it_and_writes_nothing(
     tmp_path: Path,
     fails: Fails,

@@ -294,11 +294,11 @@ def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path
 def test_singularities_fails_in_one_line(robot: Path, trajectory: Path, crossing: Path, fails: Fails) -> None:
     folder = robot.parent / "found"
     line = fails("singularities", robot, "IV", "-o", folder)
-    assert line.endswith("IV: expected I, II, III or a CSV file, there is no such file")
+    assert line.endswith("IV: expected I, II, III, or a CSV file; the file does not exist")
     start = ["--pose-guess", *"000000"]
     for path in (trajectory, "III"):
         line = fails("singularities", robot, path, "-o", folder, *start)
-        assert "--pose-guess: is for a trajectory of leg lengths" in line
+        assert "--pose-guess: the trajectory contains poses" in line
     crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
     line = fails("singularities", robot, crossing, "-o", folder)
     assert line.endswith("expected at least 2 instants, got 1")

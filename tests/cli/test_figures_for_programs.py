@@ -68,7 +68,7 @@ def test_inputs_and_forces_are_not_written_over(robot: Path, trajectory: Path, f
     # The one argument that may be left out is taken for the option's.
     assert "name inputs before" in fails("chart", "--json", robot.parent / "scene.toml")
     line = fails("forces", robot, trajectory, "-o", "-", "--json")
-    assert "is where another result goes" in line
+    assert "another result has the same file" in line
 
 
 def test_what_is_not_finite_is_null() -> None:

@@ -170,10 +170,10 @@ def test_what_is_not_given_is_asked_for_on_a_terminal(
     assert ss.Robot.from_toml(path).home_position[2] == 0.7
     monkeypatch.setattr(sys, "stdin", Terminal("300\n"))
     assert run("new", "-o", tmp_path / "other.toml", *options(given), code=2).err.endswith(
-        "--height: missing, the answers ended\n"
+        "--height: missing; standard input has ended\n"
     )
     monkeypatch.setattr(sys, "stdin", io.StringIO())
-    assert "standard input is no terminal" in fails("new", "-o", str(path))
+    assert "standard input is not a terminal" in fails("new", "-o", str(path))
 
 
 def test_robots_are_listed_shown_and_copied(tmp_path: Path, run: Run, fails: Fails) -> None:

@@ -92,7 +92,7 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
     few = ("--samples", 500, "--no-plots")
     for position, doubted in ((0.7, False), (700.0, True)):
         told = run("workspace", "hanging.toml", *few, "--position", 0, 0, position).err
-        assert ("the pose in the middle breaks a limit" in told) == doubted
+        assert ("center pose: violates a limit" in told) == doubted
     for unit, doubted in (("m", False), ("mm", True)):
         units = ("--length-unit", unit, "-o", "f.csv")
         told = run("forces", "hexapod.toml", "trajectory.csv", *units).err
@@ -116,13 +116,13 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
 )
 def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, run: Run) -> None:
     errors = run("workspace", "hanging.toml", "--samples", 100, "--no-plots", *options).err
-    assert f"the pose in the middle breaks a limit, {words}" in errors
+    assert f"center pose: violates a limit, {words}" in errors
     assert ("--position" in errors) == (words.startswith("its legs"))
 
 
 def test_shares_given_in_per_cent_are_named(run: Run) -> None:
     size = ("size-actuators", "hexapod.toml", "trajectory.csv", "--no-plots")
-    assert "--margin: 25 is a share, 2500 %: expected 0.25 for 25 %" in run(*size, "--margin", 25).err
+    assert "--margin: 25 means 2500 %; use 0.25 for 25 %" in run(*size, "--margin", 25).err
     assert "--quantile: expected shares > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
 
 

@@ -262,7 +262,7 @@ def test_swapped_measurements_are_told(simulated: Path, tmp_path: Path, fails: F
     swapped = "--measured", forces, trajectory
     line = fails("identify", PAPERS, *swapped, *columns, "-o", tmp_path / "out")
     assert line.startswith(f"stewart-sym: error: {forces}: expected poses or leg lengths, got forces")
-    assert line.endswith("look swapped")
+    assert line.endswith("exchange the files of --measured")
 
 
 @pytest.mark.parametrize(

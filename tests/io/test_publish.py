@@ -126,7 +126,7 @@ def test_an_input_is_no_single_file_to_write_by_force_either(
     before = folder_state(at_robot)
     output = ["-o", name] if option == "-o" else ["-o", "forces.csv", "--json", name]
     line = fails("forces", "robot.toml", "path.csv", *output, "--force")
-    assert line.endswith(f"{option} {name}: is an input, name another file")
+    assert line.endswith(f"{option} {name}: the file is an input; name another file")
     assert folder_state(at_robot) == before
 
 

@@ -328,4 +328,4 @@ def test_what_is_known_of_noise_is_not_silently_ignored(tmp_path: Path, run: Run
     log = written(tmp_path, 0.1, 0.02)
     out = ["-o", str(tmp_path / "f.csv"), "--no-smoothing", option, "0.1"]
     told = run("forces", PAPERS, log, *out, code=2).err
-    assert told == (f"stewart-sym: error: {option}: is for smoothing, expected no --no-smoothing beside it\n")
+    assert told == (f"stewart-sym: error: {option} and --no-smoothing cannot be given together\n")

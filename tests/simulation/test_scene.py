@@ -306,7 +306,7 @@ def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, fails: Fails) ->
     line = fails("simulate", scene, "-o", scene.parent / "out")
     assert "initial_state: no accelerations: a leg has length zero" in line
     scene.write_text(TRACK)
-    assert "expected a scene whose legs are springs" in fails(
+    assert "--energy-drift: the actuation of the scene is not springs" in fails(
         "simulate", scene, "-o", scene.parent / "out", "--energy-drift"
     )
     scene.write_text(state + legs)

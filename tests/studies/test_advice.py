@@ -375,7 +375,7 @@ def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(scene: 
     captured = run("choose-fidelity", scene, "--json", output, "--generate", kit, code=2)
     assert captured.out.count("\n") > 28
     (line,) = captured.err.splitlines()
-    assert f"{scene}: nothing keeps the budget; closest: exact general, double" in line
+    assert f"{scene}: no kernel is within the tolerance; closest: exact general, double" in line
     assert json.loads(output.read_text())["chosen"] is None
     assert not kit.exists()
 

@@ -1,4 +1,4 @@
-"""`benchmark`: everybody takes part and computes the same forces, and figures are what they say. No timing."""
+"""`benchmark`: all candidates take part and compute the same forces, and the figures are right. No timing."""
 
 import dataclasses
 import gc

@@ -1,4 +1,4 @@
-"""`benchmark` without CasADi, Pinocchio, Drake or MuJoCo leaves them out, says so in a line, keeps the rest."""
+"""`benchmark` without CasADi, Pinocchio, Drake, or MuJoCo omits them and prints one line about them."""
 
 import contextlib
 import io

@@ -130,7 +130,7 @@ def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fail
     line = fails(*forces, "--html", "hexapod.toml")
     assert "--html hexapod.toml: is an input" in line
     line = fails(*forces, "--html", "forces.csv")
-    assert "is where another result goes" in line
+    assert "another result has the same file" in line
     (folder / "mine.html").write_text("<p>mine")
     line = fails(*forces, "--html", "mine.html")
     assert "exists with other content" in line
@@ -272,9 +272,9 @@ def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
     said = fails("view", "hexapod.toml", "report.json", "-o", "out.html")
     assert said.endswith("report.json: expected a CSV file with a header line, got '{'")
     said = fails("view", "hexapod.toml", "-o", "out.txt")
-    assert said.endswith("-o out.txt: expected a file that ends in .html")
+    assert said.endswith("-o out.txt: the file name must end in .html")
     said = fails("forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf")
-    assert said.endswith("--html out.pdf: expected a file that ends in .html")
+    assert said.endswith("--html out.pdf: the file name must end in .html")
     said = fails("view", "report.json", "-o", "out.html")
     assert said.endswith("report.json: expected a robot file, got '{'")
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 HELP = "compute the actuator forces along a trajectory"
 EXAMPLE = "stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg"
 MORE = (
-    "Input columns: time, t_x t_y t_z, and theta_x theta_y theta_z or q_w q_x q_y q_z; or time and L_1 to L_6.\n"
+    "Input: time, t_x t_y t_z, and theta_x theta_y theta_z or q_w q_x q_y q_z; or time and L_1 to L_6.\n"
     "Optional: rates, accelerations, F_ext_*, M_ext_*. Default units: SI.\n"
     "Noisy columns are smoothed; F_1_std to F_6_std are the standard deviations of the forces.\n"
     "A drive adds motor columns."

@@ -44,7 +44,7 @@ class Budget:
 
 
 def read_budget(path: str | os.PathLike[str]) -> Budget:
-    """Read a scene file of ``choose-fidelity`` (TOML, schema 1); the files that it names are looked for beside it.
+    """Read a scene file of ``choose-fidelity`` (TOML, schema 1), with file names relative to its folder.
 
     Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``read_trajectory``),
     ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).

@@ -47,7 +47,7 @@ def full_report(found: Figures, robot: Robot, progress: Progress = silent) -> Re
 
 
 def tables(found: Figures) -> dict[str, str]:
-    """Tables of the documentation from ``chart.json``: cost and error of each level, what `choose-fidelity` picks."""
+    """Return the tables of ``chart.json``: cost and error of each level, and the choice of `choose-fidelity`."""
     return {
         "chart_fidelities": _fidelities(found) + _implementations(found),
         "chart_advice": _advice(found),
@@ -135,7 +135,8 @@ def _is_general(each: Figures) -> bool:
 
 def _advice(found: Figures) -> str:
     lead = paragraph(
-        "What `choose-fidelity` picks on Path I: the kernel with the fewest operations, float before double, whose "
+        "What `choose-fidelity` picks on Path I: the kernel with the fewest operations, float before double, "
+        "whose "
         f"errors of model and rounding, times a margin of {MARGIN:g}, are within the tolerance:"
     )
     rows = []

@@ -1,4 +1,4 @@
-"""The second group of ``benchmark``: equations of motion, one pose a call, and the baselines of forward dynamics.
+"""Second group of ``benchmark``: equations of motion, one pose per call, and baselines of forward dynamics.
 
 All of the group share one machine, whose inertia tensors are those of bodies: MuJoCo takes no others.
 """

@@ -113,7 +113,8 @@ def _times(found: Figures) -> str:
     ]
     return paragraph(
         f"Nanoseconds per pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
-        f"benchmark` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians of "
+        f"benchmark` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians "
+        "of "
         f"{found['rounds']} rounds; ratios to CasADi's C of the closed form in the leg frame, and of the "
         "equations as stated:"
     ) + table(("", "ns per pose", "of the closed form", "of the plain C", "vectors"), rows)
