@@ -76,6 +76,6 @@ def _absolute(robot: Robot, log: JointTrajectory) -> JointTrajectory:
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
         raise ValueError(
             f"{log.source}: line {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g} with "
-            "that of the home pose"
+            "the length of the home pose added"
         )
     return log._replace(L=L, relative=False)

@@ -177,8 +177,8 @@ def need_passed(path: PosePath, length: float) -> None:
     rates = _rates(path(np.concatenate([path.via, np.linspace(0.0, 1.0, _FINE)])), length)
     for k in np.flatnonzero(rates[: len(path.via)] <= _RESTS * rates.max()).tolist():
         raise ValueError(
-            f"via pose {k + 1}: expected a path through it, the one found turns back there; plan the way "
-            "to it and the way back apart, or move the via pose before or after it"
+            f"via pose {k + 1}: the path turns back at the pose; plan the ways to and from the pose "
+            "separately, or move the previous or the next via pose"
         )
 
 

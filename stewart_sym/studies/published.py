@@ -2,7 +2,7 @@
 
 ``python -m stewart_sym.studies.published [RUN]``, in the top folder of the source. RUN is a folder that
 ``benchmark``, ``chart``, ``control``, ``controller``, ``stability``, or ``planning.study`` wrote: its figures
-and pictures replace the files in ``.docs``. Tables go to ``.docs/tables``, those of the README between their marks.
+and pictures replace the files in ``.docs``. Tables go to ``.docs/tables``, and to the README between marks.
 """
 
 import json

@@ -66,7 +66,7 @@ def test_a_folder_has_the_same_figures(robot: Path, trajectory: Path, run: Run) 
 
 def test_inputs_and_forces_are_not_written_over(robot: Path, trajectory: Path, fails: Fails) -> None:
     # The one argument that may be left out is taken for the option's.
-    assert "name inputs before" in fails("chart", "--json", robot.parent / "scene.toml")
+    assert "put inputs before" in fails("chart", "--json", robot.parent / "scene.toml")
     line = fails("forces", robot, trajectory, "-o", "-", "--json")
     assert "another result has the same file" in line
 

@@ -164,8 +164,8 @@ def test_what_is_not_given_is_asked_for_on_a_terminal(
     given = {"--base-radius": 600.0, "--leg-mass": 4.0}
     monkeypatch.setattr(sys, "stdin", Terminal("300\n700 mm\n700\n40\n300\n"))
     asked = run("new", "-o", path, "--length-unit", "mm", *options(given)).err
-    assert asked.count("radius of the platform joints' circle, mm: ") == 1
-    assert asked.count("at home, mm: ") == 2
+    assert asked.count("radius of the circle of the platform joints (mm): ") == 1
+    assert asked.count("at home (mm): ") == 2
     assert "expected a finite number, got '700 mm'" in asked
     assert ss.Robot.from_toml(path).home_position[2] == 0.7
     monkeypatch.setattr(sys, "stdin", Terminal("300\n"))
@@ -185,7 +185,7 @@ def test_robots_are_listed_shown_and_copied(tmp_path: Path, run: Run, fails: Fai
         run("robots", "--show", "tsai2000", "-o", path)
     assert path.read_text() == robots.text("tsai2000")
     assert "use --force" in fails("robots", "--show", "unal", "-o", str(path))
-    assert "expected --show NAME" in fails("robots", "-o", str(path))
+    assert "add --show NAME" in fails("robots", "-o", str(path))
     assert '--show: expected "dasgupta1998"' in fails("robots", "--show", "tsai")
     assert json.loads(run("robots", "--json").out)["robots"]["unal"]["platform_mass_kg"] == 2.146
 

@@ -32,8 +32,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--fidelity",
         metavar="LEVEL",
         help="leg physics in the forces: general, frictionless, axisymmetric, slender, point_masses, "
-        "massless (the last four also with _friction); general_static, slender_static, massless_static. "
-        "Robots with rotors: also no_rotor, reflected, reflected_slender, reflected_massless (the last two "
+        "massless (the last four also with _friction); general_static, slender_static, massless_static; for "
+        "robots with rotors also no_rotor, reflected, reflected_slender, reflected_massless (the last two "
         "also with _friction); default: general",
     )
     parser.add_argument(

@@ -47,7 +47,7 @@ def full_report(found: Figures, robot: Robot, progress: Progress = silent) -> Re
 
 
 def tables(found: Figures) -> dict[str, str]:
-    """Return the tables of ``chart.json``: cost and error of each level, and the choice of `choose-fidelity`."""
+    """Return the tables of ``chart.json``: cost and error of each level, and the chosen kernel."""
     return {
         "chart_fidelities": _fidelities(found) + _implementations(found),
         "chart_advice": _advice(found),
