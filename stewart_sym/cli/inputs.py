@@ -59,7 +59,7 @@ def trajectory_of(
         warn(
             f"{source}: {len(few.time)} instant{'s' * (len(few.time) > 1)} of "
             f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at a rate of {arguments.rate:g} Hz, of "
-            f"{len(trajectory.time)} rows: what happens between them is missed"
+            f"{len(trajectory.time)} rows; the motion between them is not computed"
         )
     return few
 

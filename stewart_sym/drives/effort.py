@@ -128,7 +128,7 @@ def drive_effort(
     trajectory = None
     if isinstance(motion, Trajectory | PoseLog):
         if time is not None:
-            raise ValueError("time: expected None beside a trajectory, which has its own")
+            raise ValueError("time: expected None with a trajectory, which contains its times")
         trajectory, time = motion, motion.time
         motion = trajectory.motion
     instance(motion, Motion, "motion")

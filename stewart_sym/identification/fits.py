@@ -122,7 +122,7 @@ def linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
         known = _load_forces(data.robot, motion) - _forces_of_rotors(data, motion)
         y = (data.forces + known) / data.deviations
     if not (np.isfinite(A).all() and np.isfinite(y).all()):
-        raise ValueError("force_std: expected standard deviations beside which the forces do not overflow")
+        raise ValueError("force_std: expected standard deviations for which the forces do not overflow")
     return A, y
 
 

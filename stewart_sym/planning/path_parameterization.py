@@ -211,7 +211,7 @@ def parameterize_path(
     task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, grid_size, progress)
     if not task.need_possible() and minimize == "time":
         warn(
-            "limits: expected a limit of force, acceleration or jerk beside that of speed, there is none: "
+            "limits: expected a limit of force, acceleration, or jerk in addition to speed, got none: "
             "forces of the fastest motion have no bound"
         )
     profile = task.fastest(limits)
@@ -379,9 +379,9 @@ class _Task(NamedTuple):
 def need_duration(least: Minimize, duration: float | None) -> None:
     """Reject a duration of a motion of least time, and another motion without one."""
     if least == "time" and duration is not None:
-        raise ValueError(f'duration: expected minimize "energy" or "peak_force" beside it, got "{least}"')
+        raise ValueError(f'duration: applies to minimize "energy" or "peak_force", got "{least}"')
     if least != "time" and duration is None:
-        raise ValueError(f'least: expected a duration beside "{least}"')
+        raise ValueError(f'least: expected a duration for "{least}"')
 
 
 def need_losses(robot: Robot) -> None:

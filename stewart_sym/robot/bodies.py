@@ -183,7 +183,7 @@ def _cylinder(table: dict[str, Any], prefix: str, meters: Meters, axis: Array) -
     inner = meters(toml_reader.not_negative(table.get("inner_radius", 0.0), f"{prefix}inner_radius"))
     if inner >= outer:
         got = f"{table['inner_radius']:g} in {table['radius']:g}"
-        raise ValueError(f"{prefix}inner_radius: expected a radius below that of the outside, got {got}")
+        raise ValueError(f"{prefix}inner_radius: expected a radius smaller than the outer radius, got {got}")
     squares = outer**2 + inner**2
     about, across = squares / 2.0, squares / 4.0 + length**2 / 12.0
     tensor = across * np.eye(3) + (about - across) * np.outer(axis, axis)

@@ -189,7 +189,7 @@ def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
         raise ValueError(f"{where('stribeck_force')}: expected stribeck_speed > 0 beside it")
     for name in ("current_limit", "resistance"):
         if leg["torque_constant"] == 0.0 and leg[name] != NUMBERS[name].default:
-            raise ValueError(f"{where(name)}: expected a torque_constant > 0 beside it")
+            raise ValueError(f"{where(name)}: requires a torque_constant > 0")
     if leg["rated_torque"] > leg["torque_limit"] < math.inf and leg["rated_torque"] < math.inf:
         raise ValueError(
             f"{where('rated_torque')}: expected at most the torque_limit, {leg['torque_limit']:g} N m, got "
@@ -237,7 +237,7 @@ def _leg(
 
     if spins and "radius" in given:
         raise ValueError(
-            f'{where("radius")}: expected lead where platform_joint is "universal", a rack cannot turn'
+            f'{where("radius")}: a rack cannot turn with a "universal" platform_joint; use lead'
         )
     found = {"lead": _lead(given, where, meters)}
     for name, key in NUMBERS.items():

@@ -160,7 +160,7 @@ def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
                 f'{file}initial_state: expected [actuation] law = "tracking" with "{start}", got "{law}"'
             )
         if "state" in top:
-            raise ValueError(f'{file}initial_state: expected no [state] beside "{start}"')
+            raise ValueError(f'{file}initial_state: expected no [state] with "{start}"')
     elif "state" not in top and law != "computed_torque":
         raise ValueError(f"{file}state: missing")
 

@@ -102,7 +102,7 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (("--position", 0, 0, 700), "its legs are 700 to 700 m long: expected one within the limits, "),
+        (("--position", 0, 0, 700), "its legs are 700 to 700 m long: change --position"),
         (("--max-condition", 1.5), "condition number: expected at most 1.5, got "),
         (
             (*FREE, "--max-condition", 20, "--rpy", 0, 0, 2.5),

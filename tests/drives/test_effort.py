@@ -283,7 +283,7 @@ def test_a_trajectory_has_its_own_times(robot: ss.Robot) -> None:
     effort, same = ss.drive_effort(driven, log), ss.drive_effort(driven, motion, time)
     assert effort.std is None
     np.testing.assert_array_equal(effort.energy, same.energy)
-    rejects(r"^time: expected None beside a trajectory", ss.drive_effort, driven, log, time)
+    rejects(r"^time: expected None with a trajectory", ss.drive_effort, driven, log, time)
 
 
 def test_limits_of_legs_at_which_a_motion_stops_are_kept_but_for_its_rounding(robot: ss.Robot) -> None:

@@ -135,7 +135,7 @@ def test_limits_of_speed_alone_give_the_least_time_and_a_warning_that_names_the_
         warnings.simplefilter("always")
         plan = parameterize_path(robot, path, limits=PathLimits(speed=0.1), grid_size=100)
     assert [each.category for each in found] == [UserWarning]
-    expected = "limits: expected a limit of force, acceleration or jerk beside that of speed, there is none: "
+    expected = "limits: expected a limit of force, acceleration, or jerk in addition to speed, got none: "
     assert str(found[0].message).startswith(expected)
     L = inverse_kinematics(robot, path(np.linspace(0.0, 1.0, 20_001))).L
     assert plan.duration == pytest.approx(np.abs(np.diff(L, axis=0)).max(axis=-1).sum() / 0.1, rel=1e-3)

@@ -140,8 +140,8 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     ("options", "words"),
     [
         (["--minimize", "energy", "--duration", "0.01"], "--duration: expected at least the least time, "),
-        (["--minimize", "energy"], '--minimize: expected a duration beside "energy"'),
-        (["--duration", "2"], '--duration: expected minimize "energy" or "peak_force" beside it, got "time"'),
+        (["--minimize", "energy"], '--minimize: expected a duration for "energy"'),
+        (["--duration", "2"], '--duration: applies to minimize "energy" or "peak_force", got "time"'),
     ],
 )
 def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list[str], words: str) -> None:
@@ -259,7 +259,7 @@ def limited(limit: str) -> str:
             for x in ("9.0", "900.0")
         ),
         (PLAN + FIRST, "via 2: expected a path through it, the one found turns back"),
-        ('minimize = "energy"\n' + PLAN, 'via.toml: least: expected a duration beside "energy" (at line 1)'),
+        ('minimize = "energy"\n' + PLAN, 'via.toml: least: expected a duration for "energy" (at line 1)'),
         (
             'minimize = "energy"\nduration = 1e9\n' + PLAN,
             "via.toml: duration: expected at most 10,000,000 instants, got 1e+09 s at a rate of",
@@ -267,7 +267,7 @@ def limited(limit: str) -> str:
         ("rate = 1e9\n" + PLAN, "via.toml: rate: expected at most 10,000,000 instants, got "),
         (
             "duration = 2.0\n" + PLAN,
-            'via.toml: duration: expected minimize "energy" or "peak_force" beside it, got "time" (at line 1)',
+            'via.toml: duration: applies to minimize "energy" or "peak_force", got "time" (at line 1)',
         ),
         (HEAD + FIRST + FIRST, "via 2: expected another pose than via pose 1 (at line 6)"),
         (limited("force = 10.0"), "at rest at s ="),

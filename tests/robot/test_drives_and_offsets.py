@@ -139,10 +139,10 @@ BAD = {
         'legs.drive.inertia: unknown key, did you mean "rotor_inertia"? (at line 20)'
     ),
     "[legs.drive]\nlead = 5\nstribeck_force = 3\n": (
-        "legs.drive.stribeck_force: expected a stribeck_speed > 0 beside it (at line 20)"
+        "legs.drive.stribeck_force: requires a stribeck_speed > 0 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\ncurrent_limit = 3\n": (
-        "legs.drive.current_limit: expected a torque_constant > 0 beside it (at line 20)"
+        "legs.drive.current_limit: requires a torque_constant > 0 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\ntorque_limit = 2\n[leg.2.drive]\nrated_torque = 3\n": (
         "leg.2.drive.rated_torque: expected at most the torque_limit, 2 N m, got 3 (at line 22)"
@@ -287,7 +287,7 @@ def test_a_rack_moves_no_leg_whose_upper_part_turns() -> None:
     d["legs"]["drive"] = {"radius": 12.0, "gear_ratio": 5.0}
     assert ss.Robot.from_dict(d).drive is not None
     d["legs"]["offsets"] |= UNIVERSAL
-    rejects(r'\Arobot: legs\.drive\.radius: expected lead where .* "universal"', ss.Robot.from_dict, d)
+    rejects(r'\Arobot: legs\.drive\.radius: a rack cannot turn with a "universal"', ss.Robot.from_dict, d)
 
 
 @pytest.mark.parametrize("joint", [{}, UNIVERSAL], ids=["spherical", "universal"])

@@ -316,7 +316,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("thickness = 20, ", "", "platform.body 1: thickness: missing", '"plate"'),
     ('"tangential"', '"radiall"', "legs.universal_axis: expected ", "universal_axis"),
     ('universal_axis = "tangential"\n', "", "legs.universal_axis: missing", "[legs]"),
-    ("inner_radius = 25", "inner_radius = 30", "legs.lower.inner_radius: expected a radius below", "tube"),
+    ("inner_radius = 25", "inner_radius = 30", "legs.lower.inner_radius: expected a radius smaller", "tube"),
     (
         "density = 7800",
         "density = 7800, mass = 1",

@@ -97,7 +97,7 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
             f"{timed.duration:.4g} s, got {len(found.times)} at {request.rate:g} Hz"
         )
     if not found.certificate.is_valid:
-        warn(f"{arguments.via}: the certificate does not hold, see the report")
+        warn(f"{arguments.via}: the certificate is not valid; see the report")
     return 0 if found.certificate.is_valid else 1
 
 
