@@ -139,7 +139,8 @@ class _Parser(argparse.ArgumentParser):
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         """Read -1e-3 as a number, not as an option."""
-        super().__init__(*args, formatter_class=_Formatter, **kwargs)
+        kwargs.setdefault("formatter_class", _Formatter)
+        super().__init__(*args, **kwargs)
         self._negative_number_matcher = _NEGATIVE
 
     @property
