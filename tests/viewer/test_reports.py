@@ -128,7 +128,7 @@ def test_figures_are_drawn_as_svg() -> None:
 def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fails) -> None:
     forces = ("forces", "hexapod.toml", "trajectory.csv", "-o", "forces.csv")
     line = fails(*forces, "--html", "hexapod.toml")
-    assert "--html hexapod.toml: is an input" in line
+    assert "--html hexapod.toml: the file is an input" in line
     line = fails(*forces, "--html", "forces.csv")
     assert "another result has the same file" in line
     (folder / "mine.html").write_text("<p>mine")
@@ -143,7 +143,7 @@ def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fail
     [
         ((), "ROBOT.toml: missing"),
         (("hexapod.toml", "IV"), "expected I, II, III, a CSV file"),
-        (("hexapod.toml", "--example"), "expected no ROBOT.toml beside it"),
+        (("hexapod.toml", "--example"), "omit ROBOT.toml"),
         (("hexapod.toml", "-o", "hexapod.toml"), "is an input"),
         (("hexapod.toml", "hexapod.toml"), "unknown column"),
     ],
