@@ -49,13 +49,13 @@ class _VectorKernel:
             need_offset_formulation(formulation)
         self.robot, self.faults = robot, faults_of(formulation)
 
-    def forces(self, motion: Motion) -> results.Forces:
+    def forces(self, motion: Motion) -> results.InverseDynamicsResult:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
         if self.robot.offsets is not None:
             return offset_joints.inverse_dynamics(self.robot, motion)
         return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
 
-    def reactions(self, motion: Motion, bearing: Array) -> results.Reactions:
+    def reactions(self, motion: Motion, bearing: Array) -> results.JointReactionsResult:
         """Joint reactions of every pose; bearing (6,), m."""
         if self.robot.offsets is not None:
             return offset_joints.joint_reactions(self.robot, motion, bearing)
@@ -71,7 +71,7 @@ def inverse_dynamics(
     formulation: Formulation = "exact",
     backend: Backend = "c",
     on_singular: OnSingular = "raise",
-) -> results.Forces:
+) -> results.InverseDynamicsResult:
     """Actuator forces that make the platform follow ``motion``, with D, x, K, H, c, (1)-(37).
 
     Parameters
@@ -118,7 +118,7 @@ def joint_reactions(
     backend: Backend = "c",
     bearing_distance: ArrayLike | None = None,
     on_singular: OnSingular = "raise",
-) -> results.Reactions:
+) -> results.JointReactionsResult:
     """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
 
     Parameters
@@ -259,13 +259,13 @@ def _bearing(bearing: ArrayLike | None) -> Array:
     expected = "one finite distance or six"
     values = np.zeros(6) if bearing is None else real_array(bearing, "bearing_distance", expected)
     if values.shape not in ((), (6,)):
-        raise ValueError(f"bearing: expected {expected}, got shape {values.shape}")
+        raise ValueError(f"bearing_distance: expected {expected}, got shape {values.shape}")
     if not np.isfinite(values).all():
-        raise ValueError(f"bearing: expected {expected}, got {values[~np.isfinite(values)][0]}")
+        raise ValueError(f"bearing_distance: expected {expected}, got {values[~np.isfinite(values)][0]}")
     return np.broadcast_to(values, (6,))
 
 
-def _without_overflow(found: results.Reactions) -> results.Reactions:
+def _without_overflow(found: results.JointReactionsResult) -> results.JointReactionsResult:
     """Give poses whose reactions overflow, though the forces did not, a status and NaN like any other."""
     values = {name: each for name, each in vars(found).items() if name != "status" and each is not None}
     status = newton_euler.without_overflow(values, found.status)

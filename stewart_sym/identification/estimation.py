@@ -153,7 +153,7 @@ def identify(
         robot,
         motion,
         forces,
-        deviations(force_std, forces.shape, f"> 0 N that broadcast with F, {forces.shape}"),
+        deviations(force_std, "force_std", forces.shape, f"> 0 N that broadcast with F, {forces.shape}"),
         base_parameters,
     )
     if drive_terms is not None:
@@ -216,7 +216,7 @@ def simulate_experiment(
     instance(excitation, Excitation, "excitation")
     need_seed(seed)
     exact = inverse_dynamics(robot, excitation.motion).F
-    deviation = float(deviations(force_std, (), "> 0 N that broadcast with F"))
+    deviation = float(deviations(force_std, "force_std", (), "> 0 N that broadcast with F"))
     rng = np.random.default_rng((seed, 1))
     F = exact + deviation * rng.normal(size=exact.shape)
     motion, path, noise = excitation.motion, excitation.path, None

@@ -40,17 +40,17 @@ def real_array(value: object, name: str, expected: str = "real numbers") -> NDAr
     return np.array(given, dtype=np.float64)
 
 
-def deviations(sigma: object, shape: tuple[int, ...], rule: str) -> NDArray[np.float64]:
+def deviations(sigma: object, name: str, shape: tuple[int, ...], rule: str) -> NDArray[np.float64]:
     """Return standard deviations spread over a shape; rule: "> 0" or ">= 0", a unit, and over what."""
     expected = f"standard deviations {rule}"
-    values = real_array(sigma, "sigma", expected)
+    values = real_array(sigma, name, expected)
     bad = ~(np.isfinite(values) & (values >= 0.0 if rule.startswith(">=") else values > 0.0))
     if bad.any():
-        raise ValueError(f"sigma: expected {expected}, got {values[bad][0]}")
+        raise ValueError(f"{name}: expected {expected}, got {values[bad][0]}")
     try:
         return np.broadcast_to(values, shape)
     except ValueError:
-        raise ValueError(f"sigma: expected {expected}, got shape {values.shape}") from None
+        raise ValueError(f"{name}: expected {expected}, got shape {values.shape}") from None
 
 
 def number_in(

@@ -364,9 +364,8 @@ class Motion(Frozen):
         omega, alpha = rotation.angular_motion_from_vector(turns[0], turns[1], second)
         R = rotation.rotation_from_vector(turns[0])
         second_rate = None if a is None else alpha
-        return cls(  # type: ignore[arg-type]
-            R=R, t=t, omega=omega, v=v, alpha=second_rate, a=a, F_ext=F_ext, M_ext=M_ext
-        )
+        given: dict[str, Any] = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        return cls(R=R, omega=omega, alpha=second_rate, **given)
 
 
 def at_rest(

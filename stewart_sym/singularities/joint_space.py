@@ -130,7 +130,7 @@ def motion_from_lengths(
     noise = (
         None
         if length_std is None
-        else deviations(length_std, lengths.shape, f">= 0 m that broadcast to {lengths.shape}")
+        else deviations(length_std, "length_std", lengths.shape, f">= 0 m that broadcast to {lengths.shape}")
     )
     R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, noise, progress)
     v, omega = _in_parts(lambda i: forward_velocity(robot, R[i], t[i], rates["L_dot"][i], "nan"), len(t))

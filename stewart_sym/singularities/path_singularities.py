@@ -470,7 +470,7 @@ def _checked(robot: Robot, path: Path, times: ArrayLike) -> Array:
         raise ValueError(f"path: expected a function of times, got {type(path).__name__}")
     when = real_array(times, "time", "increasing times")
     if when.ndim != 1 or len(when) < 2 or not np.all(np.isfinite(when)) or np.any(np.diff(when) <= 0.0):
-        raise ValueError("times: expected at least two finite times, increasing, of shape (n,)")
+        raise ValueError("time: expected at least two finite times, increasing, of shape (n,)")
     first = path(when[:1])
     instance(first, Motion, "path")
     if first.shape != (1,):

@@ -115,9 +115,9 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("factors", "words"),
     [
-        ((1e3, 1.0, 1.0), "is time in another unit .LogFormat.time_unit='ms'"),
-        ((1e3, 1e3, 1.0), "is time in another unit .LogFormat.time_unit='ms'"),
-        ((1e3, 1e3, 1e2), "is time in another unit .LogFormat.time_unit='ms'"),
+        ((1e3, 1.0, 1.0), "is time in another unit .TrajectoryFormat.time_unit='ms'"),
+        ((1e3, 1e3, 1.0), "is time in another unit .TrajectoryFormat.time_unit='ms'"),
+        ((1e3, 1e3, 1e2), "is time in another unit .TrajectoryFormat.time_unit='ms'"),
         ((1e6, 1.0, 1.0), "TrajectoryFormat.time_unit='us'"),
         ((1.0, 1.0, 50 * 180.0 / np.pi), "TrajectoryFormat.angle_unit='deg'"),
         ((1e-6, 1.0, 1.0), "TrajectoryFormat.time_unit"),

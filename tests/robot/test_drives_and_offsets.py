@@ -52,7 +52,7 @@ screw_coulomb = 45.0
 
 [leg.5]
 drive.lead = -5
-drive.back_efficiency = -0.1
+drive.backdrive_efficiency = -0.1
 """
 
 
@@ -197,12 +197,19 @@ def test_fields_are_checked_by_name() -> None:
 EXAMPLE = DOCS / "examples" / "offset-joints.toml"
 
 SERVED = {
-    *("inverse_dynamics", "joint_reactions", "massless_forces", "dynamic_fraction", "equations_of_motion"),
-    *("forward_dynamics", "joint_space_inertia", "inverse_kinematics", "wrench_matrix", "forward_kinematics"),
-    *("forward_velocity", "forward_acceleration", "motion_from_lengths", "ArrayKernel", "ArrayKernel"),
-    *("prepare", "LegSprings", "LegSprings.balanced", "ComputedTorque", "simulate", "singularity"),
     *(
-        "force_deviations",
+        "inverse_dynamics",
+        "joint_reactions",
+        "massless_forces",
+        "leg_dynamics_fraction",
+        "equations_of_motion",
+    ),
+    *("forward_dynamics", "joint_space_inertia", "inverse_kinematics", "wrench_matrix", "forward_kinematics"),
+    *("jacobian", "inverse_jacobian"),
+    *("forward_velocity", "forward_acceleration", "motion_from_lengths", "ArrayKernel"),
+    *("ForceKernel", "LegSprings", "LegSprings.in_equilibrium", "ComputedTorque", "simulate", "singularity"),
+    *(
+        "force_std",
         "motor_angles",
         "pose_from_motor_angles",
         "capability_polytope",

@@ -315,14 +315,10 @@ def test_spherical_base_joint_rejects_axes_and_asymmetric_legs() -> None:
     assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg.2.universal_axis: expected none")
     d = spherical_machine()
     d["leg"]["5"]["upper"] = {"center_of_mass": [-0.6, 0.0, 0.001]}
-    assert error_of(lambda: Robot.from_dict(d)).startswith(
-        "robot: leg.5.upper: expected (x, 0, 0)"
-    )
+    assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg.5.upper: expected (x, 0, 0)")
     d = spherical_machine()
     d["leg"]["5"]["lower"] = {"inertia": [[0.02, 0, 0], [0, 0.3, 0], [0, 0, 0.31]]}
-    assert error_of(lambda: Robot.from_dict(d)).startswith(
-        "robot: leg.5.lower: expected diag(Ia, It, It)"
-    )
+    assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg.5.lower: expected diag(Ia, It, It)")
 
 
 def test_asymmetry_of_rounding_size_is_evened_out() -> None:

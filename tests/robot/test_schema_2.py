@@ -46,7 +46,7 @@ speed_limit = 600
 
 [leg.3]
 lower = { mass = 9.0, center_of_mass = [250, 0, 0], inertia = [0.005, 0.2, 0.2] }
-friction.universal = 0.1
+damping.universal = 0.1
 
 [trajectory]
 tool = [0, 0, 300]
@@ -279,7 +279,10 @@ def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) 
     with pytest.warns(ss.RobotWarning, match=r"lower part of leg 3: inertia.* \[lower-inertia\]"):
         robot_of(wrong, tmp_path)
     with warnings.catch_warnings(action="error"):
-        robot_of(wrong.replace("home =", 'suppress_warnings = ["lower-inertia"]\nhome ='), tmp_path)
+        robot_of(
+            wrong.replace("home_position =", 'suppress_warnings = ["lower-inertia"]\nhome_position ='),
+            tmp_path,
+        )
         foam = TEXT.replace("2700", "40")
         robot_of(foam, tmp_path)
         robot_of(
@@ -356,7 +359,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("schema = 2", "schema = 1", "schema: schema 1 is no longer read; write schema = 2", "schema = 1"),
     ("[250, 0, 0]", "[250, 0]", "leg.3.lower.center_of_mass: expected 3 finite numbers", "[250, 0]"),
     ("[0.005, 0.2, 0.2]", "[[1, 2, 0], [0, 1, 0], [0, 0, 1]]", "leg.3.lower.inertia: expected a sym", "9.0"),
-    ("friction.universal = 0.1", "friction.universal = true", "leg.3.damping.universal: expected a", "true"),
+    ("damping.universal = 0.1", "damping.universal = true", "leg.3.damping.universal: expected a", "true"),
     ('"xyz"', '"zz"', "trajectory.euler_order: expected ", "euler_order"),
     (
         "tool =",
@@ -396,7 +399,7 @@ def test_a_mistake_is_one_line_with_key_and_line(
 
 def test_tables_without_a_file_name_the_key_alone() -> None:
     rejects(r"\Arobot: base: missing\Z", ss.Robot.from_dict, {"schema": 2, "name": "x"})
-    with pytest.raises(ValueError, match=r"\Arobot: lengths: \"relative\" is to the home pose"):
+    with pytest.raises(ValueError, match=r"\Arobot: length_mode: \"relative\" is to the home pose"):
         dataclasses.replace(ss.robots.dasgupta1998(), length_mode="relative")
 
 

@@ -111,7 +111,7 @@ def calls() -> dict[str, Call]:
     ends = [[-1.0, 1.0], [-1.0, 1.0], [0.5, 1.5]]
     state = ss.Motion(R=motion.R, t=motion.t, omega=np.zeros(3), v=np.zeros(3))
     springs = {"robot": robot, "stiffness": 1e6, "rest_length": 1.0, "damping": 10.0}
-    tracking = {"robot": robot, "wanted": lambda time: motion, "k_p": 1.0, "k_d": 1.0}
+    tracking = {"robot": robot, "reference": lambda time: motion, "k_p": 1.0, "k_d": 1.0}
     trajectory = Trajectory(np.arange(3.0), path.sample(np.arange(3.0)), "three", (2, 3, 4))
 
     @functools.cache
@@ -168,7 +168,6 @@ def calls() -> dict[str, Call]:
     found["Symbolic.derivative"] = Call(derivative, {"by": sp.Symbol("t_x", real=True)})
     add(ss.casadi_function, robot=robot, quantity="forces", formulation="exact", checked=False)
     add(ss.ArrayKernel, robot=robot, xp=np, formulation="exact", dtype=None, free=("dtype",))
-    add(ss.ArrayKernel, robot=robot, xp=np, formulation="exact", dtype=None, free=("dtype",))
     log = {
         "path": "no.csv",
         "file_format": ss.TrajectoryFormat(),
@@ -184,12 +183,12 @@ def calls() -> dict[str, Call]:
     add(ss.LegSprings, **springs)
     add(ss.LegSprings.in_equilibrium, robot=robot, pose=motion, stiffness=1e6, damping=1.0)
     add(ss.LegSprings(**springs).energy, L=legs.L)
-    add(ss.ComputedTorque, **tracking, formulation="exact", backend="c", free=("wanted",))
+    add(ss.ComputedTorque, **tracking, formulation="exact", backend="c", free=("reference",))
     add(ss.StopConditions, max_condition=1e6, min_length=0.1, min_joint_sine=1e-3)
     start = {"robot": robot, "initial_state": state, "forces": F, "load": lambda time, state: np.zeros(6)}
     steps = {
         "duration": 1e-3,
-        "rate": 1e3,
+        "control_rate": 1e3,
         "method": "DOP853",
         "rtol": 1e-6,
         "atol": 1e-6,
@@ -206,7 +205,14 @@ def calls() -> dict[str, Call]:
     add(ss.joint_angles, robot=at_home, motion=motion)
     add(ss.leg_distances, **both)
     add(ss.PoseLimits, lengths=True, joint_angles=True, forces=True, condition=9.0, clearance=0.01)
-    region = {"position": motion.t, "angles": vector, "box": ends, "turns": ends, "poses": 200, "seed": 0}
+    region = {
+        "position": motion.t,
+        "rpy": vector,
+        "position_bounds": ends,
+        "rpy_bounds": ends,
+        "samples": 200,
+        "seed": 0,
+    }
     add(ss.workspace, robot=at_home, kind="six_dof", limits=ss.PoseLimits(), **region)
     add(ss.capability_polytope, robot=at_home, motion=motion, quantity="force", complement="zero")
     needs = {"motions": [([0.0], motion[None])], "margin": 0.1, "quantiles": [0.5, 1.0]}
@@ -220,16 +226,16 @@ def calls() -> dict[str, Call]:
     add(ss.Drive, **dict.fromkeys(NUMBERS, 1.0))
     add(ss.rotor_regressor, **both, on_singular="raise")
     add(ss.view, **both, time=None)
-    ends_of_via = dict.fromkeys(("low", "high"), np.zeros(6))
+    ends_of_via = dict.fromkeys(("tolerance_low", "tolerance_high"), np.zeros(6))
     add(ss.ViaPose, R=motion.R, t=motion.t, **ends_of_via, other={"R": "pose", "t": "pose"})
     limited = ("force", "speed", "acceleration", "platform_speed", "platform_turn_rate")
     add(ss.PathLimits, **dict.fromkeys(limited, 1.0))
     via = {
-        "poses": [ss.ViaPose(motion.R, motion.t), ss.ViaPose(motion.R, motion.t + 0.01)],
+        "via_poses": [ss.ViaPose(motion.R, motion.t), ss.ViaPose(motion.R, motion.t + 0.01)],
         "load": np.zeros(6),
     }
-    aim = {"limits": None, "objective": "mean", "price": 0.5}
-    add(ss.plan_path, robot=robot, **via, **aim, other={"poses": "via pose"})
+    aim = {"limits": None, "objective": "mean", "smoothness_weight": 0.5}
+    add(ss.plan_path, robot=robot, **via, **aim, other={"via_poses": "via pose"})
     along = {"path": shifted, "span": (0.0, 1.0)}
     add(ss.parameterize_path, robot=robot, **along, limits=limits, formulation="exact", grid_size=10)
     add(ss.certify_plan, plan=ss.parameterize_path(robot, shifted, limits=limits, grid_size=10))
@@ -251,7 +257,11 @@ def calls() -> dict[str, Call]:
     add(ss.base_parameters, robot=robot, motion=motion[None])
     add(ss.choose_excitation, robot=robot, period=4.0, harmonics=1, samples=3, candidates=1, seed=0)
     excited = ss.choose_excitation(robot, harmonics=3, samples=60, candidates=1)
-    deviations = {"F": ss.inverse_dynamics(robot, excited.motion).F, "sigma": 1.0, "base": excited.base}
+    deviations = {
+        "F": ss.inverse_dynamics(robot, excited.motion).F,
+        "force_std": 1.0,
+        "base_parameters": excited.base,
+    }
     add(ss.identify, robot=robot, motion=excited.motion, **deviations)
     poses = {"time": np.arange(9.0), "position": 1e-4, "angle": 1e-4, "period": 9.0, "harmonics": 2}
     add(ss.PoseNoise, **poses)

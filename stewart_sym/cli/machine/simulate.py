@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
         drifts = None
         if arguments.energy_drift and isinstance(scene.law, LegSprings):
             progress("comparing the formulations")
-            drifts = energy_drift(scene.law, scene.state, scene.duration, scene.rtol, scene.thresholds)
+            drifts = energy_drift(scene.law, scene.state, scene.duration, scene.rtol, scene.stop_conditions)
         report = run.report(scene.robot, done, scene.law, drifts or {})
         views = {"run": lambda: Viewer(scene.robot, of_run(scene.robot, done))}
         take(dataclasses.replace(report, views=views))

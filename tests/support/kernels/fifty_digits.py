@@ -17,7 +17,7 @@ from stewart_sym.derive.program.block import Block
 from stewart_sym.kit.parts import fields
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.truth import digits
-from stewart_sym.robot.robot import Robot
+from stewart_sym.robot.robot import Robot, of_symbol
 
 DIGITS = 50
 derived = functools.cache(kernel)
@@ -35,9 +35,9 @@ def block_inputs(robot: Robot, motion: Motion, leg: int) -> dict[str, mp.mpf]:
     values: dict[str, mp.mpf] = {}
     of_leg = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s", "m_r", "j_r")
     for name in of_leg:
-        values |= named(name, np.asarray(getattr(robot, name)[leg]))
+        values |= named(name, np.asarray(of_symbol(robot, name)[leg]))
     for name in ("M", "R_0", "I_p", "g"):
-        values |= named(name, np.asarray(getattr(robot, name)))
+        values |= named(name, np.asarray(of_symbol(robot, name)))
     for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
         values |= named(name, getattr(motion, name))
     return values
@@ -103,7 +103,7 @@ Numbers = dict[str, NDArray[Any]]
 
 def as_stored(robot: Robot, motion: Motion) -> tuple[Numbers, Numbers]:
     """Numbers of a robot without rotors and of a motion, flat, as ``KitInterpreter`` takes them."""
-    numbers = {name: np.asarray(getattr(robot, name), dtype=np.float64) for name in fields(rotors=False)}
+    numbers = {name: np.asarray(of_symbol(robot, name), dtype=np.float64) for name in fields(rotors=False)}
     return numbers, {name: np.ravel(getattr(motion, name)) for name in MOTION}
 
 
