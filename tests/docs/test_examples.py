@@ -6,9 +6,10 @@ import subprocess
 import tomllib
 from pathlib import Path
 
-import conventions_drawing
 import pytest
 from cost_figures import hasty
+from draw_all import DRAWINGS
+from drawing_sheet import save
 from pages import (
     DOCS,
     PAGES,
@@ -129,14 +130,19 @@ def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> N
     assert {name for each in named for name in each.split(",")} <= set(extras)
 
 
-def test_pictures_are_those_of_a_page_of_a_study_or_of_the_drawing(tmp_path: Path) -> None:
+def test_pictures_are_those_of_a_page_of_a_study_or_drawings() -> None:
     # path_I_forces: tests/studies/test_reproduce.py
-    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "conventions.png", "machine.png"}
+    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "machine.png"}
+    made |= {Path(name).name for name in DRAWINGS}
     made |= {"exported_mujoco.png", "slices.png", "size.png", "plan_durations.png"}
     made |= {f"{page.stem}.png" for page in (DOCS / "gallery").glob("*.md") if page.stem != "index"}
     assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
-    conventions_drawing.save(tmp_path / "conventions.png")
-    assert same_picture(tmp_path / "conventions.png", DOCS / "conventions.png")
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_drawings_are_those_of_their_scripts(name: str, tmp_path: Path) -> None:
+    save(DRAWINGS[name](), tmp_path / "drawing.png")
+    assert same_picture(tmp_path / "drawing.png", DOCS / name)
 
 
 def test_a_picture_of_something_else_is_found() -> None:
