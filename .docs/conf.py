@@ -45,4 +45,6 @@ html_copy_source = False
 html_show_sphinx = False
 html_show_copyright = False
 html_math_renderer = "mathml"
+# Typographic quotes and dashes would change options such as --help.
+smartquotes = False
 pygments_style = "friendly"

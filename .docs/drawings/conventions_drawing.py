@@ -1,28 +1,24 @@
-"""A drawing of the conventions: frames, fixed axis, leg frame, centers of mass, sign of F.
+"""Drawing of the conventions: frames, fixed axis, leg frame, centers of mass, and sign of F.
 
-Everything drawn comes from the kinematics of a machine with few clear proportions; the page
+The drawing is computed from the kinematics of a machine with clear proportions. The page
 ``.docs/conventions.md`` explains it.
 """
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from drawing_sheet import AXIS, BASE, FORCE, GRAY, LOWER, PAPER, PLATFORM, Array
 
 from stewart_sym.motion.rotation import rotation_from_rpy
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
-
 LEG = 0
-"""The leg that is drawn with its frame."""
+"""Index of the leg that is drawn with its frame."""
 
 _BASE, _PLATFORM = 1.0, 0.62
 _POSE = (np.array([0.1, 0.12, 1.35]), np.array([0.12, -0.1, 0.15]))
-_BASE_COLOR, _PLATFORM_COLOR, _LEG_COLOR, _FORCE_COLOR = "#3a3a3a", "#1f4e9c", "#2a8a4a", "#c1440e"
 
 
 def _hexagon(radius: float, angles: Array) -> Array:
@@ -30,77 +26,77 @@ def _hexagon(radius: float, angles: Array) -> Array:
 
 
 def _machine() -> tuple[Array, Array, Array, Array]:
-    """Base points, platform points in the base frame, R and t of the platform."""
-    turns = np.radians(np.repeat([-60.0, 60.0, 180.0], 2))
-    b = _hexagon(_BASE, turns + np.radians(np.tile([-14.0, 14.0], 3)))
-    p = _hexagon(_PLATFORM, turns + np.radians(np.tile([-42.0, 42.0], 3)))
+    """Return base points, platform points in the base frame, and R and t of the platform."""
+    angles = np.radians(np.repeat([-60.0, 60.0, 180.0], 2))
+    b = _hexagon(_BASE, angles + np.radians(np.tile([-14.0, 14.0], 3)))
+    p = _hexagon(_PLATFORM, angles + np.radians(np.tile([-42.0, 42.0], 3)))
     t, theta = _POSE
     R = rotation_from_rpy(theta)
     return b, t + p @ R.T, R, t
 
 
 def figure() -> "Figure":
-    """The drawing, 8 by 7.2 inches."""
+    """Draw the machine, 8 by 7.2 inches."""
     from matplotlib.figure import Figure
 
-    drawing = Figure(figsize=(8.0, 7.2))
-    axes: Any = drawing.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
+    drawing = Figure(figsize=(8.0, 7.2), facecolor=PAPER)
+    axes: Any = drawing.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d", facecolor=PAPER)
     axes.set_axis_off()
     axes.view_init(elev=17.0, azim=-52.0)
     b, tips, R, t = _machine()
-    for points, color in ((b, _BASE_COLOR), (tips, _PLATFORM_COLOR)):
+    for points, color in ((b, BASE), (tips, PLATFORM)):
         ring = np.vstack([points, points[:1]])
         axes.plot(*ring.T, color=color, linewidth=2.0)
     for i in range(6):
-        axes.plot(*np.stack([b[i], tips[i]]).T, color="#b0b0b0" if i != LEG else _LEG_COLOR, linewidth=2.4)
-    _frame(axes, np.zeros(3), np.eye(3), 0.45, ("X", "Y", "Z"), _BASE_COLOR)
-    _frame(axes, t, R, 0.42, ("x$_P$", "y$_P$", "z$_P$"), _PLATFORM_COLOR)
-    _label(axes, [0.1, -0.25, -0.08], "base frame", _BASE_COLOR)
+        axes.plot(*np.stack([b[i], tips[i]]).T, color="#b0b0b0" if i != LEG else LOWER, linewidth=2.4)
+    _frame(axes, np.zeros(3), np.eye(3), 0.45, ("X", "Y", "Z"), BASE)
+    _frame(axes, t, R, 0.42, ("x$_P$", "y$_P$", "z$_P$"), PLATFORM)
+    _label(axes, [0.1, -0.25, -0.08], "base frame", BASE)
     _label(
         axes,
         t + np.array([0.12, 0.0, 0.42]),
-        "platform frame: its origin, the\nreference point, is yours to choose",
-        _PLATFORM_COLOR,
+        "platform frame: its origin, the\nreference point, may be any point",
+        PLATFORM,
     )
-    _arrow(axes, np.zeros(3), t, "#8a8a8a", "t", dashed=True)
+    _arrow(axes, np.zeros(3), t, GRAY, "t", dashed=True)
     _leg(axes, b[LEG], tips[LEG])
     axes.set_box_aspect((1.0, 1.0, 0.95), zoom=1.22)
-    axes.set(xlim=(-0.95, 0.95), ylim=(-0.95, 0.95), zlim=(-0.12, 1.68))
+    axes.set(xlim=(-0.95, 0.95), ylim=(-0.95, 0.95), zlim=(-0.2, 1.68))
     return drawing
 
 
 def _leg(axes: Any, base: Array, tip: Array) -> None:
-    """One leg: its ends, fixed axis k, frame, centers of mass and actuator force."""
+    """Draw one leg: its ends, fixed axis k, frame, centers of mass, and actuator force."""
     S = tip - base
     L = float(np.linalg.norm(S))
     s = S / L
     k = np.array([0.9, -0.35, 0.0]) / np.hypot(0.9, 0.35)
     y = np.cross(k, s) / np.linalg.norm(np.cross(k, s))
     z = np.cross(s, y)
-    axes.scatter(*np.stack([base, tip]).T, color=_LEG_COLOR, s=36)
+    axes.scatter(*np.stack([base, tip]).T, color=LOWER, s=36)
     left = np.array([-0.06, -0.02, 0.0])
-    _label(axes, base + left + [0.0, 0.0, -0.1], "base point b$_1$", _LEG_COLOR, "right")
-    _label(axes, tip + left - [0.0, 0.0, 0.04], "platform point p$_1$", _LEG_COLOR, "right")
-    _arrow(axes, base, base + 0.4 * k, "#7a3fa0", "k, fixed axis of the\nuniversal joint")
-    _frame(axes, base, np.stack([s, y, z], axis=1), 0.38, ("x = s", "y = k x s / |k x s|", "z"), _LEG_COLOR)
+    _label(axes, base + left + [0.0, 0.0, -0.1], "base point b$_1$", LOWER, "right")
+    _label(axes, tip + left - [0.0, 0.0, 0.04], "platform point p$_1$", LOWER, "right")
+    _arrow(axes, base, base + 0.4 * k, AXIS, "k, fixed axis of the\nuniversal joint")
+    _frame(axes, base, np.stack([s, y, z], axis=1), 0.38, ("x = s", "y = k x s / |k x s|", "z"), LOWER)
     for share, part, place in ((0.36, "lower", "x > 0 from b$_1$"), (0.72, "upper", "x < 0 from p$_1$")):
         at = base + share * S
-        axes.scatter(*at[:, None], color="white", edgecolors=_LEG_COLOR, s=70, linewidths=2.0)
-        _label(axes, at + left, f"center of mass, {part} part:\n{place}", _LEG_COLOR, "right")
-    _arrow(axes, tip, tip + 0.34 * s, _FORCE_COLOR, "")
-    _arrow(axes, base, base - 0.22 * s, _FORCE_COLOR, "")
+        axes.scatter(*at[:, None], color=PAPER, edgecolors=LOWER, s=70, linewidths=2.0)
+        _label(axes, at + left, f"center of mass, {part} part:\n{place}", LOWER, "right")
+    _arrow(axes, tip, tip + 0.34 * s, FORCE, "")
+    _arrow(axes, base, base - 0.22 * s, FORCE, "")
     _label(
         axes,
         tip + 0.36 * s + left,
         "F > 0 extends the leg and\npushes the platform away",
-        _FORCE_COLOR,
+        FORCE,
         "right",
     )
 
 
 def _label(axes: Any, at: Any, text: str, color: str, side: str = "left") -> None:
-    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6}
-    axes.text(*at, text, color=color, ha=side, va="center", fontsize=9.5, bbox=box, zorder=10)
+    box = {"facecolor": PAPER, "edgecolor": "none", "alpha": 0.8, "pad": 0.6}
+    axes.text(*at, text, color=color, ha=side, va="center", fontsize=10.5, bbox=box, zorder=10)
 
 
 def _frame(axes: Any, origin: Array, R: Array, length: float, names: tuple[str, ...], color: str) -> None:
@@ -121,8 +117,3 @@ def _arrow(axes: Any, start: Array, end: Array, color: str, name: str, dashed: b
     if name:
         left = name.startswith("y = ")
         _label(axes, place, name, color, "right" if left else "left")
-
-
-def save(target: Path) -> None:
-    """Write the drawing as PNG."""
-    figure().savefig(target, dpi=110)

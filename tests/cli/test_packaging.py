@@ -1,13 +1,17 @@
 """A plain install carries everything: both folders beside the package, the C sources and the robot files."""
 
+import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import tomllib
 from pathlib import Path
 
 import pytest
 from installed import REPOSITORY, install
+
+from stewart_sym.derive.package import licence
 
 CHECK = """
 import sys, pathlib, warnings
@@ -21,37 +25,94 @@ print(ss.inverse_dynamics(ss.robots.dasgupta1998(), path.sample([0.0, 1.0])).F.s
 """
 
 
-SDIST = """
+BUILD = """
 import sys
 from setuptools import build_meta
-print(build_meta.build_sdist(sys.argv[1]))
+folder = sys.argv[1]  # setuptools changes sys.argv
+build_meta.build_sdist(folder)
+build_meta.build_wheel(folder)
 """
+PROJECT = tomllib.loads((REPOSITORY / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+LARGEST_FILE = 512 * 1024
+"""Largest file of a source archive (bytes)."""
+LARGEST_SDIST = 4 * 1024**2
+"""Largest source archive (bytes)."""
+
+
+@pytest.fixture(scope="module")
+def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """Return the sdist and the wheel of a clone, so that nothing is written next to the package."""
+    folder = tmp_path_factory.mktemp("archives")
+    subprocess.run(["git", "clone", "-q", str(REPOSITORY), str(folder / "clone")], check=True)
+    for name in ("pyproject.toml", "LICENSE", "LICENSE.0BSD", "README.md"):
+        shutil.copy(REPOSITORY / name, folder / "clone")
+    run = [sys.executable, "-c", BUILD, str(folder)]
+    subprocess.run(run, check=True, capture_output=True, cwd=folder / "clone")
+    (sdist,), (wheel,) = folder.glob("*.tar.gz"), folder.glob("*.whl")
+    return sdist, wheel
 
 
 @pytest.mark.slow
-def test_tests_run_from_the_sdist(tmp_path: Path) -> None:
-    """A copy of what git tracks, so that nothing is written beside the package."""
-    if not (REPOSITORY / ".git").exists():
-        pytest.skip("no git repository: setuptools-scm takes the list of files from it")
-    subprocess.run(["git", "clone", "-q", str(REPOSITORY), str(tmp_path / "clone")], check=True)
-    shutil.copy(REPOSITORY / "pyproject.toml", tmp_path / "clone")
-    run = [sys.executable, "-c", SDIST, str(tmp_path)]
-    subprocess.run(run, check=True, capture_output=True, cwd=tmp_path / "clone")
-    (archive,) = tmp_path.glob("*.tar.gz")
-    shutil.unpack_archive(archive, tmp_path)
-    unpacked = tmp_path / archive.name.removesuffix(".tar.gz")
-    tracked = subprocess.run(["git", "ls-files"], check=True, capture_output=True, text=True, cwd=REPOSITORY)
-    missing = [name for name in tracked.stdout.splitlines() if not (unpacked / name).exists()]
-    assert missing == []
+def test_tests_run_from_the_sdist(archives: tuple[Path, Path], tmp_path: Path) -> None:
+    sdist, _ = archives
+    shutil.unpack_archive(sdist, tmp_path, filter="data")
+    unpacked = tmp_path / sdist.name.removesuffix(".tar.gz")
+    assert [name for name in exported() if not (unpacked / name).exists()] == []
     tests = ("tests/derive/test_conventions.py", "tests/kinematics/test_kinematics.py")
     test = [sys.executable, "-m", "pytest", "-q", "-n", "0", *tests]
     subprocess.run(test, check=True, capture_output=True, cwd=unpacked)
 
 
-def test_licences_are_spdx_expressions_with_their_files(tmp_path: Path) -> None:
-    project = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]
-    assert project["license"] == "BSD-3-Clause"
-    assert [REPOSITORY / name for name in project["license-files"]] == [REPOSITORY / "LICENSE"]
+def exported() -> list[str]:
+    """Return the tracked files without the attribute ``export-ignore``."""
+    found = git("check-attr", "export-ignore", "--", *git("ls-files"))
+    names = [line.removesuffix(": export-ignore: set") for line in found]
+    return [name.split(": ")[0] for name in names if ": " in name and not name.startswith("tests/docs/")]
+
+
+def git(*words: str) -> list[str]:
+    """Return the lines that a git command prints."""
+    done = subprocess.run(["git", *words], check=True, capture_output=True, text=True, cwd=REPOSITORY)
+    return done.stdout.splitlines()
+
+
+@pytest.mark.slow
+def test_archives_are_small_and_pass_the_checks_of_the_package_index(archives: tuple[Path, Path]) -> None:
+    sdist, wheel = archives
+    with tarfile.open(sdist) as archive:
+        assert {member.name: member.size for member in archive if member.size > LARGEST_FILE} == {}
+    assert sdist.stat().st_size < LARGEST_SDIST
+    for words in (
+        ["twine", "check", "--strict", str(sdist), str(wheel)],
+        ["check_wheel_contents", str(wheel)],
+    ):
+        done = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_licenses_are_a_spdx_expression_with_a_text_each() -> None:
+    assert PROJECT["license"] == "BSD-3-Clause AND 0BSD"
+    bsd, zero = ((REPOSITORY / name).read_text(encoding="utf-8") for name in PROJECT["license-files"])
+    assert bsd.startswith("BSD 3-Clause License")
+    assert zero == f"BSD Zero Clause License\n\n{licence.TEXT}"
+
+
+def test_the_package_index_learns_author_keywords_and_categories() -> None:
+    (author,) = PROJECT["authors"]
+    assert f"Copyright (c) 2026, {author['name']}" in (REPOSITORY / "LICENSE").read_text(encoding="utf-8")
+    assert {"Stewart platform", "parallel robot", "Jacobian"} <= set(PROJECT["keywords"])
+    assert "Typing :: Typed" in PROJECT["classifiers"]
+    # The license is an expression; classifiers of licenses are obsolete then.
+    assert not [name for name in PROJECT["classifiers"] if name.startswith("License")]
+
+
+def test_the_version_is_the_same_in_citation_and_changelog() -> None:
+    version = PROJECT["version"]
+    citation = (REPOSITORY / "CITATION.cff").read_text(encoding="utf-8")
+    changelog = (REPOSITORY / ".docs" / "changelog.md").read_text(encoding="utf-8")
+    assert f"\nversion: {version}\n" in citation
+    (newest, *_) = re.findall(r"^## \[(.*?)\]", changelog, re.MULTILINE)
+    assert newest == version
 
 
 @pytest.mark.slow

@@ -1,11 +1,9 @@
-"""The page of conventions names what users give and get, and is linked; its drawing is whole."""
+"""The page of conventions names what users give and get, and is linked."""
 
 import dataclasses
 from pathlib import Path
 
-import numpy as np
 from command_line import Run
-from conventions_drawing import figure
 
 import stewart_sym as ss
 
@@ -28,13 +26,3 @@ def test_the_page_is_linked_where_a_new_user_looks(run: Run) -> None:
         run("check", "--help").out.replace("\n", " "),
     ]
     assert all(".docs/conventions.md" in place for place in places)
-
-
-def test_nothing_of_the_drawing_is_cut_off() -> None:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    canvas = FigureCanvasAgg(figure())
-    canvas.draw()
-    ink = np.asarray(canvas.buffer_rgba())[..., :3].min(axis=-1) < 255
-    assert ink.mean() > 0.02
-    assert not any(edge.any() for edge in (ink[:4], ink[-4:], ink[:, :4], ink[:, -4:]))

@@ -6,9 +6,11 @@ import subprocess
 import tomllib
 from pathlib import Path
 
-import conventions_drawing
+import matplotlib.image
 import pytest
 from cost_figures import hasty
+from draw_all import DRAWINGS
+from drawing_sheet import save
 from pages import (
     DOCS,
     PAGES,
@@ -41,6 +43,8 @@ SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blo
 LONG = {f".docs/gallery/{name}.md" for name in ("mpc", "computed-torque", "around-a-singularity")} | {
     f".docs/howto/{name}.md" for name in ("arrays", "controller")
 }
+DARKEST_PAPER = 0.94
+"""Brightness below which a dot of a drawing is ink, 0 to 1."""
 NOT_RUN = ("sh .ci/setup ", "pip install ")
 """Beginnings of commands that change the environment: those of the README are run by ``.ci/run``."""
 
@@ -108,7 +112,7 @@ def test_a_comment_that_says_something_else_is_found(text: str) -> None:
 
 
 def test_every_block_has_a_language_that_is_run_or_shown() -> None:
-    known = {"python", "sh", "console", "text", "toml", "c", "cmake"}
+    known = {"python", "sh", "console", "text", "toml", "c", "cmake", "bibtex"}
     assert {block.language for page in PAGES for block in blocks(page)} <= known
 
 
@@ -129,14 +133,22 @@ def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> N
     assert {name for each in named for name in each.split(",")} <= set(extras)
 
 
-def test_pictures_are_those_of_a_page_of_a_study_or_of_the_drawing(tmp_path: Path) -> None:
+def test_pictures_are_those_of_a_page_of_a_study_or_drawings() -> None:
     # path_I_forces: tests/studies/test_reproduce.py
-    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "conventions.png", "machine.png"}
+    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "machine.png"}
+    made |= {Path(name).name for name in DRAWINGS}
     made |= {"exported_mujoco.png", "slices.png", "size.png", "plan_durations.png"}
     made |= {f"{page.stem}.png" for page in (DOCS / "gallery").glob("*.md") if page.stem != "index"}
     assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
-    conventions_drawing.save(tmp_path / "conventions.png")
-    assert same_picture(tmp_path / "conventions.png", DOCS / "conventions.png")
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_drawings_are_those_of_their_scripts_and_not_cut_off(name: str, tmp_path: Path) -> None:
+    save(DRAWINGS[name](), tmp_path / "drawing.png")
+    assert same_picture(tmp_path / "drawing.png", DOCS / name)
+    ink = matplotlib.image.imread(DOCS / name)[..., :3].min(axis=-1) < DARKEST_PAPER
+    assert ink.mean() > 0.01
+    assert not any(edge.any() for edge in (ink[:4], ink[-4:], ink[:, :4], ink[:, -4:]))
 
 
 def test_a_picture_of_something_else_is_found() -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
+from browser import chromium
 from pages import DOCS, PAGES, TOP, anchors, blocks, links, pictures, without_code
 
 import stewart_sym as ss
@@ -23,6 +24,10 @@ BUILD = (
     "from sphinx.cmd.build import main\n"
     "sys.exit(main(sys.argv[1:]))"
 )
+WIDTHS = (390, 768, 1024, 1366, 1440)
+"""Widths of windows (pixels) in which pages are tested."""
+EXCESS = """() => [document.documentElement, document.querySelector(".content")]
+    .filter(Boolean).map((element) => element.scrollWidth - element.clientWidth)"""
 LONGEST_README = 200
 WIDEST_CODE = 110
 """Columns of code that a page shows without scrolling, in a window of 1280 pixels."""
@@ -66,6 +71,28 @@ def test_the_site_has_every_page_and_loads_nothing_from_elsewhere(site: Path) ->
         assert not LOADED.findall(html.read_text(encoding="utf-8")), page
     sheets = "".join(path.read_text(encoding="utf-8") for path in site.rglob("*.css"))
     assert not re.findall(r"(?:url\(|@import\s*)['\"]?(?:https?:)?//", sheets)
+
+
+@pytest.mark.slow
+def test_no_page_scrolls_sideways(site: Path) -> None:
+    pages = [path for path in site.rglob("*.html") if "_static" not in path.parts]
+    assert len(pages) > len(PAGES)
+    with chromium() as browser:
+        page = browser.new_page()
+        wide = []
+        for path in pages:
+            page.goto(path.as_uri())
+            for width in WIDTHS:
+                page.set_viewport_size({"width": width, "height": 900})
+                wide += [(path.name, width, excess) for excess in page.evaluate(EXCESS) if excess > 0]
+    assert wide == []
+
+
+@pytest.mark.slow
+def test_options_keep_their_dashes(site: Path) -> None:
+    html = (site / "reference" / "cli.html").read_text(encoding="utf-8")
+    assert "--output" in html
+    assert "\N{EN DASH}output" not in html
 
 
 @pytest.mark.slow
