@@ -160,8 +160,8 @@ class ForceDerivativesResult:
 class LinearizationResult:
     """Forward dynamics and its derivatives, of one or many poses; (...) is the motion's.
 
-    With the state x = [dt; dphi; dv; domega] about the motion, poses moving as in ``ForceDerivativesResult``, dx/dt
-    = A x + B dF.
+    With the state x = [dt; dphi; dv; domega] about the motion, poses moving as in
+    ``ForceDerivativesResult``, dx/dt = A x + B dF.
 
     Attributes
     ----------

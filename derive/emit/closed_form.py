@@ -1,4 +1,5 @@
-"""C99 of the closed form: equations of motion, bias and friction, forward dynamics, derivatives, linearization.
+"""C99 of the closed form: equations of motion, bias and friction, forward dynamics, derivatives,
+linearization.
 
 The trees of ``kernel.outputs`` with the legs in lanes (``kernel.legs_in_lanes``), on the prepared model of
 the force kernel, with ``written.motion`` for what only C has; batches are those of ``closed_form_blocks``.

@@ -29,7 +29,8 @@ class ArrayForces(NamedTuple):
 class ArrayEquations(NamedTuple):
     """M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext], and status (...).
 
-    M, C, H: (..., 6, 6); g, friction, bias = C [v; omega] + g, bias_and_friction: (..., 6). N and N m, base frame.
+    M, C, H: (..., 6, 6); g, friction, bias = C [v; omega] + g, bias_and_friction: (..., 6). N and N m, base
+    frame.
     """
 
     M: Any

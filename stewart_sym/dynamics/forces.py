@@ -90,8 +90,9 @@ class ForceKernel(Frozen):
         if robot.has_rotors and rotor_of(robot, fidelity) == "none" and fidelity != "no_rotor":
             moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
             warn(
-                f"fidelity {fidelity}: omits rotors with up to {robot.reflected_mass.max():.3g} kg of reflected "
-                f"mass in each leg, platform and legs have {moving:.3g} kg; forces lack as much at accelerations"
+                f"fidelity {fidelity}: omits rotors with up to {robot.reflected_mass.max():.3g} kg of "
+                f"reflected mass in each leg, platform and legs have {moving:.3g} kg; "
+                "forces lack as much at accelerations"
             )
 
     @property

@@ -87,10 +87,9 @@ def inverse_dynamics(
     on_singular : {"raise", "nan", "warn", "damped"}, optional
         What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN there, or return
         "nan" without a warning; ``status`` is that of each pose. "damped": where H is singular, F by damped
-        least squares (``damped_least_squares``) with the status as it is, and ``wrench_error`` is the part of the
-        wrench that F does not balance. Legs of length zero or along their universal axis have no damped
-        forces: NaN, and a warning. All other poses
-        are the same bits as without it.
+        least squares (``damped_least_squares``) with the status as it is, and ``wrench_error`` is the part of
+        the wrench that F does not balance. Legs of length zero or along their universal axis have no damped
+        forces: NaN, and a warning. All other poses are the same bits as without it.
 
     Returns
     -------
@@ -275,7 +274,8 @@ def _without_overflow(found: results.JointReactionsResult) -> results.JointReact
 
 
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
-    """F, D, x, K, H, c and wrench_error by ``damped_least_squares``, of poses that may be singular; no status.
+    """F, D, x, K, H, c and wrench_error by ``damped_least_squares``, of poses that may be singular; no
+    status.
 
     By the NumPy kernel, whatever backend rejected the poses. NaN where a leg has no direction.
     """

@@ -97,7 +97,8 @@ class BaseParametersResult:
         Returns
         -------
         ndarray of int
-            Their indices, (n,): ``independent_columns``, or where legs share their parameters also those of the other legs.
+            Their indices, (n,): ``independent_columns``, or where legs share their parameters also those of
+            the other legs.
         """
         return (
             self.independent_columns

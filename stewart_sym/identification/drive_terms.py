@@ -189,8 +189,10 @@ def seen_by_motors(robot: Robot) -> Robot:
 
 
 def terms_of(robot: Robot, names: Sequence[str]) -> Array:
-    """What terms, named as those of ``DriveIdentificationResult``, are of a robot's drives, (n,); NaN for a shared one
-    that is not that of all legs."""
+    """Return terms of a robot's drives by name, (n,), NaN for a shared term that differs between legs.
+
+    Names are those of ``DriveIdentificationResult``.
+    """
     if robot.drive is None:
         return np.full(len(names), np.nan)
     legs = {

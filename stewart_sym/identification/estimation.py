@@ -5,8 +5,8 @@
 is linear in the base parameters, so weighted least squares finds them along a motion that is known exactly.
 Poses measured with noise are errors in the regressor: there the motion is a series with unknown
 coefficients, fitted together with the parameters to poses and forces (maximum likelihood). Of the robot
-file only geometry and gravity are used. Every fit is tested by its residual; ``IdentificationResult.verdict`` says with
-what result.
+file only geometry and gravity are used. Every fit is tested by its residual; ``IdentificationResult.verdict``
+says with what result.
 """
 
 from __future__ import annotations
@@ -116,8 +116,8 @@ def identify(
     drive_terms : sequence of str, optional
         Terms of the drives to seek as well, where F are forces of the motors, N times torque: some of
         "reflected_mass", "coulomb", "offset" and "viscous", which is the same as ``C_p`` where that is
-        sought; ``IdentificationResult.drive`` has what is identifiable. With ``pose_noise`` and "coulomb", a force does not
-        count where the direction of its leg is not sure.
+        sought; ``IdentificationResult.drive`` has what is identifiable. With ``pose_noise`` and "coulomb", a
+        force does not count where the direction of its leg is not sure.
 
     Returns
     -------

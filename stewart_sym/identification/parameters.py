@@ -71,8 +71,9 @@ def regressor(
     """Y of H F + [R F_ext; R M_ext] = Y pi, (..., 6, 148); formulation `exact`, universal base joints.
 
     Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
-    its parameter; columns as in ``ParameterVector``. Equal and zero columns are meant (``base_parameters``). The
-    load of the motion has no part in Y; rotors of the legs have columns of their own (``rotor_regressor``).
+    its parameter; columns as in ``ParameterVector``. Equal and zero columns are meant (``base_parameters``).
+    The load of the motion has no part in Y; rotors of the legs have columns of their own
+    (``rotor_regressor``).
 
     Parameters
     ----------
@@ -331,7 +332,8 @@ def inertial_parameters(robot: Robot) -> ParameterVector:
 
 
 def with_parameters(robot: Robot, values: Array) -> Robot:
-    """The robot with inertial and friction parameters, (148,), as in ``ParameterVector``, in place of its own.
+    """The robot with inertial and friction parameters, (148,), as in ``ParameterVector``, in place of its
+    own.
 
     Raises ValueError as ``Robot`` for masses not > 0 and friction < 0; inertias are not checked.
     """

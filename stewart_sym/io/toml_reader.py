@@ -270,8 +270,10 @@ def checked_table(
 
 
 def _meant(key: str, known: Sequence[str]) -> str:
-    """Return the key that an unknown one is a former name or a plural of, those that have it as a word, or the
-    one spelled most like it; or nothing."""
+    """Return the keys that an unknown key may mean, or nothing.
+
+    These are its present name, its singular, keys that contain it as a word, or the key spelled most like it.
+    """
     if _RENAMED.get(key) in known:
         return f'"{_RENAMED[key]}"'
     word = f"{key[:-3]}y" if key.endswith("ies") else key.removesuffix("s")

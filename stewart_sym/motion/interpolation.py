@@ -82,7 +82,8 @@ def interpolate(trajectory: Trajectory | PoseLog) -> Path:
 def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
     """Return ``interpolate`` for one time after the other, s since the first instant: at rest after the last.
 
-    The polynomials of all steps are made once, which takes as much room as the motion. Raises as ``interpolate``.
+    The polynomials of all steps are made once, which takes as much room as the motion. Raises as
+    ``interpolate``.
     """
     _need_interpolable(trajectory)
     motion, time = trajectory.motion, elapsed(trajectory.time)

@@ -73,12 +73,12 @@ def read_log(
 ) -> PoseLog | JointTrajectory:
     """Read poses as coordinates, or leg lengths, with progress: the header tells which.
 
-    Without derivatives, columns that show rounding or noise are smoothed, with a ``TrajectoryWarning``, and all
-    others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); angles are unwrapped first.
-    Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
-    or interpolate those of a slower sensor don't count; gaps in time are named. Times of an even clock that
-    are rounded, such as to milliseconds, are taken from it, with a ``TrajectoryWarning``. ``check`` may reject the
-    log before its rates are computed. Raises as ``read_csv``.
+    Without derivatives, columns that show rounding or noise are smoothed, with a ``TrajectoryWarning``, and
+    all others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); angles are unwrapped
+    first. Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that
+    repeat or interpolate those of a slower sensor don't count; gaps in time are named. Times of an even clock
+    that are rounded, such as to milliseconds, are taken from it, with a ``TrajectoryWarning``. ``check`` may
+    reject the log before its rates are computed. Raises as ``read_csv``.
     """
     log = _read(path, form, smoothing, progress)
     check(log)
@@ -244,7 +244,8 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
     slow = [name for name, least in LONG_STEPS.items() if step >= least]
     if largest > _MOST_ACCELERATION * unit:
         hint = (
-            "are time or lengths in another unit (TrajectoryFormat(time_unit='ms'), TrajectoryFormat(length_unit='mm'))"
+            "are time or lengths in another unit (TrajectoryFormat(time_unit='ms'), "
+            "TrajectoryFormat(length_unit='mm'))"
             if log.form.time_unit in (None, "s")
             else f"is time in seconds, expected {log.form.time_unit} (TrajectoryFormat(time_unit='s'))"
         )

@@ -207,7 +207,9 @@ def read_columns(
 
 
 def stated_units(stream: BinaryIO, source: str, form: TrajectoryFormat) -> dict[str, str]:
-    """Units by kind, as in ``TrajectoryFormat``, that the file's row of units states; errors are its reader's."""
+    """Units by kind, as in ``TrajectoryFormat``, that the file's row of units states; errors are its
+    reader's.
+    """
     with contextlib.suppress(ValueError), table_as_utf8(stream, source) as text:
         head = _head(text, source, form)
         return units_of(head, _expected_names(head.names, source, form), source, {}) or {}
@@ -256,7 +258,8 @@ def _clock(head: Head, header: list[str | None], source: str, form: TrajectoryFo
     if form.time_unit not in (None, "s"):
         raise ValueError(
             f"{source}: line {head.above + 1}: time: expected {form.time_unit} "
-            f"(TrajectoryFormat(time_unit={form.time_unit!r})), got {text!r}: dates and times of day have no unit"
+            f"(TrajectoryFormat(time_unit={form.time_unit!r})), got {text!r}: "
+            "dates and times of day have no unit"
         )
     return Clock()
 

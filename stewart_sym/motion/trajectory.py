@@ -74,7 +74,8 @@ class SmoothingOptions:
         Returns
         -------
         float or None
-            Standard deviation, ``angle_std``, rad, of ``theta``, else ``position_std``, m; None where none is stated.
+            Standard deviation, ``angle_std``, rad, of ``theta``, else ``position_std``, m; None where none is
+            stated.
         """
         return self.angle_std if name == "theta" else self.position_std
 

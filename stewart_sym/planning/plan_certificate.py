@@ -102,7 +102,8 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     Raises
     ------
     ValueError
-        For a path whose rates contradict its poses, or jump, as ``parameterize_path`` does, on the finer grid.
+        For a path whose rates contradict its poses, or jump, as ``parameterize_path`` does, on the finer
+        grid.
     """
     instance(plan, TimedPath, "plan")
     robot, profile = plan.robot, plan.profile

@@ -114,9 +114,9 @@ def plan_path(
         What is made small: the condition number's mean or its peak. Neither rises above that of the straight
         spline where that one keeps the limits.
     smoothness_weight : float, optional
-        Weight of length and bending: what is made small is the condition number plus ``smoothness_weight`` times the mean
-        squares of first and second derivatives, each over its value on the straight path. With a price of 0
-        the path bends more, and forces rise.
+        Weight of length and bending: what is made small is the condition number plus ``smoothness_weight``
+        times the mean squares of first and second derivatives, each over its value on the straight path. With
+        a price of 0 the path bends more, and forces rise.
     load : array_like, optional
         External wrench [F_ext; M_ext] on the way, N and N m, platform frame, (6,).
     progress : callable, optional

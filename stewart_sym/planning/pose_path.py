@@ -83,7 +83,8 @@ class ViaPose(Frozen):
         Parameters
         ----------
         shift : ndarray
-            By how much it differs, in the coordinates of ``tolerance_low`` and ``tolerance_high``, m and rad, (6,).
+            By how much it differs, in the coordinates of ``tolerance_low`` and ``tolerance_high``, m and rad,
+            (6,).
 
         Returns
         -------

@@ -222,7 +222,8 @@ def _of_rotors(robot: Robot) -> Iterator[Finding]:
         yield Finding(
             "rotor-inertia",
             f"rotor_inertia of {legs_text(legs)}: {robot.drive.rotor_inertia[worst]:.3g} kg m^2 resists as "
-            f"{robot.reflected_mass[worst]:.3g} kg along the leg, platform and legs have {moving:.3g} kg; likely cause: "
+            f"{robot.reflected_mass[worst]:.3g} kg along the leg, "
+            f"platform and legs have {moving:.3g} kg; likely cause: "
             "given in kg cm^2 or g cm^2, expected kg m^2, or a lead in another unit",
         )
 

@@ -1,7 +1,8 @@
 """Drives of the legs: screw or rack, rotor, friction, motor and its limits; and the tables that give them.
 
-A motor turns by ``transmission_ratio`` times the change of its leg's length. Of that the equations of motion have
-the rotor alone; friction, efficiency and the motor's own numbers act between the leg's force F and the motor.
+A motor turns by ``transmission_ratio`` times the change of its leg's length. Of that the equations of motion
+have the rotor alone; friction, efficiency and the motor's own numbers act between the leg's force F and the
+motor.
 """
 
 from __future__ import annotations
@@ -69,7 +70,8 @@ _OF_EFFICIENCY: Any = None
 class Drive(Frozen):
     """Drives of six legs, SI units; each field is one number for all legs or six, kept as (6,), read-only.
 
-    The motor's angle grows with its leg's length, by ``transmission_ratio``; torques and speeds are the motor's.
+    The motor's angle grows with its leg's length, by ``transmission_ratio``; torques and speeds are the
+    motor's.
 
     Attributes
     ----------
@@ -236,9 +238,7 @@ def _leg(
         return drives.where(i, name) if name in given else drives.prefixes[(i + 1) * bool(mine)] + name
 
     if spins and "radius" in given:
-        raise ValueError(
-            f'{where("radius")}: a rack cannot turn with a "universal" platform_joint; use lead'
-        )
+        raise ValueError(f'{where("radius")}: a rack cannot turn with a "universal" platform_joint; use lead')
     found = {"lead": _lead(given, where, meters)}
     for name, key in NUMBERS.items():
         if name == "lead":

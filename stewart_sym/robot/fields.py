@@ -28,8 +28,8 @@ WARNING_NAMES = (
     *("home", "length-limits", "part-length", "force-limit", "speed-limit"),
     *("drive-limit", "drive-speed", "torque-constant", "joint-angle"),
 )
-"""Names of all warnings about a robot's numbers, as ``suppress_warnings`` takes them: the first four are given on
-loading, the others by ``plausibility.doubts``."""
+"""Names of all warnings about a robot's numbers, as ``suppress_warnings`` takes them: the first four are
+given on loading, the others by ``plausibility.doubts``."""
 
 UNSTATED: dict[str, Any] = {
     "length_limits": (0.0, math.inf),

@@ -24,9 +24,9 @@ class JointOffsets(Frozen):
 
     From the base point the fixed axis k, the moving axis y at a right angle to it, and the line of sliding
     along s at a right angle to y. o = y x k points from the fixed axis toward the platform; z = s x y. The
-    end of the leg lies at S = axis_offset o + slide_offset_y y + slide_offset_z z + L s from the base point. Frame D of the lower
-    part has its origin where o meets the moving axis, frame U of the upper part at the end of the leg. Zeros
-    are the ordinary leg.
+    end of the leg lies at S = axis_offset o + slide_offset_y y + slide_offset_z z + L s from the base point.
+    Frame D of the lower part has its origin where o meets the moving axis, frame U of the upper part at the
+    end of the leg. Zeros are the ordinary leg.
 
     Spherical platform joints: U has the axes of D. Universal ones: x_U = s, y_U = (k_P x s) / |k_P x s| and
     z_U = x_U x y_U, with k_P = R platform_axis.

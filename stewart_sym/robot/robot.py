@@ -385,8 +385,8 @@ def _need_schema(value: object, where: str) -> None:
     """Reject every schema but the one that is read, with the remedy for files of schema 1."""
     if type(value) is int and value == 1:
         remedy = (
-            "write schema = 2, six points in [base] and [platform], the inertia in [platform.body], what legs "
-            "share in [legs], and [leg.1] to [leg.6] in place of [[leg]]"
+            "write schema = 2, six points in [base] and [platform], the inertia in [platform.body], "
+            "common values of the legs in [legs], and [leg.1] to [leg.6] in place of [[leg]]"
         )
         raise ValueError(f"{where}: schema 1 is no longer read; {remedy}")
     toml_reader.need_schema(value, (schema_2.SCHEMA,), where)

@@ -73,9 +73,9 @@ _LAW_NEEDS = {
 class Scene:
     """A simulation to be run; names and units are those of ``simulate``.
 
-    law: with ``control_rate``, Hz, its forces are held between samples. load: of the file of a tracked path, None for
-    the state's. files: from which it was read. stated: what the file says of the start and of the legs by
-    key, such as ``state.theta``.
+    law: with ``control_rate``, Hz, its forces are held between samples. load: of the file of a tracked path,
+    None for the state's. files: from which it was read. stated: what the file says of the start and of the
+    legs by key, such as ``state.theta``.
     """
 
     robot: Robot

@@ -84,8 +84,8 @@ def simulate(
     seen however short the time near it; the run then ends where the condition number passes its threshold.
 
     Where the robot's drives have friction or an efficiency below 1, forces are those of the motors, N times
-    torque, and legs stick and slip: one that sticks does not move at all. ``SimulationResult.drives`` has what they
-    lost.
+    torque, and legs stick and slip: one that sticks does not move at all. ``SimulationResult.drives`` has
+    what they lost.
 
     Parameters
     ----------

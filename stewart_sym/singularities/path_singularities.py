@@ -139,8 +139,8 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     robot : Robot
         The machine.
     path : Path
-        Times, s, (n,) -> Motion of shape (n,), such as ``StraightLinePath.sample`` or ``interpolate``; its rates
-        must be those of its poses.
+        Times, s, (n,) -> Motion of shape (n,), such as ``StraightLinePath.sample`` or ``interpolate``; its
+        rates must be those of its poses.
     time : array_like
         Where to begin, s, (n,), increasing, at least two: the first and the last, and between them the
         samples or wherever an acceleration jumps. Two crossings between two times are found as well, though
@@ -209,9 +209,9 @@ def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingula
 def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
     """Return the actuator forces' residue, N s, (..., 6), where ``motion`` crosses a singular pose.
 
-    Within a crossing at time t_0 they go as F = singular_force_residue / (t - t_0): to one infinity before and to the
-    other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``SingularityResult``; not finite where the motion rests
-    or moves along singular poses, 0 where nothing loads the unconstrained twist.
+    Within a crossing at time t_0 they go as F = singular_force_residue / (t - t_0): to one infinity before
+    and to the other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``SingularityResult``; not finite where
+    the motion rests or moves along singular poses, 0 where nothing loads the unconstrained twist.
 
     Parameters
     ----------

@@ -28,8 +28,10 @@ def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
     of = " of the reference point" if robot.tool.any() else ""
     return (
         f"{log.source}: the path crosses a singular pose at {first.time:.9f} s, between lines "
-        f"{rows[0]} and {rows[1]}: det H goes from {sign_text(first.sign_before)} to {sign_text(first.sign_after)}, "
-        f"scaled condition number {float(first.singularity.condition_number):.3g}, leg forces grow without bound; "
+        f"{rows[0]} and {rows[1]}: "
+        f"det H goes from {sign_text(first.sign_before)} to {sign_text(first.sign_after)}, "
+        f"scaled condition number {float(first.singularity.condition_number):.3g}, "
+        "leg forces grow without bound; "
         f"unconstrained twist{of} {twist_text(first.singularity)}{more}"
     )
 

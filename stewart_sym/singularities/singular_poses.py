@@ -24,9 +24,9 @@ _TRANSLATION = 1e-9
 class SingularityResult:
     """How near poses are to a singular one, and what is lost; a leading shape ``(...)`` is that of the poses.
 
-    With the moment rows of H divided by ``characteristic_length``, H = sum s_i u_i v_i^T, s_1 >= ... >= s_6. Base frame,
-    wrenches and twists about the platform's reference point. Twist and wrench have the sign that makes the
-    entry of u_6 of largest magnitude positive.
+    With the moment rows of H divided by ``characteristic_length``, H = sum s_i u_i v_i^T, s_1 >= ... >= s_6.
+    Base frame, wrenches and twists about the platform's reference point. Twist and wrench have the sign that
+    makes the entry of u_6 of largest magnitude positive.
 
     Attributes
     ----------
@@ -130,7 +130,8 @@ def last_directions(H: Array) -> tuple[Array, Array, Array]:
 def screw(twist: Array, length: float) -> tuple[Array, Array, Array]:
     """Return pitch, m/rad, (...), axis, (..., 3), and the arm to it from the reference point, m, (..., 3).
 
-    twist: [v; omega], m/s and rad/s, (..., 6). length: what a turn is measured by, m. As in ``SingularityResult``.
+    twist: [v; omega], m/s and rad/s, (..., 6). length: what a turn is measured by, m. As in
+    ``SingularityResult``.
     """
     v, omega = twist[..., :3], twist[..., 3:]
     turns = length * _size(omega) > _TRANSLATION * _size(v)

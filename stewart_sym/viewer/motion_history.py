@@ -185,7 +185,9 @@ def _instants(
     breaks: Array | None,
     forces: Mapping[str, Array] | None = None,
 ) -> MotionHistory:
-    """All of it; forces: None for those of the formulations. path, breaks: as ``singularity_crossings`` takes them."""
+    """All of it; forces: None for those of the formulations. path, breaks: as ``singularity_crossings`` takes
+    them.
+    """
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
         length = characteristic_length(robot) or 1.0

@@ -298,7 +298,9 @@ def test_the_exported_machine_stands_assembled_at_its_home_pose() -> None:
     assert np.abs(data.efc_pos).max() < 1e-12
     assert data.ncon == 0
     lengths = [data.joint(f"leg_{i}").qpos[0] for i in range(1, 7)]
-    np.testing.assert_allclose(lengths, np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1), rtol=1e-12)
+    np.testing.assert_allclose(
+        lengths, np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1), rtol=1e-12
+    )
 
 
 @pytest.mark.parametrize(("rise", "widest"), [(0.0, (4, 7)), (0.04, (30, 70)), (0.1, (200, 320))])
@@ -318,7 +320,9 @@ def test_closures_in_mujoco_open_as_far_as_the_page_states(rise: float, widest: 
         a = reference[2] + 40.0 * (reference[1] - V[3:]) + 400.0 * (start + reference[0] - platform.xpos)
         turn = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
         alpha = -40.0 * V[:3] - 400.0 * turn
-        data.ctrl[:] = kernel.forces(ss.Motion(R=R, t=platform.xpos.copy(), omega=V[:3].copy(), v=V[3:].copy(), alpha=alpha, a=a))
+        data.ctrl[:] = kernel.forces(
+            ss.Motion(R=R, t=platform.xpos.copy(), omega=V[:3].copy(), v=V[3:].copy(), alpha=alpha, a=a)
+        )
         mujoco.mj_step(model, data)
         of_loops = data.efc_type[: data.nefc] == mujoco.mjtConstraint.mjCNSTR_EQUALITY
         open_by = np.linalg.norm(data.efc_pos[: data.nefc][of_loops].reshape(-1, 3), axis=1)

@@ -124,7 +124,9 @@ BAD = {
         "legs.drive.radius: expected lead or radius, got both (at line 20)"
     ),
     "[legs.drive]\nradius = -9\n": "legs.drive.radius: expected a number > 0, got -9 (at line 19)",
-    "[legs.drive]\nlead = 5\ngear_ratio = 0\n": "legs.drive.gear_ratio: expected a number > 0, got 0 (at line 20)",
+    "[legs.drive]\nlead = 5\ngear_ratio = 0\n": (
+        "legs.drive.gear_ratio: expected a number > 0, got 0 (at line 20)"
+    ),
     "[legs.drive]\nlead = 5\nefficiency = 90\n": (
         "legs.drive.efficiency: expected a number > 0 and <= 1, got 90 (at line 20)"
     ),

@@ -49,7 +49,9 @@ def rates(counts: Counter[str]) -> dict[str, float]:
 
 def page_passages(page: Path) -> Iterator[str]:
     """Yield paragraphs, list entries, and table cells of a Markdown page, without code and directives."""
-    text = re.sub(r"^(```+|~~~+|:::+|\$\$)[\s\S]*?^\1\s*$", "\n", page.read_text(encoding="utf-8"), flags=re.M)
+    text = re.sub(
+        r"^(```+|~~~+|:::+|\$\$)[\s\S]*?^\1\s*$", "\n", page.read_text(encoding="utf-8"), flags=re.M
+    )
     text = re.sub(r"<!--[\s\S]*?-->", "", text)
     for paragraph in re.split(r"\n\s*\n|\n(?=\s*(?:[-*+]|\d+\.|#+|\|)\s)", text):
         if paragraph.lstrip().startswith("|"):

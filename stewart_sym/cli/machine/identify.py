@@ -35,9 +35,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs=2,
         type=Path,
         metavar=("TRAJECTORY.csv", "FORCES.csv"),
-        help="files of the motion, as for `forces`, and of time with F_1 to F_6 (N) or current_1 to current_6 "
-        "(A, sign of the torque). The robot file provides geometry, gravity, and drives. If a drive has a "
-        "rotor_inertia, F_1 to F_6 are motor forces (N times torque)",
+        help="files of the motion, as for `forces`, and of time with F_1 to F_6 (N) or current_1 to "
+        "current_6 (A, sign of the torque). The robot file provides geometry, gravity, and drives. "
+        "If a drive has a rotor_inertia, F_1 to F_6 are motor forces (N times torque)",
     )
     text = "standard deviation of the measured forces (N) or currents (A)"
     valued(parser, "force-std", positive, text, 1.0)

@@ -46,7 +46,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             _RANGES,
             "lower and upper bounds of roll, pitch, yaw (rad); default: all rotations",
         ),
-        ("load", 6, ("FX", "FY", "FZ", "MX", "MY", "MZ"), "load on the tool at rest (N and N m, platform frame)"),
+        (
+            "load",
+            6,
+            ("FX", "FY", "FZ", "MX", "MY", "MZ"),
+            "load on the tool at rest (N and N m, platform frame)",
+        ),
     ):
         parser.add_argument(f"--{name}", nargs=nargs, type=finite, metavar=metavar, help=text)
     text = "largest scaled condition number of H; excludes also all poses beyond a singular pose"

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits, at_reference
-from ...design.workspace import Workspace
+from ...design.workspace import WorkspaceResult
 from ...io.array_types import Array
 from ...io.progress import Progress, tracked
 from ...motion.rotation import rotation_from_rpy
@@ -135,7 +135,8 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
         point = ", ".join(f"{x:.4g}" for x in found.tool)
         lines.insert(2, f"point      tool of the robot file, ({point}) m, platform frame: positions and load")
     if found.kind != "six_dof":
-        clear = f"at most {found.distance_to_limit:.4g} {_clear_unit(found)} from the pose in the middle, to the nearest"
+        distance = f"{found.distance_to_limit:.4g} {_clear_unit(found)}"
+        clear = f"at most {distance} from the pose in the middle, to the nearest"
         clear = f"{clear} that" if np.isfinite(found.distance_to_limit) else "no pose"
         lines.append(f"clear      {clear} was found beyond a limit")
     rows = [
@@ -148,7 +149,7 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
     return "\n".join([*lines, aligned(("first limit that breaks", "% of poses"), shares)])
 
 
-def _size(found: Workspace) -> str:
+def _size(found: WorkspaceResult) -> str:
     """Return the volume with its error; only an upper bound if the error is larger."""
     if not found.is_known:
         return f"at most {found.volume + found.error:.2g} {found.unit}"

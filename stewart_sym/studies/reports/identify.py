@@ -113,7 +113,8 @@ def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> tuple
     said = []
     if found.normalized_residual < _LEAST_MISFIT:
         said.append(
-            f"force_std: the forces scatter by {found.normalized_residual:.2g} of it about the model: expected their standard "
+            f"force_std: the forces scatter by {found.normalized_residual:.2g} of it about the model: "
+            "expected their standard "
             "deviation, deviations of the results are too large"
         )
     got, expected = (

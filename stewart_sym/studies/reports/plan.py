@@ -15,6 +15,7 @@ from ...kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import angles_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
+from ...planning.path_parameterization import TimedPath
 from ...planning.places import places_along
 from ...planning.plan_certificate import PlanCertificate
 from ...planning.plan_file import RATE
@@ -226,7 +227,8 @@ def data(plan: Plan) -> dict[str, Any]:
             "smallest_singular_value": found.nearest.smallest,
         },
         "units": {
-            "condition_numbers": "of H with moments over the characteristic length; length of the path over that",
+            "condition_numbers": "of H with moments over the characteristic length; "
+            "length of the path over that",
             "max_utilization": "share of a limit",
             "active_fraction": "share of the duration",
         },

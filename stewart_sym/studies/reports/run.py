@@ -134,7 +134,8 @@ def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
         done, lost = run.drive_work.done.sum(), run.drive_work.lost.sum()
         lines.append(f"motors     work of {done:.6g} J, friction of the drives took {lost:.6g} J")
     lines += [
-        f"saturated  leg {i + 1} for {time:.6g} s, up to {run.saturation.max_excess[i]:.6g} N beyond its limit"
+        f"saturated  leg {i + 1} for {time:.6g} s, "
+        f"up to {run.saturation.max_excess[i]:.6g} N beyond its limit"
         for i, time in enumerate(run.saturation.duration)
         if run.saturation.max_excess[i] > 0.0
     ]

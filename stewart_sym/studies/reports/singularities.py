@@ -71,7 +71,9 @@ class Examination:
 def examine(
     robot: Robot, name: str, path: Path, times: Array, formulation: Formulation = "exact"
 ) -> Examination:
-    """Find where a path, called ``name``, passes singular poses; path, times as for ``singularity_crossings``."""
+    """Find where a path, called ``name``, passes singular poses; path, times as for
+    ``singularity_crossings``.
+    """
     along = path_singularities(robot, path, times)
     sides = tuple(_sides(robot, path, along, found, formulation) for found in along.crossings)
     return Examination(robot, name, path, formulation, along, sides)
@@ -275,7 +277,8 @@ def _pose_lines(at: SingularityResult) -> list[str]:
     if np.isfinite(pitch):
         screw = f"turn about {axis} through {triple_text(at.screw_point)} m, pitch {pitch:.6g} m/rad"
     lines = [
-        f"  condition      {float(at.condition_number):.6g} with moments divided by {at.characteristic_length:.6g} m, smallest "
+        f"  condition      {float(at.condition_number):.6g} "
+        f"with moments divided by {at.characteristic_length:.6g} m, smallest "
         f"singular value {float(at.smallest_singular_value):.3g}",
         f"  {motion:<14} {twist_text(at)}",
         f"  as a screw     {screw}",

@@ -82,10 +82,10 @@ class Part(NamedTuple):
     def columns(self) -> Columns:
         """Columns (n,) by name, as written.
 
-        In SI units: time, F_1..F6, with noise in the log F_1_std..F_6_std, L_1..L6, condition_number, status; with
-        a drive torque_1.., motor_speed_1.., current_1.. and power_1.., with noise torque_1_std.. and so on; with
-        reactions the components of F_s, F_u, F_p, F_c, M_p (about the base point), of U-C-U legs M_s, and M_u
-        leg by leg.
+        In SI units: time, F_1..F6, with noise in the log F_1_std..F_6_std, L_1..L6, condition_number, status;
+        with a drive torque_1.., motor_speed_1.., current_1.. and power_1.., with noise torque_1_std.. and so
+        on; with reactions the components of F_s, F_u, F_p, F_c, M_p (about the base point), of U-C-U legs
+        M_s, and M_u leg by leg.
         """
         sd = self.sd
         found: Columns = {"time": self.time} | of_legs("F", self.F)

@@ -10,7 +10,7 @@ from via_cases import straight, via_case, with_limits
 from stewart_sym.drives.effort import DriveEffortResult, drive_effort
 from stewart_sym.planning.path_parameterization import parameterize_path
 from stewart_sym.planning.pose_path import PosePath
-from stewart_sym.planning.timing.path_terms import terms_along
+from stewart_sym.planning.timing.path_terms import PathLimits, terms_along
 from stewart_sym.robot.drive import Drive
 from stewart_sym.robot.robot import Robot
 
@@ -94,7 +94,7 @@ def sweep_case(seed: int) -> tuple[Robot, PosePath]:
         resistance=0.2,
     )
     robot = dataclasses.replace(robot, drive=drive)
-    terms = terms_along(robot, path, np.linspace(0.0, 1.0, 201), Limits(), "exact", motors=True)
+    terms = terms_along(robot, path, np.linspace(0.0, 1.0, 201), PathLimits(), "exact", motors=True)
     assert terms.motors is not None
     held = terms.motors._replace(effort=np.ones(6)).at_rest()[:, :6].max(axis=0)
     strong = 1.0 if seed < 100 else 3.0
