@@ -28,7 +28,7 @@ def dry_sign(drive: Drive, L_dot: Array, side: Array) -> Array:
 
     A leg that turns back has another sign before the instant than after it. Smoothed signs have no sides.
     """
-    within = np.asarray(drive.smoothing)
+    within = np.asarray(drive.regularization_speed)
     return np.where(within > 0.0, smooth_sign(L_dot, within), side)
 
 

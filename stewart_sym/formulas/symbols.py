@@ -177,9 +177,9 @@ def symbolic(robot: Robot, quantity: str, formulation: Formulation = "exact") ->
     quantity : str
         "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction", "bias", or
         "bias_and_friction" of the equations of motion; "a" or "alpha" of forward dynamics. The last two
-        groups are of `exact` with universal base joints. The formulas are those of a regular pose: no leg near the fixed axis of its
-        universal joint, status 0, and no exchange of rows in the solves for F, a and alpha, so that F has a
-        zero divisor where a leading minor of H vanishes.
+        groups are of `exact` with universal base joints. The formulas are those of a regular pose: no leg
+        near the fixed axis of its universal joint, status 0, and no exchange of rows in the solves for F, a
+        and alpha, so that F has a zero divisor where a leading minor of H vanishes.
     formulation : {"exact", "paper"}, optional
         The corrected equations or those printed.
 

@@ -63,16 +63,16 @@ def _need_length_unit(robot: Robot, log: Log, few: Log) -> None:
     low, high = _USUAL
     if "L" in few.written:
         lengths = few.vector("L")
-        if log.form.lengths == "relative":
+        if log.form.length_mode == "relative":
             lengths, low = np.abs(lengths), 0.0
     else:
         lengths = leg_lengths(robot, *_reference_poses(robot, few))
     typical, size, (near, far), text = _beside_size(robot, lengths)
     units = [name for name, each in LENGTH_UNITS.items() if low * size <= each * typical <= high * size]
     if units and not (near * size if low else 0.0) <= typical <= far * size:
-        remedies = " or ".join(f"LogFormat(length_unit={name!r})" for name in units)
+        remedies = " or ".join(f"TrajectoryFormat(length_unit={name!r})" for name in units)
         raise ValueError(
-            f"{log.source}: {text} if read in m; give {remedies}, or LogFormat(length_unit='m') if m is right"
+            f"{log.source}: {text} if read in m; give {remedies}, or TrajectoryFormat(length_unit='m') if m is right"
         )
 
 
@@ -81,7 +81,7 @@ def _need_angle_unit(robot: Robot, log: Log, few: Log) -> None:
     spans = np.ptp(np.quantile(theta, _RANGE, axis=0), axis=0)
     if spans.max() <= LEAST_TURN:
         return
-    t, order = few.vector("t"), log.form.order
+    t, order = few.vector("t"), log.form.rotation_order
     some = few.vector("theta")
     R, in_degrees = (rotation_about_axes(angles, order) for angles in (some, np.radians(some)))
     wrong = np.any(spans > MOST_TURNS) or impossible(robot, t, R, robot.tool) is not None
@@ -89,7 +89,7 @@ def _need_angle_unit(robot: Robot, log: Log, few: Log) -> None:
         axis = int(np.argmax(spans))
         raise ValueError(
             f"{log.source}: {angle_range(theta, axis)}, which the legs allow in degrees alone; give "
-            "LogFormat(angle_unit='deg'), or LogFormat(angle_unit='rad') if rad is right"
+            "TrajectoryFormat(angle_unit='deg'), or TrajectoryFormat(angle_unit='rad') if rad is right"
         )
 
 

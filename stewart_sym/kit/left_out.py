@@ -40,8 +40,8 @@ def _named(robot: Robot, level: str) -> Iterator[str]:
     """Yield the physics that a level omits for certain."""
     rotor = fidelity.rotor_of(robot, level)
     if robot.has_rotors and rotor == "none":
-        yield f"rotors with up to {robot.m_r.max():.3g} kg of reflected mass in each leg"
-    elif rotor == "mass" and np.any(robot.j_r):
+        yield f"rotors with up to {robot.reflected_mass.max():.3g} kg of reflected mass in each leg"
+    elif rotor == "mass" and np.any(robot.rotor_momentum):
         yield "angular momentum of the rotors"
     damped = any(np.any(getattr(robot, name)) for name in ("C_u", "C_p", "C_s"))
     if damped and level not in ("no_rotor", "reflected") and not level.endswith("_friction"):

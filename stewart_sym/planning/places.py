@@ -5,14 +5,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.instants import Instants, at_instants
+from ..drives.motor_states import MotorStates, motor_states
 from ..io.array_types import Array
-from ..kinematics.inverse import inverse_kinematics
+from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.robot import LEGS
-from .time_path import TimedPath
+from .path_parameterization import TimedPath
 from .timing.motor_terms import directions
-from .timing.path_terms import travelled
+from .timing.path_terms import traveled
 
 FINER = 100
 """Instants in each cell of the plan's grid at which limits are checked."""
@@ -45,12 +45,12 @@ class Places(NamedTuple):
 
     def motion(self, plan: TimedPath) -> Motion:
         """Return the plan's motion at the places, (n,)."""
-        return travelled(plan.path(self.s), np.sqrt(self.square), self.second)
+        return traveled(plan.path(self.s), np.sqrt(self.square), self.second)
 
-    def motors(self, plan: TimedPath, motion: Motion, F: Array, L_dot: Array) -> Instants:
+    def motors(self, plan: TimedPath, motion: Motion, F: Array, L_dot: Array) -> MotorStates:
         """Compute the motors' effort at the places from their motion, forces, N, and rates, m/s, (n, 6)."""
         assert plan.robot.drive is not None
-        return at_instants(plan.robot, plan.robot.drive, motion, F, L_dot, self.sides)
+        return motor_states(plan.robot, plan.robot.drive, motion, F, L_dot, self.sides)
 
 
 def places_along(plan: TimedPath) -> Places:

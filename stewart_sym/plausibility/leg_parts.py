@@ -108,7 +108,7 @@ def of_stroke(robot: Robot) -> Iterator[Finding]:
             "length_unit",
         )
     elif robot.drive is not None:
-        speed = robot.drive.speed_limit / np.abs(robot.drive.turns)
+        speed = robot.drive.speed_limit / np.abs(robot.drive.transmission_ratio)
         slow = np.flatnonzero(np.isfinite(speed) & (speed > FASTER * robot.speed_limit)).tolist()
         if slow:
             i = slow[0]

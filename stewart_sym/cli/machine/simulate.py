@@ -48,8 +48,8 @@ def run(arguments: argparse.Namespace) -> int:
         raise ValueError("--energy-drift: the actuation of the scene is not springs; change the scene")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
         done = scene.run(lambda share: progress("simulating", share))
-        if done.stop.kind != "duration" and done.stop.time == 0.0:
-            why = f"the run stops at its start, nothing was written: {done.stop.text}"
+        if done.stop.reason != "completed" and done.stop.time == 0.0:
+            why = f"the run stops at its start, nothing was written: {done.stop.message}"
             raise ValueError(f"{arguments.scene}: {why}; start within the limits")
         drifts = None
         if arguments.energy_drift and isinstance(scene.law, LegSprings):
