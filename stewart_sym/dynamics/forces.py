@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
-from ..backend.fidelity import force_kernel_name, rotor_of
+from ..backend.fidelity import force_kernel_name
 from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
 from ..generated.interface import MODELS
 from ..io.arguments import instance, option, whole_number
@@ -25,6 +25,7 @@ from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .columns import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
 from .inverse import Formulation, damped_terms, need_motion, report_faults
+from .left_out import left_out
 
 Array = NDArray[Any]
 Precision = Literal["double", "float"]
@@ -456,15 +457,14 @@ def prepare(
     Warns
     -----
     UserWarning
-        If the fidelity omits the rotors of the robot's drives.
+        If the fidelity omits physics of the robot, with the effect on the forces.
     """
     kernel = ForceKernel(robot, formulation, precision, fidelity)
-    if robot.has_rotors and rotor_of(robot, fidelity) == "none" and fidelity != "no_rotor":
-        moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
-        warn(
-            f"fidelity {fidelity}: omits rotors with up to {robot.m_r.max():.3g} kg of reflected mass "
-            f"in each leg, platform and legs have {moving:.3g} kg; forces lack as much at accelerations"
-        )
+    # The estimate has double precision, so that it contains no rounding.
+    reduced = ForceKernel(robot, formulation, "double", fidelity)
+    missing = left_out(robot, formulation, fidelity, reduced.forces)
+    if missing:
+        warn(f'{missing}; for all of it use fidelity="general"')
     return kernel
 
 

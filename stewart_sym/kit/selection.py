@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from ..backend.kernel import MOTION
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..drives.friction import drive_numbers
+from ..dynamics.sample_poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
@@ -28,7 +29,6 @@ from ..robot.robot import Robot
 from .choice import PRECISIONS
 from .interpreter import NEAR_JOINT_SINGULAR
 from .parts import fields, folded_kernel
-from .poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .running import FORCES_MARGIN
 from .sensitivity import Change, Forces, changes
 

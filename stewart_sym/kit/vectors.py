@@ -19,6 +19,7 @@ from ..backend.kernel import MOTION, need_representable
 from ..derive.kernel.outputs import FORCED
 from ..derive.package.functions import Vector
 from ..drives.friction import drive_numbers
+from ..dynamics.sample_poses import neighbour, poses, rounded, significant
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.forward import forward_kinematics
@@ -30,7 +31,6 @@ from ..robot.robot import LEGS, Robot
 from .choice import PRECISIONS, STEMS
 from .interpreter import Found, KitInterpreter, Numbers
 from .parts import fields as fields_of
-from .poses import neighbour, poses, rounded, significant
 from .running import FORCES_MARGIN, MARGIN, errors, values
 from .selection import Numbered, selection
 

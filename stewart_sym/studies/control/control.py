@@ -14,7 +14,7 @@ import numpy as np
 
 from ...drives.leg_limits import LegLimits, limited_angles
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
-from ...dynamics.forces import OnePose, prepare
+from ...dynamics.forces import ForceKernel, OnePose
 from ...dynamics.inverse import Formulation
 from ...io.array_types import Array
 from ...io.error_policy import errors_of
@@ -138,8 +138,8 @@ class PreparedModel:
     """Inverse dynamics of one pose by the prepared C kernel, as the law of a controller calls it."""
 
     def __init__(self, robot: Robot, formulation: Formulation = "exact", fidelity: str = "general") -> None:
-        """Prepare the kernel and its buffers; raises as ``prepare``."""
-        self._slot: OnePose = prepare(robot, formulation, fidelity=fidelity).one_pose()
+        """Prepare the kernel and its buffers; raises as ``ForceKernel``."""
+        self._slot: OnePose = ForceKernel(robot, formulation, fidelity=fidelity).one_pose()
         self._views = {each.name: getattr(self._slot, each.name) for each in fields(Motion)}
 
     def __call__(self, motion: Motion) -> Array:
