@@ -5,7 +5,7 @@ import itertools
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, partial
 from typing import Any, Literal
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
-from ..backend.fidelity import force_kernel_name, rotor_of
+from ..backend.fidelity import force_kernel_name
 from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
 from ..generated.interface import MODELS
 from ..io.arguments import instance, option, whole_number
@@ -25,6 +25,7 @@ from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .columns import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
 from .inverse_dynamics import Formulation, damped_terms, need_motion, report_faults
+from .left_out import left_out
 
 Array = NDArray[Any]
 Precision = Literal["double", "float"]
@@ -63,6 +64,8 @@ class ForceKernel(Frozen):
         Of the numbers in C.
     fidelity : str, optional
         How much of the legs' physics.
+    warns : bool, optional
+        False suppresses the warning about physics of the robot that the fidelity level omits.
     model : ndarray, optional
         The numbers of the C's ``stewart_<kernel>_model``.
     """
@@ -71,6 +74,7 @@ class ForceKernel(Frozen):
     formulation: Formulation = "exact"
     precision: Precision = "double"
     fidelity: str = "general"
+    warns: bool = field(default=True, kw_only=True, repr=False)
     model: Array = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -82,18 +86,16 @@ class ForceKernel(Frozen):
         model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors, offsets)
         # As it lies in memory; a copy would be slower.
         object.__setattr__(self, "model", model)
-        self._warn_of_omitted_rotors()
+        if self.warns:
+            self._warn_of_omitted_physics()
 
-    def _warn_of_omitted_rotors(self) -> None:
-        """Warn if the fidelity level omits the rotors of the robot's drives."""
-        robot, fidelity = self.robot, self.fidelity
-        if robot.has_rotors and rotor_of(robot, fidelity) == "none" and fidelity != "no_rotor":
-            moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
-            warn(
-                f"fidelity {fidelity}: omits rotors with up to {robot.reflected_mass.max():.3g} kg of "
-                f"reflected mass in each leg, platform and legs have {moving:.3g} kg; "
-                "forces lack as much at accelerations"
-            )
+    def _warn_of_omitted_physics(self) -> None:
+        """Warn if the fidelity level omits physics of the robot, with the effect on the forces."""
+        # The estimate has double precision, so that it contains no rounding.
+        reduced = replace(self, precision="double", warns=False)
+        missing = left_out(self.robot, self.formulation, self.fidelity, reduced.forces)
+        if missing:
+            warn(f'{missing}; for all of it use fidelity="general"')
 
     @property
     def dtype(self) -> type[np.floating[Any]]:

@@ -9,9 +9,15 @@ from pathlib import Path
 import numpy as np
 
 from ..drives.friction import losses
+from ..drives.instants import at_instants
+from ..dynamics.inverse import inverse_dynamics
+from ..dynamics.left_out import effect
 from ..io.arguments import instance, option, shown
+from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..io.toml_reader import file_name, read_text
+from ..kinematics.inverse_kinematics import inverse_kinematics
+from ..motion.motion import Motion
 from ..robot.robot import Robot, RobotWarning, impossible_inertias
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .formats.xml_text import HEADER, at_line, line_named, parsed
@@ -36,6 +42,8 @@ BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"
 LOOPS = ".loops.json"
 """End of the name of the file beside a URDF, in place of the URDF's suffix."""
 _MOST_BYTES = 1 << 24
+_FAST = 1e6
+"""Factor of the rotors' speed by which their angular momentum is divided at the same reflected mass."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +170,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
 
 
 def _warn_of_losses(robot: Robot, form: str) -> None:
-    """Warn of friction, rotors and limits that readers of the file leave out.
+    """Warn of friction, rotors and limits that readers of the file leave out, with their effect on forces.
 
     Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state what that has not.
     Friction of drives is nowhere but in the notes.
@@ -170,16 +178,50 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
     lost = [] if form == "urdf" else ["C_s"]
     lost += ["C_u"] if form in ("sdf", "drake", "usd") and robot.base_joint == "spherical" else []
     found = [name for name in lost if np.any(getattr(robot, name))]
-    missing = [f"friction of spherical joints ({', '.join(found)})"] if found else []
-    if form in ("sdf", "drake") and robot.drive is not None and np.any(robot.drive.rotor_inertia):
-        missing.append("inertia of rotors")
-    lossy = [] if robot.drive is None else losses(robot.drive)
-    missing += [f"friction of drives ({', '.join(lossy)})"] if lossy else []
+    missing = {}
+    if found:
+        frictionless = replace(robot, **dict.fromkeys(found, 0.0))
+        missing[f"friction of spherical joints ({', '.join(found)})"] = _effect(robot, frictionless)
+    drive = robot.drive
+    if robot.has_rotors and drive is not None:
+        if form in ("sdf", "drake"):
+            bare = replace(drive, rotor_inertia=0.0)
+            missing["inertia of rotors"] = _effect(robot, replace(robot, drive=bare))
+        elif form != "urdf" and np.any(robot.j_r):
+            # The same reflected mass at a speed at which the rotors have no angular momentum.
+            light = replace(drive, lead=drive.lead / _FAST, rotor_inertia=drive.rotor_inertia / _FAST**2)
+            missing["angular momentum of rotors"] = _effect(robot, replace(robot, drive=light))
+    lossy = [] if drive is None else losses(drive)
+    if lossy:
+        at_legs, at_motors = _forces_of(robot), _at_motors(robot)
+        missing[f"friction of drives ({', '.join(lossy)})"] = effect(robot, at_legs, full=at_motors)
     limits = [] if form in ("sdf", "drake", "urdf") else ["speed_limit"]
-    missing += [name for name in (*limits, "joint_angle_limit") if np.isfinite(getattr(robot, name)).any()]
+    missing |= {
+        name: "" for name in (*limits, "joint_angle_limit") if np.isfinite(getattr(robot, name)).any()
+    }
     where = "left out" if form == "usd" else "noted only, for import"
-    for what in missing:
-        warn(f"{form}: {what} has no place in the format: {where}")
+    for what, by in missing.items():
+        warn(f"{form}: {what} has no place in the format: {where}{by and '; ' + by}")
+
+
+def _effect(robot: Robot, other: Robot) -> str:
+    return effect(robot, _forces_of(other))
+
+
+def _forces_of(robot: Robot) -> Callable[[Motion], Array]:
+    """Return the actuator forces of a robot (N) as a function of motions (n,)."""
+    return lambda motion: inverse_dynamics(robot, motion, backend="numpy").F
+
+
+def _at_motors(robot: Robot) -> Callable[[Motion], Array]:
+    """Return the forces of the motors along the legs (N) as a function of motions (n,)."""
+
+    def forces(motion: Motion) -> Array:
+        assert robot.drive is not None
+        F, L_dot = _forces_of(robot)(motion), inverse_kinematics(robot, motion).L_dot
+        return at_instants(robot, robot.drive, motion, F, L_dot).torque * robot.drive.turns
+
+    return forces
 
 
 def loops_path(path: str | os.PathLike[str]) -> Path:

@@ -72,7 +72,8 @@ def _need_length_unit(robot: Robot, log: Log, few: Log) -> None:
     if units and not (near * size if low else 0.0) <= typical <= far * size:
         remedies = " or ".join(f"TrajectoryFormat(length_unit={name!r})" for name in units)
         raise ValueError(
-            f"{log.source}: {text} if read in m; give {remedies}, or TrajectoryFormat(length_unit='m') if m is right"
+            f"{log.source}: {text} if read in m; give {remedies}, "
+            f"or TrajectoryFormat(length_unit='m') if m is right"
         )
 
 

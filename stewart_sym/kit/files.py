@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from functools import cache, partial
 from importlib.resources import files as resources
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -23,19 +23,21 @@ from ..derive.package.robot import HEADER, SOURCE, Machine, robot_files
 from ..derive.package.selftest import selftest
 from ..drives.friction import drive_numbers
 from ..dynamics.home_pose import home_pose
+from ..dynamics.inverse_dynamics import Formulation
+from ..dynamics.left_out import left_out
+from ..dynamics.sample_poses import sample
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.json_text import json_text
 from ..io.progress import Progress, silent
 from ..motion.motion import Motion, at_rest
+from ..precision.truth import Truth
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
 from .fmu import packed
 from .kit_options import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
-from .left_out import left_out
 from .parts import Parts, generator, parts, robot_numbers
-from .sample_poses import sample
 from .selection import SHARE, Numbered, selection
 from .vectors import rejected, vectors
 
@@ -62,7 +64,7 @@ class Kit:
 def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> Kit:
     """The kit of a robot. Raises ValueError for an unknown option, or if no pose suits the self-test."""
     check(choice, robot)
-    missing = left_out(robot, choice)
+    missing = _left_out(robot, choice)
     if missing:
         warn(f"{missing}; for all of it choose fidelity general")
     if choice.language != "c":
@@ -88,6 +90,16 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     files["README.md"] = _with_missing(_readme(robot, choice, machine, made, found), missing).encode()
     files[MANIFEST] = _manifest(machine, choice, files)
     return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
+
+
+def _left_out(robot: Robot, choice: Choice) -> str:
+    """Return a clause about the physics that the forces of a kit omit, or an empty text."""
+    if "forces" not in choice.functions:
+        return ""
+    level = fidelity.resolved(robot, choice.formulation, choice.level)
+    # The digits need no compiler.
+    reduced = Truth(robot, choice.formulation, level).forces
+    return left_out(robot, cast("Formulation", choice.formulation), choice.level, reduced)
 
 
 def _with_missing(readme: str, missing: str) -> str:

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from ..backend.kernel import MOTION
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..drives.friction import drive_numbers
+from ..dynamics.sample_poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
@@ -29,7 +30,6 @@ from .interpreter import NEAR_JOINT_SINGULAR
 from .kit_options import PRECISIONS
 from .parts import fields, folded_kernel
 from .running import FORCES_MARGIN
-from .sample_poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .sensitivity import Change, Forces, changes
 
 Arrays = dict[str, Array]

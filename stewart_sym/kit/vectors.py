@@ -19,6 +19,7 @@ from ..backend.kernel import MOTION, need_representable
 from ..derive.kernel.outputs import FORCED
 from ..derive.package.functions import Vector
 from ..drives.friction import drive_numbers
+from ..dynamics.sample_poses import neighbor, poses, rounded, significant
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.forward_kinematics import forward_kinematics
@@ -31,7 +32,6 @@ from .interpreter import Found, KitInterpreter, Numbers
 from .kit_options import PRECISIONS, STEMS
 from .parts import fields as fields_of
 from .running import FORCES_MARGIN, MARGIN, errors, values
-from .sample_poses import neighbor, poses, rounded, significant
 from .selection import Numbered, selection
 
 KINEMATICS = STEMS["kinematics"]

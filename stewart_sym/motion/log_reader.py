@@ -18,6 +18,7 @@ from .logs import TrajectoryFormat, need_columns, read_columns, stated_units
 from .noise_level import scatter
 from .rate_doubts import angular_velocity_doubt, rate_doubts
 from .rotation import rotation_about_axes
+from .text.unit_row import TIME_UNITS
 from .trajectory import (
     DERIVATIVES,
     LOADS,
@@ -87,12 +88,17 @@ def read_log(
     return _joint_trajectory(log) if "L" in log.written else _pose_log(log)
 
 
-def read_poses(path: str | os.PathLike[str], form: TrajectoryFormat = PLAIN) -> tuple[Array, Array]:
-    """Read the poses of a trajectory and nothing of its rates: R (n, 3, 3) and t, m, (n, 3).
+def read_poses(
+    path: str | os.PathLike[str],
+    form: TrajectoryFormat = PLAIN,
+    check: Callable[[Log], None] = lambda log: None,
+) -> tuple[Array, Array]:
+    """Read the poses of a trajectory without its rates: R (n, 3, 3) and t (m), (n, 3).
 
-    Raises ValueError of one line as ``read_csv``, and for leg lengths.
+    ``check`` may reject the log. Raises ValueError of one line as ``read_csv``, and for leg lengths.
     """
     log = _read(path, form, AS_SHOWN, silent)
+    check(log)
     _warn_of_angles(log)
     if "L" in log.written:
         raise ValueError(f"{log.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
@@ -209,6 +215,8 @@ def _former(name: str) -> str:
 # Accelerations that no platform has, m/s^2, or m/s^2 per meter of a log's lengths where these are larger; and
 # the steps, s, of a log of so slow a motion that time must be in milli- or microseconds.
 _MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
+_ORDINARY = (0.1, 30.0)
+"""Range of the largest acceleration of a moving machine (m/s^2), by which a log's unit of time is certain."""
 
 
 def _warn_of_angles(log: Log) -> None:
@@ -250,10 +258,21 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
             else f"is time in seconds, expected {log.form.time_unit} (TrajectoryFormat(time_unit='s'))"
         )
     elif moves and slow and largest < _LEAST_ACCELERATION * unit:
+        low, high = _ORDINARY
+        sure = [name for name in slow if low * unit <= largest / TIME_UNITS[name] ** 2 <= high * unit]
+        _need_time_unit(log, sure, f"steps of {step:.4g} s and accelerations of at most {largest:.2g} m/s^2")
         hint = f"is time in another unit (TrajectoryFormat(time_unit='{slow[-1]}'))"
     else:
         return
     log.warn(f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?")
+
+
+def _need_time_unit(log: Log, units: Sequence[str], finding: str) -> None:
+    """Raise ValueError with the remedy if numbers fit other units of time and no unit is stated."""
+    if units and "time_unit" not in log.given_units:
+        remedies = " or ".join(f"LogFormat(time_unit='{unit}')" for unit in units)
+        in_s = "LogFormat(time_unit='s')"
+        raise ValueError(f"{log.source}: {finding} if read in s; give {remedies}, or {in_s} if s is right")
 
 
 # How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
@@ -276,12 +295,14 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
     nearest = 3 * round(decades / 3)
     if nearest and abs(decades - nearest) < _NEAR_UNIT:
         unit = {-3: "ms", -6: "us"}.get(nearest)
+        finding = f"coordinates change by {changed / expected:.2g} times what their rates say"
+        _need_time_unit(log, [unit] if unit else [], finding)
         hint = (
             f"is time in another unit (TrajectoryFormat(time_unit='{unit}'))"
             if unit
             else "are rates in another unit"
         )
-        log.warn(f"coordinates change by {changed / expected:.2g} times what their rates say: {hint}?")
+        log.warn(f"{finding}: {hint}?")
         return
     kinds = len(names) // 3
     columns = [_components(*names[kinds * i :][:kinds]) for i in range(3)]

@@ -203,7 +203,8 @@ def read_columns(
         raise ValueError(
             f"{source}: line {rows[i + 1]}: time: expected increasing times, got {after} after {before}"
         )
-    return Table(columns, rows, form, clock is not None, given_units)
+    dated = frozenset() if clock is None else frozenset({"time_unit"})
+    return Table(columns, rows, form, clock is not None, given_units | dated)
 
 
 def stated_units(stream: BinaryIO, source: str, form: TrajectoryFormat) -> dict[str, str]:

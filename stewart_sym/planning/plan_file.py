@@ -4,6 +4,7 @@ import contextlib
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from ..dynamics.inverse_dynamics import Formulation
 from ..io import toml_reader
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
+from ..kinematics.log_doubts import need_units
 from ..kinematics.robot_logs import form_of
 from ..motion.log_reader import read_poses
 from ..motion.noise_level import TrajectoryWarning
@@ -110,7 +112,8 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         need_clearance(robot, path_limits.clearance)
     doubt = ""
     if given is None:
-        poses = tuple(ViaPose(*pose) for pose in zip(*read_poses(files[2], form_of(robot)), strict=True))
+        read = read_poses(files[2], form_of(robot), partial(need_units, robot))
+        poses = tuple(ViaPose(*pose) for pose in zip(*read, strict=True))
     else:
         doubt = _angle_doubt(given)
         if doubt:

@@ -17,7 +17,7 @@ WAYS = {
     f"{compiler}-{precision}-{name}": (compiler, precision, flags, every)
     for name, flags in (("native", pose_bits.NATIVE), ("kit", pose_bits.PORTABLE))
     for compiler in ("gcc", "clang")
-    for precision in ("double", "float")
+    for precision in (("double", "float") if name == "native" or FULL else ("double",))
     for every in [precision == "double" and name == "native"]
 }
 

@@ -27,8 +27,8 @@ from sweeps import FULL
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.dynamics.sample_poses import sample
 from stewart_sym.kinematics.mounting import path_for, platform_side, upright
-from stewart_sym.kit.sample_poses import sample
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget

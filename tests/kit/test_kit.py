@@ -24,10 +24,10 @@ from stewart_sym.backend import c_kernel, fidelity, kernel, native
 from stewart_sym.derive.mechanics import quantities
 from stewart_sym.derive.package.robot import Machine, robot_files
 from stewart_sym.derive.package.text_format import robot_symbol
+from stewart_sym.dynamics.sample_poses import sample
 from stewart_sym.kit import FUNCTIONS, Choice, kit, kit_names, put, write_kit
 from stewart_sym.kit.kit_options import check
 from stewart_sym.kit.parts import parts
-from stewart_sym.kit.sample_poses import sample
 
 FORMULATIONS = ("exact", "paper")
 SOLVE = "stewart_solve.h"

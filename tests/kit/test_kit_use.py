@@ -20,9 +20,9 @@ from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.cli.main import main
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.dynamics.sample_poses import sample
 from stewart_sym.generated.interface import HEADERS, MODELS
 from stewart_sym.kit import Choice, Kit, kit, put, write_kit
-from stewart_sym.kit.sample_poses import sample
 from stewart_sym.motion.motion import Motion, at_rest
 from stewart_sym.robot.robot import Robot
 

@@ -1,4 +1,4 @@
-"""Kits and kernels that leave out physics of the robot file say so, with the effect on the forces."""
+"""Kits, kernels, and exports that omit physics of the robot file warn, with the effect on the forces."""
 
 import dataclasses
 import re
@@ -12,42 +12,97 @@ from machines import dasgupta
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.kit import Choice
-from stewart_sym.kit.left_out import left_out
-from stewart_sym.kit.sample_poses import poses
+from stewart_sym.dynamics.sample_poses import poses
 from stewart_sym.robot.robot import Robot
+
+LOSSY = ss.Drive(lead=5e-3, rotor_inertia=7.5e-5, efficiency=0.7, screw_coulomb=50.0)
 
 
 def with_rotors(robot: Robot) -> Robot:
     return dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, rotor_inertia=7.5e-5))
 
 
-@pytest.mark.parametrize("language", ["c", "python"])
-def test_generate_warns_of_rotors_left_out_with_their_effect(language: str, tmp_path: Path, run: Run) -> None:
+def check_effect(line: str, found: np.ndarray, full: np.ndarray) -> None:
+    """Compare the numbers of a warning with two arrays of forces (N)."""
+    error, largest = np.abs(found - full).max(), np.abs(full).max()
+    effect = re.search(r"differ by up to (\S+) N, (\S+) % of the largest", line)
+    assert effect is not None, line
+    assert float(effect[1]) == pytest.approx(error, rel=0.01)
+    assert float(effect[2]) == pytest.approx(100.0 * error / largest, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "options", [["--language", "c"], ["--language", "python"], ["--bake", "--fmu"]], ids=" ".join
+)
+def test_generate_and_prepare_warn_of_omitted_rotors_with_the_same_effect(
+    options: list[str], tmp_path: Path, run: Run
+) -> None:
     robot = with_rotors(dasgupta())
     written(robot, tmp_path / "robot.toml")
-    command = ["generate", tmp_path / "robot.toml", "-o", tmp_path / "kit", "--language", language]
+    command = ["generate", tmp_path / "robot.toml", "-o", tmp_path / "kit", *options]
     told = run(*command, "--fidelity", "slender").err
     (line,) = [each for each in told.splitlines() if "omits" in each]
     assert f"rotors with up to {robot.m_r.max():.3g} kg of reflected mass in each leg" in line
-    motion = poses(robot, "exact", 8)
-    full = ss.inverse_dynamics(robot, motion).F
-    with pytest.warns(UserWarning, match="omits rotors"):
+    with pytest.warns(UserWarning, match="omits physics") as caught:
         kernel = ss.prepare(robot, fidelity="slender")
-    error = np.abs(kernel.forces_and_status(motion)[0] - full).max()
-    found = re.search(r"differ by up to (\S+) N, (\S+) % of the largest", line)
-    assert found is not None
-    assert float(found[1]) == pytest.approx(error, rel=0.01)
-    assert float(found[2]) == pytest.approx(100.0 * error / np.abs(full).max(), rel=0.05)
+    assert str(caught[0].message).partition("; for all")[0] in line
+    motion = poses(robot, "exact", 8)
+    check_effect(line, kernel.forces(motion), ss.inverse_dynamics(robot, motion).F)
     readme = (tmp_path / "kit" / "README.md").read_text(encoding="utf-8")
     assert f"rotors with up to {robot.m_r.max():.3g} kg" in " ".join(readme.split())
 
 
-def test_nothing_is_said_of_levels_that_contain_all_that_the_file_states() -> None:
-    plain = dasgupta(friction=False)
-    assert left_out(plain, Choice()) == ""
-    assert left_out(plain, Choice(fidelity="frictionless")) == ""
-    assert "friction of the joints" in left_out(dasgupta(), Choice(fidelity="frictionless"))
-    assert "angular momentum of the rotors" in left_out(with_rotors(plain), Choice(fidelity="reflected"))
-    with warnings.catch_warnings(action="error"):
-        ss.prepare(plain, fidelity="massless")
+@pytest.mark.parametrize(
+    ("friction", "rotors", "level", "named"),
+    [
+        (False, False, "frictionless", ""),
+        (True, False, "frictionless", "friction of the joints"),
+        (False, True, "reflected", "angular momentum of the rotors"),
+        (False, False, "massless", "legs without mass"),
+    ],
+)
+def test_prepare_names_the_physics_that_a_level_omits(
+    friction: bool, rotors: bool, level: str, named: str
+) -> None:
+    robot = dasgupta(friction=friction)
+    with warnings.catch_warnings(record=True, action="always") as caught:
+        ss.prepare(with_rotors(robot) if rotors else robot, fidelity=level)
+    lines = [str(each.message) for each in caught]
+    assert len(lines) == bool(named)
+    assert all(named in line and "forces differ by up to" in line for line in lines)
+
+
+@pytest.mark.parametrize(("form", "cross"), [("mjcf", 0.0), ("sdf", 0.0), ("drake", 0.01), ("usd", 0.01)])
+@pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+def test_export_states_the_effect_of_physics_without_a_place(form: str, cross: float) -> None:
+    robot = dataclasses.replace(dasgupta(), drive=LOSSY)
+    motion = poses(robot, "exact", 8)
+    if cross:
+        robot = dataclasses.replace(robot, offsets=ss.Offsets(cross=cross))
+    full = ss.inverse_dynamics(robot, motion).F
+    effort = ss.drive_effort(robot, motion)
+    found = {
+        "friction of spherical joints": (dataclasses.replace(robot, C_s=0.0), full),
+        "friction of drives": (robot, effort.force),
+    }
+    if form in ("sdf", "drake"):
+        found["inertia of rotors"] = (dataclasses.replace(robot, drive=None), full)
+    with pytest.warns(UserWarning, match="no place") as caught:
+        ss.export_model(robot, form)
+    lines = [str(each.message) for each in caught if "forces differ" in str(each.message)]
+    assert ("angular momentum of rotors" in "".join(lines)) == (form in ("mjcf", "usd"))
+    for name, (reduced, exact) in found.items():
+        (line,) = [each for each in lines if name in each]
+        check_effect(line, ss.inverse_dynamics(reduced, motion).F, exact)
+
+
+@pytest.mark.parametrize("physics", ["rotors", "offsets"])
+def test_paper_rejects_physics_that_its_equations_omit(physics: str, tmp_path: Path) -> None:
+    robot = with_rotors(dasgupta())
+    if physics == "offsets":
+        robot = dataclasses.replace(dasgupta(), offsets=ss.Offsets(cross=0.01))
+    motion = poses(dasgupta(), "exact", 2)
+    for call in (ss.inverse_dynamics, ss.simulate, ss.prepare):
+        arguments = {ss.inverse_dynamics: (motion,), ss.simulate: (motion[0], np.zeros(6), 0.1)}.get(call, ())
+        with pytest.raises(ValueError, match='formulation: expected "exact" for a robot'):
+            call(robot, *arguments, formulation="paper")

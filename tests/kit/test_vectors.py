@@ -15,12 +15,12 @@ from vectors_in_c import KIND, WHOLE, functions_of, machine, ratios, ratios_in_c
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import MOTION
+from stewart_sym.dynamics.sample_poses import MAX_CONDITION, poses, sample
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse_kinematics import clear_of_joint_singularities
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.kit.kit_options import STEMS
 from stewart_sym.kit.running import Running
-from stewart_sym.kit.sample_poses import MAX_CONDITION, poses, sample
 from stewart_sym.kit.vectors import FEW, FUNCTIONS, Vector, vectors
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.truth import Truth, digits

@@ -113,14 +113,33 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("factors", "unit"),
+    [((1e3, 1.0, 1.0), "ms"), ((1e3, 1e3, 1.0), "ms"), ((1e3, 1e3, 1e2), "ms"), ((1e6, 1.0, 1.0), "us")],
+)
+def test_a_log_in_another_unit_of_time_is_rejected_unless_the_unit_is_stated(
+    tmp_path: Path, factors: tuple[float, float, float], unit: str
+) -> None:
+    odd = write(tmp_path / "odd.csv", NAMES, poses() * np.repeat(factors, [1, 3, 3]))
+    off = ss.SmoothingOptions(enabled=False)
+    rejects(
+        rf"TrajectoryFormat\(time_unit='{unit}'\), or TrajectoryFormat\(time_unit='s'\)",
+        read_csv,
+        odd,
+        smoothing=off,
+    )
+    with pytest.warns(ss.TrajectoryWarning, match="is time in another unit"):
+        read_csv(odd, TrajectoryFormat(time_unit="s"), off)
+    with warnings.catch_warnings(record=True, action="always") as caught:
+        read_csv(odd, TrajectoryFormat(time_unit=unit), off)
+    assert not any("time" in str(each.message) for each in caught)
+
+
+@pytest.mark.parametrize(
     ("factors", "words"),
     [
-        ((1e3, 1.0, 1.0), "is time in another unit .TrajectoryFormat.time_unit='ms'"),
-        ((1e3, 1e3, 1.0), "is time in another unit .TrajectoryFormat.time_unit='ms'"),
-        ((1e3, 1e3, 1e2), "is time in another unit .TrajectoryFormat.time_unit='ms'"),
-        ((1e6, 1.0, 1.0), "TrajectoryFormat.time_unit='us'"),
         ((1.0, 1.0, 50 * 180.0 / np.pi), "TrajectoryFormat.angle_unit='deg'"),
         ((1e-6, 1.0, 1.0), "TrajectoryFormat.time_unit"),
+        ((60.0, 1.0, 1.0), "is time in another unit .TrajectoryFormat.time_unit='ms'"),
     ],
 )
 def test_units_that_no_machine_has_are_warned_of(
@@ -301,7 +320,8 @@ def test_hints_name_arguments_in_python_and_options_on_the_command_line(tmp_path
     told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", code=2).err
     assert told.endswith("give --columns NAME=HEADER,...\n")
     late = write(tmp_path / "late.csv", NAMES, poses() * [1e6, *[1.0] * 6])
-    assert "another unit (--time-unit us)?" in run("forces", PAPERS, late, "-o", tmp_path / "f.csv").err
+    told = run("forces", PAPERS, late, "-o", tmp_path / "f.csv", code=2).err
+    assert told.endswith("give --time-unit us, or --time-unit s if s is right\n")
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import rejects
 from log_files import write
 from machines import Array
 
@@ -35,10 +36,12 @@ def with_rates(time: Array, legs: bool = False) -> tuple[list[str], Array]:
 def test_rates_of_another_unit_of_time_are_told(tmp_path: Path, unit: float, words: str, legs: bool) -> None:
     names, table = with_rates(np.linspace(0.0, 2.0, 41), legs)
     table[:, 0] *= unit
-    with pytest.warns(
-        ss.TrajectoryWarning, match=f"odd.csv: coordinates change by .* what their rates say: .*{words}"
-    ):
-        read_log(write(tmp_path / "odd.csv", names, table))
+    path = write(tmp_path / "odd.csv", names, table)
+    said = "odd.csv: coordinates change by .* what their rates say"
+    if unit > 1.0:
+        rejects(rf"{said}.*; give TrajectoryFormat\(time_unit='{words}'\)", read_log, path)
+    with pytest.warns(ss.TrajectoryWarning, match=f"{said}: .*{words}"):
+        read_log(path, ss.TrajectoryFormat(time_unit="s"))
 
 
 @pytest.mark.parametrize("noise", [0.0, 1e-3], ids=["", "noisy"])

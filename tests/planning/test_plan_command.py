@@ -201,11 +201,24 @@ def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> No
     )
 
 
-def test_poses_that_must_be_in_millimeters_are_a_warning(folder: Path, run: Run) -> None:
-    text = PLAN.replace("0.65]", "650.0]")
-    warning, error = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
-    assert warning.endswith("m beside legs of up to 0.95 m: in millimeters, expected meters?")
-    assert "via.toml: via 1: out of reach" in error
+@pytest.mark.parametrize("limited", [True, False])
+def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run, limited: bool) -> None:
+    robot = folder / "hexapod.toml"
+    if not limited:
+        lines = robot.read_text().splitlines()
+        robot.write_text("\n".join(line for line in lines if not line.startswith("length_limits")))
+    (error,) = run(
+        "plan", via(folder, PLAN.replace("0.65]", "650.0]")), "-o", folder / "out", code=2
+    ).err.splitlines()
+    assert "via.toml: via poses: lengths of 650" in error
+    assert "in millimeters, expected meters?" in error
+    (folder / "poses.csv").write_text(
+        "time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n0,0,0,650,0,0,0\n1,10,5,700,0.1,-0.1,0.2\n"
+    )
+    text = 'schema = 1\nrobot = "hexapod.toml"\nvia_file = "poses.csv"\n'
+    (error,) = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
+    assert "poses.csv: lengths of 6" in error
+    assert "give mm in a row of units below the header" in error
 
 
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
@@ -215,7 +228,7 @@ def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
     assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-plots"]) == 0
     (folder / "poses.csv").write_text("\n".join([rows[0], rows[2], rows[1]]) + "\n")
     check_rejected(folder, text, "expected increasing times", out="other")
-    (folder / "poses.csv").write_text("\n".join([*rows[:2], "1,0.1,0.05,70,0.1,-0.1,0.2"]) + "\n")
+    (folder / "poses.csv").write_text("\n".join([*rows[:2], "1,0.1,0.05,7,0.1,-0.1,0.2"]) + "\n")
     check_rejected(folder, text, "poses.csv: via pose 2: out of reach", out="other")
     (folder / "poses.csv").write_text("\n".join([*rows[:2], "1,nan,0.05,0.7,0.1,-0.1,0.2"]) + "\n")
     check_rejected(folder, text, "t_x", out="other")

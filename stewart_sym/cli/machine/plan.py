@@ -73,7 +73,7 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
     warn_of_doubts(robot, request.files[1])
     t, R = (np.array([getattr(pose, name) for pose in request.poses]) for name in ("t", "R"))
     if (doubt := meters_doubt(robot, leg_lengths(robot, R, t))) is not None:
-        warn(request.of_poses(f"via poses: {doubt}"))
+        raise ValueError(request.of_poses(f"via poses: {doubt}"))
     tables = ("trajectory.csv", "path.csv")
     with results(arguments, "report", *tables, read=request.files) as (take, progress):
         planned = _planned(request, progress)

@@ -211,7 +211,7 @@ def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
     """The kernel with the robot's constants, None if its precision can't hold them."""
     formulation, precision = cast(Any, candidate.formulation), cast(Precision, candidate.precision)
     try:
-        return ForceKernel(robot, formulation, precision, candidate.fidelity)
+        return ForceKernel(robot, formulation, precision, candidate.fidelity, warns=False)
     except ValueError:
         if precision == "double":
             raise

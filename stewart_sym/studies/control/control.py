@@ -138,7 +138,7 @@ class PreparedModel:
     """Inverse dynamics of one pose by the prepared C kernel, as the law of a controller calls it."""
 
     def __init__(self, robot: Robot, formulation: Formulation = "exact", fidelity: str = "general") -> None:
-        """Prepare the kernel and its buffers; raises as ``prepare``."""
+        """Prepare the kernel and its buffers; raises as ``ForceKernel``."""
         self._slot: OnePose = ForceKernel(robot, formulation, fidelity=fidelity).single_pose()
         self._views = {each.name: getattr(self._slot, each.name) for each in fields(Motion)}
 

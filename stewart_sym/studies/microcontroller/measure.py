@@ -14,12 +14,12 @@ from ...backend.kernel import MOTION
 from ...backend.native import CompilerError
 from ...derive.package.functions import Vector
 from ...derive.package.text_format import robot_symbol
+from ...dynamics.sample_poses import sample
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...kit import Choice, kit
 from ...kit.kit_options import PRECISIONS, STEMS, TORQUE
-from ...kit.sample_poses import sample
 from ...kit.vectors import knows_axes, rejected, vectors
 from ...motion.motion import Motion
 from ...results import NOT_FINITE

@@ -1,4 +1,4 @@
-"""Poses of a robot on which a kit is tried: the example's, and others around it.
+"""Poses of a robot for examples, tests, and estimates: one near home, and others around it.
 
 Chosen by the NumPy kernel in a fixed order of candidates, all in numbers of few digits, so that the same
 robot gives the same poses everywhere.
@@ -13,8 +13,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..backend.kernel import MOTION
-from ..dynamics.home_pose import home_pose
-from ..dynamics.inverse_dynamics import Formulation, inverse_dynamics
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import clear_of_joint_singularities, inverse_kinematics
@@ -22,6 +20,8 @@ from ..kinematics.mounting import platform_side, radius
 from ..motion.motion import Motion
 from ..results import InverseDynamicsResult
 from ..robot.robot import Robot
+from .home_pose import home_pose
+from .inverse_dynamics import Formulation, inverse_dynamics
 
 GOOD_CONDITION = 50.0
 MAX_CONDITION = 1000.0
