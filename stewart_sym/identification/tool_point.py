@@ -15,12 +15,6 @@ _PLATFORM = slice(-10, None)
 _UPPER = np.triu_indices(3)
 
 
-def about_point(robot: Robot, point: Array) -> Robot:
-    """The same machine with a point of the platform, m, platform frame, (3,), as its reference point."""
-    home = None if robot.home is None else robot.home + point
-    return replace(robot, p=robot.p - point, R_0=robot.R_0 - point, tool=robot.tool - point, home=home)
-
-
 def about_reference(robot: Robot, base: BaseParameters, found: Estimate, point: Array) -> Estimate:
     """The estimate of ``about_point(robot, point)`` as one of the robot, with its base parameters."""
     back = _shifted(-point)

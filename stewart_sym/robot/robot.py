@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -341,3 +341,9 @@ def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
     for name, message in found:
         if name not in robot.accept:
             warn(f"{source}: {message} [{name}]", PhysicalityWarning)
+
+
+def about_point(robot: Robot, point: Array) -> Robot:
+    """Return the same machine with a platform point (m), platform frame, (3,), as its reference point."""
+    home = None if robot.home is None else robot.home + point
+    return replace(robot, p=robot.p - point, R_0=robot.R_0 - point, tool=robot.tool - point, home=home)

@@ -15,13 +15,13 @@ from ...identification.drive_terms import DriveEstimate, seen_by_motors, terms_o
 from ...identification.estimates import Estimate
 from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
-from ...identification.tool_point import about_point, about_reference
+from ...identification.tool_point import about_reference
 from ...io.array_types import Array
 from ...io.instants import time_text
 from ...motion.logs import LogFormat
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import IN_SI, Trajectory
-from ...robot.robot import Robot
+from ...robot.robot import Robot, about_point
 from ..common.motion_columns import trajectory_columns
 from ..common.output import aligned, csv_text, of_legs
 from ..common.report import Report
