@@ -22,7 +22,7 @@ from ..io.frozen import Frozen
 from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
 from ..results import OK
-from ..robot.robot import Robot, legs_text
+from ..robot.robot import Robot, about_point, legs_text
 
 What = Literal["force", "moment", "wrench", "acceleration", "angular_acceleration", "platform_acceleration"]
 Others = Literal["zero", "free"]
@@ -136,9 +136,10 @@ def capability_polytope(
         Poses, any leading shape, and what goes on there: rates and load always count, accelerations for
         wrenches.
     quantity : str, optional
-        "force" or "moment" that the platform exerts on its surroundings beside the load, about the reference
-        point, or both as "wrench"; "acceleration" of the reference point or "angular_acceleration" of the
-        platform, or both as "platform_acceleration"; base frame.
+        "force" or "moment" that the platform exerts on its surroundings in addition to the load, about the
+        robot's tool, or both as "wrench"; "acceleration" of the tool or "angular_acceleration" of the
+        platform, or both as "platform_acceleration"; base frame. The tool is the reference point if the
+        robot file states none; the motion is of the reference point in any case.
     complement : {"zero", "free"}, optional
         Whether the other part, the moment beside a force and so on, has to be zero or may be anything.
 
@@ -159,6 +160,8 @@ def capability_polytope(
     unlimited = np.flatnonzero(np.isinf(robot.force_limit)).tolist()
     if unlimited:
         raise ValueError(f"robot: force_limit: expected one for every leg, {legs_text(unlimited)} have none")
+    if robot.tool.any():
+        robot, motion = about_point(robot, robot.tool), motion.at_point(robot.tool)
     unit, part = WHAT[quantity]
     accelerates = quantity.endswith("acceleration")
     if accelerates:

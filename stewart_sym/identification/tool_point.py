@@ -15,14 +15,6 @@ _PLATFORM = slice(-10, None)
 _UPPER = np.triu_indices(3)
 
 
-def about_point(robot: Robot, point: Array) -> Robot:
-    """The same machine with a point of the platform, m, platform frame, (3,), as its reference point."""
-    home = None if robot.home_position is None else robot.home_position + point
-    return replace(
-        robot, p=robot.p - point, R_0=robot.R_0 - point, tool=robot.tool - point, home_position=home
-    )
-
-
 def about_reference(
     robot: Robot, base: BaseParametersResult, found: IdentificationResult, point: Array
 ) -> IdentificationResult:

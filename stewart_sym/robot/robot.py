@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -408,3 +408,11 @@ def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
     for name, message in found:
         if name not in robot.suppressed_warnings:
             warn(f"{source}: {message} [{name}]", RobotWarning)
+
+
+def about_point(robot: Robot, point: Array) -> Robot:
+    """Return the same machine with a platform point (m), platform frame, (3,), as its reference point."""
+    home = None if robot.home_position is None else robot.home_position + point
+    return replace(
+        robot, p=robot.p - point, R_0=robot.R_0 - point, tool=robot.tool - point, home_position=home
+    )

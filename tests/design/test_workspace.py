@@ -441,6 +441,27 @@ def test_an_exerted_force_is_the_load_that_fills_the_limits() -> None:
         assert np.max(np.abs(F) / robot.force_limit) == pytest.approx(1.0, rel=1e-9)
 
 
+def test_capability_refers_to_the_tool_of_the_robot_file() -> None:
+    rng = np.random.default_rng(14)
+    robot = with_limits(rng)
+    robot = dataclasses.replace(robot, tool=machine_size(robot) * np.array([0.3, -0.4, 1.2]))
+    motion = random_motion(rng, robot, (40,), load=False)
+    direction = np.array([0.6, 0.0, 0.8])
+    size = ss.capability(robot, motion).largest(direction)
+    fast = ss.capability(robot, motion, "acceleration").largest(direction)
+    assert np.isfinite(size).any()
+    assert np.isfinite(fast).any()
+    R, r = motion.R, motion.R @ robot.tool
+    exerted = -size[:, None] * (direction @ R)
+    pushed = dataclasses.replace(motion, F_ext=exerted, M_ext=np.cross(robot.tool, exerted))
+    a = fast[:, None] * direction - np.cross(motion.omega, np.cross(motion.omega, r))
+    moved = dataclasses.replace(motion, a=a, alpha=np.zeros((40, 3)))
+    for taken, each in ((size, pushed), (fast, moved)):
+        for i in np.flatnonzero(np.isfinite(taken)):
+            used = np.abs(ss.inverse_dynamics(robot, each[i]).F) / robot.force_limit
+            assert used.max() == pytest.approx(1.0, rel=1e-9)
+
+
 def test_a_singular_pose_has_none() -> None:
     robot = dataclasses.replace(dasgupta(), force_limit=np.full(6, 1e4))
     t = np.stack([np.array([0.0, 0.0, 0.6]), robot.b[2] - robot.p[2]])

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import stewart_sym as ss
-from stewart_sym.identification.tool_point import about_point, about_reference
+from stewart_sym.identification.tool_point import about_reference
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.robot.robot import about_point
 from stewart_sym.studies.reports.identify import from_measurement
 
 TOOL = np.array([0.1, -0.2, 0.6])

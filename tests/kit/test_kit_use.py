@@ -20,7 +20,7 @@ from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.cli.main import main
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.dynamics.sample_poses import sample
+from stewart_sym.dynamics.sample_poses import poses, sample
 from stewart_sym.generated.interface import HEADERS, MODELS
 from stewart_sym.kit import Choice, Kit, kit, put, write_kit
 from stewart_sym.motion.motion import Motion, at_rest
@@ -327,6 +327,8 @@ def test_the_example_is_at_the_home_pose_under_about_the_weight(name: str) -> No
     np.testing.assert_array_equal(motion.R, np.eye(3))
     weight = 9.81 * robot.M
     assert 0.1 * weight < np.linalg.norm(motion.F_ext) < weight
+    # Ordinary vectors of the self-test.
+    assert np.linalg.norm(poses(robot, "exact", 12).F_ext, axis=-1).max() < 1.2 * weight
 
 
 @pytest.mark.parametrize("flags", ["", "-march=native -DSTEWART_NO_FMA"], ids=["Makefile", "no fused"])

@@ -15,13 +15,13 @@ from ...identification.drive_terms import DriveIdentificationResult, seen_by_mot
 from ...identification.estimates import IdentificationResult
 from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
-from ...identification.tool_point import about_point, about_reference
+from ...identification.tool_point import about_reference
 from ...io.array_types import Array
 from ...io.sample_times import time_text
 from ...motion.logs import TrajectoryFormat
 from ...motion.smooth_motion import PoseNoise, estimate_pose_noise, smoothed
 from ...motion.trajectory import IN_SI, Trajectory
-from ...robot.robot import Robot
+from ...robot.robot import Robot, about_point
 from ..common.motion_columns import trajectory_columns
 from ..common.output import aligned, csv_text, of_legs
 from ..common.report import Report

@@ -89,7 +89,7 @@ def report(found: Examination) -> str:
         f"nearest    {_near(along.nearest.time, along.nearest.singularity)}",
     ]
     if found.robot.tool.any():
-        lines.append("twists     velocities of the reference point, not of the tool of the robot file")
+        lines.append("point      reference point for twists and wrenches, not the tool of the robot file")
     lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in along.spans]
     for number, (crossing, sides) in enumerate(zip(along.crossings, found.sides, strict=True), 1):
         at = f"{crossing.time:.12f} s (rounding leaves {crossing.time_error:.1e} s open)"
