@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from ..drives.friction import losses
-from ..drives.instants import at_instants
-from ..dynamics.inverse import inverse_dynamics
+from ..drives.motor_states import motor_states
+from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..dynamics.left_out import effect
 from ..io.arguments import instance, option, shown
 from ..io.array_types import Array
@@ -187,7 +187,7 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
         if form in ("sdf", "drake"):
             bare = replace(drive, rotor_inertia=0.0)
             missing["inertia of rotors"] = _effect(robot, replace(robot, drive=bare))
-        elif form != "urdf" and np.any(robot.j_r):
+        elif form != "urdf" and np.any(robot.rotor_momentum):
             # The same reflected mass at a speed at which the rotors have no angular momentum.
             light = replace(drive, lead=drive.lead / _FAST, rotor_inertia=drive.rotor_inertia / _FAST**2)
             missing["angular momentum of rotors"] = _effect(robot, replace(robot, drive=light))
@@ -219,7 +219,7 @@ def _at_motors(robot: Robot) -> Callable[[Motion], Array]:
     def forces(motion: Motion) -> Array:
         assert robot.drive is not None
         F, L_dot = _forces_of(robot)(motion), inverse_kinematics(robot, motion).L_dot
-        return at_instants(robot, robot.drive, motion, F, L_dot).torque * robot.drive.turns
+        return motor_states(robot, robot.drive, motion, F, L_dot).torque * robot.drive.transmission_ratio
 
     return forces
 
