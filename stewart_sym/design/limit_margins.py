@@ -52,7 +52,7 @@ class LimitMargins(NamedTuple):
         if verdict == EXCEEDED:
             sure.append(line)
         elif verdict != WITHIN:
-            possible.append(f"{margin}{verdict}: {line}")
+            possible.append(f"{margin}{status_text(verdict)}: {line}")
 
 
 def compared(robot: Robot, needs: ActuatorRequirementsResult) -> LimitMargins:

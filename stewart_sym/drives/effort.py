@@ -357,6 +357,6 @@ def _line(name: str, what: str, unit: str, beyond: Beyond, limits: Array) -> str
     at = f" at {beyond.when}" if beyond.when else ""
     value = f"{amount_text(beyond.size, beyond.sd)} {unit}{at}"
     return (
-        f"{name} {beyond.verdict} by {beyond.legs_text}: {beyond.worst_text}{what} {value}, "
+        f"{name} {status_text(beyond.verdict)} by {beyond.legs_text}: {beyond.worst_text}{what} {value}, "
         f"limit {limits[beyond.worst]:g} {unit}"
     )

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..io.arguments import status_text
 from ..io.array_types import Array, Flags
 from ..io.sample_times import elapsed, least_step, time_text
 from ..kinematics.clearance import angles_from, neutral_directions
@@ -134,7 +135,7 @@ class LegLimits:
         sd = None if found.sd is None else limit.scale * found.sd
         value = f"{amount_text(limit.scale * values[worst], sd)} {limit.unit}"
         value += f" at {time_text(time, self.step)} s, limit {bound:g} {limit.unit}"
-        text = f"{limit.name} {found.verdict} by {found.legs_text}: {found.worst_text}{value}"
+        text = f"{limit.name} {status_text(found.verdict)} by {found.legs_text}: {found.worst_text}{value}"
         if self._count[k, worst]:
             share = f"at {int(self._count[k, worst])} of {len(self.time)} instants"
             text += f"; beyond it for {self._span[k, worst]:.3g} s, {share}"

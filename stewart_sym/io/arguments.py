@@ -130,3 +130,8 @@ def no_option(value: object, options: Sequence[str]) -> str:
     """What an error says of a value that is none of the options."""
     *others, last = (f'"{text}"' for text in options)
     return f"expected {', '.join(others)}{' or ' if others else ''}{last}, got {shown(value)}"
+
+
+def status_text(name: str) -> str:
+    """Return the name of a status or limit as text reports write it, with blanks."""
+    return name.replace("_", " ")

@@ -39,7 +39,7 @@ STEPS_PER_PATH = 600
 """Least number of steps of a path of the paper."""
 _NAMES = {
     name: [f"{name}_{axis}" for axis in "xyz"] for name in ("t", "theta", "v", "omega")
-} | {name: [f"{name}{leg}" for leg in range(1, 7)] for name in "FL"}  # fmt: skip
+} | {name: [f"{name}_{leg}" for leg in range(1, 7)] for name in "FL"}  # fmt: skip
 _MOST_BYTES = 1 << 31
 # By how much lengths that a run states may differ from those at its poses, over the longest leg.
 _SAME = 1e-9

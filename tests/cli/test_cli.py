@@ -115,7 +115,7 @@ def test_bad_robot_files_are_rejected_by_all_subcommands(robot: Path, trajectory
     edit(robot, "mass = 40.0", "mass = -40.0")
     before = folder_state(robot.parent)
     missing = robot.parent / "none.toml"
-    for file, words in ((robot, "platform.mass"), (missing, "cannot read the robot file")):
+    for file, words in ((robot, "platform.body.mass"), (missing, "cannot read the robot file")):
         for subcommand in (
             ["check", file],
             ["forces", file, trajectory, "-o", robot.parent / "f.csv"],

@@ -171,7 +171,7 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     )
     limits = {line.split(": ")[1].partition(" of leg")[0] for line in data["not_decided"]}
     assert limits == {"force_limit", "speed_limit", *(f"drive.{name}_limit" for name in ("torque", "speed"))}
-    assert all(line.startswith("not decided at this noise: ") for line in data["not_decided"])
+    assert all(line.startswith("inconclusive noise: ") for line in data["not_decided"])
     assert all(f"N{line[1:]}" in captured.out for line in data["not_decided"])
     assert re.search(r"^force, peak, N .*\n  \+-( +\S+){6}$", captured.out, re.MULTILINE)
     assert {"force", "speed", "torque", "rms_torque", "length", "base_angle"} < set(data["deviations"])
@@ -183,7 +183,7 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     assert "exceeded by" not in told
     assert "unknown: " in told
     for name in limits:
-        assert f"{name} not decided at this noise by " in told
+        assert f"{name} inconclusive noise by " in told
     found = json.loads((folder / "F.json").read_text())["legs"]
     assert {leg["motor_torque_limit"] for leg in found} == {"inconclusive_noise"}
     assert all(leg["motor_peak_torque_sd_N_m"] > 0.0 and leg["motor_energy_sd_J"] > 0.0 for leg in found)

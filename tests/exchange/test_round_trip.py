@@ -45,7 +45,7 @@ MOTION_SIMULATOR = {
         "universal_axis": "tangential",
         "lower": {"mass": 12.0, "center_of_mass": [250.0, 0.0, 0.0], "inertia": [0.05, 0.6, 0.6]},
         "upper": {"mass": 5.0, "center_of_mass": [-250.0, 0.0, 0.0], "inertia": [0.01, 0.3, 0.3]},
-        "friction": {"universal": 0.1, "prismatic": 50.0, "spherical": 0.1},
+        "damping": {"universal": 0.1, "prismatic": 50.0, "spherical": 0.1},
         **{"stroke": [-200.0, 200.0], "force_limit": 6e3, "speed_limit": 600.0},
         "joint_angle_limit": [40.0, 35.0],
         "drive": {

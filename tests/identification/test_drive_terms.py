@@ -329,7 +329,7 @@ def test_command_takes_currents(robot: ss.Robot, excited: ss.Excitation, tmp_pat
     found = json.loads(run(*words, *out).out)
     np.testing.assert_allclose(found["force_noise_N"], 0.01 * 0.5 * np.abs(drive.transmission_ratio))
     assert found["verdict"] == "consistent"
-    assert all(abs(row["estimated"] - 30.0) < 5.0 * row["sigma"] for row in found["drive"])
+    assert all(abs(row["estimated"] - 30.0) < 5.0 * row["std"] for row in found["drive"])
     assert [row["robot_file"] for row in found["drive"]] == [30.0] * 6
     # Viscous friction of the drives is in that of the prismatic joints.
     assert found["robot_file"]["agreement"] == "agrees"
@@ -357,7 +357,7 @@ def test_the_command_seeks_terms_of_measured_forces(
     for name, values in TRUE.items():
         for leg in range(6):
             row = found[f"{name}{leg + 1}"]
-            assert abs(row["estimated"] - values[leg]) < 5.0 * row["sigma"]
+            assert abs(row["estimated"] - values[leg]) < 5.0 * row["std"]
     assert not found["viscous3"]["identifiable"]
     told = run(*command, "--drive-terms", "coulomb,stiction", code=2).err
     assert "--drive-terms: expected some of reflected_mass" in told

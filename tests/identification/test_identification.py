@@ -229,7 +229,7 @@ def test_measured_forces_are_identified_beside_a_wrong_file(
     for before, after in zip(*tables, strict=True):
         assert after["formula"] == before["formula"]
         difference = float(after["estimated"]) - float(before["estimated"])
-        assert abs(difference) < 1e-6 * float(before["sigma"])
+        assert abs(difference) < 1e-6 * float(before["std"])
 
 
 @pytest.mark.parametrize(

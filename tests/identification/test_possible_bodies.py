@@ -142,7 +142,7 @@ def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
     tables = [read(folder / "parameters.csv") for folder in (simulated, right)]
     for before, after in zip(*tables, strict=True):
         off = float(after["estimated"]) - float(before["estimated"])
-        assert abs(off) < 1e-2 * float(before["sigma"])
+        assert abs(off) < 1e-2 * float(before["std"])
         assert float(after["robot_file"]) == pytest.approx(float(before["true"]))
     assert "robot file: agrees with the forces" in (right / "report.txt").read_text()
     wrong = tmp_path / "wrong"
@@ -173,7 +173,7 @@ def test_command_reads_logs_in_other_units_and_marks(tmp_path: Path) -> None:
     tables = [read(folder / "parameters.csv") for folder in (simulated, out)]
     for before, after in zip(*tables, strict=True):
         assert float(after["estimated"]) == pytest.approx(
-            float(before["estimated"]), abs=float(before["sigma"])
+            float(before["estimated"]), abs=float(before["std"])
         )
 
 

@@ -157,10 +157,10 @@ def test_the_first_byte_that_is_no_utf_8_is_named(name: str, tmp_path: Path) -> 
 )
 def test_values_that_are_no_mass_are_rejected(value: bytes, tmp_path: Path) -> None:
     told = rejected(ss.Robot.from_toml, written(tmp_path, ROBOT.replace(MASS, b"mass = " + value)))
-    assert told.startswith(("platform.mass: ", "not valid TOML: "))
+    assert told.startswith(("platform.body.mass: ", "not valid TOML: "))
 
 
-@pytest.mark.parametrize("key", [b"schema", b"duration", b"legs", b"output_step", b"robot"])
+@pytest.mark.parametrize("key", [b"schema", b"duration", b"actuation", b"output_step", b"robot"])
 def test_scenes_take_no_number_of_thousands_of_digits(key: bytes, tmp_path: Path) -> None:
     lines = [line for line in SCENE.split(b"\n") if not line.startswith(key)]
     text = key + b" = 0x" + b"F" * 5000 + b"\n" + b"\n".join(lines)

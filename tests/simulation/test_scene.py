@@ -78,7 +78,7 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     law = ss.LegSprings.in_equilibrium(robot, state, 4e4)
     run = ss.simulate(robot, state, law, 0.1, output_step=0.01)
     rows = read(output / "run.csv")
-    assert [float(row["time"]) for row in rows] == run.times.tolist()
+    assert [float(row["time"]) for row in rows] == run.time.tolist()
     expected = {"t_x": run.t[:, 0], "v_z": run.v[:, 2], "F_5": run.F[:, 4], "L_2": run.L[:, 1]}
     for name, values in expected.items():
         assert [float(row[name]) for row in rows] == values.tolist()
@@ -130,7 +130,7 @@ def test_tables_need_no_matplotlib(scene: Path, fails: Fails, monkeypatch: pytes
 def test_tracking_starts_on_its_path_and_stays_there(scene: Path) -> None:
     scene.write_text(TRACK)
     done = read_scene(scene)
-    assert (done.formulation, done.rate) == ("paper", 500.0)
+    assert (done.formulation, done.control_rate) == ("paper", 500.0)
     run = done.run()
     path = ss.PAPER_PATHS["II"].path
     np.testing.assert_array_equal(run.t[0], path.sample(0.0).t)
@@ -175,7 +175,7 @@ def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> Non
         tracked.t[-1], followed(read_csv(scene.parent / "path.csv"))(0.05).t, atol=1e-9
     )
     text = scene.read_text()
-    scene.write_text(text.replace("[legs]", "[load]\nF_ext = [0.0, 0.0, -500.0]\n[legs]"))
+    scene.write_text(text.replace("[actuation]", "[load]\nF_ext = [0.0, 0.0, -500.0]\n[actuation]"))
     heavier = read_scene(scene).run()
     np.testing.assert_allclose(heavier.F[0], needed[0], rtol=1e-12)
     assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4
@@ -193,10 +193,10 @@ def test_constant_forces_and_a_load(scene: Path) -> None:
     legs = (
         '[actuation]\ntype = "constant_force"\nforces = [1, 2, 3, 4, 5, 6]\n[load]\nF_ext = [0.0, 0.0, 392.4]'
     )
-    scene.write_text(SWING.partition("[legs]")[0] + legs)
+    scene.write_text(SWING.partition("[actuation]")[0] + legs)
     run = read_scene(scene).run()
     assert run.F[3].tolist() == [1, 2, 3, 4, 5, 6]
-    scene.write_text(SWING.partition("[legs]")[0] + legs.partition("[load]")[0])
+    scene.write_text(SWING.partition("[actuation]")[0] + legs.partition("[load]")[0])
     # The load carries the platform's weight.
     assert run.t[-1, 2] > read_scene(scene).run().t[-1, 2] + 0.01
 
@@ -220,7 +220,11 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None
         ("[0.1, 0.0, 0.2]", "[5.0, 0.0, 0.2]", "state.theta: 5 rad about x: in degrees, expected radians?"),
         ("v = [0.05", "v = [50.0", "state.v: 50 m/s, 12 times what a fall through the length of a leg gives"),
         ("theta = ", "omega = [0.0, 40.0, 0.0]\ntheta = ", "state.omega: 40 rad/s, "),
-        ("= 4e4", "= 4e4\nrest_length = 900.0", "legs.rest_length: lengths of 900 m beside a machine of "),
+        (
+            "= 4e4",
+            "= 4e4\nrest_length = 900.0",
+            "actuation.rest_length: lengths of 900 m beside a machine of ",
+        ),
         ("= 4e4", "= 4e4\nrest_length = 0.0", ""),
     ],
 )
@@ -253,18 +257,34 @@ def test_a_start_that_is_no_machines_is_warned_of(
         ("t = [0.2, 0.0, 0.8]", "", "state.t: missing"),
         ("theta = [0.1, 0.0, 0.2]", "theta = [0.1, 0.0, inf]", "state.theta: expected 3 finite numbers"),
         ("v = [", "w = [", "state.w: unknown key"),
-        ('type = "spring"', 'law = "spring"', 'legs.law: expected "forces", "springs" or "tracking"'),
-        ('type = "spring"', "", "legs.law: missing"),
-        ("stiffness = 4e4", "stiffness = [1, 2]", "legs.stiffness: expected 6 finite numbers, got [1, 2]"),
-        ("stiffness = 4e4", "stiffness = 0", "legs: stiffness: expected numbers > 0"),
-        ("stiffness = 4e4", "stiffness = -1", "legs.stiffness: expected numbers >= 0, got -1"),
-        ("stiffness = 4e4", "stiffness = 4e4\ndamping = -2", "legs.damping: expected numbers >= 0, got -2"),
+        (
+            'type = "spring"',
+            'type = "springs"',
+            'actuation.type: expected "constant_force", "spring" or "computed_torque"',
+        ),
+        ('type = "spring"', "", "actuation.type: missing"),
+        (
+            "stiffness = 4e4",
+            "stiffness = [1, 2]",
+            "actuation.stiffness: expected 6 finite numbers, got [1, 2]",
+        ),
+        ("stiffness = 4e4", "stiffness = 0", "actuation: stiffness: expected numbers > 0"),
+        ("stiffness = 4e4", "stiffness = -1", "actuation.stiffness: expected numbers >= 0, got -1"),
+        (
+            "stiffness = 4e4",
+            "stiffness = 4e4\ndamping = -2",
+            "actuation.damping: expected numbers >= 0, got -2",
+        ),
         ("output_step = 0.01", "output_step = 1e-12", "output_step: expected at least 1e-08 s"),
         ("output_step = 0.01", "rtol = 0.5", "rtol: expected a number in [1e-13, 0.01], got 0.5"),
-        ("stiffness = 4e4", "", "legs.stiffness: missing"),
-        ("stiffness = 4e4", "stiffness = 4e4\nrate = 9", "legs.rate: unknown key"),
-        ("[legs]", "[stop_conditions]\nmax_condition = 0.5\n[legs]", "thresholds.max_condition: expected"),
-        ("[legs]", "[load]\nF_ext = 3\n[legs]", "load.F_ext: expected 3 finite numbers, got 3"),
+        ("stiffness = 4e4", "", "actuation.stiffness: missing"),
+        ("stiffness = 4e4", "stiffness = 4e4\nrate = 9", "actuation.rate: unknown key"),
+        (
+            "[actuation]",
+            "[stop_conditions]\nmax_condition = 0.5\n[actuation]",
+            "stop_conditions.max_condition: expected",
+        ),
+        ("[actuation]", "[load]\nF_ext = 3\n[actuation]", "load.F_ext: expected 3 finite numbers, got 3"),
         ("robots/robot.toml", "robots/none.toml", "robot: expected a file, there is no "),
         ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
     ],
@@ -284,11 +304,15 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ('path = "II"', 'path = "none.csv"', "legs.path: expected a file, there is no "),
-        ('path = "II"', "", "legs.path: missing"),
-        ("k_p = 400", "k_p = -1", "legs.k_p: expected a number >= 0, got -1"),
+        ('path = "II"', 'path = "none.csv"', "actuation.path: expected a file, there is no "),
+        ('path = "II"', "", "actuation.path: missing"),
+        ("k_p = 400", "k_p = -1", "actuation.k_p: expected a number >= 0, got -1"),
         ("rate = 500.0", "rate = 1e9", "rate: expected at most 2e+08 Hz, for at most 10000000 calls"),
-        ('model_formulation = "paper"', 'model = "best"', 'legs.model: expected "exact" or "paper"'),
+        (
+            'model_formulation = "paper"',
+            'model_formulation = "best"',
+            'actuation.model_formulation: expected "exact" or "paper"',
+        ),
     ],
 )
 def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str, words: str) -> None:
@@ -300,7 +324,7 @@ def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str,
 def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, fails: Fails) -> None:
     legs = '[actuation]\ntype = "constant_force"\nforces = [0, 0, 0, 0, 0, 0]\n'
     # Platform point 2 on base point 2.
-    state = SWING.partition("[legs]")[0].replace("[0.2, 0.0, 0.8]", "[-0.2, 0.3, 0.1]")
+    state = SWING.partition("[actuation]")[0].replace("[0.2, 0.0, 0.8]", "[-0.2, 0.3, 0.1]")
     scene.write_text(state.replace("[0.1, 0.0, 0.2]", "[0.0, 0.0, 0.0]") + legs)
     before = folder_state(scene.parent)
     line = fails("simulate", scene, "-o", scene.parent / "out")

@@ -157,7 +157,7 @@ def test_the_page_says_what_the_command_warns_of(case: Case, opened: Opened) -> 
     assert opened.page.locator("#bar i").count() == 2
     noise = opened.page.locator("#noise")
     assert noise.count() == case.noisy
-    legend = ["limit exceeded", "not decided at this noise ?"]
+    legend = ["limit exceeded", "inconclusive noise ?"]
     assert opened.page.locator("#verdicts span").all_inner_texts() == legend[: 1 + case.noisy]
     for table, columns in PEAKS.items():
         for name, column in columns.items():

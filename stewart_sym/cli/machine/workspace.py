@@ -111,6 +111,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _broken(examiner: "PoseExaminer", found: "WorkspaceResult") -> str:
     """Which limit the pose in the middle breaks, and what is known of it."""
     from ...design.pose_limits import CONDITION, LENGTH, REASONS
+    from ...io.arguments import status_text
     from ...kinematics.offset_legs import leg_lengths
     from ...motion.rotation import rotation_from_rpy
 
@@ -123,9 +124,9 @@ def _broken(examiner: "PoseExaminer", found: "WorkspaceResult") -> str:
         return f"{legs}: change --position (m)"
     number, most = float(examiner.conditions(R, t)[0]), examiner.limits.condition
     if code == CONDITION and number > most:
-        return f"{REASONS[code]}: expected at most {most:g}, got {number:.4g}"
+        return f"{status_text(REASONS[code])}: expected at most {most:g}, got {number:.4g}"
     beyond = ": det H has another sign than at the home pose" if code == CONDITION else ""
-    return f"{REASONS[code]}{beyond}"
+    return f"{status_text(REASONS[code])}{beyond}"
 
 
 def _pairs(numbers: list[float] | None) -> list[list[float]] | None:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits, at_reference
 from ...design.workspace import WorkspaceResult
+from ...io.arguments import status_text
 from ...io.array_types import Array
 from ...io.progress import Progress, tracked
 from ...motion.rotation import rotation_from_rpy
@@ -145,7 +146,7 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
     ]
     header = ("coordinate", "at least from", "to", "searched from", "to")
     lines += ["", aligned(header, rows), ""]
-    shares = [(name, f"{100.0 * share:.2f}") for name, share in found.limit_fractions.items()]
+    shares = [(status_text(name), f"{100.0 * share:.2f}") for name, share in found.limit_fractions.items()]
     return "\n".join([*lines, aligned(("first limit that breaks", "% of poses"), shares)])
 
 
@@ -221,7 +222,7 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
         f"{as_written(robot.name)}: {_title(found)}\n{size}; planes through the pose marked +", fontsize=10.0
     )
     broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
-    handles = [Patch(facecolor=_OUTSIDE[code], label=REASONS[code]) for code in broken]
+    handles = [Patch(facecolor=_OUTSIDE[code], label=status_text(REASONS[code])) for code in broken]
     if handles:
         legend_below(drawn, handles, title="first limit that breaks")
     return drawn

@@ -480,7 +480,7 @@ find("limit").textContent = limits.length ? `limit ${limits.map((each) => shown(
 const found = new Set([...forces, ...others].flatMap((each) => legs.map((leg) => each.worst(leg))));
 for (const [name, words, has] of [
   ["--warn", "limit exceeded", found.has(EXCEEDED)],
-  ["--open", "not decided at this noise ?", DOUBTFUL.some((each) => found.has(each))],
+  ["--open", "inconclusive noise ?", DOUBTFUL.some((each) => found.has(each))],
 ]) {
   if (!has) continue;
   const item = document.createElement("span");
