@@ -90,7 +90,7 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
         near = same_offsets(robot, noted) if isinstance(noted, JointOffsets) else _near(found, noted)
         if isinstance(found, Drive) and not near:
             # The armature is all that a model says of a drive.
-            taken[name] = replace(noted, rotor_inertia=found.reflected_mass / noted.turns**2)
+            taken[name] = replace(noted, rotor_inertia=found.reflected_mass / noted.transmission_ratio**2)
             said.append("drive: the model's armatures are not the note's: rotor_inertia follows the model")
         elif name not in _SILENT and not near and not _unstated(name, found):
             del taken[name]

@@ -383,7 +383,7 @@ def _law(forces: ArrayLike | ForceLaw) -> ForceLaw:
 
 def _state(given: Motion | str, law: ForceLaw) -> Motion:
     if isinstance(given, str):
-        wanted = getattr(law, "wanted", None)
+        wanted = getattr(law, "reference", None)
         if given != "path" or wanted is None:
             text = 'a Motion, or "path" with a law that follows one'
             raise ValueError(f"initial_state: expected {text}, got {shown(given)}")

@@ -172,7 +172,7 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     limits = {line.split(": ")[1].partition(" of leg")[0] for line in data["not_decided"]}
     assert limits == {"force_limit", "speed_limit", *(f"drive.{name}_limit" for name in ("torque", "speed"))}
     assert all(line.startswith("inconclusive noise: ") for line in data["not_decided"])
-    assert all(f"N{line[1:]}" in captured.out for line in data["not_decided"])
+    assert all(f"I{line[1:]}" in captured.out for line in data["not_decided"])
     assert re.search(r"^force, peak, N .*\n  \+-( +\S+){6}$", captured.out, re.MULTILINE)
     assert {"force", "speed", "torque", "rms_torque", "length", "base_angle"} < set(data["deviations"])
     row = next(row for row in read(folder / "size" / "needs.csv") if row["need"] == "force, peak")
@@ -228,7 +228,7 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, r
         size = [each for each in exceeded if each.startswith(f"joint_angle_limit at the {end}")]
         assert [int(each.partition(" of leg ")[2][0]) - 1 for each in size] == over
         for leg, verdict in enumerate(legs):
-            assert verdict[f"{end}_angle_limit"] == ("exceeded" if leg in over else "kept")
+            assert verdict[f"{end}_angle_limit"] == ("exceeded" if leg in over else "within_limit")
             assert verdict[f"{end}_angle_limit_rad"] == pytest.approx(limit)
             assert verdict[f"peak_{end}_angle_rad"] == pytest.approx(peak[leg])
 

@@ -232,18 +232,25 @@ def noisy(request: pytest.FixtureRequest) -> list[Noisy]:
 def test_deviations_of_needs_cover_the_errors_that_noise_makes(noisy: list[Noisy]) -> None:
     off: dict[str, list[np.ndarray]] = {}
     for _, true, _, needs in noisy:
-        for where, found, exact in (("course.", needs.history, true.history), ("", needs, true)):
+        for where, found, exact in (("history.", needs.history, true.history), ("", needs, true)):
             for name, sd in found.std.items():
                 if name.endswith(("_rise", "_fall")):
                     continue
                 errors = np.abs(getattr(found, name) - getattr(exact, name))
                 assert np.all(errors[sd == 0.0] == 0.0), name
                 off.setdefault(where + name, []).append((errors / np.where(sd > 0.0, sd, 1.0)).ravel())
-    assert {"course.torque", "course.motor_power", "course.base", "length", "stroke", "rms_torque"} < set(off)
+    assert {
+        "history.torque",
+        "history.motor_power",
+        "history.base_angle",
+        "length",
+        "stroke",
+        "rms_torque",
+    } < set(off)
     for name, sizes in off.items():
         joined = np.concatenate(sizes)
         assert np.mean(joined < 3.0) > 0.97, name
-        if name.startswith("course."):
+        if name.startswith("history."):
             assert np.mean(joined < 1.0) == pytest.approx(0.6827, abs=0.07), name
             assert np.mean(joined < 1.96) == pytest.approx(0.95, abs=0.04), name
 
@@ -330,6 +337,7 @@ def verdicts_of_size(robot: ss.Robot, needs: ss.ActuatorRequirementsResult) -> d
     lines, found = compared(robot, needs), {}
     for line in [*(f"{EXCEEDED}: {line}" for line in lines.exceeded), *lines.not_decided]:
         verdict, name = line.split(": ")[:2]
+        verdict = verdict.replace(" ", "_")
         limit, _, leg = name.partition(" of leg ")
         found[limit, int(leg) - 1] = verdict
     return found

@@ -313,14 +313,16 @@ def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> Non
     free = dataclasses.replace(robot, length_limits=np.tile([0.0, math.inf], (6, 1)))
     assert "expected a box" in error_of(lambda: ss.workspace(free))
     assert error_of(lambda: ss.workspace(robot, "all")).startswith("kind: expected")
-    assert error_of(lambda: ss.workspace(robot, samples=3)).startswith("poses: expected")
+    assert error_of(lambda: ss.workspace(robot, samples=3)).startswith("samples: expected")
     assert error_of(lambda: ss.workspace(robot, position=[0.0, math.nan, 0.0])).startswith(
         "position: expected"
     )
     assert error_of(
         lambda: ss.workspace(robot, position_bounds=[[0.0, 1.0], [1.0, 0.0], [0.0, 1.0]])
-    ).startswith("box:")
-    assert error_of(lambda: ss.workspace(robot, rpy_bounds=WHOLE_TURN)).startswith("turns: is for rotations")
+    ).startswith("position_bounds:")
+    assert error_of(lambda: ss.workspace(robot, rpy_bounds=WHOLE_TURN)).startswith(
+        "rpy_bounds: is for rotations"
+    )
     wide = np.array([[-4.0, 4.0]] * 3)
     assert error_of(lambda: ss.workspace(robot, "six_dof", rpy_bounds=wide)).startswith(
         "turns: expected roll"
@@ -476,9 +478,9 @@ def test_what_is_no_question_of_capability_is_one_line() -> None:
     motion = random_motion(rng, robot)
     free = dataclasses.replace(robot, force_limit=np.array([1.0, np.inf, 1.0, 1.0, np.inf, 1.0]))
     assert "legs 2, 5 have none" in error_of(lambda: ss.capability_polytope(free, motion))
-    assert error_of(lambda: ss.capability_polytope(robot, motion, "torque")).startswith("what: expected")
+    assert error_of(lambda: ss.capability_polytope(robot, motion, "torque")).startswith("quantity: expected")
     assert error_of(lambda: ss.capability_polytope(robot, motion, complement="any")).startswith(
-        "others: expected"
+        "complement: expected"
     )
     found = ss.capability_polytope(robot, motion)
     assert error_of(lambda: found.max_along([0.0, 0.0, 0.0])).startswith("direction: expected")

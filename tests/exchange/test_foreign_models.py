@@ -149,7 +149,8 @@ def test_a_slide_that_is_stated_from_the_rod_to_the_cylinder_is_the_same(tmp_pat
     assert changed != text
     found = imported(changed, tmp_path).robot
     np.testing.assert_allclose(found.length_limits, robot.length_limits, rtol=1e-12)
-    assert found.to_dict()["leg"][1:] == robot.to_dict()["leg"][1:]
+    mine, theirs = (dict(each.to_dict()["leg"], **{"1": None}) for each in (found, robot))
+    assert mine == theirs
 
 
 TOP = '<body name="platform"'

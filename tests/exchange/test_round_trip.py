@@ -299,7 +299,7 @@ def test_without_a_home_pose_what_is_told_from_it_is_left_out() -> None:
     ("form", "where"), [*((form, "noted only") for form in FORMATS), ("usd", "left out")]
 )
 def test_friction_and_efficiency_of_drives_are_said_to_be_lost(form: str, where: str) -> None:
-    lost = "efficiency, back_efficiency, screw_coulomb, motor_coulomb"
+    lost = "efficiency, backdrive_efficiency, screw_coulomb, motor_coulomb"
     words = rf"\A{form}: friction of drives \({lost}\) has no place in the format: {where}"
     with pytest.warns(UserWarning, match=words):
         ss.export_model(ROBOTS["motion simulator"], form)

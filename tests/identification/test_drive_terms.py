@@ -202,7 +202,9 @@ def test_a_rejected_fit_states_no_errors(robot: ss.Robot, excited: ss.Excitation
     assert "+0.00" not in text
 
 
-@pytest.mark.parametrize(("factor", "sigma", "said"), [(1e-3, 1.0, "another unit"), (1.0, 100.0, "sigma: ")])
+@pytest.mark.parametrize(
+    ("factor", "sigma", "said"), [(1e-3, 1.0, "another unit"), (1.0, 100.0, "force_std: ")]
+)
 def test_forces_in_another_unit_and_a_noise_that_is_not_theirs_are_doubted(
     robot: ss.Robot, excited: ss.Excitation, factor: float, sigma: float, said: str
 ) -> None:
@@ -218,10 +220,10 @@ def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
     F = np.zeros((120, 6))
     for wrong in ("coulomb", ("friction",), (), 3):
         with pytest.raises(
-            ValueError, match=r"\Adrive: expected some of reflected_mass, coulomb, offset, viscous"
+            ValueError, match=r"\Adrive_terms: expected some of reflected_mass, coulomb, offset, viscous"
         ):
             ss.identify(robot, excited.motion, F, SIGMA, excited.base, drive_terms=wrong)
-    with pytest.raises(ValueError, match=r"\Anoise: expected"):
+    with pytest.raises(ValueError, match=r"\Apose_noise: expected"):
         ss.identify(robot, excited.motion, F, SIGMA, excited.base, 1e-4, drive_terms=TERMS)
 
 

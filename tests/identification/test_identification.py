@@ -182,9 +182,7 @@ def test_identify_writes_a_table_a_trajectory_and_forces(tmp_path: Path, run: Ru
     rows = read(target / "parameters.csv")
     assert len(rows) == 100
     for row in rows:
-        true, estimated, sigma, deviation = (
-            float(row[k]) for k in ("true", "estimated", "sigma", "deviation")
-        )
+        true, estimated, sigma, deviation = (float(row[k]) for k in ("true", "estimated", "std", "z_score"))
         assert (estimated - true) / sigma == pytest.approx(deviation)
         assert row["name"] in printed
     assert rows[-10]["formula"] == "M + m_u1 + m_u2 + m_u3 + m_u4 + m_u5 + m_u6"

@@ -49,7 +49,7 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
     found = json.loads((out / "report.json").read_text())
     assert found["certificate"]["is_valid"]
     assert found["certificate"]["crossings_s"] == []
-    assert found["condition"]["peak"] <= 12.0
+    assert found["condition_numbers"]["peak"] <= 12.0
     log = read_csv(out / "trajectory.csv")
     np.testing.assert_allclose(np.diff(log.time)[:-1], 1.0 / 200.0)
     assert log.time[-1] == pytest.approx(found["duration_s"])

@@ -183,14 +183,18 @@ def test_a_scene_starts_on_its_path_and_saturates(scene: Path, run: Run) -> None
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ('initial_state = "path"', 'start = "home"', "initial_state: expected"),
+        ('initial_state = "path"', 'initial_state = "home"', "initial_state: expected"),
         (
             'initial_state = "path"',
             'initial_state = "path"\nstate = {t = [0, 0, 1], theta = [0, 0, 0]}',
             "initial_state: expected no",
         ),
         ('"saturate"', '"clip"', "on_force_limit: expected"),
-        (TRACK[TRACK.index("[actuation]") :], '[actuation]\ntype = "spring"\nstiffness = 1e4', "initial_state: expected"),
+        (
+            TRACK[TRACK.index("[actuation]") :],
+            '[actuation]\ntype = "spring"\nstiffness = 1e4',
+            "initial_state: expected",
+        ),
     ],
 )
 def test_bad_starts_are_named(scene: Path, run: Run, old: str, new: str, words: str) -> None:

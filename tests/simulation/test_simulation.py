@@ -364,7 +364,9 @@ def test_a_sampled_law_is_asked_once_a_period_and_held_between() -> None:
 def test_forces_and_loads_that_are_no_numbers_end_the_run_by_name(name: str, rate: float | None) -> None:
     robot = machine()
     odd = {name: lambda time, _: np.full(6, np.nan if time > 0.099 else 0.0)}
-    run = ss.simulate(robot, home(robot), **{"forces": np.zeros(6), "duration": 1.0, "rate": rate} | odd)
+    run = ss.simulate(
+        robot, home(robot), **{"forces": np.zeros(6), "duration": 1.0, "control_rate": rate} | odd
+    )
     assert run.stop.reason == "step_failed"
     assert run.stop.time == pytest.approx(0.1 if rate and name == "forces" else 0.099, abs=1e-9)
     assert "no step is small enough" in run.stop.message
@@ -386,7 +388,7 @@ def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
     robot = machine()
     run = ss.simulate(robot, home(robot), np.zeros(6), 0.25, output_step=0.1)
     np.testing.assert_allclose(run.time, [0.0, 0.1, 0.2, 0.25], atol=1e-15)
-    for name in ("R", "t", "v", "omega", "F", "L", "kinetic", "potential"):
+    for name in ("R", "t", "v", "omega", "F", "L", "kinetic_energy", "potential_energy"):
         np.testing.assert_array_equal(getattr(run.at(run.time), name), getattr(run, name))
 
 

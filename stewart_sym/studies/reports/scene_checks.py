@@ -23,7 +23,7 @@ def start_doubts(scene: Scene) -> list[str]:
     L = leg_lengths(robot, state.R, state.t)
     # Of a path that is read from a file its reader has warned.
     lengths = {"state.t": L} if "state.t" in stated else {}
-    lengths |= {key: stated[key] for key in ("legs.rest_length",) if key in stated}
+    lengths |= {key: stated[key] for key in ("actuation.rest_length",) if key in stated}
     found = {key: doubt for key, each in lengths.items() if (doubt := meters_doubt(robot, each))}
     lines = [f"{key}: {doubt}" for key, doubt in found.items()]
     side, start = platform_side(robot), "state.t"
