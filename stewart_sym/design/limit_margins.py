@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..drives.limit_status import EXCEEDED, WITHIN, Sides, amount_text, farthest, limit_status
+from ..io.arguments import status_text
 from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
 from .actuator_requirements import ActuatorRequirementsResult, sides

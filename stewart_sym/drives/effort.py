@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics
-from ..io.arguments import finite_array, instance, real_array
+from ..io.arguments import finite_array, instance, real_array, status_text
 from ..io.array_types import Array, Flags
 from ..io.error_policy import SingularPoseWarning, warn
 from ..io.frozen import Frozen, read_only

@@ -5,6 +5,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from ..io.error_policy import errors_of, warn
 from ..io.toml_reader import file_name, read_text
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
+from ..robot.fields import LEGS
 from ..robot.robot import Robot, RobotWarning, impossible_inertias
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .formats.xml_text import HEADER, at_line, line_named, parsed
@@ -180,12 +182,13 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
     found = [name for name in lost if np.any(getattr(robot, name))]
     missing = {}
     if found:
-        frictionless = replace(robot, **dict.fromkeys(found, 0.0))
+        none: dict[str, Any] = dict.fromkeys(found, 0.0)
+        frictionless = replace(robot, **none)
         missing[f"friction of spherical joints ({', '.join(found)})"] = _effect(robot, frictionless)
     drive = robot.drive
     if robot.has_rotors and drive is not None:
         if form in ("sdf", "drake"):
-            bare = replace(drive, rotor_inertia=0.0)
+            bare = replace(drive, rotor_inertia=np.zeros(LEGS))
             missing["inertia of rotors"] = _effect(robot, replace(robot, drive=bare))
         elif form != "urdf" and np.any(robot.rotor_momentum):
             # The same reflected mass at a speed at which the rotors have no angular momentum.

@@ -16,8 +16,8 @@ from ..dynamics.inverse_dynamics import Formulation
 from ..io import toml_reader
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
-from ..kinematics.trajectory_checks import need_units
 from ..kinematics.robot_logs import form_of
+from ..kinematics.trajectory_checks import need_units
 from ..motion.log_reader import read_poses
 from ..motion.noise_level import TrajectoryWarning
 from ..motion.rotation import rotation_about_axes

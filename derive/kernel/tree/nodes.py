@@ -190,7 +190,7 @@ BUILT_IN: dict[str, Type] = {
     "anywhere": Truth(),
 }
 """Functions that every language has: square root, absolute value, the larger of two, a product and a sum
-rounded once if that costs no more, the same of a product that is known otherwise (in C alone), and whether a
+rounded once if that costs no more, also with the product given (in C alone), and whether a
 test holds for any of the poses side by side."""
 
 
