@@ -749,20 +749,24 @@ static void shared_of_pose(
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xy = omega_x*omega_y;
+    (void)(omega_xy);
     const stewart_real omega_xz = omega_x*omega_z;
+    (void)(omega_xz);
     const stewart_real omega_yy = omega_y*omega_y;
     const stewart_real omega_yz = omega_y*omega_z;
+    (void)(omega_yz);
     const stewart_real omega_zz = omega_z*omega_z;
+    (void)(omega_zz);
     /* (7) S_ddot = B q + a */
-    const stewart_real B_xx = -omega_yy - omega_zz;
-    const stewart_real B_xy = omega_xy - alpha_z;
-    const stewart_real B_xz = alpha_y + omega_xz;
-    const stewart_real B_yx = alpha_z + omega_xy;
-    const stewart_real B_yy = -omega_xx - omega_zz;
-    const stewart_real B_yz = omega_yz - alpha_x;
-    const stewart_real B_zx = omega_xz - alpha_y;
-    const stewart_real B_zy = alpha_x + omega_yz;
-    const stewart_real B_zz = -omega_xx - omega_yy;
+    const stewart_real B_xx = STEWART_FMA_OF(-omega_zz, -omega_z, omega_z, -omega_yy);
+    const stewart_real B_xy = STEWART_FMA_OF(omega_xy, omega_x, omega_y, -alpha_z);
+    const stewart_real B_xz = STEWART_FMA_OF(omega_xz, omega_x, omega_z, alpha_y);
+    const stewart_real B_yx = STEWART_FMA_OF(omega_xy, omega_x, omega_y, alpha_z);
+    const stewart_real B_yy = STEWART_FMA_OF(-omega_zz, -omega_z, omega_z, -omega_xx);
+    const stewart_real B_yz = STEWART_FMA_OF(omega_yz, omega_y, omega_z, -alpha_x);
+    const stewart_real B_zx = STEWART_FMA_OF(omega_xz, omega_x, omega_z, -alpha_y);
+    const stewart_real B_zy = STEWART_FMA_OF(omega_yz, omega_y, omega_z, alpha_x);
+    const stewart_real B_zz = STEWART_FMA_OF(-omega_yy, -omega_y, omega_y, -omega_xx);
     /* (30) centre of mass from the reference point, base frame */
     const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
     const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
@@ -789,15 +793,18 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
-        STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
-        M_ext_x)))));
-    const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
-        STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
-        M_ext_y)))));
-    const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
-        STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
-        M_ext_z)))));
+    const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, STEWART_FMA_OF(P_xy, omega_P_x, omega_P_y,
+        alpha_P_z), STEWART_FMA(J_C_xy, STEWART_FMA_OF(P_xz, omega_P_x, omega_P_z, -alpha_P_y),
+        STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz,
+        STEWART_FMA_OF(-P_zz, -omega_P_z, omega_P_z, P_yy), M_ext_x)))));
+    const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, STEWART_FMA_OF(P_yz, omega_P_y, omega_P_z,
+        alpha_P_x), STEWART_FMA(J_C_yz, STEWART_FMA_OF(P_xy, omega_P_x, omega_P_y, -alpha_P_z),
+        STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz,
+        STEWART_FMA_OF(-P_xx, -omega_P_x, omega_P_x, P_zz), M_ext_y)))));
+    const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, STEWART_FMA_OF(P_xz, omega_P_x, omega_P_z,
+        alpha_P_y), STEWART_FMA(J_C_xz, STEWART_FMA_OF(P_yz, omega_P_y, omega_P_z, -alpha_P_x),
+        STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy,
+        STEWART_FMA_OF(-P_yy, -omega_P_y, omega_P_y, P_xx), M_ext_z)))));
     const stewart_real c_force_x = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy,
         STEWART_FMA(F_ext_x, R_xx, N_x)));
     const stewart_real c_force_y = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy,
