@@ -46,6 +46,7 @@ from .layouts import (
 from .shared import legs_with_errors, shared
 from .tree import nodes as t
 from .tree.constants import SMALLEST
+from .tree.fused import with_products_in_sums
 from .tree.lower import expression, remark
 from .tree.read import LANES, Given
 from .written import batch
@@ -175,7 +176,8 @@ class BoundedForces:
         yield p.size_of(self.texts, by_legs=True)
         public = self.structures["Model"].name.removesuffix("model") + "prepare"
         yield read(written.prepare, public, public=True, given=_texts_of_sums() | p.HANDED_OVER)
-        yield read(written.shared_of_pose, given={"BODY": self._values(self.shared)})
+        body = with_products_in_sums(self._values(self.shared))
+        yield read(written.shared_of_pose, given={"BODY": body})
         for end, leg in self.legs.items():
             yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
         yield read(written.stretch_error)

@@ -19,7 +19,8 @@ from .tree import nodes as t
 from .tree import read
 from .tree.counted import counted
 from .written import batch, legs
-from .written import kinematics as written
+from .written.kinematics import nearest_pose
+from .written.kinematics import pose_search as written
 
 _LEG: Arguments = {"leg": ("Leg", n.LEG)}
 _POSE: Arguments = {"pose": ("Pose", (n.R, n.t))}
@@ -168,6 +169,8 @@ PUBLIC = {
 """Functions of a program without addresses, by name."""
 _OTHERS = (written.orientation_status, written.motions_of)
 _SEARCH = tuple(
-    each for each in vars(written).values() if callable(each) and each not in (*PUBLIC.values(), *_OTHERS)
+    each
+    for each in (*vars(written).values(), *vars(nearest_pose).values())
+    if callable(each) and each not in (*PUBLIC.values(), *_OTHERS)
 )
-"""What the search of a pose is made of, each after what it calls, as in the file."""
+"""What the search of a pose is made of, each after what it calls, as in the files."""

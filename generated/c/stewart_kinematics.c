@@ -553,6 +553,33 @@ static int first_fault(const stewart_real L[6], const stewart_pose *guess)
     return status;
 }
 
+/* Velocities of the platform that the rates of the legs make, and a status. */
+static twist twist_of(const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6])
+{
+    int i;
+    twist out = {{0, 0, 0}, {0, 0, 0}, 0};
+    legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0, 0};
+    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
+    const stewart_real per_size = REAL(1)/platform_size(robot);
+    int status = legs_at(robot, pose, per_size, &legs);
+    for (i = 0; i < 6; ++i) {
+        legs.A[i][6] = L_dot[i];
+    }
+    reflect(legs.A);
+    substitute(legs.A, x);
+    const int unsettled = is_open(&legs);
+    status = ((status == STEWART_OK) && (unsettled == 1)) ? STEWART_SINGULAR : status;
+    for (i = 0; i < 3; ++i) {
+        out.v[i] = x[i];
+        out.omega[i] = x[i + 3]*per_size;
+        status = ((status != STEWART_OK) || (STEWART_FABS(out.v[i]) <= STEWART_MAX)) ? status : STEWART_NOT_FINITE;
+        status = ((status != STEWART_OK) || (STEWART_FABS(out.omega[i]) <= STEWART_MAX)) ? status : STEWART_NOT_FINITE;
+    }
+    out.status = status;
+    return out;
+}
+
 /* Estimate the direction x, of length 1, that changes the lengths least, by inverse iteration. */
 static void flattest(stewart_real A[6][7], stewart_real x[6])
 {
@@ -771,33 +798,6 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
         }
     }
     status = ((status == STEWART_OK) && (best >= STEWART_MAX)) ? STEWART_NOT_CONVERGED : status;
-    out.status = status;
-    return out;
-}
-
-/* Velocities of the platform that the rates of the legs make, and a status. */
-static twist twist_of(const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6])
-{
-    int i;
-    twist out = {{0, 0, 0}, {0, 0, 0}, 0};
-    legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
-        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0, 0};
-    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
-    const stewart_real per_size = REAL(1)/platform_size(robot);
-    int status = legs_at(robot, pose, per_size, &legs);
-    for (i = 0; i < 6; ++i) {
-        legs.A[i][6] = L_dot[i];
-    }
-    reflect(legs.A);
-    substitute(legs.A, x);
-    const int unsettled = is_open(&legs);
-    status = ((status == STEWART_OK) && (unsettled == 1)) ? STEWART_SINGULAR : status;
-    for (i = 0; i < 3; ++i) {
-        out.v[i] = x[i];
-        out.omega[i] = x[i + 3]*per_size;
-        status = ((status != STEWART_OK) || (STEWART_FABS(out.v[i]) <= STEWART_MAX)) ? status : STEWART_NOT_FINITE;
-        status = ((status != STEWART_OK) || (STEWART_FABS(out.omega[i]) <= STEWART_MAX)) ? status : STEWART_NOT_FINITE;
-    }
     out.status = status;
     return out;
 }

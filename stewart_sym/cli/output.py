@@ -9,8 +9,8 @@ from pathlib import Path
 
 from ..io.arguments import safe_text
 from ..io.extras import need
-from ..io.not_finite import in_figures, in_text, note_not_finite
 from ..io.progress import Progress
+from ..studies.common.not_finite import in_figures, in_text, note_not_finite
 from ..studies.common.report import Report, write
 from .terminal import PROGRAM, progress_line
 

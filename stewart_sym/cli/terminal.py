@@ -11,8 +11,8 @@ from collections.abc import Collection, Iterator
 from functools import partial
 
 from ..io.arguments import safe_text
-from ..io.not_finite import results_noted
 from ..io.progress import Progress, silent
+from ..studies.common.not_finite import results_noted
 
 PROGRAM = "stewart-sym"
 

@@ -153,6 +153,7 @@ def workspace(
     instance(robot, Robot, "robot")
     option(kind, KINDS, "kind")
     limits = PoseLimits() if limits is None else limits
+    instance(limits, PoseLimits, "limits")
     count = whole_number(samples, "samples", 100, "a whole number from 100 to 10^12", _MOST)
     seed = whole_number(seed, "seed", 0, "a whole number from 0 to 2^63 - 1", 2**63 - 1)
     examined = Region(PoseExaminer(robot, at_reference(robot, limits)), kind, *middle(robot, position, rpy))

@@ -449,8 +449,8 @@ def test_capability_refers_to_the_tool_of_the_robot_file() -> None:
     robot = dataclasses.replace(robot, tool=machine_size(robot) * np.array([0.3, -0.4, 1.2]))
     motion = random_motion(rng, robot, (40,), load=False)
     direction = np.array([0.6, 0.0, 0.8])
-    size = ss.capability(robot, motion).largest(direction)
-    fast = ss.capability(robot, motion, "acceleration").largest(direction)
+    size = ss.capability_polytope(robot, motion).largest(direction)
+    fast = ss.capability_polytope(robot, motion, "acceleration").largest(direction)
     assert np.isfinite(size).any()
     assert np.isfinite(fast).any()
     R, r = motion.R, motion.R @ robot.tool

@@ -44,7 +44,7 @@ def test_generate_and_prepare_warn_of_omitted_rotors_with_the_same_effect(
     (line,) = [each for each in told.splitlines() if "omits" in each]
     assert f"rotors with up to {robot.m_r.max():.3g} kg of reflected mass in each leg" in line
     with pytest.warns(UserWarning, match="omits physics") as caught:
-        kernel = ss.prepare(robot, fidelity="slender")
+        kernel = ss.ForceKernel(robot, fidelity="slender")
     assert str(caught[0].message).partition("; for all")[0] in line
     motion = poses(robot, "exact", 8)
     check_effect(line, kernel.forces(motion), ss.inverse_dynamics(robot, motion).F)
@@ -66,7 +66,7 @@ def test_prepare_names_the_physics_that_a_level_omits(
 ) -> None:
     robot = dasgupta(friction=friction)
     with warnings.catch_warnings(record=True, action="always") as caught:
-        ss.prepare(with_rotors(robot) if rotors else robot, fidelity=level)
+        ss.ForceKernel(with_rotors(robot) if rotors else robot, fidelity=level)
     lines = [str(each.message) for each in caught]
     assert len(lines) == bool(named)
     assert all(named in line and "forces differ by up to" in line for line in lines)
@@ -78,7 +78,7 @@ def test_export_states_the_effect_of_physics_without_a_place(form: str, cross: f
     robot = dataclasses.replace(dasgupta(), drive=LOSSY)
     motion = poses(robot, "exact", 8)
     if cross:
-        robot = dataclasses.replace(robot, offsets=ss.Offsets(cross=cross))
+        robot = dataclasses.replace(robot, offsets=ss.JointOffsets(cross=cross))
     full = ss.inverse_dynamics(robot, motion).F
     effort = ss.drive_effort(robot, motion)
     found = {
@@ -100,9 +100,9 @@ def test_export_states_the_effect_of_physics_without_a_place(form: str, cross: f
 def test_paper_rejects_physics_that_its_equations_omit(physics: str, tmp_path: Path) -> None:
     robot = with_rotors(dasgupta())
     if physics == "offsets":
-        robot = dataclasses.replace(dasgupta(), offsets=ss.Offsets(cross=0.01))
+        robot = dataclasses.replace(dasgupta(), offsets=ss.JointOffsets(cross=0.01))
     motion = poses(dasgupta(), "exact", 2)
-    for call in (ss.inverse_dynamics, ss.simulate, ss.prepare):
+    for call in (ss.inverse_dynamics, ss.simulate, ss.ForceKernel):
         arguments = {ss.inverse_dynamics: (motion,), ss.simulate: (motion[0], np.zeros(6), 0.1)}.get(call, ())
         with pytest.raises(ValueError, match='formulation: expected "exact" for a robot'):
             call(robot, *arguments, formulation="paper")

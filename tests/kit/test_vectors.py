@@ -246,7 +246,7 @@ def test_poses_are_in_numbers_of_few_digits() -> None:
 def test_poses_within_the_length_limits_come_first() -> None:
     robot = machine()
     L = ss.inverse_kinematics(robot, poses(robot, "exact", 40)).L
-    limits = np.column_stack([L[0] * 0.9, L[0] * 1.1])
+    limits = np.column_stack([L[0] * 0.85, L[0] * 1.15])
     limited = dataclasses.replace(robot, length_limits=limits)
     found = ss.inverse_kinematics(limited, poses(limited, "exact", 40)).L
     within = ((limits[:, 0] <= found) & (found <= limits[:, 1])).all(axis=-1)

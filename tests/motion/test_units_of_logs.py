@@ -41,7 +41,7 @@ def poses(t: np.ndarray, theta: np.ndarray, lengths: float = 1.0, angles: float 
     return np.column_stack([lengths * t, angles * theta])
 
 
-def fault(robot: ss.Robot, path: Path, form: ss.LogFormat | None = None) -> str:
+def fault(robot: ss.Robot, path: Path, form: ss.TrajectoryFormat | None = None) -> str:
     try:
         ss.read_trajectory(robot, path, form)
     except ValueError as error:
@@ -78,9 +78,9 @@ def test_a_stated_unit_is_taken_as_stated_and_a_wrong_row_does_not_count(tmp_pat
     t, theta = moves(robot, 0.02, 0.05)
     log(path, poses(t, theta, 1e3, np.degrees(1.0)))
     assert "length_unit='mm'" in fault(robot, path)
-    assert "angle_unit='deg'" in fault(robot, path, ss.LogFormat(length_unit="mm"))
-    assert fault(robot, path, ss.LogFormat(length_unit="mm", angle_unit="deg")) == ""
-    assert "give LogFormat" not in fault(robot, path, ss.LogFormat(length_unit="m", angle_unit="rad"))
+    assert "angle_unit='deg'" in fault(robot, path, ss.TrajectoryFormat(length_unit="mm"))
+    assert fault(robot, path, ss.TrajectoryFormat(length_unit="mm", angle_unit="deg")) == ""
+    assert "give LogFormat" not in fault(robot, path, ss.TrajectoryFormat(length_unit="m", angle_unit="rad"))
     log(path, poses(t, theta, 1e3, np.degrees(1.0)), units="s,mm,mm,mm,deg,deg,deg")
     assert fault(robot, path) == ""
     theta[7] = 500.0

@@ -262,14 +262,17 @@ def limited(limit: str) -> str:
         (PLAN.replace("0.1", "9.0"), "via 2: out of reach, it breaks the limit of leg length of leg"),
         (
             limited("max_condition = 12.0").replace("[0.1", "[900.0"),
-            "via 2: out of reach, it breaks the limit of leg length of leg",
+            "via poses: lengths of 450.2 m beside",
         ),
         *(
             (
                 PLAN.replace("0.1", x) + "tolerance.yaw = [-0.2, 0.2]\ntolerance.x = [-0.1, 0.0]\n",
-                "via 2: out of reach, the nearest that its freedom allows breaks the limit of",
+                words,
             )
-            for x in ("9.0", "900.0")
+            for x, words in (
+                ("9.0", "via 2: out of reach, the nearest that its freedom allows breaks the limit of"),
+                ("900.0", "via poses: lengths of 450.2 m beside"),
+            )
         ),
         (PLAN + FIRST, "via 2: the path turns back at the pose"),
         ('minimize = "energy"\n' + PLAN, 'via.toml: least: expected a duration for "energy" (at line 1)'),

@@ -11,9 +11,9 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
-from ...io.not_finite import note_not_finite
 from ...motion.rotation import quaternion_from_rotation
 from ...robot.robot import LEGS
+from .not_finite import note_not_finite
 
 _ROWS = 1024
 

@@ -1,4 +1,4 @@
-"""Record of numbers that are not finite among results: writers note them, the terminal asks."""
+"""Record of numbers that are not finite among results, written by writers and read by the terminal."""
 
 import contextlib
 import math
