@@ -205,9 +205,9 @@ class Region(Frozen):
     def box(self, box: ArrayLike | None, turns: ArrayLike | None) -> Array:
         """Where coordinates are looked for, (3, 2) or (6, 2)."""
         if box is not None and self.kind == "orientation":
-            raise ValueError("box: is for positions, which do not vary here")
+            raise ValueError("position_bounds: is for positions, which do not vary here")
         if turns is not None and self.kind == "constant_orientation":
-            raise ValueError("turns: is for rotations, which do not vary here")
+            raise ValueError("rpy_bounds: is for rotations, which do not vary here")
         parts = []
         if self.kind != "orientation":
             parts.append(self._reach() if box is None else _ranges(box, "position_bounds", "m"))
@@ -215,7 +215,7 @@ class Region(Frozen):
             given = WHOLE_TURN if turns is None else _ranges(turns, "rpy_bounds", "rad")
             if np.any(given < WHOLE_TURN[:, :1]) or np.any(given > WHOLE_TURN[:, 1:]):
                 raise ValueError(
-                    "turns: expected roll and yaw within -pi and pi, pitch within -pi/2 and pi/2"
+                    "rpy_bounds: expected roll and yaw within -pi and pi, pitch within -pi/2 and pi/2"
                 )
             parts.append(_with_pitch(given, np.sin))
         return np.concatenate(parts)

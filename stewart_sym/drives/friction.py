@@ -85,5 +85,10 @@ def drive_numbers(drive: Drive) -> dict[str, Array]:
         "coulomb": drive.screw_coulomb + np.abs(drive.transmission_ratio) * drive.motor_coulomb,
         "viscous": viscous(drive),
     }
-    alone = ("stribeck_force", "stribeck_speed", "smoothing", "torque_constant")
-    return lumped | {name: np.asarray(getattr(drive, name)) for name in alone}
+    alone = {
+        "stribeck": drive.stribeck_force,
+        "stribeck_speed": drive.stribeck_speed,
+        "smoothing": drive.regularization_speed,
+        "torque_constant": drive.torque_constant,
+    }
+    return lumped | {name: np.asarray(values) for name, values in alone.items()}

@@ -386,8 +386,8 @@ class ForceKernel(Frozen):
 
         Parameters
         ----------
-        what : str
-            End of its name ``stewart_<name>_<what>``.
+        name : str
+            End of its name ``stewart_<kernel>_<name>``.
 
         Returns
         -------

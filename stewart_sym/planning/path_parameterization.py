@@ -381,7 +381,7 @@ def need_duration(least: Minimize, duration: float | None) -> None:
     if least == "time" and duration is not None:
         raise ValueError(f'duration: applies to minimize "energy" or "peak_force", got "{least}"')
     if least != "time" and duration is None:
-        raise ValueError(f'least: expected a duration for "{least}"')
+        raise ValueError(f'minimize: expected a duration for "{least}"')
 
 
 def need_losses(robot: Robot) -> None:

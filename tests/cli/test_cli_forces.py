@@ -273,7 +273,7 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     assert "unconstrained  v = (0.733923, 0.305677, -0.535366) m/s" in text
     (event,) = read(folder / "events.csv")
     assert (event["crossing"], event["sign_before"], event["sign_after"]) == ("1", "-1", "1")
-    assert float(event["A1"]) == pytest.approx(-27554.33, rel=1e-6)
+    assert float(event["A_1"]) == pytest.approx(-27554.33, rel=1e-6)
     sides = [
         float(row["F_2"]) for row in read(folder / "path.csv") if abs(float(row["time"]) - 3.6705) < 0.05
     ]

@@ -201,7 +201,7 @@ def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
         ("current", found.current),
         ("power", found.power),
     ):
-        written_ones = np.column_stack([table[f"{column}{leg}"] for leg in range(1, 7)])
+        written_ones = np.column_stack([table[f"{column}_{leg}"] for leg in range(1, 7)])
         np.testing.assert_allclose(
             written_ones[3:-3], values[3:-3], rtol=0.02, atol=0.02 * np.abs(values).max()
         )
@@ -297,7 +297,7 @@ def test_limits_of_legs_at_which_a_motion_stops_are_kept_but_for_its_rounding(ro
     )
     for limit in LEG_LIMITS:
         bound = limit.bound(limited)
-        for share, verdict in ((1e-9, "kept"), (1e-4, "exceeded")):
+        for share, verdict in ((1e-9, "within_limit"), (1e-4, "exceeded")):
             run = LegLimits(limited, np.array([0.0, 1.0]))
             values = limit.sign * np.stack([bound, bound + share * np.abs(bound)])
             run.add(slice(None), {limit.values: values})

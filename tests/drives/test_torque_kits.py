@@ -24,6 +24,7 @@ from stewart_sym.kit.kit_options import check
 from stewart_sym.kit.parts import fields
 from stewart_sym.kit.running import values
 from stewart_sym.reference import newton_euler
+from stewart_sym.robot.robot import of_symbol
 
 Six = ctypes.c_double * 6
 EPSILON = np.finfo(np.float64).eps
@@ -160,7 +161,7 @@ def test_axial_forces_are_those_of_the_reference(joint: str) -> None:
     F = ss.inverse_dynamics(robot, motion).F
     expected = F - newton_euler.rotor_force(robot, motion)
     interpreter = KitInterpreter(
-        {name: np.asarray(getattr(robot, name)) for name in fields(True)}, robot.base_joint
+        {name: np.asarray(of_symbol(robot, name)) for name in fields(True)}, robot.base_joint
     )
     for i in range(5):
         at = {name: np.ravel(getattr(motion, name)[i]) for name in MOTION} | {"F": F[i]}
@@ -228,7 +229,7 @@ def test_axial_forces_of_reflected_masses_leave_these_out_alone() -> None:
     assert "stewart_exact_drive_axial.c" not in names
     motion = random_motion(np.random.default_rng(8), robot, (3,))
     F = ss.ForceKernel(robot, fidelity="reflected_slender").forces(motion)
-    numbers = {name: np.asarray(getattr(robot, name)) for name in fields(True)}
+    numbers = {name: np.asarray(of_symbol(robot, name)) for name in fields(True)}
     interpreter = KitInterpreter(numbers, robot.base_joint, fidelity="reflected_slender")
     expected = F - robot.drive.reflected_mass * ss.inverse_kinematics(robot, motion).L_ddot
     for i in range(3):

@@ -125,7 +125,9 @@ def test_ipopt_finds_the_height_of_least_forces() -> None:
 
 
 def test_a_missing_casadi_and_other_names_are_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    with pytest.raises(ValueError, match=r'^what: expected "forces", "equations" or "forward_dynamics", got'):
+    with pytest.raises(
+        ValueError, match=r'^quantity: expected "forces", "equations" or "forward_dynamics", got'
+    ):
         ss.casadi_function(dasgupta(), "inertia")
     rejects(r"^checked: expected True or False", ss.casadi_function, dasgupta(), checked="no")
     monkeypatch.setitem(sys.modules, "casadi", None)

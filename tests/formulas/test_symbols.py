@@ -147,7 +147,7 @@ def test_every_constant_has_a_unit_and_a_meaning_in_the_text_as_well(what: str) 
 
 
 @pytest.mark.parametrize(
-    ("what", "line"), [("N", r'what: expected "F", .* or "alpha", got \'N\''), (3, "what: expected")]
+    ("what", "line"), [("N", r'quantity: expected "F", .* or "alpha", got \'N\''), (3, "quantity: expected")]
 )
 def test_a_name_without_formulas_is_one_line(what: Any, line: str) -> None:
     rejects(f"^{line}", ss.symbolic, dasgupta(), what)

@@ -430,8 +430,9 @@ KINDS = {
 def test_a_mistake_is_placed_at_its_line(kind: str, tmp_path: Path, run: Run) -> None:
     (tmp_path / "robot.toml").write_bytes(ROBOT)
     text, (command, *options) = KINDS[kind]
-    (tmp_path / "file.toml").write_text(text.replace("schema = 1\n", "schema = 1\n\nmistake = 1\n", 1))
-    line = text.splitlines().index("schema = 1") + 3
+    schema = next(line for line in text.splitlines() if line.startswith("schema = "))
+    (tmp_path / "file.toml").write_text(text.replace(schema, f"{schema}\n\nmistake = 1", 1))
+    line = text.splitlines().index(schema) + 3
     told = run(command, tmp_path / "file.toml", *options, code=2).err
     assert "file.toml: mistake: unknown key, " in told
     assert told.endswith(f" (at line {line})\n")

@@ -190,9 +190,9 @@ def compare_estimates(one: list[str], other: list[str]) -> None:
     for row, mirrored in zip(csv.DictReader(one), csv.DictReader(other), strict=True):
         assert mirrored["name"] == row["name"]
         sign = -1.0 if row["name"] in ("h_P_y", "h_P_z", "J_P_xy", "J_P_xz") else 1.0
-        value, sigma = float(row["estimated"]), float(row["sigma"])
+        value, sigma = float(row["estimated"]), float(row["std"])
         assert abs(sign * float(mirrored["estimated"]) - value) <= 1e-5 * (abs(value) + sigma)
-        assert float(mirrored["sigma"]) == pytest.approx(sigma, rel=1e-5)
+        assert float(mirrored["std"]) == pytest.approx(sigma, rel=1e-5)
 
 
 def test_the_papers_paths_are_on_the_side_of_the_platform(tmp_path: Path) -> None:

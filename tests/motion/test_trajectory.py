@@ -170,7 +170,7 @@ def test_grid_ends_at_tau_f_when_the_step_does_not_fit() -> None:
 @pytest.mark.parametrize(
     ("name", "times", "words"),
     [
-        ("times", [0.0, -0.1, 3.0, np.nan, np.inf, 1e-14, "a"], "dtau: expected"),
+        ("time_grid", [0.0, -0.1, 3.0, np.nan, np.inf, 1e-14, "a"], "dtau: expected"),
         ("sample", [-1e-6, 2.000001, [0.0, 3.0], np.nan], "tau: expected times in [0, 2] s, got"),
         ("sample", ["a", 1j, [[0.0, 0.1], [0.2]], None], "tau: expected times, got"),
     ],

@@ -347,11 +347,11 @@ WRONG: dict[str, Any] = {
 }
 # A law or a load may be any function; what it makes of its arguments is its own.
 CALLABLE = {
-    ("crossings", "path"),
+    ("singularity_crossings", "path"),
     ("path_singularities", "path"),
     ("simulate", "forces"),
     ("simulate", "load"),
-    ("time_path", "path"),
+    ("parameterize_path", "path"),
 }
 
 

@@ -280,7 +280,9 @@ def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) 
         robot_of(wrong, tmp_path)
     with warnings.catch_warnings(action="error"):
         robot_of(
-            wrong.replace("home_position =", 'suppress_warnings = ["lower-inertia"]\nhome_position ='),
+            wrong.replace(
+                "home_position =", 'suppress_warnings = ["lower-inertia", "density"]\nhome_position ='
+            ),
             tmp_path,
         )
         foam = TEXT.replace("2700", "40")
@@ -292,7 +294,7 @@ def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) 
 
 # Every mistake: what is replaced by what, the message, and words of the line that it names.
 MISTAKES: list[tuple[str, str, str, str]] = [
-    ("schema = 2", "schema = 3", "schema: expected 1 or 2, got 3", "schema = 3"),
+    ("schema = 2", "schema = 3", "schema: expected 2, got 3", "schema = 3"),
     ('name = "press"\n', "", "name: missing", "schema"),
     ('"mm"', '"ft"', 'length_unit: expected "m", "cm", "mm" or "in", got ', "length_unit"),
     ('"deg"', '"grad"', 'angle_unit: expected "rad" or "deg", got ', "angle_unit"),
@@ -339,7 +341,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "home_position = [0, 0, 700]\n",
         "",
         'trajectory.length_mode: "relative" is to the home pose',
-        "lengths",
+        "length_mode",
     ),
     (
         "stroke = [",
@@ -364,7 +366,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     (
         "tool =",
         "pivot =",
-        "trajectory.pivot: unknown key, expected one of tool, euler_order, lengths",
+        "trajectory.pivot: unknown key, expected one of tool, euler_order, length_mode",
         "pivot",
     ),
     (

@@ -165,7 +165,7 @@ def calls() -> dict[str, Call]:
     add(ss.equations_by_parameter, **both, on_singular="raise", backend="c")
     add(ss.inertial_parameters, robot=robot)
     add(ss.symbolic, robot=robot, quantity="H", formulation="exact")
-    found["Symbolic.derivative"] = Call(derivative, {"by": sp.Symbol("t_x", real=True)})
+    found["SymbolicResult.derivative"] = Call(derivative, {"by": sp.Symbol("t_x", real=True)})
     add(ss.casadi_function, robot=robot, quantity="forces", formulation="exact", checked=False)
     add(ss.ArrayKernel, robot=robot, xp=np, formulation="exact", dtype=None, free=("dtype",))
     log = {

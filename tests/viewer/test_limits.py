@@ -43,7 +43,7 @@ MOTORS = {
     "power_limit": ("motor_peak_power_W", "motor_power_limit"),
     "rated_torque": ("motor_rms_torque_N_m", "motor_rated_torque"),
 }
-VERDICTS = [*LEGS, "greatest_length_limit", "least_length_limit", *(name for _, name in MOTORS.values())]
+VERDICTS = [*LEGS, "max_length_limit", "min_length_limit", *(name for _, name in MOTORS.values())]
 MARKS = {WITHIN: "", NOT_DECIDED: "doubtful", EXCEEDED: "beyond"}
 # Columns of the tables of peaks, and the verdicts that they show.
 PEAKS = {
@@ -100,7 +100,7 @@ class Case:
         self.warned_by_forces = said(*forces, files["forces"])
         self.warned = said("view", robot, log, "-o", self.page, "--json", files["view"])
         self.forces, self.legs = legs_of(files["forces"]), legs_of(files["view"])
-        self.doubts = json.loads(files["view"].read_text(encoding="utf-8"))["doubts"]
+        self.doubts = json.loads(files["view"].read_text(encoding="utf-8"))["warnings"]
         self.table = np.genfromtxt(folder / "out.csv", delimiter=",", names=True)
         self.time = self.table["time"]
         self.robot = ss.Robot.from_toml(robot)
@@ -142,7 +142,7 @@ def test_warnings_and_json_are_those_of_forces(case: Case) -> None:
         assert (NOT_DECIDED in verdicts) == case.noisy, name
     for leg, other in zip(case.legs, case.forces, strict=True):
         assert leg.keys() == other.keys()
-        assert ("motor_peak_power_sd_W" in leg) == ("peak_speed_sd_m_per_s" in leg) == case.noisy
+        assert ("motor_peak_power_std_W" in leg) == ("peak_speed_std_m_per_s" in leg) == case.noisy
         numbers = {name: value for name, value in other.items() if not isinstance(value, str)}
         for name, value in numbers.items():
             assert leg[name] == (value if value is None else pytest.approx(value, rel=1e-9)), name
@@ -178,7 +178,7 @@ def test_every_instant_has_the_verdicts_of_its_numbers(case: Case, opened: Opene
     assert drive is not None
     limits = {"F": case.robot.force_limit, "motor_speed": drive.speed_limit, "power": drive.power_limit}
     for name, limit in limits.items():
-        sizes, sd = abs(columns(case, name)), columns(case, f"{name}_sd") if case.noisy else 0.0
+        sizes, sd = abs(columns(case, name)), columns(case, f"{name}_std") if case.noisy else 0.0
         codes = np.where(sizes - SURE * sd > limit, 2, np.where(sizes + SURE * sd > limit, 1, 0))
         table, column = {"F": ("now", 1), "motor_speed": ("motors-now", 2), "power": ("motors-now", 4)}[name]
         for code in range(2 + case.noisy if name == "F" else 2):
@@ -193,8 +193,8 @@ def test_every_instant_has_the_verdicts_of_its_numbers(case: Case, opened: Opene
 
 def columns(case: Case, name: str) -> Array:
     """Of the six legs, (n, 6), as ``forces`` writes them."""
-    stem, _, ending = name.partition("_sd")
-    ending = "_sd" if name.endswith("_sd") else ending
+    stem, _, ending = name.partition("_std")
+    ending = "_std" if name.endswith("_std") else ending
     return np.stack([case.table[f"{stem}{leg}{ending}"] for leg in range(1, 7)], axis=-1)
 
 
@@ -205,13 +205,15 @@ def test_deviations_stand_beside_the_values(case: Case, opened: Opened) -> None:
     forces = opened.page.locator("#now tbody tr td:nth-child(2)").all_inner_texts()
     if not case.noisy:
         assert not any("\u00b1" in cell for cell in cells)
-        assert not opened.do("return Object.keys(viewer.page.columns).filter((name) => name.endsWith('_sd'))")
+        assert not opened.do(
+            "return Object.keys(viewer.page.columns).filter((name) => name.endsWith('_std'))"
+        )
         return
     numbers = [
         [float(x) for x in re.findall(r"-?[\d.]+", text.replace("\u2212", "-"))[:2]] for text in forces
     ]
     assert np.allclose([x for x, _ in numbers], np.abs(columns(case, "F")[i]), atol=0.05)
-    assert np.allclose([sd for _, sd in numbers], columns(case, "F_sd")[i], rtol=0.06)
+    assert np.allclose([sd for _, sd in numbers], columns(case, "F_std")[i], rtol=0.06)
 
 
 def test_tables_are_seen_whole_on_a_screen_of_usual_width(opened: Opened) -> None:
@@ -246,7 +248,7 @@ def test_deviations_that_no_digit_shows_stand_nowhere_but_in_json(
     assert "+-" not in told.getvalue()
     for command in ("forces", "view"):
         legs = legs_of(tmp_path / f"{command}.json")
-        assert all(leg["peak_force_sd_N"] > 0.0 and leg["motor_rms_torque_sd_N_m"] > 0.0 for leg in legs)
+        assert all(leg["peak_force_std_N"] > 0.0 and leg["motor_rms_torque_std_N_m"] > 0.0 for leg in legs)
     opened = Opened(browser, tmp_path / "F.html")
     assert all(sd > 0.0 for sd in opened.do("return viewer.page.motors.rmsDeviation"))
     cells = opened.page.locator("table td").all_inner_texts()

@@ -86,7 +86,7 @@ def run(arguments: argparse.Namespace) -> int:
             if arguments.plot is not None:
                 lines.append(f"Drawn as {arguments.plot}")
             if trajectory.noise is not None and trajectory.noise.sigma.any():
-                lines.insert(1, f"{noise_text(trajectory.noise)}; F_sd is the remaining standard deviation")
+                lines.insert(1, f"{noise_text(trajectory.noise)}; F_std is the remaining standard deviation")
         tables, figures = {}, {}
         if digest.drive is not None:
             tables["motors"] = digest.drive.csv()

@@ -94,7 +94,7 @@ class DriveDigest:
         found["motor_rated_torque_N_m"] = self.drive.rated_torque
         found["motor_energy_J"] = summary.energy if self.lasts else none
         if summary.noisy:
-            found |= {f"motor_peak_{name}_sd_{units[name]}": sd for name, sd in summary.peak_sd.items()}
+            found |= {f"motor_peak_{name}_std_{units[name]}": sd for name, sd in summary.peak_sd.items()}
             known = self.lasts and summary.rms_torque_sd is not None
             found["motor_rms_torque_std_N_m"] = summary.rms_torque_sd if known else none
             found["motor_energy_std_J"] = summary.energy_sd if self.lasts else none

@@ -25,6 +25,7 @@ from ...drives.motor_states import MotorStates, motor_states
 from ...drives.noise import Deviations, MotorDeviations, at_replaced, deviations_in_parts
 from ...dynamics.home_pose import home_pose
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
+from ...io.arguments import status_text
 from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
 from ...io.sample_times import least_step, time_text
@@ -45,8 +46,8 @@ NOISE_SHARE = 0.02
 _LIMITS = {
     "force_limit": FORCE,
     "speed_limit": SPEED,
-    "least_length_limit": SHORTEST,
-    "greatest_length_limit": LONGEST,
+    "min_length_limit": SHORTEST,
+    "max_length_limit": LONGEST,
 }
 
 # So many instants are computed at a time: all outputs of all instants at once would fill memory.
@@ -204,7 +205,7 @@ class Digest:
                 str(leg + 1),
                 amount_text(F[i, leg], None if F_sd is None else F_sd[i, leg]),
                 time_text(time[i], self.step),
-                f"{limit[leg]:g}" + (f" {verdicts[leg]}" if np.isfinite(limit[leg]) else ""),
+                f"{limit[leg]:g}" + (f" {status_text(verdicts[leg])}" if np.isfinite(limit[leg]) else ""),
                 f"{low.text(leg)} to {high.text(leg)}",
                 speed.text(leg),
                 *([", ".join(each.text(leg) for each in angles)] if angles else []),
@@ -233,8 +234,8 @@ class Digest:
             "peak_force_std_N": [None] * LEGS if F_sd is None else np.take_along_axis(F_sd, peak[None], 0)[0],
             "peak_force_time_s": time[peak],
             "force_limit_N": robot.force_limit,
-            **low.data("least_length", "m"),
-            **high.data("greatest_length", "m"),
+            **low.data("min_length", "m"),
+            **high.data("max_length", "m"),
             "length_limits_m": robot.length_limits,
             **speed.data("peak_speed", "m_per_s"),
             "speed_limit_m_per_s": robot.speed_limit,
@@ -280,7 +281,7 @@ class _Extreme(NamedTuple):
 
     def data(self, name: str, unit: str) -> dict[str, Any]:
         """The same by name, for programs."""
-        return {f"{name}_{unit}": self.values} | ({} if self.sd is None else {f"{name}_sd_{unit}": self.sd})
+        return {f"{name}_{unit}": self.values} | ({} if self.sd is None else {f"{name}_std_{unit}": self.sd})
 
     def text(self, leg: int) -> str:
         """One leg's, for people."""
