@@ -201,7 +201,9 @@ def test_points_whose_squares_overflow_are_the_files(
 ) -> None:
     monkeypatch.chdir(robot.parent)
     text = robot.read_text(encoding="utf-8")
-    robot.write_text(re.sub(r"(platform_point = \[)[^,]+", r"\g<1>8e200", text, count=1), encoding="utf-8")
+    robot.write_text(
+        re.sub(r"(\[platform\]\npoints = \[\n    \[)[^,]+", r"\g<1>8e200", text), encoding="utf-8"
+    )
     error = run(command[0], robot, *command[1:], code=2).err.splitlines()[-1]
     assert re.fullmatch(rf"stewart-sym: error: {robot}: expected .* points whose squares are finite", error)
 
