@@ -9,6 +9,7 @@ import numpy as np
 from ..derive.mechanics import quantities as n
 from ..derive.program.block import Quantity
 from ..robot.offsets import need_no_offsets
+from ..robot.robot import has_symbol, of_symbol
 
 Number = Callable[[str, Any], Any]
 """From a quantity's name and one of its components to a number of the arithmetic."""
@@ -17,8 +18,8 @@ Number = Callable[[str, Any], Any]
 def robot_structure(robot: Any, number: Number) -> SimpleNamespace:
     """The robot; robot: what has the fields of ``Robot``, those of rotors or not."""
     need_no_offsets(robot)
-    of_leg = [q for q in n.OF_LEG if hasattr(robot, q.name)]
-    numbers = {q.name: np.asarray(getattr(robot, q.name)) for q in (*of_leg, *n.PLATFORM)}
+    of_leg = [q for q in n.OF_LEG if has_symbol(robot, q.name)]
+    numbers = {q.name: np.asarray(of_symbol(robot, q.name)) for q in (*of_leg, *n.PLATFORM)}
     legs = [structure(of_leg, {q.name: numbers[q.name][i] for q in of_leg}, number) for i in range(6)]
     return SimpleNamespace(leg=legs, **vars(structure(n.PLATFORM, numbers, number)))
 

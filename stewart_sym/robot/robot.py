@@ -347,9 +347,14 @@ _SYMBOLS = {
 }
 
 
+def has_symbol(owner: Any, symbol: str) -> bool:
+    """Return True if a robot, its offsets, or its numbers have a symbol of the generated code."""
+    return hasattr(owner, symbol) or hasattr(owner, _SYMBOLS.get(symbol, symbol))
+
+
 def of_symbol(owner: Any, symbol: str) -> Any:
-    """Return the attribute of a robot or of its offsets for a symbol of the generated code."""
-    return getattr(owner, _SYMBOLS.get(symbol, symbol))
+    """Return the attribute of a robot, its offsets, or its numbers for a symbol of the generated code."""
+    return getattr(owner, symbol if hasattr(owner, symbol) else _SYMBOLS.get(symbol, symbol))
 
 
 # Physicality

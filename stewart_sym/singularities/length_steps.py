@@ -26,7 +26,7 @@ CROSSED = (
     "from there on the same lengths belong to two motions"
 )
 UNDECIDED = (
-    "a singular pose is as near as the noise of the lengths, {:.2g} m: not decided at this noise whether the "
+    "a singular pose is as near as the noise of the lengths, {:.2g} m: inconclusive at this noise: whether the "
     "platform crosses it or turns back"
 )
 # A sample is approached in parts no smaller than this share of the way from the one before.

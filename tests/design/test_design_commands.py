@@ -174,9 +174,9 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     assert all(line.startswith("inconclusive noise: ") for line in data["not_decided"])
     assert all(f"I{line[1:]}" in captured.out for line in data["not_decided"])
     assert re.search(r"^force, peak, N .*\n  \+-( +\S+){6}$", captured.out, re.MULTILINE)
-    assert {"force", "speed", "torque", "rms_torque", "length", "base_angle"} < set(data["deviations"])
+    assert {"force", "speed", "torque", "rms_torque", "length", "base_angle"} < set(data["std"])
     row = next(row for row in read(folder / "size" / "needs.csv") if row["need"] == "force, peak")
-    assert float(row["leg1_sd"]) == data["deviations"]["force"][-1][0] > float(row["leg1"]) / 3.0
+    assert float(row["leg1_std"]) == data["std"]["force"][-1][0] > float(row["leg1"]) / 3.0
 
     output = ("-o", "F.csv", "--json", "F.json")
     told = run("forces", "hexapod.toml", "noisy.csv", "--cutoff", 20, *output).err

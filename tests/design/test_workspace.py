@@ -325,10 +325,10 @@ def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> Non
     )
     wide = np.array([[-4.0, 4.0]] * 3)
     assert error_of(lambda: ss.workspace(robot, "six_dof", rpy_bounds=wide)).startswith(
-        "turns: expected roll"
+        "rpy_bounds: expected roll"
     )
     assert error_of(lambda: ss.workspace(robot, "orientation", position_bounds=wide)).startswith(
-        "box: is for positions"
+        "position_bounds: is for positions"
     )
     assert error_of(lambda: ss.PoseLimits(condition=0.5)).startswith("condition: expected")
     assert error_of(lambda: ss.PoseLimits(clearance=-1.0)).startswith("clearance: expected")
@@ -486,6 +486,6 @@ def test_what_is_no_question_of_capability_is_one_line() -> None:
     assert error_of(lambda: found.max_along([0.0, 0.0, 0.0])).startswith("direction: expected")
     assert error_of(lambda: found.max_along([0.0, np.nan, 0.0])).startswith("direction: expected")
     wrench = ss.capability_polytope(robot, motion, "wrench")
-    assert error_of(lambda: wrench.inscribed_radius).startswith("guaranteed: expected")
+    assert error_of(lambda: wrench.inscribed_radius).startswith("inscribed_radius: expected")
     batch = ss.capability_polytope(robot, random_motion(rng, robot, (2,)))
     assert error_of(lambda: batch.vertices()).startswith("vertices: expected a single pose")

@@ -196,8 +196,8 @@ def test_nothing_comes_of_nothing() -> None:
         ((np.eye(6), np.ones(5), 1.0), r"c: expected wrenches of shape \(..., 6\), got shape \(5,\)"),
         ((np.eye(6), "a", 1.0), r"c: expected wrenches"),
         ((np.eye(6), np.ones(6), 0.0), r"length: expected a finite length > 0 m"),
-        ((np.eye(6), np.ones(6), 1.0, 1.0), r"share: expected a number > 0 and < 1, got 1.0"),
-        ((np.eye(6), np.ones(6), 1.0, True), r"share: expected a number > 0 and < 1, got True"),
+        ((np.eye(6), np.ones(6), 1.0, 1.0), r"rcond: expected a number > 0 and < 1, got 1.0"),
+        ((np.eye(6), np.ones(6), 1.0, True), r"rcond: expected a number > 0 and < 1, got True"),
     ],
 )
 def test_bad_arguments_are_one_line(arguments: tuple[object, ...], text: str) -> None:

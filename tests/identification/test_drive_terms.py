@@ -366,4 +366,4 @@ def test_the_command_seeks_terms_of_measured_forces(
 
 
 def test_a_term_that_is_no_name_is_one_line() -> None:
-    rejects(r"^drive: expected some of .*, got \[\]$", need_terms, [[]])
+    rejects(r"^drive_terms: expected some of .*, got \[\]$", need_terms, [[]])

@@ -143,8 +143,8 @@ def test_machines_that_cannot_be_excited_are_rejected() -> None:
     [
         (np.zeros((4, 5)), 1.0, "F: expected shape"),
         (np.zeros((3, 6)), 1.0, "F: expected forces of shape"),
-        (np.zeros((4, 6)), 0.0, "sigma: expected"),
-        (np.zeros((4, 6)), [1.0, 2.0], "sigma: expected"),
+        (np.zeros((4, 6)), 0.0, "force_std: expected"),
+        (np.zeros((4, 6)), [1.0, 2.0], "force_std: expected"),
         (np.full((4, 6), np.nan), 1.0, "F: expected finite"),
     ],
 )
@@ -266,7 +266,7 @@ def test_swapped_measurements_are_told(simulated: Path, tmp_path: Path, fails: F
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (("--force-std", "0"), "sigma: expected"),
+        (("--force-std", "0"), "--force-std: expected"),
         (("--force-std", "nan"), "--force-std"),
         (("--seed", "-1"), "--seed"),
         (("--samples", "5"), "motion: excites"),

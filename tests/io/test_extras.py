@@ -151,8 +151,8 @@ robot = ss.robots.dasgupta1998()
 path = ss.PAPER_PATHS["I"].path
 motion = path.sample(np.linspace(0.0, 6.0, 50))
 noise = ss.PoseNoise(np.linspace(0.0, 6.0, 50), 1e-4, 1e-4)
-identification.base_parameters = None  # nothing is computed
-for options in ({"physical": True}, {"noise": noise}):
+identification.parameters_of = None  # nothing is computed
+for options in ({"enforce_physical": True}, {"pose_noise": noise}):
     try:
         ss.identify(robot, motion, np.zeros((50, 6)), 1.0, **options)
     except ImportError as error:

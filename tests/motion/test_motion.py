@@ -46,7 +46,10 @@ def test_rotations_in_float_are_taken_to_the_nearest_rotation_in_double() -> Non
         Motion(R=motion.R, t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))[3:7].R, motion.R[3:7]
     )
     for bad in (rounded.astype(np.float64), rounded * np.float32(1.0 + 1e-5), -rounded):
-        rejects(r"R.*: expected a rotation matrix", Motion, bad, *np.zeros((3, 3)))
+        rejects(
+            r"R.*: expected a rotation matrix",
+            lambda bad=bad: Motion(R=bad, t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3)),
+        )
     with pytest.raises(ValueError, match=r"numbers of single precision, give R as an array of float32$"):
         Motion(R=rounded.tolist(), t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))
 

@@ -428,13 +428,13 @@ def test_numbers_that_stay_the_same_are_off_by_their_rounding_however_many_they_
         ),
         (
             lambda: ss.smooth_samples(np.arange(5.0), np.ones((5, 1)), noise_std=-1.0),
-            "sigma: expected deviations > 0",
+            "noise_std: expected deviations > 0",
         ),
         (
             lambda: ss.smooth_samples(np.arange(5.0), np.ones((5, 1)), cutoff=2.0),
             "cutoff: expected a frequency",
         ),
-        (lambda: ss.SmoothingOptions(position_std=-1.0), "position: expected a number > 0, got -1"),
+        (lambda: ss.SmoothingOptions(position_std=-1.0), "position_std: expected a number > 0, got -1"),
         (lambda: ss.TrajectoryFormat(length_unit="mile"), 'length_unit: expected "m", "cm", "mm" or "in"'),
     ],
 )

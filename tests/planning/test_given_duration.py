@@ -215,6 +215,6 @@ def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
     robot, path = limited_case(0, friction=False)
     with pytest.raises(ValueError, match="expected viscous friction, a resistance of windings or an efficie"):
         parameterize_path(robot, path, minimize="energy", duration=1e3, grid_size=50)
-    rejects('least: expected a duration for "energy"', parameterize_path, robot, path, minimize="energy")
+    rejects('minimize: expected a duration for "energy"', parameterize_path, robot, path, minimize="energy")
     with pytest.raises(ValueError, match='duration: applies to minimize "energy" or "peak_force"'):
         parameterize_path(robot, path, duration=4.0)

@@ -289,7 +289,7 @@ def test_the_offsets_of_a_machine_scale_with_it() -> None:
 def test_offsets_are_checked() -> None:
     rng = np.random.default_rng(0)
     robot = random_robot(rng)
-    rejects("cross: expected", ss.JointOffsets, axis_offset=np.zeros(5))
+    rejects("axis_offset: expected", ss.JointOffsets, axis_offset=np.zeros(5))
     rejects("cross_mass: leg 2", ss.JointOffsets, cross_mass=[0, -1, 0, 0, 0, 0])
     rejects("platform_joint", ss.JointOffsets, wrist_offset=np.ones(6))
     rejects("platform_axis", ss.JointOffsets, platform_joint="universal")

@@ -280,15 +280,16 @@ def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) 
         robot_of(wrong, tmp_path)
     with warnings.catch_warnings(action="error"):
         robot_of(
-            wrong.replace(
-                "home_position =", 'suppress_warnings = ["lower-inertia", "density"]\nhome_position ='
-            ),
+            wrong.replace("home_position =", 'suppress_warnings = ["lower-inertia"]\nhome_position ='),
             tmp_path,
         )
         foam = TEXT.replace("2700", "40")
         robot_of(foam, tmp_path)
         robot_of(
-            foam.replace("7800", "40").replace("home =", 'suppress_warnings = ["density"]\nhome ='), tmp_path
+            foam.replace("7800", "40").replace(
+                "home_position =", 'suppress_warnings = ["density"]\nhome_position ='
+            ),
+            tmp_path,
         )
 
 

@@ -83,7 +83,7 @@ def rounded_outcome(seed: int, most: int, rates: str, folder: Path) -> str:
     except ValueError as error:
         sample = sample_of(error) - (2 if rates == "log" else 0)
         passed = np.isfinite(crossing) and abs(sample - int(np.searchsorted(time, crossing))) <= 1
-        undecided = "inconclusive_noise" in str(error) and near[sample]
+        undecided = "inconclusive at this noise" in str(error) and near[sample]
         return "named" if passed else "undecided" if undecided else f"rejected: {error}"
     if np.isfinite(crossing):
         return "missed"
@@ -156,7 +156,7 @@ def test_noise_of_lengths_is_that_stated_and_its_bad_values_are_named() -> None:
         ss.motion_from_lengths(robot, *legs, first, time=time, length_std=1.0)
     for bad in (-1.0, np.nan, np.zeros(5)):
         with pytest.raises(
-            ValueError, match=r"^sigma: expected standard deviations >= 0 m that broadcast to"
+            ValueError, match=r"^length_std: expected standard deviations >= 0 m that broadcast to"
         ):
             ss.motion_from_lengths(robot, *legs, first, time=time, length_std=bad)
 

@@ -68,7 +68,7 @@ def test_jax_runs_the_kernel_on_every_pose(stranger: Poses, monkeypatch: pytest.
             forces=lambda R, t, *rest: SimpleNamespace(F=on.full(6, R[0] @ t + rest[-1][1]))
         )
 
-    monkeypatch.setattr(baselines, "array_kernel", weighed)
+    monkeypatch.setattr(baselines, "ArrayKernel", weighed)
     motion = stranger.motion
     F = np.einsum("ni,ni->n", motion.R[:, 0], motion.t) + motion.M_ext[:, 1]
     runner, one_pose = JAX.runner(stranger), jax_one_pose(stranger)

@@ -191,7 +191,7 @@ def test_control_writes_tables_curves_and_pictures_that_agree(tmp_path: Path, ru
     curves = np.genfromtxt(tmp_path / "path_II_friction.csv", delimiter=",", names=True)
     paper = rows[5]
     assert paper["position_max_mm"] == pytest.approx(1e3 * curves["paper_position"].max())
-    assert paper["force_peak_N"] == max(np.abs(curves[f"paper_F{leg}"]).max() for leg in range(1, 7))
+    assert paper["force_peak_N"] == max(np.abs(curves[f"paper_F_{leg}"]).max() for leg in range(1, 7))
     assert paper["force_peak_N_to_exact"] == pytest.approx(paper["force_peak_N"] / rows[4]["force_peak_N"])
     assert found["settings"]["rate"] == 200.0
 

@@ -74,7 +74,7 @@ def said(*arguments: str | Path) -> list[str]:
     with contextlib.redirect_stderr(stream):
         assert main([str(each) for each in arguments]) == 0
     lines = [line.partition("warning: ")[2] for line in stream.getvalue().splitlines()]
-    return [line for line in lines if re.match(r"[\w.]+ (exceeded|not decided)", line)]
+    return [line for line in lines if re.match(r"[\w.]+ (exceeded|inconclusive)", line)]
 
 
 def legs_of(path: Path) -> list[dict[str, Any]]:
@@ -195,7 +195,7 @@ def columns(case: Case, name: str) -> Array:
     """Of the six legs, (n, 6), as ``forces`` writes them."""
     stem, _, ending = name.partition("_std")
     ending = "_std" if name.endswith("_std") else ending
-    return np.stack([case.table[f"{stem}{leg}{ending}"] for leg in range(1, 7)], axis=-1)
+    return np.stack([case.table[f"{stem}_{leg}{ending}"] for leg in range(1, 7)], axis=-1)
 
 
 def test_deviations_stand_beside_the_values(case: Case, opened: Opened) -> None:

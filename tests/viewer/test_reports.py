@@ -185,7 +185,7 @@ def test_what_cannot_be_shown_is_named() -> None:
     with pytest.raises(ValueError, match="times: expected finite, increasing"):
         ss.view(robot, path.sample(time), 0.0 * time)
     rejects("motion: expected I, II or III", ss.view, robot, "IV")
-    rejects("times: are for a Motion", ss.view, robot, "I", time)
+    rejects("time: are for a Motion", ss.view, robot, "I", time)
     rejects("motion", ss.view, robot, 3)
 
 

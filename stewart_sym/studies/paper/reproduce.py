@@ -136,7 +136,7 @@ def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool
 def run_columns(run: PathRun) -> Columns:
     """The columns of a run's CSV file by name, each (n,), SI units."""
     columns: Columns = {"time": run.time}
-    for name, values in (("F", run.F), ("F0_", run.F0), ("Fd_", run.Fd), ("dynamic_fraction_", run.fraction)):
+    for name, values in (("F", run.F), ("F0", run.F0), ("Fd", run.Fd), ("dynamic_fraction", run.fraction)):
         columns |= of_legs(name, values)
     return columns | {"condition_number": run.condition, "scaled_condition_number": run.scaled_condition}
 
