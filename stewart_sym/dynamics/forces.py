@@ -460,6 +460,8 @@ def prepare(
         If the fidelity omits physics of the robot, with the effect on the forces.
     """
     kernel = ForceKernel(robot, formulation, precision, fidelity)
+    if fidelity == "general":
+        return kernel
     # The estimate has double precision, so that it contains no rounding.
     reduced = ForceKernel(robot, formulation, "double", fidelity)
     missing = left_out(robot, formulation, fidelity, reduced.forces)
