@@ -82,7 +82,10 @@ DEVIATIONS = (
         CLOSED_FORM,
     ),
     Deviation(
-        "10.6", "an expression assigned to a wider type", "a status is chosen of two constants", CLOSED_FORM
+        "10.6",
+        "an expression assigned to a wider type",
+        "a status is chosen of two constants",
+        (*CLOSED_FORM, "kinematics"),
     ),
     Deviation(
         "11.3",

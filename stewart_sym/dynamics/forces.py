@@ -86,7 +86,7 @@ class ForceKernel(Frozen):
         model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors, offsets)
         # As it lies in memory; a copy would be slower.
         object.__setattr__(self, "model", model)
-        if self.warns:
+        if self.warns and self.fidelity != "general":
             self._warn_of_omitted_physics()
 
     def _warn_of_omitted_physics(self) -> None:
