@@ -501,7 +501,7 @@ static void prepare_platform(
     const stewart_real J_add_zz_max = STEWART_FABS(J_add_zz) + J_add_zz_err;
     const stewart_real M_P = M + M_add;
     const stewart_real M_P_err = M_add_err + STEWART_UNIT*STEWART_FABS(M_P);
-    /* the platform's own centre of mass from platform point 1 */
+    /* the platform's own center of mass from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_x_err = STEWART_UNIT*STEWART_FABS(arm_x);
     const stewart_real arm_x_max = STEWART_FABS(arm_x) + arm_x_err;
@@ -511,7 +511,7 @@ static void prepare_platform(
     const stewart_real arm_z = R_0_z - p_1_z;
     const stewart_real arm_z_err = STEWART_UNIT*STEWART_FABS(arm_z);
     const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
-    /* first moment of what is lumped with it about that centre */
+    /* first moment of what is lumped with it about that center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_x_err = h_add_x_err + M_add_err*arm_x_max + M_add_max*arm_x_err + STEWART_UNIT*(M_add_max*arm_x_max
         + STEWART_FABS(e_x));
@@ -762,7 +762,7 @@ static void shared_of_pose(
     const stewart_real B_zx = STEWART_FMA_OF(omega_xz, omega_x, omega_z, -alpha_y);
     const stewart_real B_zy = STEWART_FMA_OF(omega_yz, omega_y, omega_z, alpha_x);
     const stewart_real B_zz = STEWART_FMA_OF(-omega_yy, -omega_y, omega_y, -omega_xx);
-    /* (30) centre of mass from the reference point, base frame */
+    /* (30) center of mass from the reference point, base frame */
     const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
     const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
     const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
@@ -967,7 +967,7 @@ static void leg_of_pose(
     /* first moment along k and against k x y */
     const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
     const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
-    /* (20) generalised forces about y and about k */
+    /* (20) generalized forces about y and about k */
     const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(M_mixed, phi_ddot,
         STEWART_FMA(bend, h2_x, STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(-C_s, STEWART_FMA(omega_z,
         y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot, STEWART_FMA(gamma_n, w_k,
@@ -1178,7 +1178,7 @@ static void leg_of_pose_near_singularity(
     /* first moment along k and against k x y */
     const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
     const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
-    /* (20) generalised forces about y and about k */
+    /* (20) generalized forces about y and about k */
     const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
         STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
         STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot, STEWART_FMA(phi_dot2,
@@ -1528,7 +1528,7 @@ static void shared_errors(
     const stewart_real B_zz_own = STEWART_UNIT*STEWART_FABS(B_zz);
     const stewart_real B_zz_err = omega_xx_err + omega_yy_err + B_zz_own;
     const stewart_real B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
-    /* (30) centre of mass from the reference point, base frame */
+    /* (30) center of mass from the reference point, base frame */
     const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
     const stewart_real R_C_x_own = STEWART_UNIT*(R_xz_max*r_C_z_max + REAL(2)*R_xx_max*r_C_x_max + REAL(2)*R_xy_max*r_C_y_max
         + STEWART_FABS(R_C_x));
@@ -2633,7 +2633,7 @@ static void leg_errors(
     const stewart_real w_n_own = STEWART_UNIT*(k1_max*w_z_max + k3_max*w_x_max + STEWART_FABS(w_n));
     const stewart_real w_n_err = k1_err*w_z_max + k1_max*w_z_err + k3_err*w_x_max + k3_max*w_x_err + w_n_own;
     const stewart_real w_n_max = STEWART_FABS(w_n) + w_n_err;
-    /* (20) generalised forces about y and about k */
+    /* (20) generalized forces about y and about k */
     const stewart_real tau_y = L_ddot*h_z + g_k*w_n + gamma_n*w_k + C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y
         + omega_z*y_z) - M_phi_theta*phi_dot2 + bend*h2_x + M_mixed*phi_ddot + M_theta*theta_ddot;
     const stewart_real tau_y_own = STEWART_UNIT*(M_theta_max*theta_ddot_max + REAL(6)*C_us_max*theta_dot_max
@@ -3928,7 +3928,7 @@ static void leg_errors_near_singularity(
     const stewart_real w_n_own = STEWART_UNIT*(k1_max*w_z_max + k3_max*w_x_max + STEWART_FABS(w_n));
     const stewart_real w_n_err = k1_err*w_z_max + k1_max*w_z_err + k3_err*w_x_max + k3_max*w_x_err + w_n_own;
     const stewart_real w_n_max = STEWART_FABS(w_n) + w_n_err;
-    /* (20) generalised forces about y and about k */
+    /* (20) generalized forces about y and about k */
     const stewart_real tau_y = L_ddot*h_z + g_k*w_n + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
         + C_us*theta_dot + bend*h2_x + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) + M_theta*own_theta_ddot
         + M_mixed*phi_ddot;
