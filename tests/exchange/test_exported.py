@@ -107,7 +107,7 @@ def closures_in_drake(
 def test_drake_closes_the_loops_and_needs_our_forces_at_rest(name: str, form: str) -> None:
     robot = MACHINES[name]()
     if robot.home is None:
-        robot = dataclasses.replace(robot, home=level_home(robot))
+        robot = dataclasses.replace(robot, home_position=level_home(robot))
     plant, context, gaps, J = closures_in_drake(robot, form)
     assert plant.num_constraints() == plant.num_actuators() == len(gaps) == 6
     assert np.abs(gaps).max() < 1e-12

@@ -206,7 +206,7 @@ def test_empty_elements_of_sdf_take_their_defaults(tmp_path: Path) -> None:
         text = re.sub(old, "", text)
     notes = r"<stewart_sym:notes>.*?</stewart_sym:notes>"
     robots = [
-        ss.import_model(written(ss.ModelFile(re.sub(notes, "", each), loops), tmp_path / f"{name}.sdf"))
+        ss.import_model(written(ss.ExportedModel(re.sub(notes, "", each), loops), tmp_path / f"{name}.sdf"))
         for name, each in (("empty", left), ("missing", text))
     ]
     assert robots[0].robot.to_dict() == robots[1].robot.to_dict()
@@ -241,8 +241,10 @@ def test_ball_constraints_close_a_urdf_as_its_loops_do(tmp_path: Path) -> None:
 
     seed, made = first_with(by_balls, True)
     made = replace(made, gravity=np.array([0.0, 0.0, -9.81]))
-    alone = ss.import_model(written(ss.ModelFile(*urdf(made, seed, drake=True)), tmp_path / "alone.urdf"))
-    beside = ss.import_model(written(ss.ModelFile(*urdf(made, seed, drake=False)), tmp_path / "beside.urdf"))
+    alone = ss.import_model(written(ss.ExportedModel(*urdf(made, seed, drake=True)), tmp_path / "alone.urdf"))
+    beside = ss.import_model(
+        written(ss.ExportedModel(*urdf(made, seed, drake=False)), tmp_path / "beside.urdf")
+    )
     assert alone.robot.to_dict() == beside.robot.to_dict()
     assert "left out: what NAME.loops.json would state: friction of closures, armatures, and notes" in (
         alone.assumptions

@@ -33,7 +33,7 @@ def _case(seed: int, ratio: tuple[float, float], offsets: float = 0.0) -> tuple[
     drawn = rng.uniform(*ratio, (6, 1))
     wrist = (length * np.sin(angle) * drawn / (1.0 + drawn))[:, 0]
     found = offsets_of(rng, robot, "universal", offsets)
-    changed = dataclasses.replace(found, platform_axis=axes @ motion.R, wrist=wrist)
+    changed = dataclasses.replace(found, platform_axis=axes @ motion.R, wrist_offset=wrist)
     return dataclasses.replace(robot, offsets=changed), motion
 
 
@@ -105,9 +105,11 @@ def test_wrists_longer_than_the_distance_from_the_axis_are_unreachable() -> None
         distance = np.linalg.norm(np.cross(robot.offsets.platform_axis @ motion.R.T, reach), axis=1)
         leg = seed % 6
         for times, reachable in ((0.999, True), (1.001, False), (3.0, False)):
-            wrist = robot.offsets.wrist.copy()
+            wrist = robot.offsets.wrist_offset.copy()
             wrist[leg] = times * distance[leg]
-            longer = dataclasses.replace(robot, offsets=dataclasses.replace(robot.offsets, wrist=wrist))
+            longer = dataclasses.replace(
+                robot, offsets=dataclasses.replace(robot.offsets, wrist_offset=wrist)
+            )
             status = int(ss.inverse_dynamics(longer, motion, on_singular="nan").status)
             assert (status != UNREACHABLE) == reachable, (seed, times)
 

@@ -44,7 +44,7 @@ def _readme(found: Figures) -> str:
     rows += [(FORWARD, f"{each['median']:.0f}", "") for each in ours]
     baselines = found["motion"]["baselines"]
     rows += [(f"{FORWARD}, {each['name']}", f"{each['median']:.0f}", "") for each in baselines]
-    return table(("forces with friction and load", "ns per pose", "of CasADi's closed form"), rows)
+    return table(("forces with friction and load", "ns per pose", "relative to CasADi"), rows)
 
 
 def _shares(found: Figures) -> str:
