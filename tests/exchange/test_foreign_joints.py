@@ -44,7 +44,7 @@ def with_mass(made: Family, name: str, point: Array, off: Array) -> Family:
 def at_rest(found: ss.ImportedModel, engine: InMujoco, made: Family) -> tuple[Array, Array]:
     """Forces of the legs at home, here and in MuJoCo, (6,) each."""
     zero = np.zeros(3)
-    motion = ss.Motion(np.eye(3), found.robot.home, zero, zero, zero, zero)
+    motion = ss.Motion(R=np.eye(3), t=found.robot.home_position, omega=zero, v=zero, alpha=zero, a=zero)
     numbers = re.findall(r"\d 'lower(\d)' 'upper\d'", found.assumptions[0])
     F = ss.inverse_dynamics(found.robot, motion).F[[numbers.index(str(i)) for i in range(1, 7)]]
     truth = engine.forces([f"slide{i}" for i in range(1, 7)])
@@ -119,7 +119,7 @@ def test_the_platform_is_the_heaviest_body_that_the_legs_hold(load: float, tmp_p
     seed, made = first_with(loaded)
     text = mjcf(made, seed)
     found = imported(text, tmp_path)
-    np.testing.assert_allclose(found.robot.home, InMujoco(text).frame(TOP)[1], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.robot.home_position, InMujoco(text).frame(TOP)[1], rtol=0, atol=1e-12)
     assert any(line.startswith(f"platform: {TOP!r}, the heaviest") for line in found.assumptions)
 
 
@@ -140,7 +140,7 @@ def test_the_frame_of_an_aligned_platform_is_that_of_mujoco(
     model = mujoco.MjModel.from_xml_string(text)
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    np.testing.assert_allclose(found.robot.home, data.body("platform").xpos, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.robot.home_position, data.body("platform").xpos, rtol=0, atol=1e-12)
     points = np.array([data.site(f"tip_{i}_b").xpos for i in range(1, 7)])
     np.testing.assert_allclose(found.robot.p, points - data.body("platform").xpos, rtol=0, atol=1e-12)
     np.testing.assert_allclose(found.robot.R_0, 0.0, atol=1e-12)

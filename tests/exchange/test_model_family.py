@@ -29,7 +29,7 @@ def imported(file: ss.ExportedModel, path: Path) -> ss.ImportedModel:
 def forces(found: ss.ImportedModel, R: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
     """Forces at rest of the legs as they are numbered in the file, (6,)."""
     zero = np.zeros(3)
-    F = ss.inverse_dynamics(found.robot, ss.Motion(R, t, zero, zero, zero, zero)).F
+    F = ss.inverse_dynamics(found.robot, ss.Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero)).F
     numbers = re.findall(r"\d 'lower(\d)' 'upper\d'", found.assumptions[0])
     return F[[numbers.index(str(i)) for i in range(1, 7)]]
 
@@ -40,7 +40,7 @@ def need_same_forces(
     slides = [f"slide{i}" for i in range(1, 7)]
     signs = np.array([grows(made, i) for i in range(6)])
     R_0, t_0 = engine.frame(TOP)
-    np.testing.assert_allclose(found.robot.home, t_0, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.robot.home_position, t_0, rtol=0, atol=1e-12)
     stated = [float(each) for line in found.assumptions for each in STATED.findall(line)]
     assert bool(stated) <= made.off
     rng = np.random.default_rng([seed, 4])

@@ -42,14 +42,14 @@ def test_generate_and_prepare_warn_of_omitted_rotors_with_the_same_effect(
     command = ["generate", tmp_path / "robot.toml", "-o", tmp_path / "kit", *options]
     told = run(*command, "--fidelity", "slender").err
     (line,) = [each for each in told.splitlines() if "omits" in each]
-    assert f"rotors with up to {robot.m_r.max():.3g} kg of reflected mass in each leg" in line
+    assert f"rotors with up to {robot.reflected_mass.max():.3g} kg of reflected mass in each leg" in line
     with pytest.warns(UserWarning, match="omits physics") as caught:
         kernel = ss.ForceKernel(robot, fidelity="slender")
     assert str(caught[0].message).partition("; for all")[0] in line
     motion = poses(robot, "exact", 8)
     check_effect(line, kernel.forces(motion), ss.inverse_dynamics(robot, motion).F)
     readme = (tmp_path / "kit" / "README.md").read_text(encoding="utf-8")
-    assert f"rotors with up to {robot.m_r.max():.3g} kg" in " ".join(readme.split())
+    assert f"rotors with up to {robot.reflected_mass.max():.3g} kg" in " ".join(readme.split())
 
 
 @pytest.mark.parametrize(
