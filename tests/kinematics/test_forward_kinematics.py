@@ -239,7 +239,10 @@ def test_failures_raise_warn_or_stay_silent_as_asked() -> None:
     robot = dasgupta()
     L = np.tile(lengths(robot, np.eye(3), HOME), (3, 1))
     L[1:, 0] = 5.0
-    none = "no pose with these leg lengths was found: none exists, legs 1 and 2 cannot have theirs at once"
+    none = (
+        "no pose with these leg lengths was found: "
+        "none exists, legs 1 and 2 cannot have these lengths together"
+    )
     text = rf"^L\[1\]: {none}; 1 more poses are unsolvable too$"
     rejects(text, ss.forward_kinematics, robot, L)
     with pytest.warns(ss.SingularPoseWarning, match=text) as caught:

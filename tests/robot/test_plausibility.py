@@ -239,7 +239,7 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     assert side.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
     assert told.err == ""
     there = dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home_position=[0.0, 0.0, -0.4 * sign])
-    stated = f"(0, 0, {-sign:g}) of the base, where the robot file states the home pose: "
+    stated = f"(0, 0, {-sign:g}) of the base, at the home pose of the robot file: "
     assert f"{stated}the platform hangs below its base; on the other side, " in check(there).out
 
 
