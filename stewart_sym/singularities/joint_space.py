@@ -109,9 +109,9 @@ def motion_from_lengths(
     Raises
     ------
     ValueError
-        If an argument is invalid; if rates contradict the lengths beyond noise and rounding; or if, at a sample
-        named in the message, the lengths jump, contradict the rates, have no pose, or cross a singular pose. A
-        crossing that is undecided because of the noise is also an error.
+        If an argument is invalid; if rates contradict the lengths beyond noise and rounding; or if, at a
+        sample named in the message, the lengths jump, contradict the rates, have no pose, or cross a singular
+        pose. A crossing that is undecided because of the noise is also an error.
 
     See Also
     --------
@@ -121,8 +121,8 @@ def motion_from_lengths(
     Notes
     -----
     Continuation of the leg lengths follows section 4.3 of the paper. Rates contradict the lengths if they are
-    delayed (from 3 % of the travel), scaled (from 8 %), or belong to a different motion (from 30 % over a span of
-    at least 8 samples).
+    delayed (from 3 % of the travel), scaled (from 8 %), or belong to a different motion (from 30 % over a
+    span of at least 8 samples).
 
     Examples
     --------

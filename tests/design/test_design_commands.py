@@ -123,7 +123,7 @@ def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, r
 def test_shares_given_in_per_cent_are_named(run: Run) -> None:
     size = ("size-actuators", "hexapod.toml", "trajectory.csv", "--no-plots")
     assert "--margin: 25 means 2500 %; use 0.25 for 25 %" in run(*size, "--margin", 25).err
-    assert "--quantile: expected shares > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
+    assert "--quantile: expected fractions > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
 
 
 def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
