@@ -394,7 +394,7 @@ def _deviations(course: ActuatorHistory, sd: Mapping[str, Array], shares: Array)
     """Return the largest change of each requirement for errors of one standard deviation at every sample.
 
     Errors of ``SURE`` standard deviations, divided by ``SURE``, are also tried, because discontinuous
-    friction leaves gaps between the values. Keys are the names of the requirements.
+    friction causes gaps. Keys are the names of the requirements.
     """
 
     def change(of: Callable[[Array], Array], values: Array, name: str) -> Array:

@@ -195,7 +195,7 @@ def workspace(
         warn(
             f"workspace: the error exceeds the volume ({sizes}), {found.codes[0]} of {result.samples} poses "
             "are within the limits; volume and extents are unknown; "
-            "examine more poses, or give narrower bounds of positions and rotations",
+            "increase the samples, or give narrower bounds of positions and rotations",
             WorkspaceWarning,
         )
     return result

@@ -163,7 +163,7 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     text = (folder / "hexapod.toml").read_text()
     (folder / "hexapod.toml").write_text(text + DRIVE)
     captured = run("size-actuators", "hexapod.toml", "noisy.csv", "--cutoff", 20, "--no-plots")
-    assert "the log's noise leaves the forces of all legs unknown: " in captured.err
+    assert "at the noise of the log, the forces of all legs are unknown: " in captured.err
     data = json.loads((folder / "size" / "report.json").read_text())
     assert data["exceeded"] == []
     assert f"limits exceeded: 0, limits without the margin: 0, not decided: {len(data['not_decided'])}" in (
