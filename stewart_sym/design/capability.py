@@ -78,7 +78,7 @@ class Polytope(Frozen):
         -------
         ndarray, shape (...)
             Factors; for a unit vector, the magnitude of x in ``unit``. NaN if no factor exists, because the
-            actuators cannot hold the pose even without x, and at unsolvable poses.
+            force limits are exceeded even without x, and at unsolvable poses.
 
         Raises
         ------
@@ -142,8 +142,8 @@ def capability_polytope(
         accelerations are included and required for wrenches.
     quantity : str, optional
         "force" or "moment" that the platform exerts on its surroundings at the robot's tool, in addition to
-        the load, or both as "wrench". "acceleration" of the tool or "angular_acceleration" of the platform,
-        or both as "platform_acceleration". All in the base frame.
+        the load, or both as "wrench". Or "acceleration" of the tool or "angular_acceleration" of the
+        platform, or both as "platform_acceleration". All in the base frame.
     complement : {"zero", "free"}, optional
         Complementary components, for example the moment if ``quantity`` is "force": zero or unrestricted.
 

@@ -50,8 +50,8 @@ class PoseLimits(Frozen):
     clearance : float, optional
         Smallest distance between the center lines of two legs (m). Legs with a common joint are ignored.
     load : array_like, shape (6,), optional
-        External wrench [F_ext; M_ext] on the platform (N, N m) in the platform frame, as in ``Motion``, under
-        which the actuators hold the pose at rest.
+        External wrench [F_ext; M_ext] on the platform (N, N m) in the platform frame, as in ``Motion``, that
+        acts while the platform is at rest.
 
     Raises
     ------
@@ -210,7 +210,7 @@ class PoseExaminer(Frozen):
         return np.asarray(kept)
 
     def _forces_kept(self, R: Array, t: Array) -> Flags:
-        """Return True for poses at which the actuators hold the platform at rest; False if singular."""
+        """Return True for poses with forces within the limits at rest; False for singular poses."""
         robot, load, zero = self.robot, self.limits.load, np.zeros_like(t)
         loads = (np.broadcast_to(part, t.shape) for part in (load[:3], load[3:]))
         motion = Motion._unchecked(R, t, zero, zero, zero, zero, *loads)

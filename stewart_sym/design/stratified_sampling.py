@@ -38,8 +38,16 @@ Places = NDArray[np.int64]
 class Cells(NamedTuple):
     """Cells of a grid that may contain members.
 
-    box: lower and upper bounds, shape (d, 2). counts: number of cells along each axis, (d,). places: indices
-    of the cells along each axis, (n, d). splits: number of parts of each cell along each axis, (d,).
+    Attributes
+    ----------
+    box : ndarray, shape (d, 2)
+        Lower and upper bounds.
+    counts : tuple of int
+        Number of cells along each axis.
+    places : ndarray of int, shape (n, d)
+        Indices of the cells along each axis.
+    splits : tuple of int
+        Number of parts of each cell along each axis.
     """
 
     box: Array
@@ -65,9 +73,16 @@ class Job(NamedTuple):
 class Tally:
     """Counts of the points of some cells.
 
-    codes: number of points per code, shape (m,); code 0 is inside. mixed: number of cells with one point
-    inside. extent: minimum and maximum coordinates of points inside, (d, 2); inf and -inf without such
-    points. nearest: smallest distance of a point outside.
+    Attributes
+    ----------
+    codes : ndarray of int, shape (m,)
+        Number of points per code; code 0 is inside.
+    mixed : int
+        Number of cells with one point inside.
+    extent : ndarray, shape (d, 2)
+        Minimum and maximum coordinates of points inside; inf and -inf without such points.
+    nearest : float
+        Smallest distance of a point outside.
     """
 
     codes: NDArray[np.int64]

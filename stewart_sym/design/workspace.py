@@ -194,8 +194,7 @@ def workspace(
         sizes = f"{result.error:.2g} and {result.volume:.2g} {result.unit}"
         warn(
             f"workspace: the error exceeds the volume ({sizes}), {found.codes[0]} of {result.samples} poses "
-            "are within the limits; volume and extents are unknown; "
-            "increase the samples, or give narrower bounds of positions and rotations",
+            "are within the limits; volume and extents are unknown; use more samples or narrower bounds",
             WorkspaceWarning,
         )
     return result

@@ -46,8 +46,18 @@ class MotorDeviations(NamedTuple):
 class Deviations(NamedTuple):
     """Standard deviations at n samples, shape (n, 6); infinite if a pose within the noise is unsolvable.
 
-    F: actuator forces (N). L, L_dot: leg lengths (m) and rates (m/s). power: F L_dot (W). base, platform:
-    joint angles (rad), if they are requested or limited. motors: motor quantities of a robot with a drive.
+    Attributes
+    ----------
+    F : ndarray
+        Actuator forces (N).
+    L, L_dot : ndarray
+        Leg lengths (m) and rates (m/s).
+    power : ndarray
+        Mechanical power F L_dot (W).
+    base, platform : ndarray, optional
+        Joint angles (rad), if they are requested or limited.
+    motors : MotorDeviations, optional
+        Motor quantities of a robot with a drive.
     """
 
     F: Array

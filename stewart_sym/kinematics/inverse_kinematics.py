@@ -83,8 +83,8 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> InverseKinematicsResult:
     Raises
     ------
     ValueError
-        If a leg has length zero, that is, at most 16 rounding units of the largest component of q, t, and b
-        in S = q + t - b, (1); if a leg with offset joints has no solution; or if a result overflows.
+        If a leg has length zero, a leg with offset joints has no solution, or a result overflows. Lengths of
+        at most 16 rounding units of the largest component of q, t, and b in S = q + t - b, (1), are zero.
 
     See Also
     --------

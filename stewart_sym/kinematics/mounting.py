@@ -89,9 +89,9 @@ def up_direction(robot: Robot) -> Array:
     Notes
     -----
     The direction is the normal of the plane of the base points, or an axis of the base frame within 15
-    degrees of it. Its sign follows from the first rule that applies: the home pose, the direction opposite to
-    gravity, the side on which the legs of the level platform are closer to their length limits, and the side
-    on which H has the smaller condition number.
+    degrees of it. Its sign follows from the home pose or from gravity. Otherwise it is the side on which the
+    legs of the level platform are closer to their length limits, or on which H has the smaller condition
+    number.
 
     Examples
     --------
@@ -110,8 +110,9 @@ def platform_side(robot: Robot) -> Side:
 
     The direction is the normal of the plane of the base points, or an axis of the base frame within 15
     degrees of it. A given home pose determines its sign, otherwise the direction opposite to gravity. If
-    gravity is 0 or parallel to the plane, it is the side on which the legs of the level platform are closer
-    to their length limits, otherwise the side on which H has the smaller condition number.
+    gravity is 0 or parallel to the plane, the result is the side on which the legs of the level platform are
+    closer to their length limits. Without a clear difference, it is the side on which H has the smaller
+    condition number.
     """
     instance(robot, Robot, "robot")
     axis = _axis(robot.b)

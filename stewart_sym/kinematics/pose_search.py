@@ -113,9 +113,9 @@ def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
 def nearest_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
     """Return, for each guess (n, ...), the nearest of the poses found from it.
 
-    If no bound proves that the first pose is the nearest, further searches follow: with short steps, with
-    steps that are never rejected (the first four damped or undamped), from the other side of the singular
-    poses near the results, and finally from starts around the guess.
+    If no bound proves that the first pose is the nearest, further searches follow. They use short steps, or
+    steps that are never rejected (the first four damped or undamped). They also start on the other side of
+    the singular poses near the results, and finally around the guess.
     """
     best = newton(robot, L, R, t)
     doubtful = np.flatnonzero(~(best.found & _is_nearest(robot, (R, t), best)) & ~_impossible(robot, L))
@@ -140,7 +140,7 @@ def nearest_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
 
 
 def _replace(best: Found, where: NDArray[np.intp], found: Found) -> None:
-    """Overwrite results with new results; the numbers of steps are added."""
+    """Replace results by new results and add the numbers of steps."""
     found.iterations[:] += best.iterations[where]
     for old, new in zip(best, found, strict=True):
         old[where] = new
@@ -157,10 +157,17 @@ def other_side(robot: Robot, L: Array, R: Array, t: Array) -> Found:
 class ToSingular(NamedTuple):
     """Path from poses to the nearest singular poses, to first order.
 
-    way: signed distance (m), shape (n,), at which the smallest singular value of J, extrapolated with its
-    rate, vanishes. direction: twist [v; omega] that changes the lengths least, shape (n, 6), with norm 1 if
-    angles are multiplied by the platform size. legs: corresponding change of the lengths with norm 1, shape
-    (n, 6). lengths: change of the lengths along the path (m), shape (n,); larger changes have no pose nearby.
+    Attributes
+    ----------
+    way : ndarray, shape (n,)
+        Signed distance (m) at which the smallest singular value of J, extrapolated with its rate, vanishes.
+    direction : ndarray, shape (n, 6)
+        Twist [v; omega] that changes the lengths least, with norm 1 if angles are multiplied by the platform
+        size.
+    legs : ndarray, shape (n, 6)
+        Corresponding change of the lengths, with norm 1.
+    lengths : ndarray, shape (n,)
+        Change of the lengths along the path (m); larger changes have no pose nearby.
     """
 
     way: Array
@@ -237,7 +244,7 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: 
     angles scaled by the platform size. The damping decreases after each step that reduces the residual, so
     that the last steps are Newton steps. Other steps are rejected and repeated with more damping. ``most``
     limits a step. ``free`` is the damping of the first four steps of a search that rejects no steps. With
-    offset joints the steps are those of ``offset_legs.search``.
+    offset joints the search is ``offset_legs.search``.
     """
     if robot.offsets is not None:
         R, t, found, residual, steps = search(robot, L, R, t)
@@ -301,7 +308,7 @@ def _likely(robot: Robot) -> list[Poses]:
     """Return start orientations (3, 3) and base sides (3,), ordered from the most to the least likely.
 
     Orientations are E and the rotation that minimizes the distances between platform and base points (Kabsch,
-    1976); the latter is first if it tilts or turns the platform far from E. Both follow rotated about the
+    1976). The latter is first if it tilts or turns the platform far from E. Both follow rotated about the
     base normal, and both on the other side of the base.
     """
     b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))

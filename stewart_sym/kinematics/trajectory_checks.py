@@ -18,8 +18,8 @@ from .pose_search import jacobian
 
 # Number of samples that are checked.
 _SOME = 64
-# Factors of a mistaken unit: meters read as millimeters, meters as centimeters, centimeters as millimeters;
-# and the distance from the base, relative to the base size, below which positions are implausible.
+# Factors of a mistaken unit: meters read as millimeters, meters as centimeters, centimeters as millimeters.
+# The second value is the smallest plausible distance from the base, relative to the base size.
 _TIMES, _NEAR = (1000, 100, 10), 0.2
 # Plausible ranges of leg lengths relative to the machine size and to the longest leg, and the usual range,
 # which determines the suggested units.

@@ -4,7 +4,7 @@ Leg lengths alone do not determine whether the platform crosses a singular pose 
 motions have the same lengths. The rates decide, because the platform velocity jumps if the platform turns
 back. The continuation computes the poses on both sides at every sample and selects the pose that fits the
 motion at the previous sample. It fails at the first sample at or before which the determinant of J changes
-its sign. It also fails if the noise of the lengths leaves the side of the pose undecided.
+its sign. It also fails if the side of the pose is undecided because of the noise.
 """
 
 from __future__ import annotations
@@ -73,9 +73,9 @@ def motion_from_lengths(
 ) -> Motion:
     """Compute the platform motion from leg lengths and rates, sample by sample.
 
-    Between samples the platform follows polynomials of degree 5 with the poses, rates, and accelerations at
-    both ends. If all rates are 0, the samples are poses at rest, and the legs move along straight lines in
-    the space of lengths.
+    The platform follows polynomials of degree 5 with the poses, rates, and accelerations at both ends between
+    samples. If all rates are 0, the samples are poses at rest, and the legs move along straight lines in the
+    space of lengths.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def motion_from_lengths(
     Raises
     ------
     ValueError
-        If an argument is invalid; if rates contradict the lengths beyond noise and rounding; or if, at a
+        If an argument is invalid or if rates contradict the lengths beyond noise and rounding. If, at a
         sample named in the message, the lengths jump, contradict the rates, have no pose, or cross a singular
         pose. A crossing that is undecided because of the noise is also an error.
 
@@ -130,7 +130,7 @@ def motion_from_lengths(
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
     >>> path, step = ss.PAPER_PATHS["I"]
-    >>> time = path.time_grid(5 * step)
+    >>> time = path.time_grid(10 * step)
     >>> motion = path.sample(time)
     >>> legs = ss.inverse_kinematics(robot, motion)
     >>> guess = motion.R[0], motion.t[0]

@@ -1,8 +1,4 @@
-"""Singular poses and limits that a path crosses or approaches, located between its samples.
-
-det H is a smooth function of time, so its zeros are found from its sign at all turning points. Intervals
-are skipped by Weyl's inequality: no singular value changes faster than the norm of dH/dt.
-"""
+"""Singular poses and limits that a path crosses or approaches, located between its samples."""
 
 from __future__ import annotations
 
@@ -27,7 +23,7 @@ from ..robot.robot import Robot
 from .root_finding import at_each, minima, minimum, root, runs, turning_points
 from .singular_poses import SingularityResult, last_directions, singularity
 
-# Search an interval unless the singular values at both ends exceed twice the possible change of H.
+# Search an interval unless the singular values at both ends exceed twice the possible change of H (Weyl).
 _CARE = 2.0
 # Lower bounds of the singular values must exceed four times that value to skip an interval.
 _SURE = 4.0 * _CARE
@@ -83,15 +79,7 @@ class SingularityApproach:
 
 
 class LegExtreme(NamedTuple):
-    """Extreme value of a quantity of each leg along a path.
-
-    Attributes
-    ----------
-    time : ndarray, shape (6,)
-        Times of the extremes (s).
-    value : ndarray, shape (6,)
-        Extreme values.
-    """
+    """Times (s) and extreme values of a quantity of each leg along a path, shape (6,) each."""
 
     time: Array
     value: Array
@@ -114,8 +102,7 @@ class PathSingularitiesResult:
     nearest : SingularityApproach
         Time with the smallest singular value of the whole path, including ends and crossings.
     min_joint_sine : LegExtreme
-        Smallest sine of the angle between each leg and its fixed universal joint axis; 1 for spherical base
-        joints.
+        Smallest sine of the angle between each leg and its universal axis; 1 for spherical base joints.
     min_length, max_length : LegExtreme
         Minimum and maximum length of each leg (m).
     """
@@ -134,15 +121,13 @@ class PathSingularitiesResult:
 def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[SingularityCrossing, ...]:
     """Find the times at which a path crosses singular poses.
 
-    All sign changes of det H are found, including pairs of sign changes between two samples.
-
     Parameters
     ----------
     robot : Robot
         Robot geometry without joint offsets.
     path : callable
         Function that maps times (s), shape (n,), to a Motion of shape (n,), such as
-        ``StraightLinePath.sample`` or the result of ``interpolate``. Its rates must be the derivatives of its
+        ``StraightLinePath.sample`` or a result of ``interpolate``. Its rates must be the derivatives of its
         poses.
     time : array_like, shape (n,)
         Increasing sample times (s), n >= 2, including every time at which an acceleration is discontinuous.
@@ -150,7 +135,7 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     Returns
     -------
     tuple of SingularityCrossing
-        Crossings in order of time, accurate to rounding.
+        All sign changes of det H in order of time, accurate to rounding, including pairs between two samples.
 
     Raises
     ------
@@ -160,14 +145,13 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     See Also
     --------
     path_singularities : Also find near-singular poses and extreme leg values.
-    singular_force_residue : Residue of the actuator forces at a crossing.
 
     Examples
     --------
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
     >>> path, step = ss.PAPER_PATHS["III"]
-    >>> crossings = ss.singularity_crossings(robot, path.sample, path.time_grid(step))
+    >>> crossings = ss.singularity_crossings(robot, path.sample, path.time_grid(10 * step))
     >>> [(round(item.time, 4), item.sign_before, item.sign_after) for item in crossings]
     [(3.6705, -1, 1)]
     """
@@ -177,8 +161,6 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
 
 def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingularitiesResult:
     """Find singular poses, near-singular poses, and extreme leg values along a path.
-
-    Times of minima are accurate to about 1e-8 of the sampling interval.
 
     Parameters
     ----------
@@ -192,7 +174,7 @@ def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingula
     Returns
     -------
     PathSingularitiesResult
-        Crossings, approaches, and extreme values of the legs.
+        Crossings, approaches, and leg extremes. Times of minima are accurate to 1e-8 of an interval.
 
     Raises
     ------
@@ -202,7 +184,6 @@ def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingula
     See Also
     --------
     singularity_crossings : Find only the crossings.
-    singularity : Singularity measures of a pose.
 
     Examples
     --------
@@ -242,8 +223,8 @@ def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingula
 def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
     """Compute the residue of the actuator forces at a crossing of a singular pose.
 
-    Near a crossing at time t_0 the forces are F = residue / (t - t_0): they tend to opposite infinities
-    before and after the crossing.
+    Near a crossing at time t_0 the forces are F = residue / (t - t_0), with opposite infinities before and
+    after it.
 
     Parameters
     ----------
@@ -257,8 +238,9 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
     Returns
     -------
     ndarray, shape (..., 6)
-        Residues (N s). Not finite if the motion is at rest or moves along singular poses, and 0 if no wrench
-        acts on the unconstrained twist.
+        Residues -v_6 (u_6 . c) / (u_6 . H' v_6) (N s); ``SingularityResult`` defines u_6 and v_6. Not finite
+        if the motion is at rest or moves along singular poses, and 0 if no wrench acts on the unconstrained
+        twist.
 
     Raises
     ------
@@ -268,18 +250,13 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
     See Also
     --------
     singularity_crossings : Find the times of the crossings.
-    inverse_dynamics : Compute the actuator forces.
-
-    Notes
-    -----
-    The residue is -v_6 (u_6 . c) / (u_6 . H' v_6); ``SingularityResult`` defines u_6 and v_6.
 
     Examples
     --------
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
     >>> path, step = ss.PAPER_PATHS["III"]
-    >>> crossing = ss.singularity_crossings(robot, path.sample, path.time_grid(step))[0]
+    >>> crossing = ss.singularity_crossings(robot, path.sample, path.time_grid(10 * step))[0]
     >>> ss.singular_force_residue(robot, path.sample(crossing.time)).round(-2).tolist()
     [-27600.0, 28500.0, -17000.0, -12000.0, 20500.0, 7800.0]
     """
@@ -294,9 +271,6 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
         return np.asarray(-v * (load / rate)[..., None])
 
 
-# The search
-
-
 class _Samples(NamedTuple):
     """Determinant, smallest, and largest singular value of the scaled H at times of shape (n,)."""
 
@@ -306,7 +280,7 @@ class _Samples(NamedTuple):
 
 
 class _Search:
-    """Search for the singular poses of a path."""
+    """Search for the singular poses of a path by the signs of the smooth det H at its turning points."""
 
     def __init__(self, robot: Robot, path: Path, times: Array, everywhere: bool = True) -> None:
         """Sample the path; if ``everywhere`` is False, compute singular values only near possible zeros."""
@@ -363,7 +337,7 @@ class _Search:
         """Return samples, the rate of the smallest singular value, and a bound of all rates (1/s), (n, 5).
 
         If ``everywhere`` is False, bounds replace the singular values except next to possible zeros. The
-        smallest singular value is at least |det H| divided by the fifth power of the mean of the others.
+        smallest is at least |det H| divided by the fifth power of the mean of the others.
         """
         motion = self.path(times)
         H, L = self._scaled_H(motion)
@@ -480,9 +454,6 @@ def _minima(values: Array) -> list[tuple[int, int, int]]:
             if np.all(flat >= values[i] * (1.0 - _SHALLOW)):
                 found.append((int(before[-1]), int(i), int(i + after[0])))
     return found
-
-
-# The legs
 
 
 def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, LegExtreme, LegExtreme]:

@@ -286,7 +286,11 @@ def test_an_accepted_doubt_hides_no_other() -> None:
 
 @pytest.mark.parametrize(
     ("height", "words"),
-    [(0.0, "home: all legs lie within"), (0.01, "home: all legs lie within"), (1e3, "home: legs 1000 to 10")],
+    [
+        (0.0, "home_position: all legs are within"),
+        (0.01, "home_position: all legs are within"),
+        (1e3, "home_position: legs 1000 to 10"),
+    ],
 )
 def test_a_stated_home_where_no_machine_is_stands_for_what_follows_from_it(height: float, words: str) -> None:
     robot = dasgupta1998()
