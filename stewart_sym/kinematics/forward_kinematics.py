@@ -243,7 +243,7 @@ def forward_velocity(
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
     >>> L_dot = [0.0, 0.0, 0.0, 0.1, 0.1, 0.1]
-    >>> v, omega = ss.forward_velocity(robot, np.eye(3), [0.2, 0.1, 1.0], L_dot)
+    >>> v, omega = ss.forward_velocity(robot, R=np.eye(3), t=[0.2, 0.1, 1.0], L_dot=L_dot)
     >>> v.round(3).tolist()
     [0.25, 0.226, 0.001]
     >>> omega.round(3).tolist()
@@ -306,8 +306,8 @@ def forward_acceleration(
     >>> import numpy as np
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
-    >>> t, v, omega = [0.2, 0.1, 1.0], [0.1, 0.0, 0.0], [0.0, 0.0, 0.5]
-    >>> a, alpha = ss.forward_acceleration(robot, np.eye(3), t, v, omega, np.ones(6))
+    >>> motion = dict(R=np.eye(3), t=[0.2, 0.1, 1.0], v=[0.1, 0.0, 0.0], omega=[0.0, 0.0, 0.5])
+    >>> a, alpha = ss.forward_acceleration(robot, **motion, L_ddot=np.ones(6))
     >>> a.round(3).tolist()
     [0.136, 0.244, 0.921]
     >>> alpha.round(3).tolist()

@@ -85,7 +85,7 @@ def motor_angles(
     >>> motion = ss.Motion.from_rpy(t=[0.0, 0.0, 0.71], theta=rest, v=rest, theta_dot=rest)
     >>> home = ss.Motion.from_rpy(t=[0.0, 0.0, 0.7], theta=rest, v=rest, theta_dot=rest)
     >>> L_0 = ss.inverse_kinematics(robot, home).L
-    >>> ss.motor_angles(robot, motion, L_0).angle.round(2).tolist()
+    >>> ss.motor_angles(robot, motion, reference_length=L_0).angle.round(2).tolist()
     [12.43, 12.43, 12.43, 12.43, 12.43, 12.43]
     """
     instance(motion, Motion, "motion")

@@ -100,7 +100,7 @@ def certify_pose(robot: Robot, L: ArrayLike, pose: tuple[ArrayLike, ArrayLike]) 
     >>> robot = ss.robots.load("dasgupta1998")
     >>> L = [1.109, 1.005, 1.034, 1.122, 1.031, 0.973]
     >>> pose = ss.forward_kinematics(robot, L)
-    >>> certificate = ss.certify_pose(robot, L, (pose.R, pose.t))
+    >>> certificate = ss.certify_pose(robot, L, pose=(pose.R, pose.t))
     >>> bool(certificate.proven), bool(certificate.position_bound < 1e-12)
     (True, True)
     """

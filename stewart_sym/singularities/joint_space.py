@@ -133,8 +133,8 @@ def motion_from_lengths(
     >>> time = path.time_grid(10 * step)
     >>> motion = path.sample(time)
     >>> legs = ss.inverse_kinematics(robot, motion)
-    >>> guess = motion.R[0], motion.t[0]
-    >>> result = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, guess, time=time)
+    >>> rates = dict(L_dot=legs.L_dot, L_ddot=legs.L_ddot, time=time)
+    >>> result = ss.motion_from_lengths(robot, legs.L, **rates, guess=(motion.R[0], motion.t[0]))
     >>> np.allclose(result.t, motion.t), np.allclose(result.a, motion.a)
     (True, True)
     """

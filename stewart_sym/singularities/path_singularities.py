@@ -79,7 +79,13 @@ class SingularityApproach:
 
 
 class LegExtreme(NamedTuple):
-    """Times (s) and extreme values of a quantity of each leg along a path, shape (6,) each."""
+    """Extreme value of a quantity of each leg along a path.
+
+    Attributes
+    ----------
+    time, value : ndarray, shape (6,)
+        Times (s) of the extremes, and extreme values.
+    """
 
     time: Array
     value: Array
@@ -126,9 +132,8 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     robot : Robot
         Robot geometry without joint offsets.
     path : callable
-        Function that maps times (s), shape (n,), to a Motion of shape (n,), such as
-        ``StraightLinePath.sample`` or a result of ``interpolate``. Its rates must be the derivatives of its
-        poses.
+        Function of times (s), (n,), that returns a Motion of shape (n,) with the derivatives of its poses,
+        such as ``StraightLinePath.sample`` or a result of ``interpolate``.
     time : array_like, shape (n,)
         Increasing sample times (s), n >= 2, including every time at which an acceleration is discontinuous.
 
@@ -151,7 +156,7 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
     >>> path, step = ss.PAPER_PATHS["III"]
-    >>> crossings = ss.singularity_crossings(robot, path.sample, path.time_grid(10 * step))
+    >>> crossings = ss.singularity_crossings(robot, path.sample, time=path.time_grid(10 * step))
     >>> [(round(item.time, 4), item.sign_before, item.sign_after) for item in crossings]
     [(3.6705, -1, 1)]
     """
@@ -190,7 +195,7 @@ def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingula
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
     >>> path, step = ss.PAPER_PATHS["III"]
-    >>> result = ss.path_singularities(robot, path.sample, path.time_grid(10 * step))
+    >>> result = ss.path_singularities(robot, path.sample, time=path.time_grid(10 * step))
     >>> result.max_length.value.round(3).tolist()
     [2.422, 2.43, 2.766, 3.082, 2.675, 2.532]
     """
@@ -223,8 +228,7 @@ def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingula
 def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
     """Compute the residue of the actuator forces at a crossing of a singular pose.
 
-    Near a crossing at time t_0 the forces are F = residue / (t - t_0), with opposite infinities before and
-    after it.
+    Near a crossing at time t_0 the forces are F = residue / (t - t_0).
 
     Parameters
     ----------
@@ -238,9 +242,8 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
     Returns
     -------
     ndarray, shape (..., 6)
-        Residues -v_6 (u_6 . c) / (u_6 . H' v_6) (N s); ``SingularityResult`` defines u_6 and v_6. Not finite
-        if the motion is at rest or moves along singular poses, and 0 if no wrench acts on the unconstrained
-        twist.
+        Residues -v_6 (u_6 . c) / (u_6 . H' v_6) (N s), with u_6 and v_6 of ``SingularityResult``. Not finite
+        at rest or along singular poses, and 0 if no wrench acts on the unconstrained twist.
 
     Raises
     ------
@@ -256,7 +259,7 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
     >>> path, step = ss.PAPER_PATHS["III"]
-    >>> crossing = ss.singularity_crossings(robot, path.sample, path.time_grid(10 * step))[0]
+    >>> crossing = ss.singularity_crossings(robot, path.sample, time=path.time_grid(10 * step))[0]
     >>> ss.singular_force_residue(robot, path.sample(crossing.time)).round(-2).tolist()
     [-27600.0, 28500.0, -17000.0, -12000.0, 20500.0, 7800.0]
     """
@@ -334,11 +337,7 @@ class _Search:
         return turning_points(self._determinants, edges, floor)
 
     def _look_about(self, times: Array, everywhere: bool) -> Array:
-        """Return samples, the rate of the smallest singular value, and a bound of all rates (1/s), (n, 5).
-
-        If ``everywhere`` is False, bounds replace the singular values except next to possible zeros. The
-        smallest is at least |det H| divided by the fifth power of the mean of the others.
-        """
+        """Return samples, the rate of the smallest singular value, and a bound of all rates (1/s), (n, 5)."""
         motion = self.path(times)
         H, L = self._scaled_H(motion)
         good, found = _known(H), np.full((len(times), 5), np.nan)
@@ -350,6 +349,7 @@ class _Search:
             found[:, 0], found[:, 2] = self._determinant(H, L), np.linalg.norm(H, axis=(-2, -1))
             with np.errstate(divide="ignore"):
                 volume = np.abs(found[:, 0]) / np.prod(L / self.reach, axis=-1)
+            # Lower bound of the smallest singular value: the mean of the others bounds their product.
             found[:, 1] = least = volume / (found[:, 2] ** 2 / 5.0) ** 2.5
             change = np.maximum(speed[:-1], speed[1:]) * np.diff(times)
             change = _SURE * np.maximum(change, np.linalg.norm(np.diff(H, axis=0), axis=(-2, -1)))
