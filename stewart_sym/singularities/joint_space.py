@@ -254,16 +254,18 @@ def read_trajectory(
     >>> import tempfile
     >>> import numpy as np
     >>> import stewart_sym as ss
-    >>> time = np.linspace(0.0, 1.0, 51)
-    >>> rows = np.zeros((51, 7))
-    >>> rows[:, 0], rows[:, 3] = time, 1.0 + 0.05 * np.sin(6.0 * time)
-    >>> header = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z"
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> path, step = ss.PAPER_PATHS["I"]
+    >>> time = path.time_grid(10 * step)
+    >>> legs = ss.inverse_kinematics(robot, path.sample(time))
+    >>> rows = np.column_stack([time, legs.L, legs.L_dot, legs.L_ddot])
+    >>> names = [f"{name}_{leg}" for name in ("L", "L_dot", "L_ddot") for leg in range(1, 7)]
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     file = pathlib.Path(folder) / "log.csv"
-    ...     np.savetxt(file, rows, delimiter=",", header=header, comments="")
-    ...     log = ss.read_trajectory(ss.robots.load("dasgupta1998"), file)
-    >>> log.motion.v[0].round(2).tolist()
-    [0.0, 0.0, 0.3]
+    ...     np.savetxt(file, rows, delimiter=",", header=",".join(["time", *names]), comments="")
+    ...     log = ss.read_trajectory(robot, file)
+    >>> np.allclose(log.motion.t, path.sample(time).t)
+    True
     """
     instance(robot, Robot, "robot")
     instance(smoothing, SmoothingOptions, "smoothing")
