@@ -260,7 +260,7 @@ def _times(time: ArrayLike, motion: Motion) -> Array:
         raise ValueError(f"time: expected finite times, got {when[i]} at index {i}")
     if np.any(late := np.diff(when) <= 0.0):
         i = int(np.flatnonzero(late)[0]) + 1
-        raise ValueError(f"time: expected rising times, got {when[i]} at index {i} after {when[i - 1]}")
+        raise ValueError(f"time: expected increasing times, got {when[i]} at index {i} after {when[i - 1]}")
     return when
 
 

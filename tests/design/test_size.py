@@ -168,7 +168,7 @@ def test_what_is_no_question_is_one_line() -> None:
         (motion[0], "motions: expected pairs"),
         ([time], "motions[0]: expected a pair"),
         ([(time[:2], motion)], "motions[0]: expected a motion of the shape"),
-        ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, rising"),
+        ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, increasing"),
         ([([0.0, np.nan, 1.0], motion)], "motions[0]: time: expected finite"),
     ):
         assert error_of(lambda motions=motions: ss.actuator_requirements(robot, motions)).startswith(message)
