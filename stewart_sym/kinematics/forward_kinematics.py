@@ -99,8 +99,8 @@ def forward_kinematics(
         Leg lengths (m).
     guess : tuple of array_like, optional
         Start pose (R, t) with shapes (..., 3, 3) and (..., 3). By default the search starts nearly parallel
-        to the base, on the side opposite to gravity or on the side of the home pose. If no pose is
-        found, it continues from other poses on this side, and at last on the other side.
+        to the base, on the side opposite to gravity or on the side of the home pose. If no pose is found,
+        it continues from other poses on this side, and at last on the other side.
     on_failure : {"raise", "nan", "warn"}, optional
         Reaction to lengths without a pose: raise ValueError, return NaN, or warn and return NaN. ``status``
         contains the result code of each pose.
@@ -127,10 +127,8 @@ def forward_kinematics(
     Notes
     -----
     A pose has status 0 if its lengths agree with ``L`` to 16 rounding units of the largest component of q, t,
-    and b in S = q + t - b, (1). Six leg lengths have up to forty poses [1]_.
-
-    References ---------- .. [1] M. Raghavan, "The Stewart platform of general geometry has 40
-    configurations", J. Mech. Des. 115, 1993.
+    and b in S = q + t - b, (1). Six leg lengths have up to forty poses (M. Raghavan, J. Mech.
+    Des. 115, 1993).
 
     Examples
     --------

@@ -300,7 +300,7 @@ def _size(vector: Array) -> Array:
 
 
 def platform_size(robot: Robot) -> float:
-    """Return the characteristic length (m); 1 if the platform points coincide."""
+    """Return the characteristic length (m); 1 if it is zero."""
     return characteristic_length(robot) or 1.0
 
 
