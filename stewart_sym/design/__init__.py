@@ -1,1 +1,1 @@
-"""What a machine can do, and what a motion needs: workspace, capability, sizing."""
+"""Workspace and capability of a robot, and actuator requirements of motions."""

@@ -1,4 +1,4 @@
-"""Sizing: which force, speed, power, stroke and joint angles motions and their loads need of every leg."""
+"""Actuator requirements: force, speed, power, stroke, and joint angles of every leg for given motions."""
 
 from __future__ import annotations
 
@@ -27,32 +27,35 @@ from ..robot.robot import Robot
 from ..singularities.path_warnings import crossing_warning, row_warning
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
-"""Shares of the time by default; 1 is the peak."""
+"""Default fractions of the time; 1 is the peak."""
 
 
 @dataclass(frozen=True, eq=False)
 class ActuatorHistory(Frozen):
-    """What each leg does over time; n instants.
+    """Quantities of each leg at n samples.
 
     Attributes
     ----------
-    time_weight : ndarray
-        Time that each instant stands for, s, (n,).
-    F : ndarray
-        Actuator forces, N, (n, 6), positive when they extend the leg.
-    L, L_dot : ndarray
-        Lengths, m, and their rates, m/s, (n, 6).
-    base_angle, platform_angle : ndarray
-        Angles of the joints at both ends from their neutral directions, rad, (n, 6).
-    torque, motor_speed, motor_power : ndarray, optional
-        Of the motors, N m, rad/s and W, (n, 6); None of a robot without drives.
-    current : ndarray, optional
-        Of the motors, A, (n, 6); NaN of one without a torque_constant, None where none has one.
-    std : dict, optional
-        Standard deviations of the fields above and of power by noise of logs, arrays by their names; with
-        _rise and _fall those of the sizes of torque and current upward and downward. None without noise.
-    replaced : ndarray of bool, optional
-        Instants, (n,), whose deviations are those of replaced rows of a log; None without noise.
+    time_weight : ndarray, shape (n,)
+        Time that each sample represents (s).
+    F : ndarray, shape (n, 6)
+        Actuator forces (N), positive when they extend the leg.
+    L : ndarray, shape (n, 6)
+        Leg lengths (m).
+    L_dot : ndarray, shape (n, 6)
+        Leg rates (m/s).
+    base_angle, platform_angle : ndarray, shape (n, 6)
+        Angles of the joints at both ends from their neutral directions (rad).
+    torque, motor_speed, motor_power : ndarray, shape (n, 6), optional
+        Motor torques (N m), speeds (rad/s), and shaft powers (W). None for a robot without drives.
+    current : ndarray, shape (n, 6), optional
+        Motor currents (A). NaN for a motor without a torque constant, None if no motor has one.
+    std : dict of ndarray, optional
+        Standard deviations of the fields above and of ``power`` due to the noise of logs, by field name. The
+        suffixes _rise and _fall mark the upward and downward deviations of the magnitudes of torque and
+        current. None without noise.
+    replaced : ndarray of bool, shape (n,), optional
+        True for samples with standard deviations of replaced log rows. None without noise.
     """
 
     time_weight: Array
@@ -70,49 +73,52 @@ class ActuatorHistory(Frozen):
 
     @property
     def power(self) -> Array:
-        """F L_dot, W, (n, 6): positive where the actuator drives the leg."""
+        """Mechanical power F L_dot (W), shape (n, 6), positive when the actuator drives the leg."""
         return np.asarray(self.F * self.L_dot)
 
 
 @dataclass(frozen=True, eq=False)
 class ActuatorRequirementsResult(Frozen):
-    """What motions need of every leg, without the margin.
+    """Actuator requirements of motions for every leg, without the margin.
 
     Attributes
     ----------
     margin : float
-        Share that a limit should exceed the need by.
-    quantiles : ndarray
-        Shares of the time, (q,); 1 is the peak.
-    force, speed, power : ndarray
-        Sizes of F, N, of L_dot, m/s, and of F L_dot, W, that are not exceeded for these shares of the time,
-        (q, 6).
-    max_push_force, max_pull_force : ndarray
-        Largest forces that extend and that shorten the leg, N, (6,), 0 where there are none.
-    rms_force : ndarray
-        Root mean square of F, N, (6,).
-    max_driving_power, max_braking_power : ndarray
-        Largest power into and out of the leg, W, (6,).
-    length : ndarray
-        Shortest and longest leg, m, (6, 2).
-    base_angle, platform_angle : ndarray
-        Largest angles of the joints at both ends, rad, (6,): from the leg's direction at the home pose, or,
-        of a robot that states none, from its mean direction.
-    torque, motor_speed, motor_power : ndarray, optional
-        Sizes of the motors' torque, N m, speed, rad/s, and power at the shaft, W, that are not exceeded for
-        the shares of the time, (q, 6); None of a robot without drives.
-    current : ndarray, optional
-        Sizes of the motors' currents, A, likewise, (q, 6); NaN of a motor without a torque_constant, None
-        where none has one.
-    rms_torque : ndarray, optional
-        Root mean square of the torque, N m, (6,).
+        Fraction by which a limit should exceed the requirement.
+    quantiles : ndarray, shape (q,)
+        Fractions of the time; 1 is the peak.
+    force : ndarray, shape (q, 6)
+        Magnitude of the actuator force F (N) that is not exceeded for these fractions of the time.
+    speed : ndarray, shape (q, 6)
+        Magnitude of the leg rate L_dot (m/s), likewise.
+    power : ndarray, shape (q, 6)
+        Magnitude of the mechanical power F L_dot (W), likewise.
+    max_push_force, max_pull_force : ndarray, shape (6,)
+        Largest force that extends, and that shortens, the leg (N); 0 if there is none.
+    rms_force : ndarray, shape (6,)
+        Root mean square of F (N).
+    max_driving_power, max_braking_power : ndarray, shape (6,)
+        Largest power into, and out of, the leg (W).
+    length : ndarray, shape (6, 2)
+        Minimum and maximum length of each leg (m).
+    base_angle, platform_angle : ndarray, shape (6,)
+        Largest angles of the joints at both ends (rad), measured from the leg direction at the home pose, or
+        from the mean direction if the robot has no home pose.
+    torque, motor_speed, motor_power : ndarray, shape (q, 6), optional
+        Magnitudes of motor torque (N m), motor speed (rad/s), and shaft power (W) that are not exceeded for
+        the fractions of the time. None for a robot without drives.
+    current : ndarray, shape (q, 6), optional
+        Magnitude of the motor current (A), likewise. NaN for a motor without a torque constant, None if no
+        motor has one.
+    rms_torque : ndarray, shape (6,), optional
+        Root mean square of the motor torque (N m).
     history : ActuatorHistory
-        All of it over time.
-    std : dict, optional
-        Standard deviations of the fields above and of stroke by noise of logs, arrays by their names: the
-        largest that errors at single instants can make, however these go together. None without noise.
+        Quantities of each leg over time.
+    std : dict of ndarray, optional
+        Standard deviations of the fields above and of ``stroke`` due to the noise of logs, by field name.
+        They are upper bounds, because the correlation of the errors is unknown. None without noise.
     crossings : tuple of str
-        A line about each motion that crosses a singular pose, where no force suffices.
+        One line for each motion that crosses a singular pose, at which no force is sufficient.
     """
 
     margin: float
@@ -139,7 +145,7 @@ class ActuatorRequirementsResult(Frozen):
 
     @property
     def stroke(self) -> Array:
-        """Longest less shortest leg, m, (6,)."""
+        """Difference of the maximum and minimum length of each leg (m), shape (6,)."""
         return np.asarray(self.length[:, 1] - self.length[:, 0])
 
 
@@ -151,38 +157,61 @@ def actuator_requirements(
     formulation: Formulation = "exact",
     progress: Progress = silent,
 ) -> ActuatorRequirementsResult:
-    """Return what motions and their loads need of every actuator and joint.
+    """Compute the force, speed, power, stroke, and joint angles that motions require of every leg.
 
-    Warns of motions that cross singular poses: logs between their rows too, others by the signs of det H.
+    Singular poses that motions cross are reported: for logs also between rows, for other motions from the
+    sign of det H at the samples.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motions : sequence of tuple
-        (time, motion) each: instants, s, (n,), rising, and the motion there with its load, (n,); or
-        trajectories, whose noise makes deviations.
+        Robot geometry and inertia, with or without drives.
+    motions : sequence of tuple, Trajectory, or PoseLog
+        Pairs (time, motion) of increasing times (s), shape (n,), and a Motion with its load, shape (n,); or
+        trajectories, whose noise adds standard deviations.
     margin : float, optional
-        Share that a limit should exceed the need by.
+        Fraction by which a limit should exceed the requirement.
     quantiles : sequence of float, optional
-        Shares of the time, above 0, 1 at most.
+        Fractions of the time, greater than 0 and at most 1.
     formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
+        Corrected equations, or the equations as printed.
     progress : callable, optional
-        Called with text and the share done.
+        Called with a text and the completed fraction.
 
     Returns
     -------
     ActuatorRequirementsResult
-        Shapes and units are documented there.
+        Requirements of every leg and their history.
 
     Raises
     ------
     ValueError
-        Naming the argument; for no motion, and for unsolvable poses.
+        If an argument is invalid, no motion is given, or a pose is unsolvable.
+
+    Warns
+    -----
+    SingularPoseWarning
+        If a motion crosses a singular pose.
+
+    See Also
+    --------
+    drive_effort : Compute motor torques, speeds, currents, and powers along a motion.
+    inverse_dynamics : Compute actuator forces.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> path, step = ss.PAPER_PATHS["I"]
+    >>> time = path.time_grid(step)
+    >>> needs = ss.actuator_requirements(robot, [(time, path.sample(time))], quantiles=[0.9, 1.0])
+    >>> needs.force[-1].round(1).tolist()
+    [569.7, 1146.7, 1434.1, 616.9, 151.1, 383.0]
+    >>> needs.stroke.round(3).tolist()
+    [0.114, 0.141, 0.187, 0.124, 0.098, 0.108]
     """
     instance(robot, Robot, "robot")
-    margin = number_in(margin, "margin", "a finite share >= 0", closed=True)
+    margin = number_in(margin, "margin", "a finite fraction >= 0", closed=True)
     shares = checked_quantiles(quantiles)
     given = _checked(robot, motions)
     courses = []
@@ -198,18 +227,21 @@ def actuator_requirements(
 
 
 def _crossing(robot: Robot, given: _Given, number: int) -> str | None:
-    """One line about a singular pose that a motion crosses; rates of arrays may be those of other poses."""
+    """Return a warning text about a singular pose that a motion crosses.
+
+    Arrays are checked only at the samples, because their rates may not be the derivatives of their poses.
+    """
     if given.log is not None:
         return crossing_warning(robot, given.log)
     rows = range(len(given.time))
-    return row_warning(robot, Trajectory(given.time, given.motion, f"motions[{number}]", rows), "instants")
+    return row_warning(robot, Trajectory(given.time, given.motion, f"motions[{number}]", rows), "samples")
 
 
 def checked_quantiles(quantiles: Sequence[float], where: str = "quantiles") -> Array:
-    """Shares of the time in rising order, (q,); ValueError for others."""
-    shares = real_array(quantiles, where, "shares > 0 and <= 1")
+    """Return fractions of the time in increasing order, shape (q,); raise ValueError if they are invalid."""
+    shares = real_array(quantiles, where, "fractions > 0 and <= 1")
     if shares.ndim != 1 or not shares.size or not np.all((shares > 0.0) & (shares <= 1.0)):
-        raise ValueError(f"{where}: expected shares > 0 and <= 1, got {shown(quantiles)}")
+        raise ValueError(f"{where}: expected fractions > 0 and <= 1, got {shown(quantiles)}")
     return np.unique(shares)
 
 
@@ -238,10 +270,10 @@ def _checked(robot: Robot, motions: object) -> list[_Given]:
                 f"{motion.shape} and {time.shape}"
             )
         if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
-            raise ValueError(f"motions[{i}]: time: expected finite, rising instants")
+            raise ValueError(f"motions[{i}]: time: expected finite, increasing times")
         found.append(_Given(time, motion, log))
     if not found:
-        raise ValueError("motions: expected one at least, got none")
+        raise ValueError("motions: expected at least one, got none")
     return found
 
 
@@ -268,7 +300,7 @@ def _course(robot: Robot, time: Array, motion: Motion, formulation: Formulation)
 def _joined(
     robot: Robot, courses: Sequence[dict[str, Array]], given: Sequence[_Given], formulation: Formulation
 ) -> ActuatorHistory:
-    """All motions as one, with their deviations if any has them."""
+    """Join all motions, with standard deviations if any motion has noise."""
     every: dict[str, Any] = {
         name: np.concatenate([course[name] for course in courses]) for name in courses[0]
     }
@@ -291,7 +323,7 @@ def _joined(
 def _noise(
     robot: Robot, given: _Given, course: dict[str, Array], formulation: Formulation, neutral: Array
 ) -> tuple[dict[str, Array], Flags]:
-    """Deviations of a motion's course by its names, and which are those of replaced rows."""
+    """Return the standard deviations of a motion by name, and a flag for samples of replaced rows."""
     trajectory = Trajectory(given.time, given.motion, "", ()) if given.log is None else given.log
     found = all_deviations(robot, trajectory, formulation, neutral=neutral)
     ends = {"base": "base_angle", "platform": "platform_angle"}
@@ -311,14 +343,14 @@ def _noise(
 _OVER_TIME = {"force": "F", "speed": "L_dot", "power": "power", "torque": "torque"} | {
     name: name for name in ("motor_speed", "motor_power", "current")
 }
-"""Needs for shares of the time, with what they are sizes of."""
+"""Requirements for fractions of the time, and the quantity whose magnitude each one contains."""
 _LARGEST = {
     "max_push_force": ("F", 1),
     "max_pull_force": ("F", -1),
     "max_driving_power": ("power", 1),
     "max_braking_power": ("power", -1),
 }
-"""Needs that are the largest of something, 0 at least, with its sign."""
+"""Requirements that are the largest value (at least 0) of a quantity with a sign."""
 
 
 def _needs(course: ActuatorHistory, margin: float, shares: Array) -> ActuatorRequirementsResult:
@@ -354,14 +386,15 @@ def _rms(values: Array, weight: Array) -> Array:
 
 
 def sides(sd: Mapping[str, Array], name: str) -> tuple[Array, Array]:
-    """Deviations, (n, 6), of the sizes of a course's field upward and downward."""
+    """Return the standard deviations, shape (n, 6), of the magnitude of a field, upward and downward."""
     return sd.get(f"{name}_rise", sd[name]), sd.get(f"{name}_fall", sd[name])
 
 
 def _deviations(course: ActuatorHistory, sd: Mapping[str, Array], shares: Array) -> dict[str, Array]:
-    """Of needs, by their names: what errors of one deviation at every instant change at most.
+    """Return the largest change of each requirement for errors of one standard deviation at every sample.
 
-    Those of ``SURE`` deviations count as well, over ``SURE``: friction that steps leaves gaps between values.
+    Errors of ``SURE`` standard deviations, divided by ``SURE``, are also tried, because discontinuous
+    friction causes gaps. Keys are the names of the requirements.
     """
 
     def change(of: Callable[[Array], Array], values: Array, name: str) -> Array:
@@ -394,11 +427,11 @@ def _deviations(course: ActuatorHistory, sd: Mapping[str, Array], shares: Array)
 
 
 def weighted_quantiles(values: Array, weight: Array, shares: Array) -> Array:
-    """Least values, (q, m), that values (n, m) do not exceed for shares (q,) of their weight, (n,)."""
+    """Return values, (q, m), that values (n, m) do not exceed for fractions (q,) of their weight (n,)."""
     order = np.argsort(values, axis=0)
     ranked = np.take_along_axis(values, order, axis=0)
     reached = np.cumsum(weight[order], axis=0)
-    # Against the rounding of the sum: the whole of it is reached at the last value.
+    # The tolerance compensates for rounding, so that the last value reaches the whole sum.
     wanted = shares[:, None, None] * reached[-1] * (1.0 - 4.0 * len(values) * np.finfo(np.float64).eps)
     first = np.argmax(reached >= wanted, axis=1)
     first[shares == 1.0] = len(values) - 1

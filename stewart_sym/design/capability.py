@@ -1,8 +1,8 @@
 """Capability at a pose: wrenches and accelerations that the actuators reach within their force limits.
 
-The forces fill a box; a regular matrix makes of it a parallelepiped with twelve facets. Where some of its
-coordinates are to be zero it is cut; where they may be anything it is projected, onto a zonotope whose facets
-are spanned by pairs of its six generators.
+The actuator forces form a box, which a regular matrix maps to a parallelepiped with twelve facets. If the
+complementary components are zero, the parallelepiped is cut. If they are free, it is projected onto a
+zonotope, whose facets are spanned by pairs of its six generators.
 """
 
 from __future__ import annotations
@@ -35,27 +35,30 @@ WHAT: dict[str, tuple[str, slice]] = {
     "angular_acceleration": ("rad/s^2", slice(3, 6)),
     "platform_acceleration": ("m/s^2, rad/s^2", slice(0, 6)),
 }
-"""Unit and components of each, of [force; moment] or [a; alpha]."""
+"""Unit and components of each quantity within [force; moment] or [a; alpha]."""
 
 _PAIRS = np.array(list(itertools.combinations(range(6), 2))).T
-# A facet's normal shorter than this share of its generators' product is one of parallel generators.
+# Length of a facet normal, relative to the product of its generators, below which they are parallel.
 _PARALLEL = 1e-12
-# Share of the largest offset by which a vertex may miss a plane; vertices within ten times that are one.
+# Tolerance of a vertex, relative to the largest offset; vertices within ten times this value are equal.
 _SAME = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Polytope(Frozen):
-    """Vectors x, base frame, within the force limits at poses ``(...)``: a convex polytope for each.
+    """Convex polytope of the vectors x in the base frame that are within the force limits, for each pose.
+
+    The leading shape ``(...)`` is the shape of the poses.
 
     Attributes
     ----------
     quantity, unit : str
-        What x is, and its unit.
-    normals : ndarray
-        Unit normals of the polytope's facets, outward, (..., m, d); d is 3, or 6 for both parts together.
-    offsets : ndarray
-        x is within the limits where normals @ x <= offsets, (..., m); nan at unsolvable poses.
+        Name and unit of x.
+    normals : ndarray, shape (..., m, d)
+        Outward unit normals of the facets; d is 3, or 6 for both parts together.
+    offsets : ndarray, shape (..., m)
+        Offsets of the facets in ``unit``: x is within the limits if normals @ x <= offsets. NaN at unsolvable
+        poses.
     """
 
     quantity: str
@@ -64,23 +67,23 @@ class Polytope(Frozen):
     offsets: Array
 
     def max_along(self, direction: ArrayLike) -> Array:
-        """Largest factor >= 0 of a direction within the limits.
+        """Compute the largest nonnegative multiple of a direction that is within the limits.
 
         Parameters
         ----------
-        direction : array_like
-            Not zero, base frame, (..., d); its leading shape broadcasts with that of the poses.
+        direction : array_like, shape (..., d)
+            Nonzero direction in the base frame; its leading shape broadcasts with the shape of the poses.
 
         Returns
         -------
-        ndarray
-            The factors, (...): for a direction of unit length the size of x. nan where no factor is: where
-            the actuators do not hold the pose without x either, and at unsolvable poses.
+        ndarray, shape (...)
+            Factors; for a unit vector, the magnitude of x in ``unit``. NaN if no factor exists, because the
+            force limits are exceeded even without x, and at unsolvable poses.
 
         Raises
         ------
         ValueError
-            For a direction that is zero or of another shape.
+            If the direction is zero or has another shape.
         """
         d = self.normals.shape[-1]
         given = finite_array(direction, (d,), "direction")
@@ -90,68 +93,92 @@ class Polytope(Frozen):
 
     @property
     def inscribed_radius(self) -> Array:
-        """Size of x that is within the limits in whatever direction, (...); below 0 where not even x = 0 is.
+        """Magnitude of x in ``unit`` that is within the limits in every direction, shape (...).
+
+        Negative if x = 0 violates a limit.
 
         Raises
         ------
         ValueError
-            For d = 6, whose parts have different units.
+            If d = 6, because the parts have different units.
         """
         if self.normals.shape[-1] == 6:
             raise ValueError(
-                f"inscribed_radius: expected d = 3, {self.quantity} has parts of different units"
+                f"inscribed_radius: expected d = 3, {self.quantity} has parts with different units"
             )
         return np.asarray(self.offsets.min(axis=-1))
 
     def vertices(self) -> Array:
-        """Corners of the polytope of a single pose.
+        """Compute the vertices of the polytope of a single pose.
 
         Returns
         -------
-        ndarray
-            In ``unit``, base frame, (n, d).
+        ndarray, shape (n, d)
+            Vertices in the base frame, in ``unit``.
 
         Raises
         ------
         ValueError
-            For a batch of poses and for an unsolvable one.
+            If the result contains a batch of poses or an unsolvable pose.
         """
         if self.offsets.ndim != 1:
             raise ValueError(f"vertices: expected a single pose, got shape {self.offsets.shape[:-1]}")
         if np.isnan(self.offsets).any():
-            raise ValueError("vertices: expected a pose whose forces can be solved for")
+            raise ValueError("vertices: expected a solvable pose")
         return _vertices(self.normals, self.offsets)
 
 
 def capability_polytope(
     robot: Robot, motion: Motion, quantity: What = "force", complement: Others = "zero"
 ) -> Polytope:
-    """Return which wrenches or accelerations the actuators reach within the robot's force limits.
+    """Compute the wrenches or accelerations that the actuators can produce within the robot's force limits.
 
     Parameters
     ----------
     robot : Robot
-        The machine, with a force limit for every leg.
+        Robot with a force limit for every leg.
     motion : Motion
-        Poses, any leading shape, and what goes on there: rates and load always count, accelerations for
-        wrenches.
+        Motion of the reference point with any leading shape. Rates and loads are always included;
+        accelerations are included and required for wrenches.
     quantity : str, optional
-        "force" or "moment" that the platform exerts on its surroundings in addition to the load, about the
-        robot's tool, or both as "wrench"; "acceleration" of the tool or "angular_acceleration" of the
-        platform, or both as "platform_acceleration"; base frame. The tool is the reference point if the
-        robot file states none; the motion is of the reference point in any case.
+        "force" or "moment" that the platform exerts on its surroundings at the robot's tool, in addition to
+        the load, or both as "wrench". Or "acceleration" of the tool or "angular_acceleration" of the
+        platform, or both as "platform_acceleration". All in the base frame.
     complement : {"zero", "free"}, optional
-        Whether the other part, the moment beside a force and so on, has to be zero or may be anything.
+        Complementary components, for example the moment if ``quantity`` is "force": zero or unrestricted.
 
     Returns
     -------
     Polytope
-        A polytope for each pose.
+        One convex polytope per pose.
 
     Raises
     ------
     ValueError
-        Naming the argument; for a leg without a force limit, and for a motion without accelerations.
+        If an argument is invalid, a leg has no force limit, or accelerations are required and missing.
+
+    See Also
+    --------
+    inverse_dynamics : Compute the actuator forces of a motion.
+    workspace : Compute the poses within the limits of a robot.
+
+    Notes
+    -----
+    The tool is the reference point if the robot file specifies no tool.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = dataclasses.replace(ss.robots.load("unal"), force_limit=np.full(6, 500.0))
+    >>> zero = np.zeros(3)
+    >>> motion = ss.Motion(R=np.eye(3), t=[0, 0, 0.7], omega=zero, v=zero, alpha=zero, a=zero)
+    >>> polytope = ss.capability_polytope(robot, motion)
+    >>> round(float(polytope.max_along([0.0, 0.0, 1.0])))
+    2931
+    >>> round(float(polytope.inscribed_radius))
+    212
     """
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
@@ -186,7 +213,7 @@ def capability_polytope(
 
 
 def _cut(A: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
-    """Half-spaces n . x <= o of |A x + forces| <= limits: n (..., 12, d) of unit length, o (..., 12).
+    """Return half-spaces n . x <= o of |A x + forces| <= limits: unit n (..., 12, d), o (..., 12).
 
     A: (..., 6, d). forces: (..., 6). limits: (6,).
     """
@@ -196,7 +223,7 @@ def _cut(A: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
 
 
 def _projected(B: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
-    """Half-spaces of {B (f - forces): |f| <= limits}: n (..., 30, 3), o (..., 30).
+    """Return half-spaces n . x <= o of {B (f - forces): |f| <= limits}: n (..., 30, 3), o (..., 30).
 
     B: (..., 3, 6). forces: (..., 6). limits: (6,).
     """
@@ -215,7 +242,7 @@ def _projected(B: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
 
 
 def _unit_normals(normals: Array, offsets: Array) -> tuple[Array, Array]:
-    """The same half-spaces by normals of unit length; one without a normal is all of space."""
+    """Scale half-spaces to unit normals; a half-space without a normal becomes all of space."""
     size = np.linalg.norm(normals, axis=-1)
     none = size == 0.0
     safe = np.where(none, 1.0, size)
@@ -223,7 +250,7 @@ def _unit_normals(normals: Array, offsets: Array) -> tuple[Array, Array]:
 
 
 def _farthest(normals: Array, offsets: Array, directions: Array) -> Array:
-    """Largest lambda >= 0 of lambda * direction in the polytope, (...); nan where there is none."""
+    """Return the largest lambda >= 0 with lambda * direction in the polytope, shape (...); else NaN."""
     along = np.einsum("...mk,...k->...m", normals, directions)
     with np.errstate(divide="ignore", invalid="ignore"):
         ends = offsets / along
@@ -234,7 +261,7 @@ def _farthest(normals: Array, offsets: Array, directions: Array) -> Array:
 
 
 def _vertices(normals: Array, offsets: Array) -> Array:
-    """Corners, (n, d), of one polytope: where d of its planes meet in a point within the others."""
+    """Return the vertices, shape (n, d), of a polytope: intersections of d planes that satisfy all others."""
     d = normals.shape[-1]
     some = np.isfinite(offsets)
     normals, offsets = normals[some], offsets[some]

@@ -1,4 +1,4 @@
-"""Limits of a robot beside what motions need: exceeded, not decided at the noise of logs, margin missing."""
+"""Comparison of a robot's limits with actuator requirements, without and with the margin."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _DEGREES = 180.0 / np.pi
 
 
 class _Limited(NamedTuple):
-    """A limit: its name, unit, factor from SI to it, sizes and their deviations, (n, 6), and limits, (6,)."""
+    """Limit: name, unit, factor from SI, magnitudes and standard deviations (n, 6), and values (6,)."""
 
     name: str
     unit: str
@@ -28,18 +28,18 @@ class _Limited(NamedTuple):
 
 
 class LimitMargins(NamedTuple):
-    """Lines about limits that do not surely suffice with the margin, legs numbered from 1.
+    """Texts about limits that are exceeded or may be exceeded, with legs numbered from 1.
 
     Attributes
     ----------
     exceeded : list of str
-        Limits that a need exceeds.
+        Limits that a requirement exceeds.
     not_decided : list of str
-        Limits that noise of a log leaves open, after the verdict.
+        Limits that are inconclusive because of noise, each after its status.
     margin_missing : list of str
-        Limits that suffice, but not with the margin.
+        Limits that are sufficient without the margin, but not with it.
     margin_not_decided : list of str
-        Limits that suffice, but of which noise leaves open whether with the margin, after the verdict.
+        Limits that are sufficient without the margin, but inconclusive with it, each after its status.
     """
 
     exceeded: list[str]
@@ -48,7 +48,7 @@ class LimitMargins(NamedTuple):
     margin_not_decided: list[str]
 
     def add(self, verdict: str, line: str, margin: str = "") -> None:
-        """Take in a verdict on a limit; margin: before the verdict on that with the margin."""
+        """Add the status of a limit; ``margin`` precedes the status if it includes the margin."""
         sure, possible = self[2:] if margin else self[:2]
         if verdict == EXCEEDED:
             sure.append(line)
@@ -57,7 +57,7 @@ class LimitMargins(NamedTuple):
 
 
 def compared(robot: Robot, needs: ActuatorRequirementsResult) -> LimitMargins:
-    """Return how the needs keep a robot's limits, and, where they do, whether also with the margin."""
+    """Compare the requirements with the robot's limits; limits that are sufficient also with the margin."""
     found, more = LimitMargins([], [], [], []), 1.0 + needs.margin
     for limited in _limited(robot, needs):
         there = needs.history.replaced if len(limited.sizes) > 1 else None
@@ -75,13 +75,16 @@ def compared(robot: Robot, needs: ActuatorRequirementsResult) -> LimitMargins:
 
 
 def states_limits(robot: Robot, needs: ActuatorRequirementsResult) -> bool:
-    """Whether there is a limit that needs can exceed."""
+    """Return True if the robot has a limit that requirements can exceed."""
     shortest = bool(np.any(robot.length_limits[:, 0] > 0.0))
     return shortest or any(np.isfinite(each.limits).any() for each in _limited(robot, needs))
 
 
 def _line(limited: _Limited, leg: int, verdict: str, more: float | None = None) -> str:
-    """What is limited, and the need that makes the verdict; more: what the margin makes of it."""
+    """Return the text of a limit with the requirement that determines its status.
+
+    ``more`` is the factor of the margin.
+    """
     name, unit, scale, sizes, sd, limits = limited
     off = None if sd is None else (sd[0][:, leg], sd[1][:, leg])
     i = farthest(sizes[:, leg], off, verdict)
@@ -95,7 +98,7 @@ def _line(limited: _Limited, leg: int, verdict: str, more: float | None = None) 
 
 
 def _lengths(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str]]:
-    """Verdict on the lengths of each leg, and a line about them."""
+    """Yield the status of each leg's length limits and a text."""
     (low, high), course = robot.length_limits.T, needs.history
     sd = None if course.std is None else np.tile(course.std["L"], (2, 1))
     there = None if course.replaced is None else np.tile(course.replaced, 2)
@@ -108,7 +111,7 @@ def _lengths(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[tuple[
 
 
 def _limited(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[_Limited]:
-    """What a robot may limit."""
+    """Yield the limits that a robot may have."""
     course, drive = needs.history, robot.drive
     low, high = robot.length_limits.T
 

@@ -1,4 +1,4 @@
-"""Jobs that need nothing of each other: run here one by one, or by the workers of a Dask scheduler."""
+"""Execution of independent jobs, in this process or by the workers of a Dask scheduler."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Job = TypeVar("Job")
 Result = TypeVar("Result")
 
 LOCAL = "local"
-"""Scheduler that is started here, with a worker for each core."""
+"""Name of a scheduler that is started locally with one worker per core."""
 
 _WAIT = "5s"
 
@@ -22,11 +22,11 @@ _WAIT = "5s"
 def run(
     jobs: Sequence[Job], work: Callable[[Job], Result], scheduler: str | None, progress: Progress, text: str
 ) -> list[Result]:
-    """Results of ``work`` in the order of the jobs; both are pickled for workers.
+    """Return the results of ``work`` in the order of the jobs; both are pickled for workers.
 
-    scheduler: None for this process, "local" for a worker on each core, or the address of a Dask scheduler.
-    progress, text: what is shown while it lasts. Raises ValueError where no scheduler answers at the address,
-    ImportError naming the extra without Dask.
+    ``scheduler`` is None for this process, "local" for one worker per core, or the address of a Dask
+    scheduler. ``progress`` receives ``text``. Raises ValueError if no scheduler answers, and ImportError,
+    with the name of the extra, if Dask is missing.
     """
     if scheduler is None:
         return [work(job) for job in tracked(progress, jobs, lambda _: text)]
@@ -42,7 +42,7 @@ def run(
 
 @contextlib.contextmanager
 def _client(scheduler: str) -> Iterator[Any]:
-    """A client of the scheduler; a local one ends with the block."""
+    """Yield a client of the scheduler; close a local scheduler at the end."""
     with needed_for("a scheduler"):
         import dask
         from distributed import Client, LocalCluster
@@ -51,7 +51,7 @@ def _client(scheduler: str) -> Iterator[Any]:
     with contextlib.ExitStack() as stack:
         address: Any = scheduler
         if scheduler == LOCAL:
-            # The dashboard would take a port that a user may need.
+            # The default port of the dashboard may be in use.
             options = {"dashboard_address": "127.0.0.1:0"}
             cluster = LocalCluster(
                 threads_per_worker=1, host="127.0.0.1", dashboard_address=None, scheduler_kwargs=options

@@ -1,4 +1,4 @@
-"""Which limit a pose breaks: leg lengths, joint angles, leg clearance, condition number, actuator forces."""
+"""Limits of a pose: leg lengths, joint angles, leg clearance, condition number, and actuator forces."""
 
 from __future__ import annotations
 
@@ -26,37 +26,37 @@ REASONS = (
     *("feasible", "assembly_mode", "leg_length", "joint_angle"),
     *("leg_clearance", "condition_number", "actuator_force"),
 )
-"""What a code of ``broken_limits`` means."""
+"""Names of the codes of ``broken_limits``, in their order."""
 INSIDE, SIDE, LENGTH, ANGLE, CLEARANCE, CONDITION, FORCE = range(len(REASONS))
 
 BLOCK = 4096
-"""Poses examined at a time: their numbers stay in the processor's cache."""
+"""Number of poses per block, small enough for the processor cache."""
 
-# Joints nearer than this share of the machine's size are one.
+# Distance of joints, relative to the machine size, below which they coincide.
 _SAME = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
 class PoseLimits(Frozen):
-    """Limits that a pose is to keep; those of the robot file count where it states them.
+    """Limits of a pose. The limits of the robot file apply if they are present there.
 
     Attributes
     ----------
     lengths, joint_angles, forces : bool, optional
-        Whether these limits of the robot count.
+        Flags that apply the robot's limits of leg lengths, joint angles, and actuator forces.
     condition : float, optional
-        Largest scaled condition number of H. Where it is finite, a pose where det H has another sign than at
-        the home pose breaks it as well: it can't be reached but through a singular pose.
+        Largest scaled condition number of H (dimensionless). If it is finite, det H must also have the same
+        sign as at the home pose, because other poses can be reached only through a singular pose.
     clearance : float, optional
-        Least distance between the center lines of two legs, m; legs that share a joint are left out.
-    load : array_like, optional
-        External wrench on the platform as in ``Motion``, [F_ext; M_ext], N and N m, platform frame, (6,),
-        under which the actuators hold the pose at rest.
+        Smallest distance between the center lines of two legs (m). Legs with a common joint are ignored.
+    load : array_like, shape (6,), optional
+        External wrench [F_ext; M_ext] on the platform (N, N m) in the platform frame, as in ``Motion``, that
+        acts while the platform is at rest.
 
     Raises
     ------
     ValueError
-        Naming the field.
+        If a field is invalid.
     """
 
     lengths: bool = True
@@ -67,7 +67,7 @@ class PoseLimits(Frozen):
     load: Array = field(default_factory=lambda: np.zeros(6))
 
     def __post_init__(self) -> None:
-        """Check every field."""
+        """Check all fields."""
         for name in ("lengths", "joint_angles", "forces"):
             truth(getattr(self, name), name)
         if not (isinstance(self.condition, float) and self.condition == math.inf):
@@ -77,13 +77,13 @@ class PoseLimits(Frozen):
 
 
 def at_reference(robot: Robot, limits: PoseLimits) -> PoseLimits:
-    """Return the limits with a load at the robot's tool as the equal load at the reference point."""
+    """Return the limits with the load moved from the robot's tool to the reference point."""
     force, moment = limits.load[:3], limits.load[3:]
     return replace(limits, load=np.concatenate([force, moment + np.cross(robot.tool, force)]))
 
 
 def need_clearance(robot: Robot, clearance: float) -> None:
-    """Reject a clearance, m, that two neighboring joints leave in no pose."""
+    """Raise ValueError for a clearance (m) that two neighboring joints exclude in every pose."""
     distances = joined(robot)
     tight = np.flatnonzero((distances < clearance) & _apart(robot))
     if tight.size:
@@ -94,16 +94,16 @@ def need_clearance(robot: Robot, clearance: float) -> None:
 
 
 def _apart(robot: Robot) -> Flags:
-    """Whether the two legs of each pair share no joint."""
+    """Return True for pairs of legs without a common joint."""
     return np.asarray(joined(robot) > _SAME * characteristic_length(robot))
 
 
 @dataclass(frozen=True, eq=False)
 class PoseExaminer(Frozen):
-    """A robot and the limits that its poses are to keep.
+    """Robot and limits for the examination of poses.
 
-    up: unit vector from the base to the platform's side, base frame, (3,). side: sign of det H at the home
-    pose.
+    up: unit vector from the base to the platform in the base frame, shape (3,). side: sign of det H at the
+    home pose.
     """
 
     robot: Robot
@@ -112,7 +112,7 @@ class PoseExaminer(Frozen):
     side: float = field(init=False)
 
     def __post_init__(self) -> None:
-        """Check that the limits can be kept at all, and prepare what all poses share."""
+        """Check that the limits are consistent, and compute the data that all poses share."""
         instance(self.robot, Robot, "robot")
         instance(self.limits, PoseLimits, "limits")
         t = home_pose(self.robot).t
@@ -121,9 +121,9 @@ class PoseExaminer(Frozen):
         need_clearance(self.robot, self.limits.clearance)
 
     def broken_limits(self, R: Array, t: Array) -> NDArray[np.int8]:
-        """First limit that each pose breaks, in the order of ``REASONS``, whose index it is, (n,).
+        """Return the code of the first limit that each pose violates, an index of ``REASONS``, shape (n,).
 
-        R: (n, 3, 3). t: m, (n, 3).
+        R: (n, 3, 3). t: (n, 3) (m).
         """
         found = np.empty(len(t), dtype=np.int8)
         for start in range(0, len(t), BLOCK):
@@ -132,10 +132,11 @@ class PoseExaminer(Frozen):
         return found
 
     def surely_broken(self, R: Array, t: Array, shift: Array, turn: Array, point: Array) -> Flags:
-        """Return True, (n,), if every pose near one of R (n, 3, 3), t (n, 3) breaks a limit.
+        """Return True, shape (n,), if every pose near R (n, 3, 3) and t (n, 3) violates a limit.
 
-        shift: largest distance (m), (n,), of a platform point, (3,). turn: largest rotation about the point
-        (rad), (n,). Only leg lengths and the side of the base are tested, because both have bounds.
+        shift: largest displacement (m), shape (n,), of the platform point ``point``, shape (3,). turn:
+        largest rotation about the point (rad), shape (n,). Only leg lengths and the side of the base are
+        tested, because both have bounds.
         """
         robot = self.robot
         _, _, L = leg_vectors(robot, R, t)
@@ -150,7 +151,7 @@ class PoseExaminer(Frozen):
         return np.asarray(broken)
 
     def conditions(self, R: Array, t: Array) -> Array:
-        """Scaled condition numbers of H at poses (n, 3, 3) and (n, 3), (n,)."""
+        """Return the scaled condition numbers of H at poses R (n, 3, 3) and t (n, 3), shape (n,)."""
         H = np.swapaxes(self._rows(*leg_vectors(self.robot, R, t)), -1, -2)
         return scaled_condition_number(H, 1.0)
 
@@ -190,7 +191,7 @@ class PoseExaminer(Frozen):
         )
 
     def _rows(self, q: Array, S: Array, L: Array) -> Array:
-        """H^T, (..., 6, 6), its moments over the platform's characteristic length."""
+        """Return H^T, shape (..., 6, 6), with moments divided by the characteristic length."""
         rows = length_rows(q, S, L)
         rows[..., 3:] /= characteristic_length(self.robot) or 1.0
         return rows
@@ -199,7 +200,7 @@ class PoseExaminer(Frozen):
         rows, most = self._rows(q, S, L), self.limits.condition
         kept = np.sign(np.linalg.det(rows)) == self.side
         rows = rows[kept]
-        # In Frobenius' norm the condition number is no less, and no more than six times as large.
+        # The condition number in the Frobenius norm is between one and six times the exact value.
         norms = (np.sqrt(np.einsum("nij,nij->n", one, one)) for one in (rows, np.linalg.inv(rows)))
         near = functools.reduce(np.multiply, norms)
         good = near <= most
@@ -209,7 +210,7 @@ class PoseExaminer(Frozen):
         return np.asarray(kept)
 
     def _forces_kept(self, R: Array, t: Array) -> Flags:
-        """Whether actuators hold the poses at rest; not at singular ones."""
+        """Return True for poses with forces within the limits at rest; False for singular poses."""
         robot, load, zero = self.robot, self.limits.load, np.zeros_like(t)
         loads = (np.broadcast_to(part, t.shape) for part in (load[:3], load[3:]))
         motion = Motion._unchecked(R, t, zero, zero, zero, zero, *loads)

@@ -1,9 +1,9 @@
-"""Volume of a set given by a test of membership: cells that may hold members, and random points in them.
+"""Stratified sampling of the volume of a set with a membership test: grid cells and random points in them.
 
-A box is halved again and again and what surely holds no member is left out. In each cell that is left lie
-two independent random points: half the sum of both is an unbiased estimate of the cell's share, and the
-number of cells where one point is inside and the other is not, over four, one of the variance. Both are whole
-numbers, the same whoever counts them and in whatever order.
+A box is halved repeatedly, and cells that certainly contain no member are discarded. Each remaining cell
+contains two independent random points. Half the number of points inside the set is an unbiased estimate of
+its volume in cells. A quarter of the number of cells with one point inside is an unbiased estimate of the
+variance. Both counts are integers, so they do not depend on the order or place of the computation.
 """
 
 from __future__ import annotations
@@ -21,25 +21,33 @@ from numpy.typing import NDArray
 from ..io.array_types import Array, Flags
 
 DEVIATIONS = 3.0
-"""Standard deviations of the estimate that its error is given as: 99.7 % of estimates are nearer."""
+"""Number of standard deviations in the error of the estimate, which contain 99.7 % of the estimates."""
 
 JOB = 32_768
-"""Cells that are examined in one job."""
+"""Number of cells per job."""
 
 MOST_KEPT = 1 << 19
-"""Cells that are looked at one by one; where more points are wanted, each is divided evenly."""
+"""Largest number of cells that are tested individually; for more points, each cell is divided evenly."""
 
-# A set so thin that so many halvings leave few cells of it has no volume to speak of.
+# Largest number of halvings; a set with only few cells after them has a negligible volume.
 _MOST_HALVINGS = 120
 
 Places = NDArray[np.int64]
 
 
 class Cells(NamedTuple):
-    """Cells of a grid that may hold members.
+    """Cells of a grid that may contain members.
 
-    box: low and high, (d, 2). counts: into how many cells each side is divided, (d,). places: which cells,
-    counted along each axis, (n, d). splits: into how many each of these is divided once more, (d,).
+    Attributes
+    ----------
+    box : ndarray, shape (d, 2)
+        Lower and upper bounds.
+    counts : tuple of int
+        Number of cells along each axis.
+    places : ndarray of int, shape (n, d)
+        Indices of the cells along each axis.
+    splits : tuple of int
+        Number of parts of each cell along each axis.
     """
 
     box: Array
@@ -49,13 +57,13 @@ class Cells(NamedTuple):
 
     @property
     def sides(self) -> Array:
-        """Sides of the cells with two points each, (d,)."""
+        """Side lengths of the cells with two points each, shape (d,)."""
         widths = self.box[:, 1] - self.box[:, 0]
         return np.asarray(widths / (np.array(self.counts, dtype=np.float64) * self.splits))
 
 
 class Job(NamedTuple):
-    """Some cells, and the numbers that random points are drawn from."""
+    """Cells and their random seed."""
 
     cells: Cells
     seed: tuple[int, int]
@@ -63,11 +71,18 @@ class Job(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tally:
-    """What was found at the points of some cells.
+    """Counts of the points of some cells.
 
-    codes: how often each code was found, (m,); 0 is inside. mixed: cells with one point inside. extent: least
-    and greatest coordinates of points inside, (d, 2), inf and -inf where there are none. nearest: least
-    distance of a point that is not inside.
+    Attributes
+    ----------
+    codes : ndarray of int, shape (m,)
+        Number of points per code; code 0 is inside.
+    mixed : int
+        Number of cells with one point inside.
+    extent : ndarray, shape (d, 2)
+        Minimum and maximum coordinates of points inside; inf and -inf without such points.
+    nearest : float
+        Smallest distance of a point outside.
     """
 
     codes: NDArray[np.int64]
@@ -76,7 +91,7 @@ class Tally:
     nearest: float
 
     def plus(self, other: Tally) -> Tally:
-        """Both together."""
+        """Return the sum of two tallies."""
         (low, high), (other_low, other_high) = self.extent.T, other.extent.T
         extent = np.stack([np.minimum(low, other_low), np.maximum(high, other_high)], axis=-1)
         codes = self.codes + other.codes
@@ -84,14 +99,15 @@ class Tally:
 
 
 Examine = Callable[[Array], tuple[NDArray[np.int8], Array]]
-"""From coordinates (n, d) to codes (n,) and distances (n,) from the pose that ``nearest`` is about."""
+"""Function from coordinates (n, d) to codes (n,) and distances (n,) from the center pose."""
 
 
 def cells_of(box: Array, points: int, weights: Array, empty: Callable[[Array, Array], Flags]) -> Cells:
-    """Cells of a box (d, 2) for so many points at most.
+    """Divide a box, shape (d, 2), into cells for at most ``points`` points.
 
-    weights: lengths that a unit of each coordinate is worth, (d,): the side that is worth most is halved.
-    empty: from least and greatest coordinates of cells, (n, d) each, to which surely hold no member, (n,).
+    ``weights``, shape (d,), are the lengths per unit of each coordinate; the longest side is halved.
+    ``empty`` maps the lower and upper bounds of cells, (n, d) each, to flags of the cells that certainly
+    contain no member, (n,).
     """
     most = max(1, min(points // 2, MOST_KEPT))
     counts, places = [1] * len(box), np.zeros((1, len(box)), dtype=np.int64)
@@ -114,14 +130,14 @@ def cells_of(box: Array, points: int, weights: Array, empty: Callable[[Array, Ar
 
 
 def jobs_of(cells: Cells, seed: int) -> list[Job]:
-    """Parts of the cells, the same whoever examines them."""
+    """Divide the cells into jobs, independent of the scheduler."""
     step = max(1, JOB // math.prod(cells.splits))
     parts = [cells.places[first : first + step] for first in range(0, len(cells.places), step)]
     return [Job(cells._replace(places=part), (seed, number)) for number, part in enumerate(parts)]
 
 
 def tally(job: Job, examine: Examine, codes: int) -> Tally:
-    """Examine two points in each of the job's cells; ``status_codes``: how many there are."""
+    """Examine two points in each cell of a job; ``codes`` is the number of codes."""
     cells = job.cells
     within = np.array(list(itertools.product(*map(range, cells.splits))), dtype=np.int64)
     places = (cells.places[:, None] * np.array(cells.splits) + within).reshape(-1, len(cells.box))
@@ -141,17 +157,17 @@ def tally(job: Job, examine: Examine, codes: int) -> Tally:
 
 
 def total(tallies: Sequence[Tally], dimensions: int, codes: int) -> Tally:
-    """All together; nothing was found where there is none."""
+    """Return the sum of tallies; an empty tally if there are none."""
     none = np.tile([math.inf, -math.inf], (dimensions, 1))
     start = Tally(np.zeros(codes, dtype=np.int64), 0, none, math.inf)
     return functools.reduce(Tally.plus, tallies, start)
 
 
 def volume(cells: Cells, found: Tally) -> tuple[float, float]:
-    """Volume and its error, in the unit of the coordinates' product.
+    """Return the volume and its error in the unit of the product of the coordinates.
 
-    What is smaller than three cells holds no point with a chance of 0.25 % or more, however it is spread: the
-    error is that at least, unless no cell may hold a member.
+    The error is at least three cells, because a smaller set contains no point with a probability of 0.25 % or
+    more, however it is distributed. The error is 0 if no cell may contain a member.
     """
     cell = float(np.prod(cells.sides))
     least = DEVIATIONS if len(cells.places) else 0.0

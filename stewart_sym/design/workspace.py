@@ -1,4 +1,4 @@
-"""Workspaces: which poses a machine can take within its limits, and how large their set is."""
+"""Workspace volume of a robot within its limits, estimated by stratified random sampling."""
 
 from __future__ import annotations
 
@@ -28,53 +28,51 @@ Kind = Literal["constant_orientation", "orientation", "six_dof"]
 
 KINDS = ("constant_orientation", "orientation", "six_dof")
 UNITS = {"constant_orientation": "m^3", "orientation": "rad^3", "six_dof": "m^3 rad^3"}
-"""Units of the volume. The measure of rotations does not depend on the axes; all of them are 8 pi^2."""
+"""Units of the volume. The measure of rotations is independent of the axes; all rotations measure 8 pi^2."""
 
 WHOLE_TURN = np.array([[-math.pi, math.pi], [-0.5 * math.pi, 0.5 * math.pi], [-math.pi, math.pi]])
-"""Roll, pitch and yaw of all rotations, rad, (3, 2)."""
+"""Roll, pitch, and yaw of all rotations (rad), shape (3, 2)."""
 
 
 _MOST = 10**12
 
 
 class WorkspaceWarning(UserWarning):
-    """What limits the meaning of a workspace."""
+    """Issued if a workspace result may be misleading."""
 
 
 @dataclass(frozen=True, eq=False)
 class WorkspaceResult(Frozen):
-    """The set of poses within the limits.
+    """Set of poses within all limits, with its volume and its limiting constraints.
 
     Attributes
     ----------
-    kind : str
-        ``"constant_orientation"``: positions at one orientation;
-        ``"orientation"``: rotations at one position;
-        ``"six_dof"``: both.
+    kind : {"constant_orientation", "orientation", "six_dof"}
+        Positions at one orientation, rotations at one position, or both.
     volume : float
-        Its size, in ``unit``. Of rotations that is the integral of cos(theta_y) over roll, pitch and yaw.
+        Volume in ``unit``. For rotations this is the integral of cos(theta_y) over roll, pitch, and yaw.
     error : float
-        Three standard deviations of the volume, in ``unit``; three cells of two poses at least.
+        Three standard deviations of the volume in ``unit``, but at least three sampling cells.
     unit : str
-        m^3, rad^3, or m^3 rad^3.
-    bounds : ndarray
-        Where poses were looked for: least and greatest t_x, t_y, t_z, m, and theta_x, theta_y, theta_z, rad,
-        those of them that vary, (3, 2) or (6, 2).
-    extent : ndarray
-        Least and greatest coordinates of poses found within the limits, as ``bounds``; nan without any. The
-        workspace reaches at least so far.
-    position, rpy : ndarray
-        Pose in the middle: position of the tool (m), (3,), and roll, pitch, and yaw (rad), (3,).
+        "m^3", "rad^3", or "m^3 rad^3".
+    bounds : ndarray, shape (3, 2) or (6, 2)
+        Search bounds: minimum and maximum of the varying coordinates t_x, t_y, t_z (m) and theta_x, theta_y,
+        theta_z (rad).
+    extent : ndarray, shape (3, 2) or (6, 2)
+        Bounds of the poses within the limits, as in ``bounds``; NaN if no such pose was found. The workspace
+        extends at least this far.
+    position, rpy : ndarray, shape (3,)
+        Center pose: position of the tool (m) and roll, pitch, yaw (rad).
     distance_to_limit : float
-        From the pose in the middle to the nearest examined one that breaks a limit, m, or rad for rotations:
-        a nearer one may have been missed, more poses come closer. 0 where itself does, inf where none was
-        found, nan of the total workspace.
-    limit_fractions : dict
-        Share of the examined poses by the first limit that each breaks, of ``REASONS``.
+        Distance from the center pose to the nearest sampled pose that violates a limit (m, or rad for
+        rotations). It is an upper bound that decreases with the number of samples. 0 if the center pose
+        violates a limit, infinite if no sampled pose does, NaN for kind "six_dof".
+    limit_fractions : dict of float
+        Fraction of the sampled poses by the first limit that each violates; the keys are ``REASONS``.
     samples : int
-        How many were examined for the volume.
-    tool : ndarray
-        Platform point whose positions are given (m), platform frame, (3,).
+        Number of sampled poses.
+    tool : ndarray, shape (3,)
+        Platform point whose positions are given (m), in the platform frame.
     """
 
     kind: str
@@ -109,46 +107,70 @@ def workspace(
     scheduler: str | None = None,
     progress: Progress = silent,
 ) -> WorkspaceResult:
-    """Return the size of a workspace, with its error, and what bounds it.
+    """Estimate the workspace volume, its uncertainty, and the limiting constraints.
 
-    The box is halved until there is a cell for each two poses, without cells beyond the leg lengths or on the
-    other side of the base. Two random poses of each cell are examined. Positions refer to the robot's tool,
-    the reference point if the robot file states none. A load of the limits acts at the tool.
+    The search box is divided into cells. Cells that are certainly beyond the leg lengths or on the other side
+    of the base are discarded; two random poses are tested in each remaining cell. Positions refer to the
+    robot's tool.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot with limits.
     kind : {"constant_orientation", "orientation", "six_dof"}, optional
-        What varies: positions, rotations or both.
+        Varying coordinates: positions, rotations, or both.
     limits : PoseLimits, optional
-        Limits to keep; by default those that the robot states.
-    position : array_like, optional
-        Position of the tool in the middle pose (m), (3,); default: the home pose.
-    rpy : array_like, optional
-        Its roll, pitch and yaw, rad, (3,); default: parallel to the base.
-    position_bounds : array_like, optional
-        Least and greatest t_x, t_y, t_z, m, (3, 2); default: where the longest legs reach.
-    rpy_bounds : array_like, optional
-        Least and greatest roll, pitch and yaw, rad, (3, 2); default: all rotations.
+        Limits to apply, with a load that acts at the tool; by default the limits of the robot.
+    position : array_like, shape (3,), optional
+        Position of the tool in the center pose (m); by default the home position.
+    rpy : array_like, shape (3,), optional
+        Roll, pitch, and yaw of the center pose (rad); by default parallel to the base.
+    position_bounds : array_like, shape (3, 2), optional
+        Minimum and maximum of t_x, t_y, t_z (m); by default the positions that the longest legs reach.
+    rpy_bounds : array_like, shape (3, 2), optional
+        Minimum and maximum of roll, pitch, and yaw (rad); by default all rotations.
     samples : int, optional
-        How many to examine; the error of positions falls with its power -2/3.
+        Number of random poses. The error of a volume of positions is proportional to samples^(-2/3).
     seed : int, optional
-        Of the random numbers: the same seed gives the same bits, on whatever scheduler.
+        Random seed. Equal seeds give bit-identical results on every scheduler.
     scheduler : str, optional
-        "local" for a Dask worker on each core, or the address of a Dask scheduler; None: this process.
+        "local" for one Dask worker per core, or the address of a Dask scheduler. None runs in this process.
     progress : callable, optional
-        Called with text and the share done.
+        Called with a text and the completed fraction.
 
     Returns
     -------
     WorkspaceResult
-        Shapes and units are documented there.
+        Volume, extent, and limiting constraints.
 
     Raises
     ------
     ValueError
-        Naming the argument; and where neither longest legs nor a box bound the positions.
+        If an argument is invalid, or if neither leg lengths nor ``position_bounds`` bound the positions.
+
+    Warns
+    -----
+    WorkspaceWarning
+        If no pose within the limits is found, or if the error exceeds the volume.
+
+    See Also
+    --------
+    capability_polytope : Wrenches and accelerations within the force limits at a pose.
+    path_singularities : Find singular poses along a path.
+
+    Notes
+    -----
+    The kinds are the constant-orientation workspace, the orientation workspace, and the six-dimensional set
+    of all poses.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> result = ss.workspace(ss.robots.load("rubin_camera"), samples=4_000)
+    >>> f"{1e9 * result.volume:.0f} +- {1e9 * result.error:.0f} mm^3"
+    '31845 +- 780 mm^3'
+    >>> {name: round(fraction, 2) for name, fraction in result.limit_fractions.items() if fraction}
+    {'feasible': 0.55, 'leg_length': 0.45}
     """
     instance(robot, Robot, "robot")
     option(kind, KINDS, "kind")
@@ -158,7 +180,7 @@ def workspace(
     seed = whole_number(seed, "seed", 0, "a whole number from 0 to 2^63 - 1", 2**63 - 1)
     examined = Region(PoseExaminer(robot, at_reference(robot, limits)), kind, *middle(robot, position, rpy))
     search = examined.box(position_bounds, rpy_bounds)
-    progress("leaving out what legs can't reach")
+    progress("discarding unreachable poses")
     grid = stratified_sampling.cells_of(search, count, examined.weights, examined.surely_broken)
     look = functools.partial(stratified_sampling.tally, examine=examined.examine, codes=len(REASONS))
     tallies = parallel.run(
@@ -172,15 +194,14 @@ def workspace(
         sizes = f"{result.error:.2g} and {result.volume:.2g} {result.unit}"
         warn(
             f"workspace: the error exceeds the volume ({sizes}), {found.codes[0]} of {result.samples} poses "
-            "are within the limits; volume and extents are unknown; "
-            "examine more poses, or give narrower ranges of positions and rotations",
+            "are within the limits; volume and extents are unknown; use more samples or narrower bounds",
             WorkspaceWarning,
         )
     return result
 
 
 def middle(robot: Robot, position: ArrayLike | None, rpy: ArrayLike) -> tuple[Array, Array]:
-    """Return the tool's position (m) and roll, pitch, and yaw (rad) of the pose in the middle, both (3,)."""
+    """Return the tool position (m) and the roll, pitch, and yaw (rad) of the center pose, shape (3,) each."""
     if position is None:
         t = home_pose(robot).t + robot.tool
     else:
@@ -190,7 +211,7 @@ def middle(robot: Robot, position: ArrayLike | None, rpy: ArrayLike) -> tuple[Ar
 
 @dataclass(frozen=True, eq=False)
 class Region(Frozen):
-    """Poses of one kind by coordinates that measure them evenly: tool position; roll, sin pitch, yaw."""
+    """Poses of one kind in coordinates with a uniform measure: tool position; roll, sin(pitch), and yaw."""
 
     examiner: PoseExaminer
     kind: Kind
@@ -199,15 +220,15 @@ class Region(Frozen):
     rotation: Array = field(init=False)
 
     def __post_init__(self) -> None:
-        """Compute the rotation of the pose in the middle."""
+        """Compute the rotation of the center pose."""
         self._set({"rotation": rotation_from_rpy(self.angles)})
 
     def box(self, box: ArrayLike | None, turns: ArrayLike | None) -> Array:
-        """Where coordinates are looked for, (3, 2) or (6, 2)."""
+        """Return the bounds of the search coordinates, shape (3, 2) or (6, 2)."""
         if box is not None and self.kind == "orientation":
-            raise ValueError("position_bounds: is for positions, which do not vary here")
+            raise ValueError("position_bounds: expected None, positions do not vary for this kind")
         if turns is not None and self.kind == "constant_orientation":
-            raise ValueError("rpy_bounds: is for rotations, which do not vary here")
+            raise ValueError("rpy_bounds: expected None, rotations do not vary for this kind")
         parts = []
         if self.kind != "orientation":
             parts.append(self._reach() if box is None else _ranges(box, "position_bounds", "m"))
@@ -221,7 +242,7 @@ class Region(Frozen):
         return np.concatenate(parts)
 
     def _reach(self) -> Array:
-        """Positions that the longest legs reach: between the balls' faces, (3, 2)."""
+        """Return a box around the positions that the longest legs can reach (m), shape (3, 2)."""
         robot, limits = self.examiner.robot, self.examiner.limits
         longest = robot.length_limits[:, 1] if limits.lengths else np.full(len(robot.b), math.inf)
         arm = (robot.p - robot.tool) @ self.rotation.T
@@ -230,13 +251,13 @@ class Region(Frozen):
             centers, radii = robot.b, longest + np.linalg.norm(arm, axis=-1)
         low, high = np.max(centers - radii[:, None], axis=0), np.min(centers + radii[:, None], axis=0)
         if not np.all(np.isfinite(low) & np.isfinite(high)):
-            raise ValueError("robot: length_limits: no leg has an upper limit that counts, expected a box")
+            raise ValueError("robot: length_limits: no leg has an upper limit, expected position_bounds")
         if np.any(high <= low):
             raise ValueError("robot: length_limits: the longest legs reach no common position")
         return np.stack([low, high], axis=-1)
 
     def poses(self, coordinates: Array) -> tuple[Array, Array]:
-        """Return R (n, 3, 3) and t of the reference point, (n, 3), for coordinates (n, d)."""
+        """Return R (n, 3, 3) and t of the reference point (m), shape (n, 3), for coordinates (n, d)."""
         n = len(coordinates)
         at_tool = np.broadcast_to(self.position, (n, 3)) if self.kind == "orientation" else coordinates[:, :3]
         if self.kind == "constant_orientation":
@@ -247,33 +268,33 @@ class Region(Frozen):
         return R, at_tool - R @ self.examiner.robot.tool
 
     def examine(self, coordinates: Array) -> tuple[NDArray[np.int8], Array]:
-        """First broken limit of each pose and its distance from the middle, m or rad, both (n,)."""
+        """Return each pose's first violated limit and its distance from the center (m or rad), shape (n,)."""
         R, t = self.poses(coordinates)
         return self.examiner.broken_limits(R, t), self._distances(R, t)
 
     @property
     def arm(self) -> Array:
-        """Vector from the reference point to the tool in the pose in the middle (m), base frame, (3,)."""
+        """Vector from the reference point to the tool in the center pose (m), base frame, shape (3,)."""
         return np.asarray(self.rotation @ self.examiner.robot.tool)
 
     def _distances(self, R: Array, t: Array) -> Array:
         if self.kind == "constant_orientation":
             return np.asarray(np.linalg.norm(t + self.arm - self.position, axis=-1))
         if self.kind == "orientation":
-            # |R - R_0| in Frobenius' norm is 2 sqrt(2) sin(angle / 2).
+            # |R - R_0| in the Frobenius norm is 2 sqrt(2) sin(angle / 2).
             apart = np.linalg.norm(R - self.rotation, axis=(-2, -1)) / math.sqrt(8.0)
             return np.asarray(2.0 * np.arcsin(np.minimum(apart, 1.0)))
         return np.full(len(t), math.nan)
 
     @property
     def weights(self) -> Array:
-        """Distance by which a unit of each coordinate moves the platform's joints, m, (d,)."""
+        """Displacement of the platform joints per unit of each coordinate (m), shape (d,)."""
         arm = characteristic_length(self.examiner.robot) or 1.0
         parts = {"constant_orientation": [1.0], "orientation": [arm], "six_dof": [1.0, arm]}[self.kind]
         return np.repeat(parts, 3)
 
     def surely_broken(self, low: Array, high: Array) -> Flags:
-        """Whether every pose with coordinates between low and high, (n, d) each, breaks a limit, (n,)."""
+        """Return True for boxes, bounds (n, d), in which every pose violates a limit, shape (n,)."""
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         turn = np.zeros(len(low))
         if self.kind != "constant_orientation":
@@ -284,7 +305,7 @@ class Region(Frozen):
         return self.examiner.surely_broken(*self.poses(middle), shift, turn, self.examiner.robot.tool)
 
     def workspace(self, grid: Cells, found: Tally, within_reach: bool) -> WorkspaceResult:
-        """What was found in words of the user; within_reach: whether no leg reaches beyond the grid."""
+        """Build the result; ``within_reach`` is True if the grid contains all reachable positions."""
         size, error = stratified_sampling.volume(grid, found)
         examined = max(1, int(found.codes.sum()))
         own = self.examiner.broken_limits(self.rotation[None], (self.position - self.arm)[None])[0]
@@ -309,7 +330,7 @@ class Region(Frozen):
         )
 
     def _as_angles(self, box: Array) -> Array:
-        """Coordinates (d, 2) with the pitch in place of its sine."""
+        """Convert the sine of the pitch to the pitch (rad) in bounds of shape (d, 2)."""
         return box.copy() if self.kind == "constant_orientation" else _with_pitch(box, _pitch)
 
 
@@ -322,12 +343,12 @@ def _ranges(value: ArrayLike, name: str, unit: str) -> Array:
 
 
 def _with_pitch(box: Array, change: Callable[[Array], Array]) -> Array:
-    """Ranges of coordinates or angles, (3, 2) or (6, 2), with that of the pitch changed."""
+    """Apply ``change`` to the pitch row of bounds of shape (3, 2) or (6, 2)."""
     found = box.copy()
     found[-2] = change(found[-2])
     return found
 
 
 def _pitch(sine: Array) -> Array:
-    """Pitch, rad, of its sine, which rounding may have left above 1."""
+    """Return the pitch (rad) for its sine, which may exceed 1 by rounding."""
     return np.asarray(np.arcsin(np.clip(sine, -1.0, 1.0)))

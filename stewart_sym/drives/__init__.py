@@ -1,1 +1,1 @@
-"""Between the force of a leg and its motor: friction, efficiency, torque, current and power."""
+"""Relations between leg forces and motors: friction, efficiency, torque, current, and power."""

@@ -1,4 +1,4 @@
-"""What a motion takes of the motors: torque, speed, current, power and energy, beside their limits."""
+"""Motor torque, speed, current, power, and energy along a motion, compared with the motor limits."""
 
 from __future__ import annotations
 
@@ -26,43 +26,46 @@ from .noise import MotorDeviations, all_deviations, at_replaced
 
 
 class DriveLimitWarning(UserWarning):
-    """A motion takes more of a motor than its limits allow, or may do so by the noise of its log."""
+    """Issued if a motion exceeds a motor limit, or may exceed it at the noise of its log."""
 
 
 @dataclass(frozen=True, eq=False)
 class DriveEffortResult(Frozen):
-    """What a motion takes of six motors; (...) is the motion's shape, SI units.
+    """Motor torque, speed, current, power, and energy of the six drives along a motion.
+
+    The leading shape ``(...)`` is the shape of the motion.
 
     Attributes
     ----------
-    force : ndarray
-        N times torque: the motor's effort as a force along the leg, N, (..., 6), positive when it extends.
-    friction : ndarray
-        Part of it that friction and efficiency take, N, (..., 6).
-    rotor : ndarray
-        Part of it that turns the rotors, N, (..., 6).
-    torque : ndarray
-        Of the motors, N m, (..., 6).
-    speed : ndarray
-        Of the motors, rad/s, (..., 6).
-    current : ndarray, optional
-        A, (..., 6); NaN of a motor without a torque_constant, None where none has one.
-    power : ndarray
-        Mechanical, at the motor's shaft, W, (..., 6); negative where the leg drives the motor.
-    electrical_power : ndarray
-        power and the heat of the winding, W, (..., 6).
-    rms_torque : ndarray
-        Root mean square over the motion, N m, (6,).
-    peak_torque, peak_speed, peak_current, peak_power : ndarray
-        Largest sizes, N m, rad/s, A and W, (6,); 0 of a current that is not known.
-    energy : ndarray, optional
-        Electrical, J, (6,), by the trapezoidal rule; None without times.
-    limit_messages : tuple
-        A line for each limit that is exceeded, or not decided at the noise of a log: by which legs, by how
-        much and when.
-    std : dict, optional
-        Standard deviations by noise of a log, arrays by the names of the fields above; those of rms_torque
-        and energy, whose errors at different times need not cancel, at most so large. None without noise.
+    force : ndarray, shape (..., 6)
+        Motor force along the leg (N): torque times ``Drive.transmission_ratio``, positive when it extends the
+        leg.
+    friction : ndarray, shape (..., 6)
+        Part of ``force`` that overcomes friction and transmission losses (N).
+    rotor : ndarray, shape (..., 6)
+        Part of ``force`` that accelerates the rotors (N).
+    torque : ndarray, shape (..., 6)
+        Motor torque (N m).
+    speed : ndarray, shape (..., 6)
+        Motor speed (rad/s).
+    current : ndarray, shape (..., 6), optional
+        Motor current (A). NaN for motors without a torque constant; None if no motor has one.
+    power : ndarray, shape (..., 6)
+        Mechanical power at the motor shaft (W), negative when the leg drives the motor.
+    electrical_power : ndarray, shape (..., 6)
+        Electrical power (W): mechanical power plus the heat of the winding.
+    rms_torque : ndarray, shape (6,)
+        Root mean square of the torque over the motion (N m).
+    peak_torque, peak_speed, peak_current, peak_power : ndarray, shape (6,)
+        Largest magnitudes (N m, rad/s, A, W); 0 for an unknown current.
+    energy : ndarray, shape (6,), optional
+        Electrical energy (J), integrated by the trapezoidal rule; None without times.
+    limit_messages : tuple of str
+        One line for each limit that is exceeded or inconclusive at the noise of the log: legs, amount, and
+        time.
+    std : dict of ndarray, optional
+        Standard deviations of these attributes by name, due to the noise of a log; None without noise. Values
+        for ``rms_torque`` and ``energy`` are upper bounds, because errors may cancel over time.
     """
 
     force: Array
@@ -90,37 +93,62 @@ def drive_effort(
     formulation: Formulation = "exact",
     backend: Backend = "c",
 ) -> DriveEffortResult:
-    """Torque, speed, current, power and energy of the motors along a motion.
+    """Compute motor torque, speed, current, power, and energy along a motion.
 
-    Warns of limits exceeded, and of a singular pose between two instants, where no torque suffices.
-
-    With N its turn per length the motor's torque is (F + friction) / N. F turns the rotor too; what is left
-    of it passes through the screw, where efficiency and friction act.
+    The motor torque is (F + friction) / N, where F is the actuator force and N is
+    ``Drive.transmission_ratio``. F includes the force that accelerates the rotor; friction and efficiency act
+    on the remainder.
 
     Parameters
     ----------
     robot : Robot
-        The machine, with a drive.
+        Robot with a drive.
     motion : Motion, Trajectory or PoseLog
-        With accelerations and any load, (...). A trajectory has its own times, and noise of its log makes
-        deviations.
-    time : array_like, optional
-        Of the instants, s, rising, (n,), for a motion of shape (n,): the energy, weights of the root mean
-        square, and times in warnings. None: every instant counts the same, and warnings number them.
+        Motion with accelerations and any external wrench, shape (...). A trajectory has its own times; if its
+        log is noisy, the result has standard deviations.
+    time : array_like, shape (n,), optional
+        Increasing times of a motion of shape (n,) (s), required for the energy and for times in warnings. If
+        None, all samples have equal weight and warnings give their index.
     formulation : {"exact", "paper"}, optional
-        As for ``inverse_dynamics``.
+        Corrected equations, or the equations as printed, as in ``inverse_dynamics``.
     backend : {"c", "numpy", "reference"}, optional
-        As for ``inverse_dynamics``.
+        Implementation of the dynamics, as in ``inverse_dynamics``.
 
     Returns
     -------
     DriveEffortResult
-        Its arrays are described there.
+        Motor quantities at each sample, their peaks, and messages about limits.
 
     Raises
     ------
     ValueError
-        For a robot without a drive, for times that do not rise, and as ``inverse_dynamics``.
+        If the robot has no drive, if the times do not increase, or as in ``inverse_dynamics``.
+
+    Warns
+    -----
+    DriveLimitWarning
+        For each limit that is exceeded or inconclusive at the noise of the log.
+    SingularPoseWarning
+        If the motion crosses a singular pose between two samples, at which no torque is sufficient.
+
+    See Also
+    --------
+    motor_forces : Convert measured motor currents to motor forces.
+    actuator_requirements : Compute the requirements of several motions for each leg.
+    inverse_dynamics : Compute actuator forces.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> import stewart_sym as ss
+    >>> robot = dataclasses.replace(ss.robots.load("dasgupta1998"), drive=ss.Drive(lead=0.01))
+    >>> path, step = ss.PAPER_PATHS["I"]
+    >>> time = path.time_grid(step)
+    >>> effort = ss.drive_effort(robot, path.sample(time), time=time)
+    >>> effort.torque.shape
+    (61, 6)
+    >>> effort.peak_torque.round(3).tolist()
+    [0.907, 1.825, 2.282, 0.982, 0.24, 0.61]
     """
     instance(robot, Robot, "robot")
     if robot.drive is None:
@@ -162,7 +190,7 @@ def _warn_of_crossing(robot: Robot, motion: Motion, when: Array) -> None:
     if at is not None:
         between = " and ".join(time_text(time, least_step(when)) for time in when[at : at + 2])
         text = f"motion: crosses a singular pose between {between} s, where det H changes its sign"
-        warn(f"{text}: torques grow without bound", SingularPoseWarning)
+        warn(f"{text}: torques are unbounded", SingularPoseWarning)
 
 
 def _deviations(sd: MotorDeviations, summary: Summary) -> dict[str, Array]:
@@ -174,34 +202,49 @@ def _deviations(sd: MotorDeviations, summary: Summary) -> dict[str, Array]:
 
 
 def motor_forces(robot: Robot, current: ArrayLike) -> Array:
-    """Forces of the motors along the legs from their measured currents: N times torque.
+    """Convert measured motor currents to motor forces along the legs.
 
     Parameters
     ----------
     robot : Robot
-        The machine, with a drive whose torque_constant is given.
-    current : array_like
-        A, (..., 6), signed as the torque is.
+        Robot with a drive; every motor has a torque constant.
+    current : array_like, shape (..., 6)
+        Motor currents (A), with the sign of the torque.
 
     Returns
     -------
-    ndarray
-        Forces, N, (..., 6), positive when they extend the leg.
+    ndarray, shape (..., 6)
+        Motor forces (N), positive when they extend the leg: current times torque constant times
+        ``Drive.transmission_ratio``.
 
     Raises
     ------
     ValueError
-        For a robot without such a drive, and for currents of another shape.
+        If the robot has no such drive or ``current`` has another shape.
+
+    See Also
+    --------
+    drive_effort : Compute the motor currents of a motion.
+    identify : Identify parameters from measured forces.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> import stewart_sym as ss
+    >>> drive = ss.Drive(lead=0.01, torque_constant=0.2)
+    >>> robot = dataclasses.replace(ss.robots.load("dasgupta1998"), drive=drive)
+    >>> ss.motor_forces(robot, [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]).round(2).tolist()
+    [125.66, 125.66, 125.66, 125.66, 125.66, 125.66]
     """
     instance(robot, Robot, "robot")
     if robot.drive is None or not np.all(robot.drive.torque_constant > 0.0):
-        raise ValueError("robot: expected a drive with a torque_constant of every leg")
+        raise ValueError("robot: expected a drive with a torque_constant for every leg")
     given = finite_array(current, (LEGS,), "current")
     return np.asarray(robot.drive.transmission_ratio * robot.drive.torque_constant * given)
 
 
 def trapezoids(time: Array) -> Array:
-    """How long each instant, s, (n,), stands for under the trapezoidal rule, s, (n,)."""
+    """Return the weight of each sample in the trapezoidal rule (s), for times of shape (n,)."""
     half = 0.5 * np.diff(time)
     return np.asarray(np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half]))
 
@@ -210,32 +253,32 @@ def _times(time: ArrayLike, motion: Motion) -> Array:
     when = real_array(time, "time", "times of shape (n,)")
     if motion.shape != when.shape or when.ndim != 1 or len(when) < 2:
         raise ValueError(
-            f"time: expected one for each of two instants or more, {motion.shape}, got shape {when.shape}"
+            f"time: expected one value for each of at least two samples, {motion.shape}, got {when.shape}"
         )
     if not np.isfinite(when).all():
         i = int(np.flatnonzero(~np.isfinite(when))[0])
         raise ValueError(f"time: expected finite times, got {when[i]} at index {i}")
     if np.any(late := np.diff(when) <= 0.0):
         i = int(np.flatnonzero(late)[0]) + 1
-        raise ValueError(f"time: expected times that rise, got {when[i]} at index {i} after {when[i - 1]}")
+        raise ValueError(f"time: expected increasing times, got {when[i]} at index {i} after {when[i - 1]}")
     return when
 
 
 # Peaks and limits
 
 PEAKS = {"torque": "N m", "speed": "rad/s", "current": "A", "power": "W"}
-"""Quantities of which each motor has a limit, and their units."""
+"""Quantities with a motor limit, and their units."""
 
 
 class Summary:
-    """Peaks, root mean squares and energy of a run of instants, part after part."""
+    """Peaks, root mean squares, and energy of a sequence of samples that is processed in parts."""
 
     def __init__(self, drive: Drive, step: float) -> None:
-        """Begin a run; step: least time between instants, s, 0 where they have no times."""
+        """Start a sequence. ``step`` is the smallest time step (s), or 0 without times."""
         self.drive, self.step = drive, step
         self.extremes = {name: Extremes() for name in PEAKS}
         self.energy, self.squares, self.span, self.count = np.zeros(LEGS), np.zeros(LEGS), 0.0, 0
-        # Of errors at single instants that all add up: how they go together is not known.
+        # Upper bounds: errors of all samples are added, because their correlation is unknown.
         self.energy_sd, self._square_sd, self.noisy = np.zeros(LEGS), np.zeros(LEGS), False
 
     def add(
@@ -246,9 +289,9 @@ class Summary:
         sd: MotorDeviations | None = None,
         there: Flags | None = None,
     ) -> None:
-        """Take in instants (..., 6) that stand for weights, s, (...), at times, s, (n,), if they have any.
+        """Add samples of shape (..., 6) with weights (s), shape (...), and optional times (s), shape (n,).
 
-        sd: deviations by noise. there: instants, (n,), at which they are those of replaced rows.
+        ``sd`` contains standard deviations. ``there`` marks samples at replaced rows of a log.
         """
         if not part.torque.size:
             return
@@ -268,7 +311,7 @@ class Summary:
 
         def when(instants: list[int]) -> list[str]:
             if time is None:
-                return [f"instant {self.count + i}" for i in instants]
+                return [f"sample {self.count + i}" for i in instants]
             return [f"{time_text(time[i], self.step)} s" for i in instants]
 
         for name, extremes in self.extremes.items():
@@ -279,39 +322,39 @@ class Summary:
 
     @property
     def peaks(self) -> dict[str, Array]:
-        """Largest sizes by the names of ``PEAKS``, (6,)."""
+        """Largest magnitudes by quantity, shape (6,) each."""
         return {name: extremes.peaks for name, extremes in self.extremes.items()}
 
     @property
     def peak_sd(self) -> dict[str, Array]:
-        """Their deviations by noise, (6,), of those that have them."""
+        """Standard deviations of the peaks by quantity, shape (6,) each."""
         found = {name: extremes.peak_sd for name, extremes in self.extremes.items()}
         return {name: sd for name, sd in found.items() if sd is not None}
 
     @property
     def rms_torque(self) -> Array:
-        """Root mean squares, N m, (6,)."""
+        """Root mean square torque (N m), shape (6,)."""
         return np.asarray(np.sqrt(self.squares / self.span)) if self.span > 0.0 else np.zeros(LEGS)
 
     @property
     def rms_torque_sd(self) -> Array | None:
-        """Their deviations by noise, at most, N m, (6,); None without."""
+        """Upper bound of the standard deviation of ``rms_torque`` (N m), or None without noise."""
         if not self.noisy:
             return None
         return np.asarray(np.sqrt(self._square_sd / self.span)) if self.span > 0.0 else np.zeros(LEGS)
 
     def exceeded(self, share: float = USED_UP) -> list[str]:
-        """One line for each limit and verdict: which legs, the worst, how much and when.
+        """Return one line for each exceeded or inconclusive limit: legs, worst value, and time.
 
-        share: of a limit, by which it must be exceeded.
+        ``share`` is the fraction of the limit by which it must be exceeded.
         """
         return [line for _, line in self.told(share)]
 
     def told(self, share: float = USED_UP) -> Iterator[tuple[str, str]]:
-        """Verdicts and the lines of ``exceeded``."""
+        """Yield the status and the line of each exceeded or inconclusive limit, as in ``exceeded``."""
         rms = Extremes()
         rms.add(self.rms_torque[None], lambda _: [""], _row(self.rms_torque_sd))
-        # Legs have a speed_limit too.
+        # The prefix distinguishes drive.speed_limit from the speed limit of the legs.
         limits = [(f"drive.{name}_limit", name, unit, self.extremes[name]) for name, unit in PEAKS.items()]
         limits += [("drive.rated_torque", "root mean square of torque", "N m", rms)]
         for name, what, unit, extremes in limits:
@@ -320,7 +363,7 @@ class Summary:
                 yield beyond.verdict, _line(name, what, unit, beyond, limit)
 
     def verdicts(self, name: str) -> list[str]:
-        """Of each leg's limit of one of ``PEAKS``, or of "rated_torque"."""
+        """Return the status of each leg for one of ``PEAKS`` or for "rated_torque"."""
         if name == "rated_torque":
             limits = self.drive.rated_torque * (1.0 + USED_UP)
             return limit_status(self.rms_torque[None], limits, _row(self.rms_torque_sd))
@@ -330,7 +373,10 @@ class Summary:
 def motor_codes(
     drive: Drive, part: MotorStates, sd: MotorDeviations | None = None, there: Flags | None = None
 ) -> dict[str, NDArray[np.uint8]]:
-    """``status_codes`` at instants by the names of ``PEAKS``, (n, 6); arguments as of ``Summary.add``."""
+    """Return the limit codes of each sample by quantity, shape (n, 6) each.
+
+    Arguments are the same as for ``Summary.add``; ``status_codes`` defines the codes.
+    """
     found = {}
     for name in PEAKS:
         values = getattr(part, name)
@@ -341,7 +387,7 @@ def motor_codes(
 
 
 def _sides(drive: Drive, sd: MotorDeviations | None, name: str) -> Array | Sides | None:
-    """Deviations of sizes, upward and downward where these differ."""
+    """Return the standard deviations of magnitudes, as an (up, down) pair if the two differ."""
     if sd is None or name not in ("torque", "current"):
         return None if sd is None else np.asarray(getattr(sd, name))
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -1,13 +1,13 @@
-"""Friction of a drive: what the force at the motor exceeds that of the leg by, from the rate of length.
+"""Friction of a drive: difference between the motor force and the leg force, as a function of the leg rate.
 
-Along the leg, with N the motor's turn per length, F the axial force between the leg's parts and sgn the sign
-of L_dot:
+All forces act along the leg. N is the transmission ratio, F the axial force between the leg parts, and sgn
+the sign of L_dot:
 
     friction = sgn (f_c + f_s exp(-(L_dot / v_s)^2) + |N| tau_c + mu |F|) + (c + N^2 b) L_dot
 
-f_c, c: of the screw; tau_c, b: of the motor; f_s, v_s: Stribeck's. The efficiency acts as friction in
-proportion to the force: mu is 1 / eta - 1 where the motor drives the leg, F L_dot > 0, and 1 - eta' where the
-leg drives the motor, so that N tau is F / eta or F eta' without the rest.
+f_c and c belong to the screw, tau_c and b to the motor, and f_s and v_s are the Stribeck parameters. The
+efficiency acts as friction proportional to the force: mu is 1 / eta - 1 if the motor drives the leg, F L_dot
+> 0, and 1 - eta' if the leg drives the motor. Without the other terms, N tau is F / eta or F eta'.
 """
 
 import numpy as np
@@ -17,29 +17,29 @@ from ..robot.drive import Drive
 
 
 def smooth_sign(rate: Array, within: Array) -> Array:
-    """Sign of a rate; from -within to within an odd cubic that meets it with slope 0."""
+    """Return the sign of a rate, replaced by an odd cubic with zero end slopes from -within to within."""
     with np.errstate(divide="ignore", invalid="ignore"):
         x = np.clip(np.where(within > 0.0, rate / within, np.sign(rate)), -1.0, 1.0)
     return np.asarray(0.5 * x * (3.0 - x * x))
 
 
 def dry_sign(drive: Drive, L_dot: Array, side: Array) -> Array:
-    """Return the sign of dry friction from the signs of the rates next to an instant, ``side``, (..., 6).
+    """Return the sign of dry friction from the signs of the rates next to a sample, ``side``, shape (..., 6).
 
-    A leg that turns back has another sign before the instant than after it. Smoothed signs have no sides.
+    When a leg turns back, its sign changes at the sample. Regularized signs ignore ``side``.
     """
     within = np.asarray(drive.regularization_speed)
     return np.where(within > 0.0, smooth_sign(L_dot, within), side)
 
 
 def load_share(drive: Drive, F: Array, sign: Array) -> Array:
-    """Friction per size of the leg's force, mu: (...,  6), for forces F and signs of the rate, (..., 6)."""
+    """Return mu, the friction per magnitude of the leg force, for forces F and rate signs, shape (..., 6)."""
     driving = F * sign > 0.0
     return np.where(driving, 1.0 / drive.efficiency - 1.0, 1.0 - drive.backdrive_efficiency)
 
 
 def constant_part(drive: Drive, L_dot: Array) -> Array:
-    """Size of the friction that depends neither on force nor, but for Stribeck's part, on the rate, N."""
+    """Return the magnitude of the friction without viscous and load-dependent terms (N)."""
     with np.errstate(divide="ignore", invalid="ignore"):
         decay = np.where(drive.stribeck_force > 0.0, np.exp(-((L_dot / drive.stribeck_speed) ** 2)), 0.0)
     return np.asarray(
@@ -50,16 +50,16 @@ def constant_part(drive: Drive, L_dot: Array) -> Array:
 
 
 def viscous(drive: Drive) -> Array:
-    """Friction per rate of length, N s/m, (6,)."""
+    """Return the viscous friction coefficient of the leg rate (N s/m), shape (6,)."""
     return np.asarray(drive.screw_viscous + drive.transmission_ratio**2 * drive.motor_viscous)
 
 
 def friction_force(drive: Drive, F: Array, L_dot: Array, sign: Array | None = None) -> Array:
-    """Friction of the drives along the legs, N, (..., 6), positive when it opposes an extending leg.
+    """Return the friction of the drives along the legs (N), (..., 6), positive against an extending leg.
 
-    F: axial force between the parts of each leg, N, (..., 6). L_dot: rate of its length, m/s, (..., 6); at a
-    rate of 0 friction is 0, which is the middle of what it may be. sign: of dry friction, (..., 6); None:
-    that of the rate.
+    F: axial force between the parts of each leg (N), shape (..., 6). L_dot: leg rate (m/s), shape (..., 6).
+    At rate 0 the friction is 0, the middle of its possible values. sign: sign of dry friction, shape (...,
+    6); None for the sign of the rate.
     """
     if sign is None:
         sign = smooth_sign(L_dot, np.asarray(drive.regularization_speed))
@@ -68,7 +68,7 @@ def friction_force(drive: Drive, F: Array, L_dot: Array, sign: Array | None = No
 
 
 def losses(drive: Drive) -> list[str]:
-    """Names of the fields by which something is lost between force and motor."""
+    """Return the names of the drive fields that cause losses."""
     lossless = dict.fromkeys(("efficiency", "backdrive_efficiency"), 1.0)
     lossless |= dict.fromkeys(
         ("screw_coulomb", "screw_viscous", "motor_coulomb", "motor_viscous", "stribeck_force"), 0.0
@@ -77,7 +77,7 @@ def losses(drive: Drive) -> list[str]:
 
 
 def drive_numbers(drive: Drive) -> dict[str, Array]:
-    """Members of the C struct ``stewart_drives``: what torques are computed with, (6,) each."""
+    """Return the members of the C struct ``stewart_drives`` for the torques, shape (6,) each."""
     lumped = {
         "turns": drive.transmission_ratio,
         "driving": 1.0 / drive.efficiency - 1.0,

@@ -1,4 +1,4 @@
-"""Limits of the legs beside what a motion takes: force, speed, length and joint angles, part after part."""
+"""Leg limits of force, speed, length, and joint angles, compared with a motion in parts."""
 
 from collections.abc import Iterator, Mapping
 from functools import partial
@@ -18,16 +18,16 @@ from .effort import trapezoids
 from .limit_status import AT_REPLACED, USED_UP, Beyond, Extremes, amount_text, status_codes
 from .noise import Deviations, reached_legs
 
-# One line names at most so many replaced rows.
+# Largest number of replaced rows in one line.
 _MOST_NAMED = 4
 _DEGREES = 180.0 / np.pi
 
 
 class LegLimit(NamedTuple):
-    """A limit of the legs: its name, unit, and which of F, L, L_dot, base and platform it limits.
+    """Limit of the legs: name, unit, and the quantity (F, L, L_dot, base, or platform) that it limits.
 
-    end: column of its bounds; None for one bound of the magnitude. sign: -1 for a lowest value. scale: from
-    SI to the unit.
+    end: column of the bounds; None for one bound of the magnitude. sign: -1 for a lower bound. scale: factor
+    from SI to the unit.
     """
 
     name: str
@@ -38,17 +38,17 @@ class LegLimit(NamedTuple):
     scale: float = 1.0
 
     def bound(self, robot: Robot) -> Array:
-        """What the sizes of each leg should not exceed, (6,)."""
+        """Return the bound of the magnitudes of each leg, shape (6,)."""
         limits: Array = getattr(robot, self.name.partition(" ")[0])
         return limits if self.end is None else self.sign * limits[:, self.end]
 
     def most(self, robot: Robot) -> Array:
-        """The bound with room for rounding, (6,)."""
+        """Return the bound with a tolerance for rounding, shape (6,)."""
         bound = self.bound(robot)
         return np.asarray(bound + USED_UP * np.abs(bound))
 
     def sizes(self, values: Array) -> Array:
-        """Values as they count, (n, 6)."""
+        """Return the values that are compared with the bound, shape (n, 6)."""
         return np.abs(values) if self.end is None else self.sign * values
 
 
@@ -63,9 +63,9 @@ FORCE, SPEED, LONGEST, SHORTEST, BASE, PLATFORM = LEG_LIMITS = (
 
 
 def limited_angles(robot: Robot, motion: Motion) -> dict[str, Array]:
-    """Angles of the joints by base and platform, rad, (n, 6); nothing of a robot that limits none.
+    """Return the joint angles at base and platform (rad), (n, 6), or {} if the robot does not limit them.
 
-    NaN where a leg has no direction.
+    Angles are NaN if a leg has no direction.
     """
     if not robot.has_joint_angle_limits:
         return {}
@@ -76,7 +76,7 @@ def limited_angles(robot: Robot, motion: Motion) -> dict[str, Array]:
 def leg_codes(
     robot: Robot, name: str, values: Array, sd: Array | None = None, there: Flags | None = None
 ) -> NDArray[np.uint8]:
-    """Return ``status_codes`` of the values, (n, 6); sd, there: as for ``status_codes``."""
+    """Return ``status_codes`` of the values, shape (n, 6); ``sd`` and ``there`` as in ``status_codes``."""
     found = [
         status_codes(limit.sizes(values), limit.most(robot), sd, there)
         for limit in LEG_LIMITS
@@ -86,10 +86,10 @@ def leg_codes(
 
 
 class LegLimits:
-    """Which limits of the legs a run of instants keeps, and how long it exceeds the others."""
+    """Status of the leg limits along a motion, and the time during which they are exceeded."""
 
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
-        """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
+        """Start with all times (s), shape (n,); ``replaced`` are the replaced rows of the log."""
         self.robot, self.time, self.replaced = robot, time, replaced
         self.step, self._weights = least_step(time), trapezoids(elapsed(time))
         self._span, self._count = np.zeros((2, len(LEG_LIMITS), LEGS))
@@ -102,9 +102,9 @@ class LegLimits:
         sd: Deviations | None = None,
         there: Flags | None = None,
     ) -> None:
-        """Take in F, L, L_dot and ``limited_angles``, (n, 6), at some of the instants.
+        """Add F, L, L_dot, and ``limited_angles``, shape (n, 6) each, of some samples.
 
-        sd, there: as of ``status_codes``.
+        ``sd`` and ``there`` are as in ``status_codes``.
         """
         time = self.time[where]
         for k, limit in enumerate(LEG_LIMITS):
@@ -119,17 +119,17 @@ class LegLimits:
             self._extremes[k].add(sizes, partial(_rows, time, given), off, there)
 
     def exceeded(self) -> list[str]:
-        """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
+        """Return one line for each exceeded or inconclusive limit: legs, worst leg, time, and duration."""
         return [line for _, line in self.told()]
 
     def told(self) -> Iterator[tuple[str, str]]:
-        """Verdicts and the lines of ``exceeded``."""
+        """Yield the status and the line of each limit, as in ``exceeded``."""
         for k, limit in enumerate(LEG_LIMITS):
             for found in self._extremes[k].beyond(limit.most(self.robot)):
                 yield found.verdict, self._line(k, limit, found)
 
     def _line(self, k: int, limit: LegLimit, found: Beyond) -> str:
-        """One line about a limit and the legs in question."""
+        """Return the text about a limit and its legs."""
         worst, (time, values) = found.worst, found.when
         bound = limit.scale * limit.sign * limit.bound(self.robot)[worst]
         sd = None if found.sd is None else limit.scale * found.sd
@@ -137,23 +137,23 @@ class LegLimits:
         value += f" at {time_text(time, self.step)} s, limit {bound:g} {limit.unit}"
         text = f"{limit.name} {status_text(found.verdict)} by {found.legs_text}: {found.worst_text}{value}"
         if self._count[k, worst]:
-            share = f"at {int(self._count[k, worst])} of {len(self.time)} instants"
+            share = f"at {int(self._count[k, worst])} of {len(self.time)} samples"
             text += f"; beyond it for {self._span[k, worst]:.3g} s, {share}"
         elif found.verdict == AT_REPLACED:
-            text += f"; kept away from {replaced_names(self.replaced)}"
+            text += f"; because of replaced rows ({replaced_names(self.replaced)})"
         return text
 
     def verdicts(self, limit: LegLimit) -> list[str]:
-        """The verdict of each leg."""
+        """Return the status of each leg."""
         return self._of(limit).verdicts(limit.most(self.robot))
 
     def peaks(self, limit: LegLimit) -> tuple[Array, Array | None]:
-        """Largest sizes, (6,), lengths as they are, and their deviations, None without noise."""
+        """Return the largest magnitudes, or extreme lengths, and their standard deviations or None, (6,)."""
         found = self._of(limit)
         return found.peaks if limit.values != "L" else limit.sign * found.largest, found.peak_sd
 
     def forces(self) -> tuple[Array, Array, Flags, Array | None]:
-        """Instants at which forces may be largest, s, (k,), these forces, N, (k, 6), there and sd."""
+        """Return times of possible peak forces (s), (k,), the forces (N), (k, 6), ``there``, and ``sd``."""
         when, there, sd = self._of(FORCE).instants
         time, F = zip(*when, strict=True)
         return np.array(time), np.array(F), there, sd
@@ -163,12 +163,12 @@ class LegLimits:
 
 
 def replaced_rows(trajectory: Trajectory | PoseLog) -> tuple[Replaced, ...]:
-    """Rows of its log that a trajectory does not have as they were."""
+    """Return the rows of its log that a trajectory replaces."""
     return () if trajectory.noise is None else trajectory.noise.replaced
 
 
 def replaced_names(replaced: tuple[Replaced, ...]) -> str:
-    """How a line names replaced rows, some of many."""
+    """Return the names of replaced rows as text, shortened if there are many."""
     names = list(dict.fromkeys(name for span in replaced for name in span.rows))
     return ", ".join(names[:_MOST_NAMED]) + (
         f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
@@ -176,5 +176,5 @@ def replaced_names(replaced: tuple[Replaced, ...]) -> str:
 
 
 def _rows(time: Array, values: Array, instants: list[int]) -> list[tuple[float, Array]]:
-    # Copies: a view would keep all of the part.
+    # Copy the rows, because a view would keep the whole part in memory.
     return [(float(time[i]), values[i].copy()) for i in instants]

@@ -1,4 +1,4 @@
-"""Whether limits are kept: one rule for every quantity, with the deviations that noise in a log leaves."""
+"""Status of limits: one rule for every quantity, with the standard deviations caused by noise in a log."""
 
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
@@ -10,32 +10,33 @@ from ..io.array_types import Array, Flags
 from ..robot.robot import LEGS, legs_text
 
 SURE = 3.0
-"""Deviations within which a value is taken to lie: 99.7 % of normal errors."""
+"""Number of standard deviations that contain a value with certainty: 99.7 % of normal errors."""
 
 USED_UP = 1e-6
-"""Share of a limit by which a motion planned at it, or stopped by it, exceeds it by its own rounding."""
+"""Relative tolerance of a limit for the rounding of motions that are planned at it or stopped by it."""
 
 WITHIN, EXCEEDED, NOT_DECIDED = "within_limit", "exceeded", "inconclusive_noise"
 AT_REPLACED = "inconclusive_replaced_rows"
 VERDICTS = (WITHIN, AT_REPLACED, NOT_DECIDED, EXCEEDED)
-"""By their codes: that of several instants is the largest of theirs."""
+"""Status names in the order of their codes; the largest code of several samples is their common status."""
 
-# Deviation, as a share of a leg's peak force, from which on forces count as unknown.
+# Standard deviation, relative to the peak force of a leg, above which forces are unknown.
 _UNKNOWN = 1.0 / 3.0
 _TINY = float(np.finfo(np.float64).tiny)
 
 
 Sides = tuple[Array, Array]
-"""Deviations upward and downward."""
+"""Standard deviations of magnitudes, upward and downward."""
 
 
 def status_codes(
     sizes: Array, limits: Array, sd: Array | Sides | None = None, there: Flags | None = None
 ) -> NDArray[np.uint8]:
-    """Places in ``VERDICTS``, (n, m), of sizes at instants, (n, m), for limits, (m,).
+    """Return the codes, indices of ``VERDICTS``, of magnitudes (n, m) for limits (m,), shape (n, m).
 
-    sd: deviations of the sizes, (n, m). there: instants, (n,), at which these hold what replaced rows change;
-    ``AT_REPLACED`` where they alone leave a limit open.
+    ``sd`` contains the standard deviations of the magnitudes, shape (n, m). ``there`` marks samples, shape
+    (n,), whose standard deviations include replaced rows; the status is ``AT_REPLACED`` if only these make a
+    limit inconclusive.
     """
     up, down = _sides(sd)
     sure, maybe = sizes - SURE * down > limits, sizes + SURE * up > limits
@@ -48,7 +49,7 @@ def status_codes(
 def limit_status(
     sizes: Array, limits: Array, sd: Array | Sides | None = None, there: Flags | None = None
 ) -> list[str]:
-    """The verdict of each column, (n, m), for limits, (m,); arguments as of ``status_codes``."""
+    """Return the status of each column of magnitudes (n, m) for limits (m,), as in ``status_codes``."""
     return [VERDICTS[code] for code in status_codes(sizes, limits, sd, there).max(axis=0, initial=0)]
 
 
@@ -59,21 +60,21 @@ def _sides(sd: Array | Sides | None) -> Sides:
 
 
 def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> int:
-    """Which of the sizes of one leg, (n,), makes the verdict."""
+    """Return the index of the magnitude of a leg, shape (n,), that determines the status."""
     return int(np.argmax(_scores(sizes, sd, verdict)))
 
 
 def _scores(sizes: Array, sd: Array | Sides | None, verdict: str) -> Array:
-    """Sizes as they count for a verdict, -inf where there are none."""
+    """Return the magnitudes that are compared for a status, -inf for NaN."""
     up, down = _sides(sd)
     scores = sizes - SURE * down if verdict == EXCEEDED else sizes + SURE * up
     return np.asarray(np.where(np.isnan(scores), -np.inf, scores))
 
 
 class Beyond(NamedTuple):
-    """A verdict about a limit: legs that it holds for, counted from 0, and the worst of them.
+    """Status of a limit with its legs, counted from 0, and the worst leg.
 
-    size, sd, when: the worst one's where it makes the verdict; sd is None without noise.
+    size, sd, when: value, standard deviation (None without noise), and time of the worst leg.
     """
 
     verdict: str
@@ -85,17 +86,17 @@ class Beyond(NamedTuple):
 
     @property
     def legs_text(self) -> str:
-        """Legs as they are named: ``leg 1``, ``legs 1, 2``."""
+        """Names of the legs: ``leg 1``, ``legs 1, 2``."""
         return legs_text(self.legs)
 
     @property
     def worst_text(self) -> str:
-        """What names the worst of several legs, as a prefix."""
+        """Prefix that names the worst of several legs."""
         return "" if len(self.legs) == 1 else f"worst leg {self.worst + 1}: "
 
 
 class Extremes:
-    """Instants of a run at which sizes of six legs are largest, surely, possibly or as they are."""
+    """Samples with the largest magnitudes of six legs: certain, possible, and nominal."""
 
     def __init__(self) -> None:
         self._sizes: list[Array] = []
@@ -111,9 +112,9 @@ class Extremes:
         sd: Array | Sides | None = None,
         there: Flags | None = None,
     ) -> None:
-        """Take in instants, (n, 6), n > 0, NaN where there are none; when: what names some of them.
+        """Add n > 0 samples of magnitudes, shape (n, 6), NaN if missing.
 
-        sd, there: as for ``limit_status``.
+        ``when`` returns the names of samples. ``sd`` and ``there`` are as in ``limit_status``.
         """
         sizes = np.where(np.isnan(sizes), -np.inf, sizes)
         scores, flags = [sizes], np.zeros(len(sizes), dtype=bool) if there is None else there
@@ -135,22 +136,22 @@ class Extremes:
 
     @property
     def instants(self) -> tuple[list[Any], Flags, Array | None]:
-        """What names them, which are those of replaced rows, (k,), and deviations upward, (k, 6), if any."""
+        """Names of the samples, flags of replaced rows (k,), upward standard deviations (k, 6) or None."""
         return self._when, np.concatenate(self._there), np.concatenate(self._up) if self._up else None
 
     @property
     def largest(self) -> Array:
-        """Largest sizes, (6,), -inf where there are none."""
+        """Largest magnitudes, shape (6,); -inf without samples."""
         return np.asarray(np.concatenate([np.full((1, LEGS), -np.inf), *self._sizes]).max(axis=0))
 
     @property
     def peaks(self) -> Array:
-        """Largest sizes, (6,), at least 0."""
+        """Largest magnitudes, shape (6,), at least 0."""
         return np.maximum(self.largest, 0.0)
 
     @property
     def peak_sd(self) -> Array | None:
-        """Deviations of the largest sizes where these are, (6,); None without noise."""
+        """Standard deviations of the largest magnitudes, shape (6,); None without noise."""
         sd = self._deviations()
         if sd is None:
             return None
@@ -158,7 +159,7 @@ class Extremes:
         return np.asarray(np.maximum(*sd)[at, np.arange(LEGS)])
 
     def verdicts(self, limits: Array) -> list[str]:
-        """As ``limit_status``, for limits (6,)."""
+        """Return the status of each leg for limits (6,), as ``limit_status``."""
         if not self._sizes:
             return [WITHIN] * LEGS
         return limit_status(
@@ -166,7 +167,7 @@ class Extremes:
         )
 
     def beyond(self, limits: Array) -> Iterator[Beyond]:
-        """Every verdict but ``WITHIN`` that holds for a leg."""
+        """Yield every status other than ``WITHIN`` with its legs."""
         found = self.verdicts(limits)
         for verdict in (EXCEEDED, NOT_DECIDED, AT_REPLACED):
             legs = [leg for leg in range(LEGS) if found[leg] == verdict]
@@ -186,25 +187,25 @@ class Extremes:
 
 
 def amount_text(value: float, sd: float | None, digits: int = 6) -> str:
-    """A value with its deviation, ``1.234 +- 0.012``, or alone where its digits don't show that."""
+    """Return a value with its standard deviation, ``1.234 +- 0.012``, if it affects the digits."""
     text = f"{value:.{digits}g}"
     return text if sd is None or not shows(value, sd, digits) else f"{text} +- {spread_text(sd)}"
 
 
 def spread_text(sd: float) -> str:
-    """A deviation: two digits of it."""
+    """Return a standard deviation with two digits as text."""
     return f"{float(f'{sd:.2g}'):g}"
 
 
 def shows(values: Array | float, sd: Array | float, digits: int) -> Flags:
-    """Whether deviations reach half of the last of so many digits of their values."""
+    """Return True if standard deviations reach half a unit of the last digit of their values."""
     with np.errstate(divide="ignore"):
         last = 10.0 ** (np.floor(np.log10(np.abs(values))) - digits + 1)
     return np.asarray(np.greater(sd, 0.0) & np.greater_equal(sd, 0.5 * last))
 
 
 def unknown_forces(F: Array, sd: Array) -> str | None:
-    """One line about legs whose peak force, of (n, 6), N, is not known by its deviation; None without."""
+    """Return a warning text about legs whose peak force (N) is unknown at this noise level, else None."""
     peaks = np.argmax(np.nan_to_num(np.abs(F), nan=-1.0), axis=0), np.arange(F.shape[1])
     force, off = np.abs(F)[peaks], sd[peaks]
     legs = np.flatnonzero(off > _UNKNOWN * force).tolist()
@@ -212,7 +213,7 @@ def unknown_forces(F: Array, sd: Array) -> str | None:
         return None
     worst = max(legs, key=lambda leg: float(off[leg]))
     return (
-        f"the log's noise leaves the forces of {legs_text(legs)} unknown: "
-        f"{amount_text(force[worst], off[worst], 4)} N at the peak of leg {worst + 1}; what helps: "
-        "a lower --cutoff, a slower motion, more rows before and after it, or poses that are measured better"
+        f"at the noise of the log, the forces of {legs_text(legs)} are unknown: "
+        f"{amount_text(force[worst], off[worst], 4)} N at the peak of leg {worst + 1}; "
+        "use a lower --cutoff, a slower motion, more rows before and after it, or more accurate poses"
     )

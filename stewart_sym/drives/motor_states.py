@@ -1,4 +1,4 @@
-"""What each instant of a motion takes of the motors: torque, speed, current and power."""
+"""Motor torque, speed, current, and power at each sample of a motion."""
 
 from typing import NamedTuple
 
@@ -14,7 +14,7 @@ from .friction import dry_sign, friction_force
 
 
 class MotorStates(NamedTuple):
-    """Fields of ``DriveEffortResult`` that are given at every instant, (..., 6)."""
+    """Fields of ``DriveEffortResult`` that have a value at every sample, shape (..., 6)."""
 
     force: Array
     friction: Array
@@ -29,10 +29,10 @@ class MotorStates(NamedTuple):
 def motor_states(
     robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array, side: Array | None = None
 ) -> MotorStates:
-    """Compute the motors' effort from forces of ``inverse_dynamics``, N, and rates of length, m/s, (..., 6).
+    """Compute the motor quantities from forces of ``inverse_dynamics`` (N) and leg rates (m/s), (..., 6).
 
-    side: signs of the rates just before or after each instant, (..., 6); None: signs at the instant. NaN
-    forces give a NaN effort.
+    ``side`` contains the signs of the rates just before or after each sample, shape (..., 6); None for the
+    signs at the sample. NaN forces give NaN results.
     """
     rotor, L_dot = rotor_force(robot, motion), motor_rates(robot, drive, motion, L_dot)
     sign = None if side is None else dry_sign(drive, L_dot, side)
@@ -41,16 +41,16 @@ def motor_states(
 
 
 def rotor_force(robot: Robot, motion: Motion) -> Array:
-    """Part of the motors' forces that turns the rotors, N, (..., 6)."""
+    """Return the part of the motor forces that accelerates the rotors (N), shape (..., 6)."""
     with np.errstate(all="ignore"):
         of = newton_euler if robot.offsets is None else offset_joints
         return np.asarray(of.rotor_force(robot, motion))
 
 
 def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_dot: Array) -> MotorStates:
-    """What each instant of a run takes whose forces are those of the motors, N times torque, N, (..., 6).
+    """Compute the motor quantities from motor forces, N times torque (N), shape (..., 6), of a simulation.
 
-    Such are the forces of a simulation. Friction and rotors' parts are not told apart: NaN.
+    The friction and rotor parts are NaN, because they cannot be separated.
     """
     unknown = np.full(np.shape(force), np.nan)
     return _instants(drive, force, unknown, unknown, motor_rates(robot, drive, motion, L_dot))
@@ -69,9 +69,9 @@ def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: 
 
 
 def motor_rates(robot: Robot, drive: Drive, motion: Motion, L_dot: Array) -> Array:
-    """Rates of the motors over their ``turns``, m/s, (..., 6): L_dot but for U-C-U legs.
+    """Return the motor speeds divided by their transmission ratios (m/s), shape (..., 6).
 
-    Of these the motor sees the turning of the upper part as well.
+    They equal L_dot, except for U-C-U legs, whose upper parts also turn in the nuts.
     """
     if robot.offsets is None:
         return L_dot

@@ -1,7 +1,7 @@
-"""What noise in a log leaves open about forces, legs and motors: standard deviations at every instant.
+"""Standard deviations of forces, leg motion, and motor quantities at every sample, due to noise in a log.
 
-To first order in the noise, but for two things: of products the product of both deviations counts as well,
-and dry friction, which steps, may be that of any rate within ``SURE`` deviations.
+They are of first order in the noise with two exceptions. Products include the product of both errors, and dry
+friction, which is discontinuous, takes the value of any rate within ``SURE`` standard deviations.
 """
 
 from collections.abc import Callable, Sequence
@@ -23,15 +23,15 @@ from .friction import friction_force, smooth_sign
 from .limit_status import SURE
 from .motor_states import motor_rates, rotor_force
 
-# Mean square of the product of two normal errors of deviation 1, at most.
+# Largest mean square of the product of two normal errors with standard deviation 1.
 _PRODUCT = 3.0
 
 
 class MotorDeviations(NamedTuple):
-    """Standard deviations of fields of ``MotorStates`` of the same name, (n, 6).
+    """Standard deviations of the fields of ``MotorStates`` with the same names, shape (n, 6).
 
-    torque_rise, torque_fall: of the torque's size upward and downward: the other direction of dry friction
-    makes it either larger or smaller.
+    torque_rise, torque_fall: standard deviations of the torque magnitude, upward and downward. They differ
+    because the opposite direction of dry friction makes the magnitude either larger or smaller.
     """
 
     torque: Array
@@ -44,10 +44,20 @@ class MotorDeviations(NamedTuple):
 
 
 class Deviations(NamedTuple):
-    """Standard deviations at n instants, (n, 6); infinite where a pose within the noise is unsolvable.
+    """Standard deviations at n samples, shape (n, 6); infinite if a pose within the noise is unsolvable.
 
-    F: N. L, L_dot: m and m/s. power: of F L_dot, W. base, platform: of the joints' angles, rad, if they were
-    asked for or have limits. motors: of a robot with a drive.
+    Attributes
+    ----------
+    F : ndarray
+        Actuator forces (N).
+    L, L_dot : ndarray
+        Leg lengths (m) and rates (m/s).
+    power : ndarray
+        Mechanical power F L_dot (W).
+    base, platform : ndarray, optional
+        Joint angles (rad), if they are requested or limited.
+    motors : MotorDeviations, optional
+        Motor quantities of a robot with a drive.
     """
 
     F: Array
@@ -66,10 +76,10 @@ def deviations_in_parts(
     backend: Backend = "c",
     neutral: Array | None = None,
 ) -> Callable[[slice], Deviations]:
-    """Deviations of some of the instants, at best 16,384 or fewer.
+    """Return a function that computes the standard deviations of a slice of at most about 16,384 samples.
 
-    neutral: directions from which angles of the joints at base and platform count, (2, 6, 3) or (6, 3); None:
-    those of a robot that limits these angles.
+    ``neutral`` contains the directions from which joint angles at base and platform are measured, (2, 6, 3)
+    or (6, 3); None for the neutral directions of a robot that limits these angles.
     """
     forces = forces_of(robot, formulation, backend)
     if neutral is None and robot.has_joint_angle_limits:
@@ -98,7 +108,7 @@ def all_deviations(
     backend: Backend = "c",
     neutral: Array | None = None,
 ) -> Deviations:
-    """``deviations_in_parts`` of all instants."""
+    """Compute ``deviations_in_parts`` for all samples."""
     some = deviations_in_parts(robot, trajectory, formulation, backend, neutral)
     parts = [some(slice(i, i + CHUNK)) for i in range(0, len(trajectory.time), CHUNK)]
     motors = [part.motors for part in parts if part.motors is not None]
@@ -107,7 +117,7 @@ def all_deviations(
 
 
 def at_replaced(trajectory: Trajectory | PoseLog, time: Array) -> Flags:
-    """Instants, (n,), whose deviations hold what is changed by replaced rows of a log."""
+    """Return True for samples, shape (n,), whose standard deviations include replaced rows of a log."""
     found = np.zeros(len(time), dtype=bool)
     for span in () if trajectory.noise is None else trajectory.noise.replaced:
         found |= (span.start <= time) & (time <= span.end)
@@ -123,9 +133,9 @@ def _open(values: Array, changes: Array) -> Array:
 
 
 class _State:
-    """What a motion takes, (n, 6) by name: F, L, L_dot, base, platform, and of motors force and rate.
+    """Values of a motion by name, shape (n, 6): F, L, L_dot, base, platform, and motor force and rate.
 
-    sign: of dry friction, held where the motion is displaced; None: that of the rates.
+    ``sign`` is the sign of dry friction, which is kept for displaced motions; None for the sign of the rates.
     """
 
     def __init__(
@@ -147,14 +157,14 @@ class _State:
             self.rate = motor_rates(robot, self.drive, motion, self.L_dot)
             if sign is None:
                 self.sign = smooth_sign(self.rate, np.asarray(self.drive.regularization_speed))
-            # Without losses in proportion to the force it does not matter which part of it turns the rotor.
+            # Only losses proportional to the force depend on the part of it that accelerates the rotor.
             losses = np.any(self.drive.efficiency != 1.0) or np.any(self.drive.backdrive_efficiency != 1.0)
             self.through = self.F - rotor_force(robot, motion) if losses else self.F
             self.force = self.F + friction_force(self.drive, self.through, self.rate, self.sign)
             self.values |= {"force": self.force, "rate": self.rate}
 
     def products(self, other: "_State") -> dict[str, Array]:
-        """Changes of powers and heat, W, from this to another state, to first order."""
+        """Return the first-order changes of powers and heat (W) from this state to another."""
         found = {"power": self.F * (other.L_dot - self.L_dot) + self.L_dot * (other.F - self.F)}
         if self.drive is not None:
             change = other.force - self.force
@@ -164,7 +174,7 @@ class _State:
 
 
 def reached_legs(robot: Robot, motion: Motion) -> tuple[Array, Array, Array]:
-    """Lengths, rates and directions of the legs; NaN where the legs of offset joints do not reach."""
+    """Return lengths, rates, and directions of the legs; NaN if offset joints do not reach the pose."""
     if robot.offsets is None:
         with np.errstate(all="ignore"):
             q, S, L = leg_vectors(robot, motion.R, motion.t)
@@ -186,7 +196,7 @@ def reached_legs(robot: Robot, motion: Motion) -> tuple[Array, Array, Array]:
 
 
 def _heat(drive: Drive) -> Array:
-    """Heat of the windings per square of the motor's force along the leg, W/N^2, (6,)."""
+    """Return the winding heat per squared motor force along the leg (W/N^2), shape (6,)."""
     constant = np.asarray(drive.transmission_ratio * drive.torque_constant)
     known = constant != 0.0
     heat = np.where(known, np.asarray(drive.resistance), 0.0) / np.where(known, constant, 1.0) ** 2
@@ -217,9 +227,9 @@ def _finished(robot: Robot, at: _State, sd: dict[str, Array], products: dict[str
 
 
 def _steps(drive: Drive, at: _State, sd: Array) -> Array:
-    """Deviations, N, (3, n, 6), by dry friction of any direction within ``SURE`` deviations of the rate.
+    """Return the standard deviations (N), (3, n, 6), from dry friction of rates within ``SURE`` deviations.
 
-    Of the motor's force, and of its size upward and downward.
+    The three parts belong to the motor force and to its magnitude, upward and downward.
     """
     found = np.zeros((3, *at.force.shape))
     for side in (-SURE, SURE):
@@ -231,11 +241,11 @@ def _steps(drive: Drive, at: _State, sd: Array) -> Array:
 
 
 def _times(x: Array, y: Array) -> Array:
-    """Product of deviations, 0 where one is."""
+    """Return the product of standard deviations; 0 if one factor is 0."""
     with np.errstate(invalid="ignore"):
         return np.asarray(np.where((x == 0.0) | (y == 0.0), 0.0, x * y))
 
 
 def _with_product(sd: Array, one: Array, other: Array) -> Array:
-    """A product's deviation to first order with that of the product of its factors' errors."""
+    """Return the first-order standard deviation of a product, combined with the product of the errors."""
     return np.asarray(np.hypot(sd, np.sqrt(_PRODUCT) * _times(one, other)))

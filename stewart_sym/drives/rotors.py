@@ -1,4 +1,4 @@
-"""What turns the rotors of the legs' drives, as forces along the legs by the platform's accelerations."""
+"""Forces along the legs that accelerate the drive rotors, as functions of platform accelerations."""
 
 import math
 from typing import NamedTuple
@@ -13,10 +13,11 @@ from ..robot.robot import Robot
 
 
 class LegRates(NamedTuple):
-    """Rates of length, m/s, (..., 6), and the rows [s, q x s] from a twist to them, (..., 6, 6).
+    """Leg rates (m/s), shape (..., 6), and the rows [s, q x s] that map a twist to them, shape (..., 6, 6).
 
-    own: L_ddot without accelerations, (..., 6). L: lengths, m, (..., 6). q, tip, turned: platform points from
-    the reference point, m, their velocities, and their accelerations by the turning alone, (..., 6, 3).
+    own: L_ddot without platform accelerations (m/s^2), (..., 6). L: lengths (m), (..., 6). q, tip, turned:
+    platform points from the reference point (m), their velocities (m/s), and their accelerations due to the
+    angular velocity (m/s^2), (..., 6, 3).
     """
 
     L_dot: Array
@@ -29,7 +30,7 @@ class LegRates(NamedTuple):
 
 
 def leg_rates(robot: Robot, state: Motion) -> LegRates:
-    """Rates of the legs in states (...)."""
+    """Compute the leg rates in states (...)."""
     q, S, L = leg_vectors(robot, state.R, state.t)
     J = length_rows(q, S, L)
     omega = state.omega[..., None, :]
@@ -43,9 +44,9 @@ def leg_rates(robot: Robot, state: Motion) -> LegRates:
 
 
 def rotors_by_acceleration(robot: Robot, legs: LegRates) -> tuple[Array, Array]:
-    """What turns the rotors, N: without accelerations, (..., 6), and per acceleration, (..., 6, 6).
+    """Return rotor forces (N) without accelerations, (..., 6), and per acceleration, (..., 6, 6).
 
-    By Lddot, (8), and by the leg's spin about itself, (k.s) (y.sdot) / y^2 with y = k x s, and its rate.
+    They depend on L_ddot, (8), and on the rate of the leg spin (k.s) (y.sdot) / y^2 with y = k x s.
     """
     k, m_r, j_r = robot.k, robot.reflected_mass, robot.rotor_momentum
     alone, per = m_r * legs.own, m_r[:, None] * legs.J
@@ -64,7 +65,7 @@ def rotors_by_acceleration(robot: Robot, legs: LegRates) -> tuple[Array, Array]:
 
 
 def product(A: Array, x: Array) -> Array:
-    """Matrices times vectors."""
+    """Multiply matrices by vectors."""
     return np.asarray((A @ x[..., None])[..., 0])
 
 

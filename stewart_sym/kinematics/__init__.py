@@ -1,1 +1,1 @@
-"""Legs from poses and poses from legs, (1)-(9), and the condition number of H."""
+"""Inverse and forward kinematics, equations (1)-(9), and the condition number of H."""

@@ -1,4 +1,4 @@
-"""Clearances of a pose: distances between the legs as straight lines, angles of the joints at their ends."""
+"""Clearances of a pose: distances between the center lines of the legs, and angles of their joints."""
 
 from __future__ import annotations
 
@@ -14,27 +14,45 @@ from ..robot.robot import LEGS, Robot
 from .inverse_kinematics import inverse_kinematics, leg_vectors
 
 PAIRS = tuple(itertools.combinations(range(LEGS), 2))
-"""Pairs of legs, counted from 0, in the order of ``leg_distances``."""
+"""Pairs of leg indices, counted from 0, in the order of ``leg_distances``."""
 
 _ONE, _OTHER = np.array(PAIRS).T
 
 
 def leg_distances(robot: Robot, motion: Motion) -> Array:
-    """Return the least distance between the center lines of each two legs, m, (..., 15).
+    """Compute the smallest distance between the center lines of each pair of legs.
 
-    Legs of diameter d are clear of each other where it is more than d.
+    Legs of diameter d do not collide if the distance exceeds d.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot geometry without joint offsets.
     motion : Motion
-        Poses of the platform, any leading shape; rates don't count.
+        Poses of the platform with any leading shape; rates are ignored.
 
     Returns
     -------
-    ndarray
-        Distances, m, of legs 1 and 2, 1 and 3, ..., 5 and 6.
+    ndarray, shape (..., 15)
+        Distances (m) of the pairs 1 and 2, 1 and 3, ..., 5 and 6.
+
+    Raises
+    ------
+    ValueError
+        If the robot has joint offsets.
+
+    See Also
+    --------
+    joint_angles : Angles of the joints at both ends of the legs.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> rest = [0.0, 0.0, 0.0]
+    >>> motion = ss.Motion.from_rpy(t=[0.2, 0.1, 1.0], theta=rest, v=rest, theta_dot=rest)
+    >>> round(float(ss.leg_distances(robot, motion).min()), 3)
+    0.19
     """
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
@@ -42,8 +60,8 @@ def leg_distances(robot: Robot, motion: Motion) -> Array:
 
 
 def distances_of(b: Array, S: Array) -> Array:
-    """``leg_distances`` of base points (6, 3) and leg vectors (..., 6, 3)."""
-    # Component by component: many times as fast as on arrays whose last axis has three numbers.
+    """Return ``leg_distances`` for base points (6, 3) and leg vectors (..., 6, 3)."""
+    # One array per component is many times faster than arrays with a last axis of length three.
     legs = np.ascontiguousarray(S.reshape(-1, LEGS * 3).T).reshape(LEGS, 3, -1)
     squares = np.einsum("lkn,lkn->ln", legs, legs)
     found = np.empty((len(PAIRS), legs.shape[-1]))
@@ -53,9 +71,10 @@ def distances_of(b: Array, S: Array) -> Array:
 
 
 def _distance(apart: Array, one: Array, other: Array, ii: Array, jj: Array) -> Array:
-    """Between b_i + x S_i and b_j + y S_j, x and y within 0 and 1, (n,).
+    """Return the distance between b_i + x S_i and b_j + y S_j for x and y in [0, 1], shape (n,).
 
-    apart: b_i - b_j, (3,). one, other: S_i and S_j, (3, n). ii, jj: their squared lengths, (n,).
+    ``apart`` is b_i - b_j, shape (3,). ``one`` and ``other`` are S_i and S_j, shape (3, n), and ``ii`` and
+    ``jj`` their squared lengths, shape (n,).
     """
     ij = one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
     i, j = apart @ one, apart @ other
@@ -65,13 +84,16 @@ def _distance(apart: Array, one: Array, other: Array, ii: Array, jj: Array) -> A
 
 
 def nearest_shares(apart: Array, one: Array, other: Array) -> tuple[Array, Array]:
-    """Shares x and y of [0, 1], (...), at which apart + x one - y other, (..., 3), is shortest."""
+    """Return x and y in [0, 1], shape (...), that minimize the length of apart + x one - y other.
+
+    The vectors have the shape (..., 3).
+    """
     i, j = _dot(one, apart), _dot(other, apart)
     return _shares(_dot(one, one), _dot(other, other), _dot(one, other), i, j)
 
 
 def _shares(ii: Array, jj: Array, ij: Array, i: Array, j: Array) -> tuple[Array, Array]:
-    """``nearest_shares`` from the scalar products of its vectors."""
+    """Compute ``nearest_shares`` from the scalar products of its vectors."""
     # The squared length is a quadratic form in x and y.
     with np.errstate(divide="ignore", invalid="ignore"):
         x = _share(ij * j - i * jj, ii * jj - ij * ij)
@@ -80,14 +102,14 @@ def _shares(ii: Array, jj: Array, ij: Array, i: Array, j: Array) -> tuple[Array,
 
 
 def joined(robot: Robot) -> Array:
-    """Least distance of the joints of each two legs at the base or at the platform, m, (15,)."""
+    """Return the smaller distance (m) between the joints of each pair of legs at either end, shape (15,)."""
     return np.asarray(
         np.minimum(*(np.linalg.norm(ends[_ONE] - ends[_OTHER], axis=-1) for ends in (robot.b, robot.p)))
     )
 
 
 def _share(part: Array, whole: Array) -> Array:
-    """part / whole within 0 and 1; 0 where the whole is 0."""
+    """Return part / whole, limited to [0, 1]; 0 if the whole is 0."""
     return np.asarray(np.where(whole > 0.0, np.minimum(np.maximum(part / whole, 0.0), 1.0), 0.0))
 
 
@@ -97,16 +119,18 @@ def _dot(x: Array, y: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class JointAnglesResult:
-    """Angles between legs and their neutral directions, rad, 0 to pi; ``(...)`` is the poses' shape.
+    """Angles between legs and the neutral directions of their joints.
+
+    The leading shape ``(...)`` is the shape of the poses.
 
     Attributes
     ----------
-    base : ndarray
-        Of the joints at the base, (..., 6): between the leg, with offsets its line of sliding, and its
-        neutral direction in the base frame.
-    platform : ndarray
-        Of the joints at the platform, (..., 6): between the leg and its neutral direction in the platform
-        frame.
+    base : ndarray, shape (..., 6)
+        Angles of the base joints (rad), from 0 to pi, between the leg and its neutral direction in the base
+        frame. With offsets, the direction of the leg is the axis of its prismatic joint.
+    platform : ndarray, shape (..., 6)
+        Angles of the platform joints (rad), from 0 to pi, between the leg and its neutral direction in the
+        platform frame.
     """
 
     base: Array
@@ -114,26 +138,43 @@ class JointAnglesResult:
 
 
 def joint_angles(robot: Robot, motion: Motion) -> JointAnglesResult:
-    """Return how far the joints of each leg are from where the home pose has them.
+    """Compute the deflections of the base and platform joints from the home pose.
 
-    A joint is mounted so that its neutral direction is that of the leg at the home pose, at both ends.
+    The neutral direction of a joint, at both ends of a leg, is the direction of the leg at the home pose.
 
     Parameters
     ----------
     robot : Robot
-        The machine, with a home pose.
+        Robot with a home pose.
     motion : Motion
-        Poses of the platform, any leading shape; rates don't count.
+        Poses of the platform with any leading shape; rates are ignored.
 
     Returns
     -------
     JointAnglesResult
-        Angles, rad.
+        Angles of the base and platform joints (rad), shape (..., 6) each.
 
     Raises
     ------
     ValueError
-        For a robot that states no home pose.
+        If the robot has no home pose.
+
+    See Also
+    --------
+    leg_distances : Distances between the legs.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> rest = [0.0, 0.0, 0.0]
+    >>> motion = ss.Motion.from_rpy(t=[0.0, 0.0, 0.7], theta=[0.2, 0.0, 0.0], v=rest, theta_dot=rest)
+    >>> angles = ss.joint_angles(robot, motion)
+    >>> np.degrees(angles.base).round(1).tolist()
+    [1.0, 0.8, 1.2, 1.2, 0.8, 1.0]
+    >>> np.degrees(angles.platform).round(1).tolist()
+    [12.4, 12.3, 12.5, 12.5, 12.3, 12.4]
     """
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
@@ -141,27 +182,36 @@ def joint_angles(robot: Robot, motion: Motion) -> JointAnglesResult:
 
 
 def angles_from(neutral: Array, S: Array, R: Array) -> tuple[Array, Array]:
-    """Angles at base and platform, (..., 6), of legs along S, (..., 6, 3), from ``neutral_directions``."""
+    """Return the angles at base and platform (rad), shape (..., 6), of legs with vectors S, (..., 6, 3).
+
+    ``neutral`` is the result of ``neutral_directions``.
+    """
     return angles_between(S, neutral), angles_between(S @ R, neutral)
 
 
 def neutral_directions(robot: Robot) -> Array:
-    """Unit vectors of the legs at the home pose, (6, 3), in both frames; ValueError where none is stated."""
+    """Return the unit vectors of the legs at the home pose, shape (6, 3), equal in both frames.
+
+    Raises ValueError if the robot has no home pose.
+    """
     if robot.home_position is None:
-        raise ValueError("robot: home: joint angles are from the home pose, expected home")
+        raise ValueError("robot: home_position: joint angles require a home pose, got none")
     S = _along_legs(robot, at_rest(np.eye(3), robot.home_position))
     return np.asarray(S / np.linalg.norm(S, axis=-1, keepdims=True))
 
 
 def _along_legs(robot: Robot, motion: Motion) -> Array:
-    """Vectors along the legs, base frame, (..., 6, 3); with offsets along their lines of sliding."""
+    """Return vectors along the legs in the base frame, shape (..., 6, 3).
+
+    With offsets, they are parallel to the prismatic joints.
+    """
     if robot.offsets is not None:
         return inverse_kinematics(robot, motion).s
     return leg_vectors(robot, motion.R, motion.t)[1]
 
 
 def angles_between(S: Array, directions: Array) -> Array:
-    """Angles, rad, (...), between vectors (..., 3), exact near 0 and pi too."""
+    """Return the angles between vectors of shape (..., 3) (rad), shape (...), accurate also near 0 and pi."""
     return np.asarray(
         np.arctan2(np.linalg.norm(np.cross(S, directions), axis=-1), np.sum(S * directions, axis=-1))
     )

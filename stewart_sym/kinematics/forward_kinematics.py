@@ -1,7 +1,7 @@
-"""Forward kinematics: pose, velocity and acceleration of the platform from those of its legs, (2), (5), (8).
+"""Forward kinematics: platform pose, velocity, and acceleration from leg lengths, (2), (5), (8).
 
-Six leg lengths belong to up to forty poses, the assembly modes: which one is found depends on where the
-search starts.
+Six leg lengths have up to forty poses, the assembly modes. The start of the search determines which
+assembly mode is found.
 """
 
 from __future__ import annotations
@@ -45,29 +45,31 @@ from .pose_search import (
 
 Status = Codes
 Guess = tuple[ArrayLike, ArrayLike]
-REASONS = STATUS_TEXT | {SINGULAR: "H is singular there: leg lengths and rates do not settle the platform's"}
-"""One line for each status code of forward kinematics."""
-# Lengths known to rounding tell two assembly modes apart only if they lie sqrt(eps) from a singular pose.
+REASONS = STATUS_TEXT | {SINGULAR: "H is singular: leg lengths and rates determine neither pose nor twist"}
+"""One-line text for each status code of forward kinematics."""
+# Two assembly modes with equal lengths to rounding are at most about sqrt(eps) away from a singular pose.
 _MOST_CONDITION = 1.0 / (16.0 * math.sqrt(EPS))
 
 
 @dataclass(frozen=True, eq=False)
 class ForwardKinematicsResult:
-    """Poses found from leg lengths; a leading shape ``(...)`` is that of the lengths and the guess.
+    """Platform poses computed from leg lengths.
+
+    The leading shape ``(...)`` is the common shape of the lengths and the guess.
 
     Attributes
     ----------
-    R : ndarray
-        Orientation, platform to base, (..., 3, 3).
-    t : ndarray
-        Position of the reference point, m, (..., 3). Both are nan where the status is not 0.
-    residual : ndarray
-        Largest difference between the lengths requested and those of the last pose tried, m, (...).
-    iterations : ndarray of int
-        Steps taken, those from starts that led nowhere included; int, (...).
-    status : Status
-        ``results.OK``, NOT_CONVERGED, SINGULAR (lengths fit, but the pose is not settled by them) or
-        OUT_OF_LIMITS; int, (...).
+    R : ndarray, shape (..., 3, 3)
+        Rotation matrix from the platform frame to the base frame. NaN if the status is not 0.
+    t : ndarray, shape (..., 3)
+        Position of the reference point in the base frame (m). NaN if the status is not 0.
+    residual : ndarray, shape (...)
+        Largest difference between the given lengths and the lengths of the last pose that was tried (m).
+    iterations : ndarray of int, shape (...)
+        Number of Newton steps, including the steps of unsuccessful starts.
+    status : ndarray of int, shape (...)
+        ``results.OK``, ``NOT_CONVERGED``, ``SINGULAR`` (a pose has the lengths, but is too close to a
+        singular pose to be determined by them), or ``OUT_OF_LIMITS``.
     """
 
     R: Array
@@ -84,37 +86,59 @@ def forward_kinematics(
     on_failure: OnFault = "raise",
     check_limits: bool = True,
 ) -> ForwardKinematicsResult:
-    """Return the poses in which the legs have the lengths L, by damped Newton steps on (2).
+    """Compute the platform poses from leg lengths by damped Newton steps on (2).
 
-    A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of S = q +
-    t - b. Of the assembly modes found from a guess it is the one nearest to it, by the root of the sum of
-    squares in m and rad. Where none is found, the error says what was tried, or why there is none.
+    If several assembly modes are found from a guess, the result is the pose nearest to the guess. The
+    distance is the root of the sum of squares of the translation (m) and the rotation angle (rad).
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    L : array_like
-        m, (..., 6).
-    guess : Guess, optional
-        Pose (R, t) to start from, (..., 3, 3) and (..., 3); None: nearly parallel to the base and on the
-        side that ``platform_side`` returns, against gravity; where no pose is found from there, other such
-        poses, and in the end the other side.
+        Robot geometry and length limits.
+    L : array_like, shape (..., 6)
+        Leg lengths (m).
+    guess : tuple of array_like, optional
+        Start pose (R, t) with shapes (..., 3, 3) and (..., 3). By default the search starts nearly parallel
+        to the base, on the side opposite to gravity or on the side of the home pose. If no pose is found,
+        it continues from other poses on this side, and at last on the other side.
     on_failure : {"raise", "nan", "warn"}, optional
-        What to do about lengths without a pose: "raise" ValueError, "warn" and return nan there, or return
-        "nan" without a warning; ``status`` is that of each pose.
+        Reaction to lengths without a pose: raise ValueError, return NaN, or warn and return NaN. ``status``
+        contains the result code of each pose.
     check_limits : bool, optional
-        Whether lengths outside the robot's length_limits count as a failure.
+        If True, lengths outside the robot's ``length_limits`` are failures.
 
     Returns
     -------
     ForwardKinematicsResult
-        Poses, residuals, iterations and statuses.
+        Poses, residuals, numbers of steps, and status codes.
 
     Raises
     ------
     ValueError
-        Naming the argument for lengths that are not > 0 and finite, and for a guess that is no pose.
+        If lengths are not finite and positive, if the guess is not a pose, or, with ``on_failure="raise"``,
+        if lengths have no pose. The error lists the starts that were tried, or a proof that no pose exists.
+
+    See Also
+    --------
+    inverse_kinematics : Compute leg lengths from poses.
+    certify_pose : Prove that a pose has the given leg lengths.
+    up_direction : Side of the base on which the search starts.
+
+    Notes
+    -----
+    A pose has status 0 if its lengths agree with ``L`` to 16 rounding units of the largest component of q, t,
+    and b in S = q + t - b, (1). Six leg lengths have up to forty poses (M. Raghavan, J. Mech.
+    Des. 115, 1993).
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> pose = ss.forward_kinematics(robot, [1.109, 1.005, 1.034, 1.122, 1.031, 0.973])
+    >>> pose.t.round(2).tolist()
+    [0.2, 0.1, 1.0]
+    >>> int(pose.status)
+    0
     """
     instance(robot, Robot, "robot")
     option(on_failure, ON_FAULT, "on_failure")
@@ -129,7 +153,7 @@ def forward_kinematics(
         poses = R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3)
     flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
     if robot.offsets is not None:
-        # Without a guess, from the poses of legs whose axes meet.
+        # Without a guess, the search begins at the solutions for legs without offsets.
         ends = newton(robot, flat, *(poses or searched(without_offsets(robot), flat)[:2]))
     else:
         ends = searched(robot, flat) if poses is None else nearest_found(robot, flat, *poses)
@@ -158,7 +182,7 @@ def forward_kinematics(
 
 
 def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
-    """Return in words why lengths (6,) have no pose, by the status: proven, or how far was looked for one."""
+    """Return the text that explains why lengths (6,) have no pose: the proof, or the extent of the search."""
     if status == OUT_OF_LIMITS:
         low, high = robot.length_limits.T
         leg = int(np.argmax((L < low) | (L > high)))
@@ -166,40 +190,62 @@ def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
     if status != NOT_CONVERGED:
         return REASONS[status]
     if robot.offsets is not None:
-        return f"{REASONS[status]} {'from the guess' if guessed else 'from that of legs without offsets'}"
+        return f"{REASONS[status]} {'from the guess' if guessed else 'from the pose of legs without offsets'}"
     pairs = np.argwhere(impossible_pairs(robot, L))
     if len(pairs):
         one, other = (int(leg) + 1 for leg in pairs[0])
-        return f"{REASONS[status]}: none exists, legs {one} and {other} cannot have theirs at once"
+        return f"{REASONS[status]}: none exists, legs {one} and {other} cannot have these lengths together"
     tried = "from the guess and about it" if guessed else f"from {MOST_STARTS} starts"
-    return f"{REASONS[status]} {tried}, which does not prove that there is none"
+    return f"{REASONS[status]} {tried}, which does not prove that no pose exists"
 
 
 def forward_velocity(
     robot: Robot, R: ArrayLike, t: ArrayLike, L_dot: ArrayLike, on_failure: OnFault = "raise"
 ) -> Velocities:
-    """Return (v, omega), a named tuple, m/s and rad/s, (..., 3), base frame: L_dot = H^T [v; omega], (5).
+    """Compute the twist of the platform from leg rates by solving L_dot = H^T [v; omega], (5).
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    R, t : array_like
-        Pose, (..., 3, 3) and (..., 3).
-    L_dot : array_like
-        Rates of the legs, m/s, (..., 6).
+        Robot geometry.
+    R : array_like, shape (..., 3, 3)
+        Rotation matrix from the platform frame to the base frame.
+    t : array_like, shape (..., 3)
+        Position of the reference point in the base frame (m).
+    L_dot : array_like, shape (..., 6)
+        Leg rates (m/s).
     on_failure : {"raise", "nan", "warn"}, optional
-        As in ``forward_kinematics``, about poses where H is singular or the result overflows.
+        Reaction to a pose at which H is singular, or to an overflow: raise ValueError, return NaN, or warn
+        and return NaN.
 
     Returns
     -------
     Velocities
-        Named tuple (v, omega), m/s and rad/s, (..., 3).
+        Named tuple (v, omega) in the base frame: velocity of the reference point (m/s) and angular velocity
+        (rad/s), each of shape (..., 3).
 
     Raises
     ------
     ValueError
-        Naming the argument; as ``inverse_kinematics`` for a leg of length zero.
+        If an argument is invalid, a leg has length zero, or ``on_failure="raise"`` and H is singular or the
+        result overflows.
+
+    See Also
+    --------
+    jacobian : Jacobian H^-T, which maps leg rates to the twist.
+    forward_acceleration : Compute platform accelerations from leg accelerations.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> L_dot = [0.0, 0.0, 0.0, 0.1, 0.1, 0.1]
+    >>> v, omega = ss.forward_velocity(robot, R=np.eye(3), t=[0.2, 0.1, 1.0], L_dot=L_dot)
+    >>> v.round(3).tolist()
+    [0.25, 0.226, 0.001]
+    >>> omega.round(3).tolist()
+    [-0.596, -0.148, -0.085]
     """
     still = np.zeros(3)
     return Velocities(*_rates(robot, R, t, (still, still), L_dot, "L_dot", on_failure))
@@ -214,42 +260,69 @@ def forward_acceleration(
     L_ddot: ArrayLike,
     on_failure: OnFault = "raise",
 ) -> Accelerations:
-    """Return (a, alpha), a named tuple, m/s^2 and rad/s^2, (..., 3), base frame.
+    """Compute the acceleration of the platform from leg accelerations, (8).
 
-    L_ddot = H^T [a; alpha] + what the velocities alone make of it, (8).
+    The equation is L_ddot = H^T [a; alpha] plus the terms of (8) that depend only on the velocities.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    R : array_like
-        Orientation, platform to base, (..., 3, 3).
-    t : array_like
-        Position of the reference point, m, (..., 3).
-    v, omega : array_like
-        Of the platform, m/s and rad/s, (..., 3).
-    L_ddot : array_like
-        Accelerations of the legs, m/s^2, (..., 6). The rest as in ``forward_velocity``.
+        Robot geometry.
+    R : array_like, shape (..., 3, 3)
+        Rotation matrix from the platform frame to the base frame.
+    t : array_like, shape (..., 3)
+        Position of the reference point in the base frame (m).
+    v : array_like, shape (..., 3)
+        Velocity of the reference point in the base frame (m/s).
+    omega : array_like, shape (..., 3)
+        Angular velocity of the platform in the base frame (rad/s).
+    L_ddot : array_like, shape (..., 6)
+        Leg accelerations (m/s^2).
     on_failure : {"raise", "nan", "warn"}, optional
-        What to do about lengths without a pose: raise, return NaN, or warn and return NaN.
+        Reaction to a pose at which H is singular, or to an overflow: raise ValueError, return NaN, or warn
+        and return NaN.
 
     Returns
     -------
     Accelerations
-        Named tuple (a, alpha), m/s^2 and rad/s^2, (..., 3).
+        Named tuple (a, alpha) in the base frame: acceleration of the reference point (m/s^2) and angular
+        acceleration (rad/s^2), each of shape (..., 3).
+
+    Raises
+    ------
+    ValueError
+        If an argument is invalid, a leg has length zero, or ``on_failure="raise"`` and H is singular or the
+        result overflows.
+
+    See Also
+    --------
+    forward_velocity : Compute the twist from leg rates.
+    wrench_matrix_rate : Time derivative of H.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = dict(R=np.eye(3), t=[0.2, 0.1, 1.0], v=[0.1, 0.0, 0.0], omega=[0.0, 0.0, 0.5])
+    >>> a, alpha = ss.forward_acceleration(robot, **motion, L_ddot=np.ones(6))
+    >>> a.round(3).tolist()
+    [0.136, 0.244, 0.921]
+    >>> alpha.round(3).tolist()
+    [-0.057, -0.2, -0.892]
     """
     return Accelerations(*_rates(robot, R, t, (v, omega), L_ddot, "L_ddot", on_failure))
 
 
 def inverse_jacobian(robot: Robot, R: Array, t: Array) -> Array:
-    """Return J^-1 at poses, (..., 6, 6), which takes rates of the legs to twists; NaN where H is singular."""
+    """Return the map from leg rates to twists, (H^T)^-1, shape (..., 6, 6); NaN if H is singular."""
     J = jacobian(robot, R, t)
     unsettled = _unsettled(robot, J)[..., None, None]
     return np.where(unsettled, np.nan, np.linalg.inv(np.where(unsettled, np.eye(6), J)))
 
 
 def checked_lengths(L: ArrayLike) -> Array:
-    """Return L, (..., 6), as float64; ValueError unless they are finite and > 0."""
+    """Return L as float64, shape (..., 6); raise ValueError unless all lengths are finite and positive."""
     lengths = finite_array(L, (6,), "L")
     if np.any(lengths <= 0.0):
         where = tuple(int(i) for i in np.argwhere(lengths <= 0.0)[0])
@@ -269,7 +342,7 @@ def _rates(
     name: str,
     on_failure: str,
 ) -> tuple[Array, Array]:
-    """Solve (5) or (8) for the highest derivatives; ``twist``: what the velocities are, 0 for (5)."""
+    """Solve (5) or (8) for the highest derivatives; ``twist`` is (v, omega), and zero for (5)."""
     instance(robot, Robot, "robot")
     option(on_failure, ON_FAULT, "on_failure")
     v, omega = twist
@@ -277,7 +350,7 @@ def _rates(
     wanted = finite_array(rates, (6,), name)
     shape = leading_shape({"R": motion.shape, name: wanted.shape[:-1]})
     with np.errstate(over="ignore", invalid="ignore"):
-        # Without accelerations of the platform, what remains of L_ddot is what its velocities make of it.
+        # The platform has no acceleration here, so L_ddot contains only the velocity terms of (8).
         wanted = wanted - np.asarray(legs_or_overflow(robot, motion).L_ddot)
         J = jacobian(robot, motion.R, motion.t)
         unsettled = np.broadcast_to(_unsettled(robot, J), shape)
@@ -291,10 +364,10 @@ def _rates(
 
 
 def _unsettled(robot: Robot, J: Array) -> Flags:
-    """Where H = J^T is so near to singular that lengths known to rounding leave the pose open."""
+    """Return True for poses with H so close to singular that rounded lengths do not determine the pose."""
     H = moments_over(np.swapaxes(J, -1, -2), platform_size(robot))
     size = np.linalg.norm(H, axis=(-2, -1))
-    # The smallest singular value is at least |det H| over the fifth power of the mean of the others.
+    # Inequality of the means: five singular values have a product of at most (sum of squares / 5)^2.5.
     with np.errstate(all="ignore"):
         most = np.asarray(size * (size**2 / 5.0) ** 2.5 / np.abs(np.linalg.det(H)))
     doubtful = np.asarray(~(most <= 0.5 * _MOST_CONDITION))

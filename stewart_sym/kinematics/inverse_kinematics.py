@@ -1,4 +1,4 @@
-"""Inverse kinematics of the legs, (1)-(5), (8), and H of (36) with its rate, of the platform's motion."""
+"""Inverse kinematics of the legs, (1)-(5) and (8), and the matrix H of (36) with its time derivative."""
 
 import math
 from collections.abc import Callable
@@ -22,26 +22,37 @@ from ..robot.robot import Robot
 from .offset_legs import checked_motion, rate_of_H
 
 MIN_JOINT_SINE = 0.3
-"""Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
+"""Smallest sine of the angle between a leg and its universal joint axis k that is clear of a singularity."""
 
 ROUNDING = 16 * np.finfo(np.float64).eps
-"""A leg no longer than this share of the terms it is the sum of is rounding error and nothing else."""
+"""Leg length, relative to the largest of its terms, below which the length is only rounding error."""
 
 
 BLOCK = 512
-"""Poses whose legs are computed at a time: their numbers stay in the processor's cache. From half as many on
-the C computes them, where there is a compiler."""
+"""Number of poses per block, small enough for the processor cache.
+
+At least half as many poses are computed by the C code if a compiler is available.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class InverseKinematicsResult:
-    """Kinematics of the six legs; a leading shape ``(...)`` is that of the motion.
+    """Kinematics of the six legs.
 
-    L: lengths, m, (..., 6), (2).
-    L_dot: rates, m/s, (..., 6), positive when the leg extends, (5).
-    L_ddot: accelerations, m/s^2, (..., 6), (8); None when the motion has no accelerations.
-    s: unit vectors from base point to platform point, base frame, (..., 6, 3), (3).
-    S: leg vectors, m, base frame, (..., 6, 3), (1).
+    The leading shape ``(...)`` is the shape of the motion.
+
+    Attributes
+    ----------
+    L : ndarray, shape (..., 6)
+        Leg lengths (m), (2).
+    L_dot : ndarray, shape (..., 6)
+        Leg rates (m/s), positive when the leg extends, (5).
+    L_ddot : ndarray, shape (..., 6), or None
+        Leg accelerations (m/s^2), (8). None if the motion has no accelerations.
+    s : ndarray, shape (..., 6, 3)
+        Unit vectors from base point to platform point in the base frame, (3).
+    S : ndarray, shape (..., 6, 3)
+        Leg vectors from base point to platform point in the base frame (m), (1).
     """
 
     L: Array
@@ -52,29 +63,51 @@ class InverseKinematicsResult:
 
 
 def inverse_kinematics(robot: Robot, motion: Motion) -> InverseKinematicsResult:
-    """Return lengths, rates and directions of the legs.
+    """Compute lengths, rates, accelerations, and directions of the legs.
 
-    The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
-    for either base joint. With offset joints L is the length along the line of sliding and s its direction;
-    S goes from the base point to the platform point all the same.
+    The spin of a leg about its own axis does not enter, so the result is the same for both formulations and
+    both base joints.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot geometry.
     motion : Motion
-        Motion of the platform, any leading shape.
+        Motion of the platform with any leading shape.
 
     Returns
     -------
     InverseKinematicsResult
-        Lengths, rates, second rates and directions.
+        Leg lengths (m), rates (m/s), accelerations (m/s^2), and directions.
 
     Raises
     ------
     ValueError
-        Naming the leg when one has length zero: no more than 16 rounding units of the largest component of
-        the terms of S = q + t - b, (1); and when a result overflows.
+        If a leg has length zero, a leg with offset joints has no solution, or a result overflows. Lengths of
+        at most 16 rounding units of the largest component of q, t, and b in S = q + t - b, (1), are zero.
+
+    See Also
+    --------
+    forward_kinematics : Compute poses from leg lengths.
+    inverse_jacobian : Matrix that maps the twist of the platform to leg rates.
+    motor_angles : Motor angles of the legs, including the screw coupling.
+
+    Notes
+    -----
+    For offset joints, L is the length along the axis of the prismatic joint and s is the direction of this
+    axis. S still points from the base point to the platform point.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> rest = [0.0, 0.0, 0.0]
+    >>> motion = ss.Motion.from_rpy(t=[0.2, 0.1, 1.0], theta=rest, v=[0.1, 0.0, 0.0], theta_dot=rest)
+    >>> legs = ss.inverse_kinematics(robot, motion)
+    >>> legs.L.round(3).tolist()
+    [1.109, 1.005, 1.034, 1.122, 1.031, 0.973]
+    >>> legs.L_dot.round(3).tolist()
+    [-0.009, 0.04, 0.048, 0.027, -0.015, -0.015]
     """
     legs = legs_or_overflow(robot, motion)
     _reject_overflow(legs.L, legs.L_dot, legs.L_ddot)
@@ -82,7 +115,7 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> InverseKinematicsResult:
 
 
 def legs_or_overflow(robot: Robot, motion: Motion) -> InverseKinematicsResult:
-    """As ``inverse_kinematics``, but with infinities and NaN where a result overflows."""
+    """Compute the result of ``inverse_kinematics`` with infinities and NaN if a value overflows."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     if robot.offsets is not None:
@@ -107,7 +140,7 @@ _SHAPES = STRUCTS["legs"]
 
 
 def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
-    """Quantities of all legs by name from the C; None without a compiler and where a pose has a fault."""
+    """Compute all leg quantities with the C code; None without a compiler or if a pose has an error."""
     try:
         code = library("legs")
     except CompilerError:
@@ -120,27 +153,48 @@ def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
 
 
 def wrench_matrix(robot: Robot, motion: Motion) -> Array:
-    """Return H of (36), (..., 6, 6): column i is [s_i; q_i x s_i], the wrench of a unit force of leg i.
+    """Compute the matrix H of (36), which maps leg forces to the wrench on the platform.
 
-    Rows 0-2 have no unit, rows 3-5 are m. Leg rates are L_dot = H^T [v; omega], of upper parts that turn on a
-    screw the motors' rates over N; actuator forces push with the wrench H F.
+    Column i is [s_i; q_i x s_i], the wrench of a unit force of leg i about the reference point.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot geometry.
     motion : Motion
-        Motion of the platform, any leading shape.
+        Poses of the platform with any leading shape; rates are ignored.
 
     Returns
     -------
-    ndarray
-        H, (..., 6, 6).
+    ndarray, shape (..., 6, 6)
+        Matrix H in the base frame. Rows 0-2 are dimensionless, rows 3-5 are in m.
 
     Raises
     ------
     ValueError
-        As ``inverse_kinematics``.
+        If a leg has length zero or no solution, or if a result overflows.
+
+    See Also
+    --------
+    wrench_matrix_rate : Time derivative of H.
+    inverse_jacobian : H^T, which maps the twist to leg rates.
+    condition_number : Distance of H from singularity.
+
+    Notes
+    -----
+    Leg rates are L_dot = H^T [v; omega]. Actuator forces F exert the wrench H F on the platform. If the upper
+    parts of the legs turn on screws, H^T [v; omega] are the motor speeds divided by the transmission ratio N.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> rest = [0.0, 0.0, 0.0]
+    >>> motion = ss.Motion.from_rpy(t=[0.2, 0.1, 1.0], theta=rest, v=rest, theta_dot=rest)
+    >>> wrench = ss.wrench_matrix(robot, motion) @ np.ones(6)
+    >>> wrench.round(3).tolist()
+    [0.759, 0.69, 5.505, 0.26, -0.427, -0.503]
     """
     if getattr(robot, "offsets", None) is not None:
         return columns_of_H(robot, checked_motion(robot, motion).G)
@@ -150,26 +204,44 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
 
 
 def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
-    """Return the time derivative of H along the motion, (..., 6, 6), 1/s and m/s.
-
-    With it L_ddot = H^T [a; alpha] + H_dot^T [v; omega].
+    """Compute the time derivative of H along a motion.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot geometry.
     motion : Motion
-        Motion of the platform, any leading shape.
+        Motion of the platform with any leading shape; accelerations are ignored.
 
     Returns
     -------
-    ndarray
-        Rate of H, (..., 6, 6).
+    ndarray, shape (..., 6, 6)
+        Time derivative of H in the base frame. Rows 0-2 are in 1/s, rows 3-5 in m/s.
 
     Raises
     ------
     ValueError
-        As ``inverse_kinematics``.
+        If a leg has length zero or no solution, or if a result overflows.
+
+    See Also
+    --------
+    wrench_matrix : Matrix H.
+    forward_acceleration : Compute platform accelerations from leg accelerations.
+
+    Notes
+    -----
+    Leg accelerations are L_ddot = H^T [a; alpha] + H_dot^T [v; omega].
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> v, omega, zero = [0.1, 0.0, 0.0], [0.0, 0.0, 0.5], np.zeros(3)
+    >>> motion = ss.Motion(R=np.eye(3), t=[0.2, 0.1, 1.0], omega=omega, v=v, alpha=zero, a=zero)
+    >>> L_ddot = ss.wrench_matrix_rate(robot, motion).T @ np.concatenate([v, omega])
+    >>> np.allclose(L_ddot, ss.inverse_kinematics(robot, motion).L_ddot)
+    True
     """
     if getattr(robot, "offsets", None) is not None:
         return rate_of_H(robot, motion)
@@ -179,7 +251,10 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
 
 
 def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
-    """Return q and S of (1), m, base frame, (..., 6, 3), and the lengths of S, m, (..., 6), zero or not."""
+    """Return q and S of (1) in the base frame (m), shape (..., 6, 3), and the lengths of S (m), (..., 6).
+
+    Lengths of zero are not rejected.
+    """
     need_no_offsets(robot)
     q = robot.p @ np.swapaxes(R, -1, -2)
     S = q + t[..., None, :] - robot.b
@@ -187,18 +262,18 @@ def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
 
 
 def length_rows(q: Array, S: Array, L: Array) -> Array:
-    """Rates of the lengths by shift and turn of the platform, (..., 6, 6): H^T, (5).
+    """Return H^T of (5), shape (..., 6, 6), from q, S, and L.
 
-    A leg of length zero has no direction: its row is 0 and makes the matrix singular.
+    A leg of length zero has no direction: its row is 0, so the matrix is singular.
     """
     s = S / np.where(L > 0.0, L, 1.0)[..., None]
     return np.concatenate([s, cross(q, s)], axis=-1)
 
 
 def joint_sines(robot: Robot, s: Array) -> Array:
-    """Sines of the angles between legs along s, (..., 6, 3), and their universal axes, (..., 6).
+    """Return the sines of the angles between legs along s and their universal joint axes, shape (..., 6).
 
-    1 with spherical base joints.
+    Spherical base joints have the value 1.
     """
     need_no_offsets(robot)
     if robot.base_joint == "spherical":
@@ -207,20 +282,21 @@ def joint_sines(robot: Robot, s: Array) -> Array:
 
 
 def tip_velocities(motion: Motion, q: Array) -> Array:
-    """Return S_dot of (4), m/s, base frame, (..., 6, 3), of platform points at q (..., 6, 3)."""
+    """Return S_dot of (4) in the base frame (m/s) for platform points q, both of shape (..., 6, 3)."""
     return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
 
 
 def clear_of_joint_singularities(robot: Robot, legs: InverseKinematicsResult) -> Flags:
-    """Whether all six legs are clear of their universal axes k, (...,); always with spherical base joints.
+    """Return True for poses whose legs are all clear of their universal joint axes k, shape (...).
 
-    Clear: the sine of the angle between k and s is ``MIN_JOINT_SINE`` or more.
+    A leg is clear if the sine of its angle to k is at least ``MIN_JOINT_SINE``. Spherical base joints are
+    always clear.
     """
     return np.asarray((joint_sines(robot, legs.s) >= MIN_JOINT_SINE).all(axis=-1))
 
 
 def _in_blocks(made: Callable[[Robot, Motion, int], tuple[Any, ...]], robot: Robot, motion: Motion) -> Any:
-    """Arrays made of a motion, of a long one in blocks; ``made`` takes the number of its first pose, too."""
+    """Compute arrays from a motion in blocks; ``made`` also receives the index of a block's first pose."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     with np.errstate(all="ignore"):
@@ -231,7 +307,10 @@ def _in_blocks(made: Callable[[Robot, Motion, int], tuple[Any, ...]], robot: Rob
 
 
 def _vectors(robot: Robot, motion: Motion, start: int) -> tuple[Array, Array, Array]:
-    """``leg_vectors``; ValueError names the first leg of length zero. start: number of the first pose."""
+    """Return ``leg_vectors``; raise ValueError for the first leg of length zero.
+
+    ``start`` is the index of the first pose.
+    """
     q, S, L = leg_vectors(robot, motion.R, motion.t)
     reach = np.maximum(np.abs(q).max(axis=-1), np.abs(robot.b).max(axis=-1))
     reach = np.maximum(reach, np.abs(motion.t).max(axis=-1)[..., None])
@@ -257,7 +336,7 @@ def _rows_of_H_dot(robot: Robot, motion: Motion, start: int) -> tuple[Array, Arr
 
 
 def _legs(robot: Robot, motion: Motion, start: int) -> tuple[Array | None, ...]:
-    """Fields of ``InverseKinematicsResult``."""
+    """Return the fields of ``InverseKinematicsResult``."""
     q, S, L = _vectors(robot, motion, start)
     s = S / L[..., None]
     S_dot = tip_velocities(motion, q)
@@ -265,7 +344,7 @@ def _legs(robot: Robot, motion: Motion, start: int) -> tuple[Array | None, ...]:
     if motion.a is not None and motion.alpha is not None:
         omega, alpha = motion.omega[..., None, :], motion.alpha[..., None, :]
         S_ddot = cross(alpha, q) + cross(omega, cross(omega, q)) + motion.a[..., None, :]
-        # L W.W of (8) from the part of S_dot across the leg: |W x S| = L |W|.
+        # The term L W.W of (8), from the component of S_dot normal to the leg: |W x S| = L |W|.
         across = S_dot - L_dot[..., None] * s
         L_ddot = _dot(s, S_ddot) + _dot(across, across) / L
     return L, L_dot, L_ddot, s, S

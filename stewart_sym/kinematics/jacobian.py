@@ -1,4 +1,4 @@
-"""Jacobian of the machine and its inverse, between leg rates and the twist of the platform."""
+"""Jacobian of the robot and its inverse, which relate leg rates and the twist of the platform."""
 
 import numpy as np
 
@@ -9,37 +9,38 @@ from .inverse_kinematics import wrench_matrix
 
 
 def inverse_jacobian(robot: Robot, motion: Motion) -> Array:
-    """Return the inverse Jacobian H^T, which turns the platform's twist into leg rates.
+    """Compute the inverse Jacobian H^T, which maps the twist of the platform to leg rates.
 
-    L_dot = H^T [v; omega]. Every pose has an inverse Jacobian, a singular one too.
+    Every pose has an inverse Jacobian, including singular poses.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot geometry.
     motion : Motion
-        Poses, any leading shape; rates are not read.
+        Poses of the platform with any leading shape; rates are ignored.
 
     Returns
     -------
     ndarray, shape (..., 6, 6)
-        Rows are legs: three columns without a unit, then three in m.
+        Inverse Jacobian, L_dot = H^T [v; omega] in the base frame. Row i belongs to leg i; columns 0-2 are
+        dimensionless, columns 3-5 are in m.
 
     Raises
     ------
     ValueError
-        As ``inverse_kinematics``.
+        If a leg has length zero or no solution, or if a result overflows.
 
     See Also
     --------
-    jacobian : From leg rates to the twist.
-    wrench_matrix : H, from leg forces to the wrench on the platform.
+    jacobian : Matrix that maps leg rates to the twist.
+    wrench_matrix : H, which maps leg forces to the wrench on the platform.
 
     Examples
     --------
     >>> import numpy as np
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.dasgupta1998()
+    >>> robot = ss.robots.load("dasgupta1998")
     >>> zero = np.zeros(3)
     >>> motion = ss.Motion(R=np.eye(3), t=[0.2, 0.1, 1.0], omega=zero, v=[0.1, 0.0, 0.0])
     >>> twist = np.concatenate([motion.v, motion.omega])
@@ -51,37 +52,36 @@ def inverse_jacobian(robot: Robot, motion: Motion) -> Array:
 
 
 def jacobian(robot: Robot, motion: Motion) -> Array:
-    """Return the Jacobian H^-T, which turns leg rates into the platform's twist.
-
-    [v; omega] = H^-T L_dot.
+    """Compute the Jacobian H^-T, which maps leg rates to the twist of the platform.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot geometry.
     motion : Motion
-        Poses, any leading shape; rates are not read.
+        Poses of the platform with any leading shape; rates are ignored.
 
     Returns
     -------
     ndarray, shape (..., 6, 6)
-        Columns are legs: three rows without a unit, then three in 1/m.
+        Jacobian, [v; omega] = H^-T L_dot in the base frame. Column i belongs to leg i; rows 0-2 are
+        dimensionless, rows 3-5 are in 1/m.
 
     Raises
     ------
     ValueError
-        As ``inverse_kinematics``, and for a singular pose.
+        If a pose is singular, a leg has length zero or no solution, or a result overflows.
 
     See Also
     --------
-    inverse_jacobian : From the twist to leg rates.
-    forward_velocity : Twist of measured leg rates.
+    inverse_jacobian : Matrix that maps the twist to leg rates.
+    forward_velocity : Compute the twist from measured leg rates.
 
     Examples
     --------
     >>> import numpy as np
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.dasgupta1998()
+    >>> robot = ss.robots.load("dasgupta1998")
     >>> zero = np.zeros(3)
     >>> motion = ss.Motion(R=np.eye(3), t=[0.2, 0.1, 1.0], omega=zero, v=zero)
     >>> np.allclose(ss.jacobian(robot, motion) @ ss.inverse_jacobian(robot, motion), np.eye(6))

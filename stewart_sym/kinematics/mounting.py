@@ -1,6 +1,6 @@
-"""Which side of the base the platform is on: against gravity, whatever axes the robot file uses.
+"""Side of the base on which the platform is: opposite to gravity, for any axes of the robot file.
 
-The paper's paths are turned to that side.
+The paths of the paper are rotated to this side.
 """
 
 from __future__ import annotations
@@ -20,27 +20,33 @@ from .inverse_kinematics import leg_vectors, length_rows
 from .offset_legs import without_offsets
 
 DECISIVE = 0.1
-"""Gravity decides on the side if more than this share of it is along the base's normal."""
-# An axis of the base frame stands for the base points' normal if it is no farther from it than this, rad.
+"""Smallest fraction of gravity along the base normal for which gravity determines the side."""
+# Largest angle (rad) to the normal of the base points at which an axis of the base frame replaces the normal.
 _LEVEL = np.radians(15.0)
-# Shares by which the two sides differ clearly, and by more than rounding.
+# Relative differences of the two sides that are clear, and that exceed rounding.
 _CLEARLY, _EQUAL = 0.01, 1e-6
-_AGAINST_GRAVITY, _AT_HOME = "against gravity", "where the robot file states the home pose"
-# A direction whose x is smaller than this is far enough from the x axis.
+_AGAINST_GRAVITY, _AT_HOME = "against gravity", "at the home pose of the robot file"
+# Largest x component of a unit vector that is far enough from the x axis.
 _ACROSS = 0.9
-# Share of the largest coordinate below which that of a mean is rounding.
+# Coordinate of a mean, relative to the largest coordinate, below which it is rounding error.
 _ROUNDING = 16 * np.finfo(float).eps
 
 
 class AssemblyModeWarning(UserWarning):
-    """Two assembly modes are equally plausible; one was taken."""
+    """Issued if two assembly modes are equally plausible and one was selected."""
 
 
 class Side(NamedTuple):
-    """Where the platform is.
+    """Side of the base on which the platform is.
 
-    direction: unit vector from the base to the platform, base frame, (3,). rule: what settled it, in words.
-    settled: whether something did; False: the opposite side is as plausible.
+    Attributes
+    ----------
+    direction : ndarray, shape (3,)
+        Unit vector from the base to the platform in the base frame.
+    rule : str
+        Rule that determined the side, in words.
+    settled : bool
+        False if the opposite side is equally plausible.
     """
 
     direction: Array
@@ -49,29 +55,49 @@ class Side(NamedTuple):
 
     @property
     def by_gravity(self) -> bool:
-        """Whether gravity settled it."""
+        """True if gravity determined the side."""
         return self.rule == _AGAINST_GRAVITY
 
     @property
     def certain(self) -> bool:
-        """Whether gravity or a stated home pose settled it."""
+        """True if gravity or a given home pose determined the side."""
         return self.rule in (_AGAINST_GRAVITY, _AT_HOME)
 
 
 def up_direction(robot: Robot) -> Array:
-    """Return the unit vector from the base to the side on which the platform is looked for, (3,), base frame.
-
-    See ``platform_side``; warns with ``AssemblyModeWarning`` where the opposite side is as plausible.
+    """Compute the unit vector from the base to the side on which the platform is searched.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot geometry, gravity, home pose, and length limits.
 
     Returns
     -------
-    ndarray
-        Unit vector, (3,).
+    ndarray, shape (3,)
+        Unit vector in the base frame.
+
+    Warns
+    -----
+    AssemblyModeWarning
+        If the opposite side is equally plausible.
+
+    See Also
+    --------
+    forward_kinematics : Compute poses from leg lengths; the search starts on this side.
+
+    Notes
+    -----
+    The direction is the normal of the plane of the base points, or an axis of the base frame within 15
+    degrees of it. Its sign follows from the home pose or from gravity. Otherwise it is the side on which the
+    legs of the level platform are closer to their length limits, or on which H has the smaller condition
+    number.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> ss.up_direction(ss.robots.load("dasgupta1998")).tolist()
+    [0.0, 0.0, 1.0]
     """
     side = platform_side(robot)
     if not side.settled:
@@ -80,12 +106,13 @@ def up_direction(robot: Robot) -> Array:
 
 
 def platform_side(robot: Robot) -> Side:
-    """Return the side of the base points' plane that the platform is on.
+    """Return the side of the base plane on which the platform is.
 
-    The direction is the normal of that plane, or an axis of the base frame within 15 degrees of it. Its sign
-    is that of the home pose, if the robot states one, else against gravity; where gravity is 0 or pulls along
-    the plane, it is that of the side on which the level platform's legs are nearer to their length limits,
-    else on which the condition number of H is smaller.
+    The direction is the normal of the plane of the base points, or an axis of the base frame within 15
+    degrees of it. A given home pose determines its sign, otherwise the direction opposite to gravity. If
+    gravity is 0 or parallel to the plane, the result is the side on which the legs of the level platform are
+    closer to their length limits. Without a clear difference, it is the side on which H has the smaller
+    condition number.
     """
     instance(robot, Robot, "robot")
     axis = _axis(robot.b)
@@ -102,7 +129,7 @@ def platform_side(robot: Robot) -> Side:
     for name, (one, other) in (("nearer to the length limits", outside), ("of smaller condition", condition)):
         if abs(one - other) > _CLEARLY * max(one, other):
             return Side(axis if one < other else -axis, f"{gravity}, the side {name} is taken", True)
-    # Not clearly, but alike for a machine in whatever axes.
+    # The difference is small, but it selects the same side for any axes of the robot file.
     if condition[0] - condition[1] > _EQUAL * condition[0]:
         axis = -axis
     rule = f"{gravity}, the side {_shown(axis)} of the base is taken; {_shown(-axis)} is as plausible"
@@ -110,7 +137,7 @@ def platform_side(robot: Robot) -> Side:
 
 
 def upright(robot: Robot) -> Array:
-    """Return the rotation (3, 3) that takes z to ``platform_side``: half a turn about x where that is -z."""
+    """Return the rotation (3, 3) that maps z to ``platform_side``; for -z, half a turn about x."""
     z = platform_side(robot).direction
     across = 0 if abs(z[0]) < _ACROSS else 1
     axis = np.eye(3)[across] - z[across] * z
@@ -120,22 +147,22 @@ def upright(robot: Robot) -> Array:
 
 
 def level_positions(robot: Robot, direction: Array, count: int = 400) -> Array:
-    """Return positions, m, (count, 3), that center the level platform's points on a line above the base's."""
+    """Return positions (m), shape (count, 3), at which the level platform is centered above the base."""
     center = robot.b.mean(axis=0) - robot.p.mean(axis=0)
     size = radius(robot.b) + radius(robot.p)
-    # What the means of symmetric points leave for rounding is 0.
+    # The mean of symmetric points is zero except for rounding.
     largest = max(float(np.abs(robot.b).max()), float(np.abs(robot.p).max()))
     center[np.abs(center) < _ROUNDING * largest] = 0.0
     return np.asarray(center + np.linspace(0.05, 3.0, count)[:, None] * size * direction)
 
 
 def radius(points: Array) -> float:
-    """Root mean square distance of points (n, 3) from their mean, m."""
+    """Return the root mean square distance of points (n, 3) from their mean (m)."""
     return float(np.sqrt(np.mean(np.sum((points - points.mean(axis=0)) ** 2, axis=-1))))
 
 
 def base_normal(robot: Robot) -> Array:
-    """Return the unit normal of the base points' plane, (3,), to the platform's side, base frame."""
+    """Return the unit normal of the base plane toward the platform, shape (3,), in the base frame."""
     return _normal(robot.b, up_direction(robot))
 
 
@@ -149,7 +176,7 @@ def _shown(direction: Array) -> str:
 
 
 def _axis(b: Array) -> Array:
-    """Return the normal, or the axis next to it, with its component of largest magnitude positive."""
+    """Return the base normal or the axis near it; its component of largest magnitude is positive."""
     n = np.asarray(np.linalg.svd(b - b.mean(axis=0))[2][2])
     largest = int(np.argmax(np.abs(n)))
     if abs(n[largest]) >= np.cos(_LEVEL):
@@ -158,7 +185,7 @@ def _axis(b: Array) -> Array:
 
 
 def _level_scores(robot: Robot, direction: Array) -> tuple[float, float]:
-    """Return by how far legs miss their limits, m, and the condition number, each least over all heights."""
+    """Return the least violation of the length limits (m) and the least condition number over all heights."""
     t = level_positions(robot, direction)
     q, S, L = leg_vectors(without_offsets(robot), np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
     low, high = robot.length_limits.T
@@ -169,10 +196,10 @@ def _level_scores(robot: Robot, direction: Array) -> tuple[float, float]:
 
 
 def path_for(robot: Robot, name: str) -> PaperPath:
-    """Return Path ``name`` of ``PAPER_PATHS`` with its z to the platform's side of the base.
+    """Return path ``name`` of ``PAPER_PATHS``, rotated so that its z axis points to the platform side.
 
-    That is the side of the home pose that the robot states, else the one against gravity; where neither
-    settles it, z is the base frame's. Of a machine with z up it is the path itself.
+    The side follows from the given home pose or from gravity. If neither determines it, z is the z axis of
+    the base frame. For a robot whose z axis points up, the path is unchanged.
     """
     path, dtau = PAPER_PATHS[name]
     if not platform_side(robot).certain:

@@ -1,4 +1,4 @@
-"""Kinematics of legs with offset joints: lengths, motors' angles, and the poses that have them."""
+"""Kinematics of legs with offset joints: lengths, motor angles, and the corresponding poses."""
 
 from __future__ import annotations
 
@@ -23,16 +23,18 @@ _GOAL = 4 * np.finfo(np.float64).eps
 
 @dataclass(frozen=True, eq=False)
 class MotorAnglesResult:
-    """Turns of the motors; a leading shape ``(...)`` is that of the motion.
+    """Motor angles and their derivatives.
+
+    The leading shape ``(...)`` is the shape of the motion.
 
     Attributes
     ----------
-    angle : ndarray
-        From where the legs have their lengths of reference, rad, (..., 6): N (L - L_0) + gear spin.
-    rate : ndarray
-        rad/s, (..., 6).
-    acceleration : ndarray or None
-        rad/s^2, (..., 6); None for a motion without accelerations.
+    angle : ndarray, shape (..., 6)
+        Motor angles (rad) from the reference lengths: N (L - L_0) + gear spin.
+    rate : ndarray, shape (..., 6)
+        Motor speeds (rad/s).
+    acceleration : ndarray, shape (..., 6), or None
+        Motor accelerations (rad/s^2). None if the motion has no accelerations.
     """
 
     angle: Array
@@ -43,27 +45,48 @@ class MotorAnglesResult:
 def motor_angles(
     robot: Robot, motion: Motion, reference_length: ArrayLike | None = None
 ) -> MotorAnglesResult:
-    """Turns of the motors that move the legs, with what the turning of upper parts in their nuts adds.
+    """Compute the motor angles of a motion, including the rotation of the upper leg parts in their nuts.
 
     Parameters
     ----------
     robot : Robot
-        The machine, with a drive; a left-handed screw has a negative lead. Where the platform joints are
-        universal, the upper part turns by its spin against the nut; elsewhere it does not.
+        Robot with a drive. A left-handed screw has a negative lead.
     motion : Motion
-        Motion of the platform, any leading shape.
-    reference_length : array_like, optional
-        Lengths at which the angles are of the spins alone, m, (6,); None: 0.
+        Motion of the platform with any leading shape.
+    reference_length : array_like, shape (6,), optional
+        Leg lengths (m) at which the angles consist only of the spin terms; by default 0.
 
     Returns
     -------
     MotorAnglesResult
-        Angles, rates and accelerations.
+        Motor angles (rad), speeds (rad/s), and accelerations (rad/s^2).
 
     Raises
     ------
     ValueError
-        For a robot without a drive, and where a leg has no solution.
+        If the robot has no drive, an argument is invalid, or a leg has no solution.
+
+    See Also
+    --------
+    pose_from_motor_angles : Compute the pose from motor angles.
+    inverse_kinematics : Compute leg lengths.
+
+    Notes
+    -----
+    If the platform joints are universal joints, the upper leg part turns against the nut by its spin. With
+    other platform joints it does not turn.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> import stewart_sym as ss
+    >>> robot = dataclasses.replace(ss.robots.load("unal"), drive=ss.Drive(lead=0.005))
+    >>> rest = [0.0, 0.0, 0.0]
+    >>> motion = ss.Motion.from_rpy(t=[0.0, 0.0, 0.71], theta=rest, v=rest, theta_dot=rest)
+    >>> home = ss.Motion.from_rpy(t=[0.0, 0.0, 0.7], theta=rest, v=rest, theta_dot=rest)
+    >>> L_0 = ss.inverse_kinematics(robot, home).L
+    >>> ss.motor_angles(robot, motion, reference_length=L_0).angle.round(2).tolist()
+    [12.43, 12.43, 12.43, 12.43, 12.43, 12.43]
     """
     instance(motion, Motion, "motion")
     zero = _reference_lengths(robot, reference_length)
@@ -86,28 +109,48 @@ def pose_from_motor_angles(
     guess: tuple[ArrayLike, ArrayLike],
     reference_length: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
-    """Pose (R, t) at which the motors have turned by given angles, (..., 3, 3) and m, (..., 3).
+    """Compute the pose at which the motors have the given angles.
 
     Parameters
     ----------
     robot : Robot
-        The machine, with a drive.
-    angle : array_like
-        Turns of the motors as ``motor_angles`` gives them, rad, (..., 6).
-    guess : tuple
-        Pose (R, t) to start from, (..., 3, 3) and m, (..., 3).
-    reference_length : array_like, optional
-        As for ``motor_angles``.
+        Robot with a drive.
+    angle : array_like, shape (..., 6)
+        Motor angles (rad), as in ``MotorAnglesResult.angle``.
+    guess : tuple of array_like
+        Start pose (R, t) with shapes (..., 3, 3) and (..., 3); t in m.
+    reference_length : array_like, shape (6,), optional
+        Leg lengths (m) at which the angles consist only of the spin terms; by default 0.
 
     Returns
     -------
-    tuple
-        R and t of the pose that is found from the guess.
+    R : ndarray, shape (..., 3, 3)
+        Rotation matrix from the platform frame to the base frame.
+    t : ndarray, shape (..., 3)
+        Position of the reference point in the base frame (m).
 
     Raises
     ------
     ValueError
-        For a robot without a drive, and where Newton's steps find no pose.
+        If the robot has no drive, an argument is invalid, or no pose is found from the guess.
+
+    See Also
+    --------
+    motor_angles : Compute motor angles from a motion.
+    forward_kinematics : Compute poses from leg lengths.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = dataclasses.replace(ss.robots.load("unal"), drive=ss.Drive(lead=0.005))
+    >>> rest = [0.0, 0.0, 0.0]
+    >>> motion = ss.Motion.from_rpy(t=[0.0, 0.0, 0.71], theta=rest, v=rest, theta_dot=rest)
+    >>> angle = ss.motor_angles(robot, motion).angle
+    >>> R, t = ss.pose_from_motor_angles(robot, angle, guess=(np.eye(3), [0.0, 0.0, 0.7]))
+    >>> np.allclose(t, motion.t)
+    True
     """
     zero = _reference_lengths(robot, reference_length)
     assert robot.drive is not None
@@ -127,14 +170,14 @@ def pose_from_motor_angles(
 def _reference_lengths(robot: Robot, reference_length: ArrayLike | None) -> Array:
     instance(robot, Robot, "robot")
     if robot.drive is None:
-        raise ValueError("robot: drive: expected one, whose lead turns lengths into angles, got none")
+        raise ValueError("robot: drive: expected a drive with a lead, got none")
     return (
         np.zeros(6) if reference_length is None else finite_array(reference_length, (6,), "reference_length")
     )
 
 
 def checked_motion(robot: Robot, motion: Motion) -> JointMotion:
-    """How the joints move. Raises ValueError naming the first leg without a solution."""
+    """Compute the joint motion; raise ValueError for the first leg without a solution."""
     with np.errstate(all="ignore"):
         moving = joint_motion(robot, motion)
         codes = chain.codes_of(robot, motion, moving.at)
@@ -146,14 +189,15 @@ def checked_motion(robot: Robot, motion: Motion) -> JointMotion:
 
 
 def rate_of_H(robot: Robot, motion: Motion) -> Array:
-    """Time derivative of H along a motion, (..., 6, 6). Raises as ``checked_motion``."""
+    """Compute the time derivative of H along a motion, shape (..., 6, 6). Raises as ``checked_motion``."""
     G = checked_motion(robot, motion).G
     V = np.concatenate([motion.v, motion.omega], axis=-1)[..., None, :]
     size = np.abs(V).max(axis=-1, keepdims=True)
     size = np.where(size > 0.0, size, 1.0)
     W = size * np.eye(6)
-    # Second rates of the joints at a constant twist V are a form c(V) = B(V, V), and that of G W is B(V, W).
-    # B(V, W) + B(W, V) comes from two values of c, B(V, W) - B(W, V) is that of two turns in either order.
+    # The joint accelerations at a constant twist V are a quadratic form c(V) = B(V, V), and the rate of G W
+    # is B(V, W). B(V, W) + B(W, V) follows from two values of c. B(V, W) - B(W, V) follows from the
+    # commutator of the two rotations.
     both = 0.5 * (_at_twist(robot, motion, V + W) - _at_twist(robot, motion, V - W))
     turn = np.concatenate([np.zeros_like(W[..., 3:]), np.cross(W[..., 3:], V[..., 3:])], axis=-1)
     both += np.einsum("...ijk,...mk->...mij", G, turn)
@@ -161,7 +205,7 @@ def rate_of_H(robot: Robot, motion: Motion) -> Array:
 
 
 def _at_twist(robot: Robot, motion: Motion, twist: Array) -> Array:
-    """Second rates of the joints at each of the poses' constant twists, (..., m, 6)."""
+    """Return the joint accelerations for each constant twist of the poses, twists of shape (..., m, 6)."""
     v, omega = twist[..., :3], twist[..., 3:]
     R, none = np.broadcast_to(motion.R[..., None, :, :], (*v.shape, 3)), np.zeros_like(v)
     t = np.broadcast_to(motion.t[..., None, :], v.shape)
@@ -172,7 +216,7 @@ def _at_twist(robot: Robot, motion: Motion, twist: Array) -> Array:
 
 
 def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
-    """Lengths of the legs, m, (..., 6), with offset joints or without; NaN where a leg has no solution."""
+    """Return the leg lengths (m), shape (..., 6), of legs with or without offsets; NaN without a solution."""
     if robot.offsets is None:
         S = np.einsum("...jk,ik->...ij", R, robot.p) + t[..., None, :] - robot.b
         return np.asarray(np.linalg.norm(S, axis=-1))
@@ -181,7 +225,7 @@ def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
 
 
 def length_jacobian(robot: Robot, R: Array, t: Array) -> Array:
-    """Rates of the lengths by the platform's twist, (..., 6, 6); NaN where a leg has no solution."""
+    """Return the derivative of the lengths by the twist, shape (..., 6, 6); NaN if a leg has no solution."""
     with np.errstate(all="ignore"):
         return joint_motion(robot, _still(R, t)).G[..., SLIDING, :]
 
@@ -189,9 +233,10 @@ def length_jacobian(robot: Robot, R: Array, t: Array) -> Array:
 def search(
     robot: Robot, wanted: Array, R: Array, t: Array, screws: bool = False
 ) -> tuple[Array, Array, Flags, Array, NDArray[np.int64]]:
-    """Newton's steps from poses (n, ...) to lengths, (n, 6): R, t, where found, residual, m, and steps.
+    """Apply Newton steps from poses (n, ...) to lengths (n, 6) (m).
 
-    screws: to lengths as the motors see them, with what the spin of the upper parts adds.
+    Returns R, t, a flag of convergence, the residual (m), and the number of steps. With ``screws``, the
+    lengths are motor angles divided by N, which include the spin of the upper leg parts.
     """
     share = chain.lead_share(robot) if screws else np.zeros(6)
     R, t = orthonormal(R), t.copy()
@@ -243,5 +288,5 @@ def _still(R: Array, t: Array) -> Motion:
 
 
 def without_offsets(robot: Robot) -> Robot:
-    """The machine with legs whose axes meet: what a search begins with."""
+    """Return the robot with legs without offsets, from which a search starts."""
     return dataclasses.replace(robot, offsets=None)

@@ -1,13 +1,15 @@
-"""Proof that a pose near a computed one has exactly the given leg lengths, by Kantorovich's theorem.
+"""Proof, by Kantorovich's theorem, that a pose near a computed pose has exactly the given leg lengths.
 
-With z = (dt, l dphi), R = exp([dphi]x) R_0 and g_i(z) = (|S_i|^2 - L_i^2) / 2 the map z - A g(z), A about
-the inverse of the derivative of g at the pose, takes the ball |z| <= r into itself and contracts it if
+Let z = (dt, l dphi), R = exp([dphi]x) R_0, and g_i(z) = (|S_i|^2 - L_i^2) / 2. Let A be an approximate
+inverse of the derivative of g at the pose. The map z - A g(z) takes the ball |z| <= r into itself and
+contracts it if
 
     Y + Z r + Z_2 r^2 / 2 <= r,    Z + Z_2 r < 1,
 
-where Y >= |A g(0)|, Z >= |E - A g'(0)|, and |A g''(z) d d| <= Z_2 |d|^2 in the ball: then one pose in the
-ball has these lengths, and only one. |d/dtau exp([phi + tau d]x) q| <= |d| |q|, and twice derived <= |d|^2
-|q|, bound the second derivative: |g_i''| <= 1 + (|q_i|/l)^2 + |S_i| |q_i|/l^2.
+with Y >= |A g(0)|, Z >= |E - A g'(0)|, and |A g''(z) d d| <= Z_2 |d|^2 in the ball. Then exactly one pose in
+the ball has these lengths. The first derivative |d/dtau exp([phi + tau d]x) q| is at most |d| |q|, and the
+second derivative is at most |d|^2 |q|. They bound the second derivative of g:
+|g_i''| <= 1 + (|q_i|/l)^2 + |S_i| |q_i|/l^2.
 """
 
 from __future__ import annotations
@@ -30,25 +32,28 @@ from .inverse_kinematics import leg_vectors
 from .pose_search import jacobian
 
 Rationals = NDArray[np.object_]
-"""Arrays of Fractions, with which NumPy computes exactly."""
+"""Arrays of ``Fraction`` objects, with which NumPy computes exactly."""
 
 
 @dataclass(frozen=True, eq=False)
 class PoseCertificate:
-    """What is proven of poses; a leading shape ``(...)`` is that of the poses and lengths.
+    """Proven bounds of poses.
+
+    The leading shape ``(...)`` is the common shape of the poses and lengths. All bounds are NaN without a
+    proof.
 
     Attributes
     ----------
-    proven : ndarray of bool
-        Whether a pose with exactly these lengths lies within the error below; bool, (...).
-    position_bound : ndarray
-        Its distance from the given t is at most this, m, (...).
-    angle_bound : ndarray
-        It is turned from the given R by at most this, rad, (...), besides what R itself is off a rotation.
-    uniqueness_radius : ndarray
-        No other pose with these lengths has position error / length and angle together, as the root of the
-        sum of squares, below this, (...); length: see ``characteristic_length``. All are nan where nothing is
-        proven.
+    proven : ndarray of bool, shape (...)
+        True if a pose with exactly these lengths exists within the bounds.
+    position_bound : ndarray, shape (...)
+        Upper bound of the distance of this pose from the given t (m).
+    angle_bound : ndarray, shape (...)
+        Upper bound of the rotation angle of this pose from the given R (rad), in addition to the deviation of
+        R from a rotation matrix.
+    uniqueness_radius : ndarray, shape (...)
+        Radius within which no other pose has these lengths. The distance is the root of the sum of squares of
+        the position difference, divided by ``characteristic_length``, and the angle (rad).
     """
 
     proven: Flags
@@ -58,28 +63,46 @@ class PoseCertificate:
 
 
 def certify_pose(robot: Robot, L: ArrayLike, pose: tuple[ArrayLike, ArrayLike]) -> PoseCertificate:
-    """Prove, if it can be proven, that a pose with exactly the leg lengths L lies next to the given one.
+    """Prove, if possible, that a pose with exactly the given leg lengths exists near a computed pose.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    L : array_like
-        m, (..., 6).
-    pose : tuple
-        (R, t), (..., 3, 3) and (..., 3), as of ``forward_kinematics``; nan for no pose, which proves nothing.
-        No proof means neither that there is such a pose nor that there is none: near a singular pose, where
-        two poses meet, none can be had.
+        Robot geometry without joint offsets.
+    L : array_like, shape (..., 6)
+        Leg lengths (m).
+    pose : tuple of array_like
+        Computed pose (R, t) with shapes (..., 3, 3) and (..., 3), for example from ``forward_kinematics``. A
+        pose of NaN gives no proof.
 
     Returns
     -------
     PoseCertificate
-        What is proven, and the bounds.
+        Result of the proof and bounds of position (m) and angle (rad).
 
     Raises
     ------
     ValueError
-        Naming the argument for lengths not > 0 and finite, and for what is no pose.
+        If lengths are not finite and positive, or if ``pose`` is not a pose.
+
+    See Also
+    --------
+    forward_kinematics : Compute poses from leg lengths.
+
+    Notes
+    -----
+    The proof uses Kantorovich's theorem and exact rational arithmetic. Without a proof, the existence of the
+    pose is open. Near a singular pose, at which two poses meet, no proof is possible.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> L = [1.109, 1.005, 1.034, 1.122, 1.031, 0.973]
+    >>> pose = ss.forward_kinematics(robot, L)
+    >>> certificate = ss.certify_pose(robot, L, pose=(pose.R, pose.t))
+    >>> bool(certificate.proven), bool(certificate.position_bound < 1e-12)
+    (True, True)
     """
     instance(robot, Robot, "robot")
     lengths = checked_lengths(L)
@@ -110,33 +133,33 @@ def _pose(pose: object) -> tuple[Array, Array]:
 
 
 def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, float] | None:
-    """Bounds of position, angle and solitude of one pose, None without a proof."""
+    """Return the bounds of position and angle and the uniqueness radius of one pose; None without a proof."""
     length = Fraction(characteristic_length(robot) or 1.0)
     A = _about_inverse(robot, R, t, float(length))
     if A is None:
         return None
     legs = _Legs.of(robot, L, R, t, length)
-    # Whatever A is, the proof holds if the numbers below do.
+    # The proof is valid for any A for which the inequalities below are satisfied.
     Y = _norm(A @ legs.g) + _largest(A, legs.g_off)
     Z = _norm((_rationals(np.eye(6)) - A @ legs.rows).ravel()) + _largest(A, legs.rows_off)
     if Z >= 1:
         return None
 
     def holds(radius: Fraction, within: Fraction) -> bool:
-        """Whether the theorem does for a radius, by second derivatives bounded in the ball of another."""
+        """Return True if the theorem applies for a radius; derivatives are bounded in ball ``within``."""
         arm = legs.q / length
         # |S| grows by at most sqrt(1 + (|q|/l)^2) r <= (1 + |q|/l) r.
         second = 1 + arm * arm + (legs.S + (1 + arm) * within) * legs.q / length**2
         bound = _largest(A, second)
         return bool(Y + Z * radius + bound * radius * radius / 2 <= radius and Z + bound * radius < 1)
 
-    # The ball within which second derivatives are bounded; the smallest that may do is tried.
+    # Second derivatives are bounded in the smallest ball for which the proof can succeed.
     ball = max(4 * Y / (1 - Z), length * Fraction(1, 2**60))
     if not holds(ball, ball):
         return None
     r = max(Fraction(_above(float(2 * Y / (1 - Z)))), Fraction(1, 2**1000))
     proven = r if r <= ball and holds(r, ball) else ball
-    # The largest of proven, 2 proven, 4 proven, ... in whose ball there is one pose alone.
+    # The largest of proven, 2 proven, 4 proven, ... whose ball contains only one pose.
     alone = proven
     while alone < length and holds(2 * alone, 2 * alone):
         alone = 2 * alone
@@ -148,10 +171,10 @@ def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, fl
 
 
 class _Legs(NamedTuple):
-    """The legs at the pose, exact but for R's own distance from a rotation, which is in the ``_off`` bounds.
+    """Legs at the pose; exact except for the deviation of R from a rotation, which ``_off`` bounds contain.
 
-    g: (|S|^2 - L^2) / 2, (6,). rows: derivative of g by (dt, l dphi), (6, 6). q, S: bounds of their lengths,
-    (6,).
+    g: (|S|^2 - L^2) / 2, shape (6,). rows: derivative of g by (dt, l dphi), shape (6, 6). q, S: bounds of
+    their lengths, shape (6,).
     """
 
     g: Rationals
@@ -166,7 +189,7 @@ class _Legs(NamedTuple):
         turn, p = _rationals(R), _rationals(robot.p)
         q = p @ turn.T
         S = q + _rationals(t) - _rationals(robot.b)
-        # A rotation lies within |R^T R - E| of R (Frobenius): q is off by at most that share of |p|.
+        # A rotation exists within |R^T R - E| of R (Frobenius), so the error of q is at most this times |p|.
         off = _norm((turn.T @ turn - _rationals(np.eye(3))).ravel()) * _norms(p)
         size_q, size_S = _norms(q) + off, _norms(S) + off
         return cls(
@@ -180,7 +203,7 @@ class _Legs(NamedTuple):
 
 
 def _about_inverse(robot: Robot, R: Array, t: Array, length: float) -> Rationals | None:
-    """About the inverse of g' at the pose; None where there is none."""
+    """Return an approximate inverse of g' at the pose; None if g' is singular."""
     with np.errstate(all="ignore"):
         L = leg_vectors(robot, R, t)[2]
         G = jacobian(robot, R, t) * L[:, None] / np.repeat([1.0, length], 3)
@@ -197,7 +220,7 @@ def _rationals(values: Array) -> Rationals:
 
 
 def _largest(A: Rationals, off: Rationals) -> Fraction:
-    """Bound of |A x| over all x whose components are no larger than ``off``."""
+    """Return an upper bound of |A x| for all x with components of at most ``off``."""
     return _norm(abs(A) @ off)
 
 
@@ -206,11 +229,11 @@ def _norms(vectors: Rationals) -> Rationals:
 
 
 def _norm(values: Rationals) -> Fraction:
-    """No less than the Euclidean norm, and hardly more; rounded to few digits, so that bounds stay short."""
+    """Return a tight upper bound of the Euclidean norm, rounded to few digits to keep the fractions short."""
     square: Fraction = values @ values
     if square == 0:
         return Fraction(0)
-    # Powers of four bring the square to where a double has all its digits.
+    # Powers of four scale the square into the range in which a double has full precision.
     shift = (square.numerator.bit_length() - square.denominator.bit_length()) // 2
     scaled = square / Fraction(4) ** shift
     root = Fraction(math.sqrt(float(scaled))) * (1 + Fraction(1, 2**50))

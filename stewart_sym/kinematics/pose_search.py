@@ -1,4 +1,4 @@
-"""The search for poses of given leg lengths: Newton's damped steps from likely starts."""
+"""Search for poses with given leg lengths by damped Newton steps from likely start poses."""
 
 import math
 from collections.abc import Iterator
@@ -17,29 +17,29 @@ from .offset_legs import length_jacobian, search
 
 Poses = tuple[Array, Array]
 EPS = float(np.finfo(np.float64).eps)
-# The search ends below this share of the terms of S; what counts as found is ROUNDING.
+# Residual, relative to the terms of S, at which the search ends; a pose is accepted below ROUNDING.
 _GOAL = 4 * EPS
 _MOST_STEPS = 100
-# Damping is added to J^T J, whose trace is about 12.
+# Values of the damping, which is added to J^T J with a trace of about 12.
 _FIRST_DAMPING, _LEAST_DAMPING, _MOST_DAMPING = 1e-6, 1e-14, 1e3
-# Turns about the base's normal, rad, from which the search starts when the first two poses were no good.
+# Rotations about the base normal (rad) of further start poses if the first two poses fail.
 _MORE_TURNS = (0.5, -0.5, 1.0, -1.0)
-# Limit of a short step: rad, and share of the longest leg.
+# Limit of a short step: angle (rad), and translation relative to the longest leg.
 _SHORT = 0.1
-# Steps of a search that takes none back: the limit and number of them, and the damping of the first four.
+# Search that rejects no steps: limit of a step, number of steps, and damping of the first four steps.
 _FREE, _FREE_STEPS, _FIRST_FREE = 0.25, 30, 1e-3
-# Starts after which the search is given up: without a guess, and about one.
+# Number of starts after which the search fails: without a guess, and around a guess.
 MOST_STARTS, _MOST_ABOUT = 100, 20
-# So many sets of lengths are tried from all starts at once, which bounds memory.
+# Number of length sets that are tried from all starts at once, which bounds the memory.
 _AT_ONCE = 64
-# Lengths that are met within this share of the platform's size count as almost met.
+# Residual, relative to the platform size, below which the lengths are almost satisfied.
 _ALMOST = 1e-6
 
 
 def jacobian(robot: Robot, R: Array, t: Array) -> Array:
-    """Return J = H^T, (..., 6, 6): rows [s^T, (q x s)^T] take the twist [v; omega] to L_dot, (5).
+    """Return J = H^T, shape (..., 6, 6), whose rows [s^T, (q x s)^T] map the twist [v; omega] to L_dot, (5).
 
-    With offset joints those of the lengths.
+    With offset joints, J is the derivative of the lengths.
     """
     if robot.offsets is not None:
         return length_jacobian(robot, R, t)
@@ -47,12 +47,15 @@ def jacobian(robot: Robot, R: Array, t: Array) -> Array:
 
 
 def solve(A: Array, y: Array) -> tuple[Array, Flags]:
-    """Return x, (..., 6), of A x = y and where A has one; 0 where elimination meets a pivot of 0."""
+    """Solve A x = y; return x, shape (..., 6), and a flag.
+
+    The flag is False, and x is 0, if the elimination meets a zero pivot.
+    """
     regular = np.ones(y.shape[:-1], dtype=np.bool_)
     try:
         x = np.linalg.solve(A, y[..., None])
     except np.linalg.LinAlgError:
-        # NumPy does not say at which matrix; the sign of the determinant comes from the same elimination.
+        # NumPy does not report the singular matrix; the sign of the determinant uses the same elimination.
         regular = np.asarray(np.linalg.slogdet(A)[0] != 0.0)
         A = np.where(regular[..., None, None], A, np.eye(6))
         x = np.linalg.solve(A, np.where(regular[..., None], y, 0.0)[..., None])
@@ -60,7 +63,7 @@ def solve(A: Array, y: Array) -> tuple[Array, Flags]:
 
 
 class Found(NamedTuple):
-    """Poses, (n, 3, 3) and (n, 3), residuals, m, steps taken, and where the search converged, (n,) each."""
+    """Result of a search: poses, residuals (m), numbers of steps, and flags of convergence, for n starts."""
 
     R: Array
     t: Array
@@ -69,12 +72,12 @@ class Found(NamedTuple):
     found: Flags
 
     def at(self, where: NDArray[np.intp]) -> "Found":
-        """What was found from some of the starts, as copies."""
+        """Return copies of the results of selected starts."""
         return Found._make(each[where] for each in self)
 
 
 def searched(robot: Robot, L: Array) -> Found:
-    """Go from each likely start in turn to the lengths, (n, 6), that none before has found; then from all."""
+    """Search poses with lengths (n, 6) from each likely start in turn, then from random starts."""
     directions = _likely(robot)
     best = newton(robot, L, *_over_base(robot, L, *directions[0]))
     possible = ~_impossible(robot, L)
@@ -91,7 +94,7 @@ def searched(robot: Robot, L: Array) -> Found:
 
 
 def _first_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
-    """Return for lengths (n, 6) what the first good one of their starts, (n, m, ...), finds."""
+    """Return the result of the first successful start for lengths (n, 6) and starts (n, m, ...)."""
     n, m = t.shape[:2]
     every = newton(robot, np.repeat(L, m, axis=0), R.reshape(-1, 3, 3), t.reshape(-1, 3))
     good = every.found.reshape(n, m)
@@ -102,17 +105,17 @@ def _first_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
 
 
 def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
-    """Yield indices so many at a time that all their starts fit into memory."""
+    """Yield parts of the indices, small enough that all their starts fit into memory."""
     for i in range(0, len(indices), _AT_ONCE):
         yield indices[i : i + _AT_ONCE]
 
 
 def nearest_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
-    """Return of the poses found from a guess, (n, ...), the one nearest to it.
+    """Return, for each guess (n, ...), the nearest of the poses found from it.
 
-    Unless a bound proves that the first is the nearest, short steps are tried as well, and steps that are
-    never taken back, the first four of them damped or not; then the other side of the singular poses next to
-    what these find; in the end starts about the guess.
+    If no bound proves that the first pose is the nearest, further searches follow. They use short steps, or
+    steps that are never rejected (the first four damped or undamped). They also start on the other side of
+    the singular poses near the results, and finally around the guess.
     """
     best = newton(robot, L, R, t)
     doubtful = np.flatnonzero(~(best.found & _is_nearest(robot, (R, t), best)) & ~_impossible(robot, L))
@@ -125,11 +128,11 @@ def nearest_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
     tries += [other_side(robot, lengths, *found[:2]) for found in tries]
     for found in tries[1:]:
         old = best.at(doubtful)
-        # The same pose found again differs by rounding.
+        # A pose that is found twice differs by rounding.
         nearer = distance(guess, found[:2]) < (1.0 - 1e-9) * distance(guess, old[:2])
         take = np.flatnonzero(found.found & (nearer | ~old.found))
         _replace(best, doubtful[take], found.at(take))
-    # Lengths all but met belong to a singular pose or to one beside it.
+    # Lengths that are almost satisfied belong to a singular pose or to a pose close to it.
     missed = ~best.found[doubtful] & (best.residual[doubtful] > _ALMOST * platform_size(robot))
     for part in _parts(doubtful[missed]):
         _replace(best, part, _first_found(robot, L[part], *_about(robot, R[part], t[part], L[part])))
@@ -137,14 +140,14 @@ def nearest_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
 
 
 def _replace(best: Found, where: NDArray[np.intp], found: Found) -> None:
-    """Put what was found in place of what was; steps add up."""
+    """Replace results by new results and add the numbers of steps."""
     found.iterations[:] += best.iterations[where]
     for old, new in zip(best, found, strict=True):
         old[where] = new
 
 
 def other_side(robot: Robot, L: Array, R: Array, t: Array) -> Found:
-    """Return poses with lengths L found from behind the next singular poses, as far as these are away."""
+    """Search poses with lengths L from starts beyond the nearest singular poses, at the same distance."""
     near = way_to_singular(robot, R, t)
     step = np.where(np.isfinite(near.way), 2.0 * near.way, 0.0)[:, None] * near.direction
     angle = np.maximum(1.0, _size(step[:, 3:]))[:, None]
@@ -152,12 +155,19 @@ def other_side(robot: Robot, L: Array, R: Array, t: Array) -> Found:
 
 
 class ToSingular(NamedTuple):
-    """The way from poses to the next singular ones, to first order.
+    """Path from poses to the nearest singular poses, to first order.
 
-    way: how far, signed, m, (n,): until J's smallest singular value, at its rate there, is 0.
-    direction: the twist [v; omega] that changes the lengths least, (n, 6), of length 1 with angles times the
-    platform's size. legs: the change of lengths, of size 1, that it makes, (n, 6). lengths: how much of that
-    is left on the way, m, (n,): with more, the lengths belong to no pose nearby.
+    Attributes
+    ----------
+    way : ndarray, shape (n,)
+        Signed distance (m) at which the smallest singular value of J, extrapolated with its rate, vanishes.
+    direction : ndarray, shape (n, 6)
+        Twist [v; omega] that changes the lengths least, with norm 1 if angles are multiplied by the platform
+        size.
+    legs : ndarray, shape (n, 6)
+        Corresponding change of the lengths, with norm 1.
+    lengths : ndarray, shape (n,)
+        Change of the lengths along the path (m); larger changes have no pose nearby.
     """
 
     way: Array
@@ -167,7 +177,7 @@ class ToSingular(NamedTuple):
 
 
 def way_to_singular(robot: Robot, R: Array, t: Array) -> ToSingular:
-    """Return the way from poses (n, ...) to the next singular ones."""
+    """Return the paths from poses (n, ...) to the nearest singular poses."""
     unit = np.repeat([1.0, platform_size(robot)], 3)
     q, S, L = leg_vectors(robot, R, t)
     U, s, V_T = np.linalg.svd(np.nan_to_num(length_rows(q, S, L) / unit))
@@ -184,16 +194,16 @@ def way_to_singular(robot: Robot, R: Array, t: Array) -> ToSingular:
 
 
 def distance(one: Poses, other: Poses, length: float = 1.0) -> Array:
-    """Return the distance between poses (n, ...), (n,): the root of the sum of squares in m and rad.
+    """Return the distance between poses, shape (n,): the root of the sum of squares in m and rad.
 
-    length: m, by which angles are multiplied instead of 1 m.
+    Angles are multiplied by ``length`` (m).
     """
     turn = rotation.vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
     return np.hypot(_size(other[1] - one[1]), length * _size(turn))
 
 
 def _is_nearest(robot: Robot, guess: Poses, found: Found) -> Flags:
-    """Return True for poses, (n,), that a bound proves to be the nearest to the guess.
+    """Return True for poses that a bound proves to be the nearest to the guess, shape (n,).
 
     The bound limits the second derivatives of the lengths: any other pose is at least twice as far away.
     """
@@ -209,12 +219,15 @@ def _is_nearest(robot: Robot, guess: Poses, found: Found) -> Flags:
 
 
 def _impossible(robot: Robot, L: Array) -> Flags:
-    """Where lengths, (n, 6), have no pose for certain, (n,)."""
+    """Return True for lengths (n, 6) that certainly have no pose, shape (n,)."""
     return np.asarray(impossible_pairs(robot, L).any(axis=(-2, -1)))
 
 
 def impossible_pairs(robot: Robot, L: Array) -> Flags:
-    """Which two legs' lengths, (..., 6), differ by more, or add up to less, than their joints allow."""
+    """Return True for pairs of legs with lengths (..., 6) that their joints do not allow at the same time.
+
+    The lengths differ by more, or have a smaller sum, than the distances of the joints allow.
+    """
     base, platform = (np.linalg.norm(x[:, None] - x, axis=-1) for x in (robot.b, robot.p))
     one, other = L[..., :, None], L[..., None, :]
     with np.errstate(over="ignore"):
@@ -225,14 +238,13 @@ def impossible_pairs(robot: Robot, L: Array) -> Flags:
 
 
 def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: float | None = None) -> Found:
-    """Return what is found from poses (n, ...) for lengths L, (n, 6); most: of a step, see below.
+    """Search poses with lengths L, shape (n, 6), from start poses (n, ...) by damped Newton steps.
 
-    free: damping of the first four steps of a search that takes no step back.
-
-    Each step is a twist: t <- t + dt, R <- exp([dphi]x) R.  It solves (J^T J + damping E) d = J^T (L - |S|),
-    angles times the platform's size; damping falls with every step that brings the lengths nearer, until the
-    steps are Newton's own, and a step that does not is taken back and tried shorter. With offset joints the
-    steps are those of ``offset_legs.search``.
+    A step is a twist: t <- t + dt, R <- exp([dphi]x) R. It solves (J^T J + damping E) d = J^T (L - |S|) with
+    angles scaled by the platform size. The damping decreases after each step that reduces the residual, so
+    that the last steps are Newton steps. Other steps are rejected and repeated with more damping. ``most``
+    limits a step. ``free`` is the damping of the first four steps of a search that rejects no steps. With
+    offset joints the search is ``offset_legs.search``.
     """
     if robot.offsets is not None:
         R, t, found, residual, steps = search(robot, L, R, t)
@@ -256,7 +268,7 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: 
             A = J_T @ J + damping[live][:, None, None] * np.eye(6)
             d, _ = solve(A, np.einsum("...ji,...j->...i", J, miss))
             d[:, 3:] /= length
-            # Beyond its own reach or a turn of one radian a step has nothing to do with the machine.
+            # The linearization is meaningless beyond the length of the legs or a rotation of one radian.
             share = np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])) / most
             d /= np.maximum(1.0, share)[:, None]
             R_1 = rotation.orthonormal(rotation.rotation_from_vector(d[:, 3:]) @ R[live])
@@ -278,7 +290,7 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: 
 
 
 def _reach(robot: Robot, q: Array, t: Array) -> Array:
-    """Largest component of the terms of S = q + t - b, m, (...)."""
+    """Return the largest component of the terms of S = q + t - b (m), shape (...)."""
     of_platform = np.maximum(np.max(np.abs(q), axis=(-2, -1)), np.max(np.abs(t), axis=-1))
     return np.asarray(np.maximum(of_platform, np.max(np.abs(robot.b))))
 
@@ -288,16 +300,16 @@ def _size(vector: Array) -> Array:
 
 
 def platform_size(robot: Robot) -> float:
-    """Characteristic length, m; 1 for a platform that is a point."""
+    """Return the characteristic length (m); 1 if it is zero."""
     return characteristic_length(robot) or 1.0
 
 
 def _likely(robot: Robot) -> list[Poses]:
-    """Return orientations, (3, 3), and the sides of the base they are looked for on, (3,), likeliest first.
+    """Return start orientations (3, 3) and base sides (3,), ordered from the most to the least likely.
 
-    Orientations: E, and the one that brings each platform point nearest to its base point (Kabsch, 1976);
-    the latter first when E tilts or turns the platform far from it; then both turned about the base's normal,
-    and both on its other side.
+    Orientations are E and the rotation that minimizes the distances between platform and base points (Kabsch,
+    1976). The latter is first if it tilts or turns the platform far from E. Both follow rotated about the
+    base normal, and both on the other side of the base.
     """
     b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
     U, _, V_T = np.linalg.svd(b.T @ p)
@@ -310,7 +322,7 @@ def _likely(robot: Robot) -> list[Poses]:
 
 
 def _anywhere(robot: Robot, count: int) -> Poses:
-    """Return orientations, (count, 3, 3), and sides, (count, 3), drawn evenly, alike in whatever axes."""
+    """Return random uniform orientations (count, 3, 3) and sides (count, 3), equal for any robot axes."""
     rng, turn = np.random.default_rng(0), upright(robot)
     e, n = rng.normal(size=(count, 4)), rng.normal(size=(count, 3))
     R = rotation.rotation_from_quaternion(e / _size(e)[:, None])
@@ -318,7 +330,7 @@ def _anywhere(robot: Robot, count: int) -> Poses:
 
 
 def _over_base(robot: Robot, L: Array, R: Array, n: Array) -> Poses:
-    """Return poses (..., 3, 3), (..., 3) at orientations R, on sides n, as high as the mean square length."""
+    """Return poses at orientations R on sides n, with heights from the mean square length."""
     b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
     across = np.sqrt(np.mean(np.sum((p @ np.swapaxes(R, -1, -2) - b) ** 2, axis=-1), axis=-1))
     longest = np.max(L, axis=-1)
@@ -329,7 +341,7 @@ def _over_base(robot: Robot, L: Array, R: Array, n: Array) -> Poses:
 
 
 def _about(robot: Robot, R: Array, t: Array, L: Array) -> Poses:
-    """Return poses (n, m, ...) about others, (n, ...), up to half a radian and half a leg's length away."""
+    """Return poses (n, m, ...) around given poses, up to half a radian and half a leg length away."""
     rng, turn = np.random.default_rng(0), upright(robot)
     width = 0.5 * np.arange(1, _MOST_ABOUT + 1)[:, None] / _MOST_ABOUT
     phi, step = width * rng.normal(size=(2, _MOST_ABOUT, 3)) @ turn.T

@@ -1,4 +1,4 @@
-"""Logs of a robot, read as its file says that they are written: tool point, order of rotations, lengths."""
+"""Logs of a robot, read with the conventions of its robot file: tool point, rotation order, length mode."""
 
 import dataclasses
 import os
@@ -19,7 +19,7 @@ from .trajectory_checks import log_doubts, need_units
 
 
 def form_of(robot: Robot, form: TrajectoryFormat = PLAIN) -> TrajectoryFormat:
-    """How the robot's logs are written, where the form does not say otherwise."""
+    """Return the format of the robot's logs; the robot file supplies unspecified settings."""
     order, lengths = form.euler_order or robot.euler_order, form.length_mode or robot.length_mode
     return dataclasses.replace(form, euler_order=order, length_mode=lengths)
 
@@ -31,12 +31,14 @@ def read_log_of(
     smoothing: SmoothingOptions = AS_SHOWN,
     progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
-    """Read a log whose poses and loads are those of the robot's tool; relative lengths become absolute.
+    """Read a log whose poses and loads refer to the robot's tool; relative lengths become absolute.
 
-    What the form leaves open is the robot's. Motions made of the result are those of the reference point.
-    Raises as ``read_log``, and ValueError for relative lengths without a home pose, or of legs that have none
-    left. Raises ValueError for numbers that fit the robot in another unit only, if neither the form nor the
-    file states the unit. Warns of other numbers that do not fit the robot.
+    The robot file supplies settings that the format does not specify. Motions computed from the result
+    describe the reference point.
+
+    Raises the errors of ``read_log``, and ValueError for relative lengths without a home pose or with a sum
+    that is not positive. Raises ValueError if numbers fit the robot only in another unit and neither the
+    format nor the file specifies the unit. Warns if other numbers do not fit the robot.
     """
     log = read_log(path, form_of(robot, form), smoothing, progress, partial(need_units, robot))
     if isinstance(log, PoseLog):
@@ -49,7 +51,7 @@ def read_log_of(
 
 
 def _loaded_at(tool: Array, log: JointTrajectory) -> JointTrajectory:
-    """The log with its load, which acts at a point, m, platform frame, (3,), at the reference point."""
+    """Return the log with its load moved from the tool point (m), platform frame, to the reference point."""
     if log.F_ext is None or not tool.any():
         return log
     moment = np.cross(tool, log.F_ext)
@@ -62,13 +64,13 @@ def trajectory_for(
     form: TrajectoryFormat = PLAIN,
     smoothing: SmoothingOptions = AS_SHOWN,
 ) -> Trajectory | JointTrajectory:
-    """Read a log as ``read_log_of``, of poses as a motion of the reference point."""
+    """Read a log as ``read_log_of``; poses become a motion of the reference point."""
     log = read_log_of(robot, path, form, smoothing)
     return trajectory_from(log) if isinstance(log, PoseLog) else log
 
 
 def _absolute(robot: Robot, log: JointTrajectory) -> JointTrajectory:
-    """The log with the lengths at the home pose added."""
+    """Return the log with the lengths at the home pose added."""
     if robot.home_position is None:
         raise ValueError(f"{log.source}: relative lengths: expected a robot file with a key home_position")
     L = log.L + leg_lengths(robot, np.eye(3), robot.home_position)

@@ -1,4 +1,4 @@
-"""Doubts about a log of a robot: another unit of lengths or angles, a platform beyond the base."""
+"""Plausibility checks of a robot's log: units of lengths and angles, and the side of the base."""
 
 from dataclasses import replace
 
@@ -16,20 +16,20 @@ from .mounting import platform_side
 from .offset_legs import leg_lengths
 from .pose_search import jacobian
 
-# Instants that show in which unit a log is, and on which side of the base its platform.
+# Number of samples that are checked.
 _SOME = 64
-# Factors of a mistaken unit: meters read as millimeters, meters as centimeters, centimeters as millimeters. A
-# platform nearer to the base than this share of the base's size is doubtful.
+# Factors of a mistaken unit: meters read as millimeters, meters as centimeters, centimeters as millimeters.
+# The second value is the smallest plausible distance from the base, relative to the base size.
 _TIMES, _NEAR = (1000, 100, 10), 0.2
-# Leg lengths outside these ranges, shares of the machine's size or of its longest leg, are doubtful; usual
-# ones, by which another unit is suggested.
+# Plausible ranges of leg lengths relative to the machine size and to the longest leg, and the usual range,
+# which determines the suggested units.
 _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0)
 LEAST_TURN = 0.5
-"""Least range of an angle, rad, that may be in degrees."""
+"""Smallest range of an angle (rad) that is checked for degrees."""
 
 
 def log_doubts(robot: Robot, log: PoseLog | JointTrajectory, unit: str = "m") -> list[str]:
-    """One line about each doubt, by some instants; unit: of ``LENGTH_UNITS``, in which the log was read."""
+    """Return a warning text for each implausible property of a few samples, read in length unit ``unit``."""
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     if isinstance(log, JointTrajectory):
         found = [length_doubt(robot, log.L[some], unit)]
@@ -41,14 +41,14 @@ def log_doubts(robot: Robot, log: PoseLog | JointTrajectory, unit: str = "m") ->
     return [doubt for doubt in found if doubt is not None]
 
 
-# Quantiles between which angles range, so that a few wrong rows do not count.
+# Quantiles that bound the range of an angle, so that a few wrong rows have no effect.
 _RANGE = (0.05, 0.95)
 
 
 def need_units(robot: Robot, log: Log) -> None:
-    """Raise ValueError with the remedy if lengths or angles fit the robot in another unit only.
+    """Raise ValueError with the remedy if lengths or angles fit the robot only in another unit.
 
-    ``log_doubts`` warns of numbers with a given unit.
+    If the unit is given, ``log_doubts`` issues a warning instead.
     """
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     written = {name: [x[some] for x in vector] for name, vector in log.written.items()}
@@ -89,22 +89,22 @@ def _need_angle_unit(robot: Robot, log: Log, few: Log) -> None:
     if wrong and impossible(robot, t, in_degrees, robot.tool) is None:
         axis = int(np.argmax(spans))
         raise ValueError(
-            f"{log.source}: {angle_range(theta, axis)}, which the legs allow in degrees alone; give "
+            f"{log.source}: {angle_range(theta, axis)}, which the legs allow only in degrees; give "
             "TrajectoryFormat(angle_unit='deg'), or TrajectoryFormat(angle_unit='rad') if rad is right"
         )
 
 
 def _reference_poses(robot: Robot, log: Log) -> tuple[Array, Array]:
-    """Return R (n, 3, 3) and t of the reference point (m), (n, 3), of a log of the tool's poses."""
+    """Return R, shape (n, 3, 3), and t of the reference point (m), shape (n, 3), from a log of tool poses."""
     theta, _, order = log.angles()
     R = rotation_about_axes(theta, order)
     return R, log.vector("t") - R @ robot.tool
 
 
 def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
-    """One line about leg lengths, m, that are no machine's of the robot's size; None for plausible ones.
+    """Return a warning text if leg lengths (m) do not fit the robot's size, else None.
 
-    unit: of ``LENGTH_UNITS``, in which the log was read.
+    ``unit`` is the key of ``LENGTH_UNITS`` with which the log was read.
     """
     typical, size, (near, far), text = _beside_size(robot, lengths)
     if near * size <= typical <= far * size:
@@ -116,31 +116,31 @@ def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
     cause = (
         f"are they in another unit ({' or '.join(hints)})"
         if units
-        else f"is TrajectoryFormat(length_unit={unit!r}) right, and are those of the robot file in meters"
+        else f"is TrajectoryFormat(length_unit={unit!r}) right, and are the robot file's lengths in meters"
         if typical < size
-        else "is it the log of another machine, or are those of the robot file not in meters"
+        else "is it the log of another machine, or are the robot file's lengths not in meters"
     )
     return f"{text}: {cause}?"
 
 
 def meters_doubt(robot: Robot, lengths: Array) -> str | None:
-    """One line about leg lengths, m, far above those of the robot's size; None for others."""
+    """Return a warning text if leg lengths (m) are far too large for the robot's size, else None."""
     typical, size, (_, far), text = _beside_size(robot, lengths)
     return None if typical <= far * size else f"{text}: in millimeters, expected meters?"
 
 
 def _beside_size(robot: Robot, lengths: Array) -> tuple[float, float, tuple[float, float], str]:
-    """Usual length and the size it is compared with, m, least and most share of it, and words for both."""
+    """Return the typical length and the reference size (m), the bounds of their ratio, and a text."""
     limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
     size, shares, of = float(limits.max(initial=0.0)), _SHARES_OF_LIMITS, "legs of up to"
     if not limits.size:
         size, shares, of = float(np.ptp([robot.b, robot.p], axis=1).max()), _SHARES_OF_SIZE, "a machine of"
     typical = float(np.median(lengths))
-    return typical, size, shares, f"lengths of {typical:.4g} m beside {of} {size:.4g} m"
+    return typical, size, shares, f"lengths of {typical:.4g} m compared with {of} {size:.4g} m"
 
 
 def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
-    """One line about angles that the legs allow in degrees alone, at some instants; None else."""
+    """Return a warning text if the legs allow the angles of some samples only in degrees, else None."""
     theta, t = log.coordinates[0, :, 3:], log.coordinates[0, some, :3]
     tool = np.zeros(3) if log.tool is None else log.tool
     spans = np.ptp(theta, axis=0)
@@ -158,7 +158,7 @@ def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | No
 
 
 def unit_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
-    """One line about poses that the legs allow many times as far from the base alone; None else."""
+    """Return a warning text if the legs allow the poses only many times farther from the base, else None."""
     t, R = log.coordinates[0, some, :3], rotation_about_axes(log.coordinates[0, some, 3:], log.order)
     tool = np.zeros(3) if log.tool is None else log.tool
     far = float(np.linalg.norm(t, axis=-1).max())
@@ -171,7 +171,7 @@ def unit_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | Non
 
 
 def impossible(robot: Robot, t: Array, R: Array, tool: Array) -> str | None:
-    """Where poses of the tool lead that a machine does not reach: beyond limits, through singular poses."""
+    """Return the reason for which tool poses are unreachable: length limits or a singular pose; else None."""
     t = t - R @ tool
     L = leg_lengths(robot, R, t)
     if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
@@ -181,7 +181,10 @@ def impossible(robot: Robot, t: Array, R: Array, tool: Array) -> str | None:
 
 
 def side_change(robot: Robot, motion: Motion) -> int | None:
-    """The first of poses (n,) after which det H changes its sign: between it and the next one is singular."""
+    """Return the index of the first of n poses after which det H changes its sign, else None.
+
+    A singular pose exists between this pose and the next one.
+    """
     with np.errstate(invalid="ignore"):
         if robot.offsets is None:
             H = jacobian(robot, motion.R, motion.t)
@@ -193,16 +196,19 @@ def side_change(robot: Robot, motion: Motion) -> int | None:
 
 
 def side_doubt(robot: Robot, motion: Motion) -> str | None:
-    """One line about poses (n,) all on the other side of the base than gravity or home says; None else."""
+    """Return a warning text if all poses (n,) are on the wrong side of the base, else None.
+
+    The home pose or gravity determines the right side.
+    """
     side = platform_side(robot)
     center = motion.t + motion.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
     if not side.certain or np.any(center @ side.direction >= 0.0):
         return None
     where, unless = ("on the other side of the base than at home", "")
     if side.by_gravity:
-        where = "below the base, where gravity pulls,"
-        unless = " (forces are right as they are for a machine that hangs)"
+        where = "below the base, in the direction of gravity,"
+        unless = " (forces are correct for a suspended machine)"
     return (
-        f"the platform is {where} at every instant: does z of the log point the other way than in the robot "
+        f"the platform is {where} in every sample: does z of the log point the other way than in the robot "
         f"file?{unless}"
     )

@@ -1,1 +1,1 @@
-"""Whether a robot file describes a machine that can exist."""
+"""Plausibility checks of robot files: values that the schema allows but a real machine hardly has."""

@@ -1,4 +1,4 @@
-"""Whether legs are listed in an order that crosses them: points exchanged, turned or counted backward."""
+"""Detection of legs in a wrong order: exchanged, shifted, or reversed points, so that legs cross."""
 
 import itertools
 from collections.abc import Iterator
@@ -22,15 +22,18 @@ from .level_poses import (
 )
 
 EXCHANGED = -0.5
-"""Of two legs, the way between their base points times that between their platform points, over both radii,
-seen along the machine's axis: negative where they cross, and no sound machine's are below this."""
+"""Threshold of the scalar product of the base point difference and the platform point difference of two legs.
+
+The differences are projected along the machine axis and divided by both radii. The product is negative if the
+legs cross. In sound machines it is not below this value.
+"""
 
 
 def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
-    """Doubts about which base point belongs to which platform point.
+    """Yield findings about the assignment of platform points to base points.
 
-    Legs are sorted by the angle of their base points; platform points are paired with these in their own
-    order and shifted or reversed, twelve ways in all.
+    Legs are sorted by the angle of their base points. The platform points are assigned in their own order,
+    shifted or reversed, which gives twelve assignments.
     """
     axis = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
     axis /= np.linalg.norm(axis)
@@ -63,7 +66,7 @@ def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
 
 
 def _better_order(b: Array, p: Array, heights: Array, given: float, twisted: bool) -> Finding | None:
-    """A doubt where another of the twelve orders has better level poses than that whose best is ``given``."""
+    """Return a finding if another of the twelve orders has better level poses than ``given``, else None."""
     ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
     conditions = level_conditions(b, np.array(list(ways.values()))[:, None], heights).min(axis=-1)
     least = int(np.argmin(conditions))
@@ -87,9 +90,10 @@ def _crossing(i: int, j: int, cause: str = "their platform points exchanged") ->
 
 
 def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[tuple[int, int], bool] | None:
-    """Legs that cross as seen along the machine's axis, b and p as points of a plane, or None.
+    """Return legs that cross, seen along the machine axis, or None; b and p are points in the complex plane.
 
-    Also whether an exchange of their platform points undoes it, and a reversal of all not as well.
+    The flag is True if an exchange of the two platform points removes the crossing and a reversal of all does
+    not.
     """
     pairs = list(itertools.combinations(range(LEGS), 2))
     first, second = np.array(pairs).T
@@ -119,7 +123,7 @@ def _level(condition: float) -> str:
 
 
 def _around(points: Array, axis: Array) -> NDArray[np.complex128]:
-    """Points about their middle as complex numbers of a plane across an axis."""
+    """Return points relative to their mean as complex numbers in the plane normal to an axis."""
     plane = np.linalg.svd(axis[None])[2][1:]
     plane = plane if np.linalg.det(np.vstack([axis, plane])) > 0.0 else plane[::-1]
     x, y = plane @ (points - points.mean(axis=0)).T
@@ -127,7 +131,7 @@ def _around(points: Array, axis: Array) -> NDArray[np.complex128]:
 
 
 def _meeting(robot: Robot, t: Array) -> list[tuple[int, int]]:
-    """Pairs of legs of a level pose that meet away from their joints."""
+    """Return pairs of legs of a level pose that intersect away from their joints."""
     pairs = np.array(list(itertools.combinations(range(LEGS), 2)))
     (a, b), S = robot.b[pairs.T], t + robot.p - robot.b
     u, v = S[pairs.T]

@@ -1,4 +1,4 @@
-"""Doubts about legs: motors too weak or too slow, lengths of parts that do not go with those of the legs."""
+"""Plausibility of legs: weak or slow motors, friction, stroke, and lengths of leg parts."""
 
 from collections.abc import Iterator
 
@@ -10,23 +10,35 @@ from ..robot.robot import Robot, legs_text
 from .level_poses import Finding, Home
 
 SLOW = 0.3
-"""Of a leg's speed limit: a motor chosen for its leg drives it faster than this."""
+"""Smallest plausible leg speed at the motor speed limit, relative to the leg speed limit."""
 MOST_MOTOR_SPEED = 3200.0
-"""rad/s, 30,000 revolutions a minute."""
+"""Largest plausible motor speed (rad/s), 30,000 revolutions per minute."""
 LONGEST_STROKE = 300.0
-"""Time of a stroke at the speed limit (s). Telescopes have 60; m/s for mm/s make 0.5 s 500 s."""
+"""Longest plausible time of a stroke at the speed limit (s).
+
+Telescopes have 60 s. An entry in m/s instead of mm/s changes 0.5 s to 500 s.
+"""
 LEAST_STROKE = 5e-4
-"""Stroke over length of a leg. Piezo stacks have 1e-3; meters for millimeters make 0.3 of it 3e-4."""
+"""Smallest plausible stroke, relative to the leg length.
+
+Piezo stacks have 1e-3. An entry in meters instead of millimeters changes 0.3 to 3e-4.
+"""
 FASTER = 100.0
-"""Leg speed at the motor's speed limit, over the leg's own limit."""
+"""Largest plausible leg speed at the motor speed limit, relative to the leg speed limit."""
 LEAST_ANGLE, LEAST_SHARE = 0.5 * np.pi * np.pi / 180.0, 0.25
-"""Of a joint, rad; less are radians for degrees, where stroke over length is more than four times that."""
+"""Smallest plausible joint angle limit (rad), and its smallest ratio to stroke over length.
+
+Smaller limits are radians instead of degrees.
+"""
 LEAST_CURRENT, MOST_CURRENT, MOST_VOLTAGE = 0.005, 3e3, 5e3
-"""A and V of a motor at its limits of torque and speed; mN m/A for N m/A makes them 1000 times off."""
+"""Plausible currents (A) and voltage (V) of a motor at its torque and speed limits.
+
+A torque constant in mN m/A instead of N m/A changes them by a factor of 1000.
+"""
 
 
 def of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
-    """Motors that cannot hold the machine at rest by forces F, N, (6,), whatever friction does for them."""
+    """Yield a finding if motors with friction are too weak for the forces F (N), (6,), at rest."""
     drive = robot.drive
     if drive is None:
         return
@@ -42,14 +54,14 @@ def of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
             yield Finding(
                 "drive-limit",
                 f"{name} of the drives of {legs_text(weak)}: {limit[worst]:.4g} N m, but {torque[worst]:.4g} "
-                "N m hold the machine at rest at the home pose; likely cause: a gear left out, lead in "
+                "N m hold the machine at rest at the home pose; likely cause: a missing gear ratio, lead in "
                 "another unit, or motors too weak",
             )
             return
 
 
 def of_slowness(robot: Robot) -> Iterator[Finding]:
-    """Legs whose viscous friction alone takes their force limits before they reach their speed limits."""
+    """Yield a finding if viscous friction at the speed limit exceeds the force limit of legs."""
     with np.errstate(invalid="ignore"):
         force = robot.C_p * robot.speed_limit
     slow = np.flatnonzero((force > robot.force_limit) & np.isfinite(robot.speed_limit)).tolist()
@@ -63,7 +75,7 @@ def of_slowness(robot: Robot) -> Iterator[Finding]:
 
 
 def of_drive_friction(robot: Robot) -> Iterator[Finding]:
-    """Motors whose friction alone takes their torque limits, dry or at their speed limits."""
+    """Yield a finding if dry friction, or viscous friction at the speed limit, exceeds the torque limit."""
     drive = robot.drive
     if drive is None:
         return
@@ -86,7 +98,7 @@ def of_drive_friction(robot: Robot) -> Iterator[Finding]:
 
 
 def of_stroke(robot: Robot) -> Iterator[Finding]:
-    """Yield doubts about strokes, about speeds that take long for them, and about joints that hardly turn."""
+    """Yield findings about strokes, about speeds that are too slow for them, and about joint angle limits."""
     low, high = robot.length_limits.T
     stroke = np.where(np.isfinite(high), high - low, 0.0)
     short = np.flatnonzero((stroke > 0.0) & (stroke < LEAST_STROKE * high)).tolist()
@@ -125,13 +137,13 @@ def of_stroke(robot: Robot) -> Iterator[Finding]:
         i = tight[0]
         yield Finding(
             "joint-angle",
-            f"joint_angle_limit of {legs_text(tight)}: {np.degrees(least[i]):.3g} degrees beside a stroke of "
+            f"joint_angle_limit of {legs_text(tight)}: {np.degrees(least[i]):.3g} degrees with a stroke of "
             f"{stroke[i]:.4g} m; likely cause: radians given, expected angle_unit",
         )
 
 
 def of_speeds(robot: Robot) -> Iterator[Finding]:
-    """Motors whose speed limits leave the legs a small share of their own, or are those of no motor."""
+    """Yield findings about motor speed limits that are impossible or too slow for the leg speed limits."""
     if robot.drive is None:
         return
     limit = robot.drive.speed_limit
@@ -156,7 +168,7 @@ def of_speeds(robot: Robot) -> Iterator[Finding]:
 
 
 def of_currents(robot: Robot) -> Iterator[Finding]:
-    """Torque constants by which motors need currents and voltages that those of machines do not."""
+    """Yield findings about torque constants that require implausible currents or voltages."""
     drive = robot.drive
     if drive is None:
         return
@@ -177,7 +189,7 @@ def of_currents(robot: Robot) -> Iterator[Finding]:
             i = legs[0]
             yield Finding(
                 "torque-constant",
-                f"{name} of the drives of {legs_text(legs)}: {values[i]:.4g} {unit}, by which "
+                f"{name} of the drives of {legs_text(legs)}: {values[i]:.4g} {unit}, with which "
                 f"{given[0][i]:.4g} {given[1]} need {need[0][i]:.3g} {need[1]}; likely cause: another unit",
             )
             return
@@ -186,14 +198,16 @@ def of_currents(robot: Robot) -> Iterator[Finding]:
 # Lengths of parts
 
 LEAST_REACH, MOST_LENGTH = 0.8, 1.0 + 1e-9
-"""Of both parts over the longest leg: joints, which are left out of simple shapes, may take the rest; and of
-one part over the shortest leg."""
+"""Smallest plausible length of both parts over the longest leg, and largest of one part over the shortest.
+
+Joints, which simple shapes omit, may cover the remaining length.
+"""
 
 
 def of_part_lengths(robot: Robot, home: Home) -> Iterator[Finding]:
-    """Parts that come apart in the longest leg, or of which one is longer than the shortest.
+    """Yield findings about parts that separate in the longest leg, or that are longer than the shortest leg.
 
-    Of the limits, and of the leg at home where there is none; with offsets, of the limits alone.
+    The lengths are the limits, or the leg at home if there are none. With offsets, only the limits are used.
     """
     low, high = robot.length_limits.T
     at_home = np.full((2, len(home.L)), np.nan) if robot.offsets is not None else np.stack([home.L, home.L])
@@ -207,7 +221,7 @@ def of_part_lengths(robot: Robot, home: Home) -> Iterator[Finding]:
         yield Finding(
             "part-length",
             f"lower and upper parts of {legs_text(short)}: {lower[i]:.4g} m and {upper[i]:.4g} m long, which "
-            f"do not reach through a leg of {longest[i]:.4g} m; likely cause: the length of a part left out, "
+            f"are too short for a leg of {longest[i]:.4g} m; likely cause: the length of a part left out, "
             "or not measured from its joint",
         )
     for part, length in (("lower", lower), ("upper", upper)):

@@ -1,4 +1,4 @@
-"""A doubt about a robot, and the level poses at which machines are looked at."""
+"""Finding about a robot, and level poses at which robots are examined."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -16,16 +16,18 @@ from ..motion.rotation import rotation_from_vector
 from ..robot.robot import Robot
 
 GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
-"""Level poses of machines have scaled condition numbers of 1.5 to 3, of unusual ones up to 30; legs in wrong
-order have 15 and more, 6 times and more of what they have in the right order, or a platform twisted by 120
-degrees."""
+"""Thresholds of the scaled condition number, of its ratio to the best order, and of the twist (rad).
+
+Level poses of machines have condition numbers from 1.5 to 3, unusual ones up to 30. Legs in a wrong order
+have at least 15, at least 6 times the value of the right order, or a platform that is twisted by 120 degrees.
+"""
 MOST_CONDITION = 1e3
 HEIGHTS = 50
-"""Level poses that are looked at on a line above the base."""
+"""Number of level poses on a line above the base."""
 
 
 class Finding(NamedTuple):
-    """One line about a robot: name, as ``accept`` takes it, and text with the likely cause."""
+    """Finding about a robot: name, as in ``suppressed_warnings``, and text with the likely cause."""
 
     name: str
     text: str
@@ -33,7 +35,7 @@ class Finding(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Home:
-    """A pose at rest: R, t, L, m, and F, N; ``fits``: whether the legs are within their limits."""
+    """Pose at rest: R, t (m), L (m), and F (N); ``fits`` is True if the legs are within their limits."""
 
     R: Array
     t: Array
@@ -43,9 +45,9 @@ class Home:
 
 
 def centered_H(b: Array, q: Array, t: Array, unit: float) -> tuple[Array, Array]:
-    """H with moments about the middle of the platform points over a unit, m, (..., 6, 6), and L, (..., 6).
+    """Return H with moments about the platform center over a unit (m), (..., 6, 6), and L (m), (..., 6).
 
-    q: from the reference point to the platform points, base frame, m, (..., 6, 3). t: (..., 3).
+    q: platform points relative to the reference point in the base frame (m), (..., 6, 3). t: (..., 3).
     """
     S = q + t[..., None, :] - b
     L = np.linalg.norm(S, axis=-1)
@@ -54,11 +56,11 @@ def centered_H(b: Array, q: Array, t: Array, unit: float) -> tuple[Array, Array]
 
 
 def level_home(robot: Robot) -> Array:
-    """Position of the home pose if the robot states it, else of it or of a better one of those beside it.
+    """Return the position of the home pose of the robot, or of a better level pose if none is given.
 
-    Along the base's normal where ``home_pose`` does not suit the machine, as one on a wall; and where there
-    are no length limits, whose home pose is a guess, at the best height at which the legs' parts do not
-    overlap.
+    Poses along the base normal are tried if ``home_pose`` does not suit the machine, for example on a wall.
+    Without length limits, the home pose is a guess; the result is then the best height at which the leg parts
+    do not overlap.
     """
     if robot.home_position is not None:
         return robot.home_position
@@ -86,7 +88,7 @@ def level_home(robot: Robot) -> Array:
 
 
 def home_of(robot: Robot, t: Array) -> Home:
-    """The level pose at t, or one beside it where the legs are within their limits."""
+    """Return the level pose at t, or a pose nearby at which the legs are within their limits."""
     low, high = robot.length_limits.T
     margin = np.where(np.isfinite(high), 0.25 * (high - low), 0.0)
     R, L, fits = np.eye(3), level_lengths(robot, t), False
@@ -101,12 +103,12 @@ def home_of(robot: Robot, t: Array) -> Home:
 
 
 def parts_of(robot: Robot) -> Array:
-    """Distances of both centers of mass from their joints along each leg, together, m, (6,)."""
+    """Return the sum of the distances of both centers of mass from their joints along each leg (m), (6,)."""
     return np.asarray(robot.r_d0[:, 0] - robot.r_u0[:, 0])
 
 
 def level_conditions(b: Array, p: Array, t: Array) -> Array:
-    """Scaled condition numbers of level poses at t (n, 3), (..., n); infinity where H is singular.
+    """Return scaled condition numbers of level poses at t (n, 3), shape (..., n); infinity if H is singular.
 
     p: (6, 3), or the same points in several orders, (..., 1, 6, 3).
     """
@@ -115,7 +117,7 @@ def level_conditions(b: Array, p: Array, t: Array) -> Array:
 
 
 def _pose_within(robot: Robot, t: Array, low: Array, high: Array) -> tuple[Array, Array] | None:
-    """A pose (R, t) with legs between low and high, m, (6,), by damped Newton steps from level poses."""
+    """Return a pose (R, t) with leg lengths from low to high (m), (6,), by damped Newton steps, or None."""
     middle, offset = robot.b.mean(axis=0), robot.p.mean(axis=0)
     reach = robot.p - offset
     unit = np.repeat([1.0, radius(robot.p)], 3)

@@ -1,8 +1,7 @@
-"""Doubts about a robot's numbers: what the schema allows and hardly any machine has, with the likely cause.
+"""Plausibility of a robot's numbers: values that the schema allows and hardly any machine has.
 
-Above ``home``, at whose pose forces, legs and joints are examined; for ``check``. Every threshold lies
-between what machines have and what the mistake makes of it; where a machine may well be right, nothing is
-said.
+The checks of forces, legs, and joints use the home pose. Each threshold is between the values of real
+machines and the result of the mistake that it detects. Values that may be right cause no finding.
 """
 
 import warnings
@@ -22,59 +21,77 @@ from .level_poses import Finding, Home, centered_H, home_of, level_home, parts_o
 from .points import MOST_LEGS, of_coincidence, of_exchange, of_limits, of_place, of_tool
 
 MOST_GRAVITY = 50.0
-"""m/s^2: twice Jupiter's; in mm/s^2 or cm/s^2 the Moon's is 1,620 or 162."""
+"""Largest plausible gravity (m/s^2): twice Jupiter's; the Moon's is 1,620 in mm/s^2 and 162 in cm/s^2."""
 MOST_SIZE = 50.0
-"""m, RMS radius of points: larger machines are rarer than files in millimeters."""
+"""Largest plausible RMS radius of points (m); larger machines are rarer than files in millimeters."""
 LEAST_SIZE = 1e-4
 MOST_PROPORTION = (2.5, 200.0)
-"""Platform over base: an exchange of the two, and points in another unit."""
+"""Largest ratio of platform to base: of exchanged points, and of points in another unit."""
 STRAY = 50.0
 DENSEST = 22590.0
-"""kg/m^3: of osmium, all over a ball around the platform points. In grams light platforms exceed it too."""
+"""Density of osmium (kg/m^3), compared with a ball around the platform points.
+
+Even light platforms exceed it if their mass is given in grams.
+"""
 LEAST_DENSITY = 0.01
-"""kg/m^3: a hundredth of air's. In millimeters a platform is a thousand million times too large."""
+"""Smallest plausible density (kg/m^3), a hundredth of the density of air.
+
+In millimeters, the volume of a platform is 1e9 times too large.
+"""
 MOST_GYRATION = 5.0
-"""Radius of gyration over the machine's size: kg cm^2 for kg m^2 makes it 100 times too large."""
+"""Largest plausible radius of gyration over machine size; kg cm^2 for kg m^2 makes it 100 times larger."""
 LEAST_GYRATION = (0.02, 0.002)
-"""The same of the platform over its own size, and of a leg's part: rods have 0.1, a factor of 1e-6 makes it
-1000 times too small."""
+"""Smallest plausible radius of gyration: platform over its own size, and leg part over machine size.
+
+Rods have 0.1; an inertia that is too small by 1e-6 makes it 1000 times smaller.
+"""
 MOST_FRICTION = 1e3
-"""Viscous friction over the machine's weight, at the speed that it falls its own size with."""
+"""Largest plausible ratio of viscous friction to weight, at the speed of a fall over the machine size."""
 MOST_REFLECTED = 1e3
-"""Mass by which a rotor resists over that of platform and legs: kg cm^2 for kg m^2 makes it 10,000 times too
-large."""
+"""Largest plausible ratio of the reflected rotor mass to the mass of platform and legs.
+
+A rotor inertia in kg cm^2 instead of kg m^2 makes it 10,000 times larger.
+"""
 MOST_SPEED = 50.0
-"""m/s."""
+"""Largest plausible leg speed limit (m/s)."""
 SINGULAR_SHARE = 1e-3
-"""Least singular value over the largest: of sound machines it is above this at some of the random poses."""
+"""Threshold of smallest over largest singular value of H; sound machines exceed it at some random pose."""
 LEAST_SINE, LEAST_SINES = 0.03, 0.1
-"""Of the angle between a leg and its universal axis at the home pose, of any leg where length
-limits say where home is, and of all six."""
+"""Smallest plausible sine of the angle between a leg and its universal axis at the home pose.
+
+The first applies to any leg if length limits determine the home pose, the second to all six legs.
+"""
 MOST_OFFSET = (0.5, 0.15, 5.0)
-"""Distance of a center of mass from the leg's axis, over the leg, and over the leg where it is also this many
-times its place along the axis."""
+"""Largest plausible distance of a center of mass from the leg axis, over the leg length.
+
+The second value applies if the distance is also the third value times the coordinate along the axis.
+"""
 LEAST_OFFSET = (1e-6, 1e-3)
-"""Distance of a part's center of mass from its joint, over the leg: meters in a file of millimeters; below
-it, zero but for rounding."""
+"""Bounds of the distance of a center of mass from its joint, over the leg length, that indicate a wrong unit.
+
+Such values are meters in a file of millimeters. Values below the bounds are zero except for rounding.
+"""
 BEYOND = 0.05
-"""Distance of a part's center of mass beyond its joint, over the leg."""
+"""Largest plausible distance of a center of mass beyond its joint, over the leg length."""
 MOST_OVERLAP = 1.25
-"""Distances of both centers of mass from their joints, over the leg: parts that just slide past each other
-have 1 when the leg is shortest."""
+"""Largest plausible sum of the distances of both centers of mass from their joints, over the leg length.
+
+Parts that just slide past each other have 1 at the shortest leg length.
+"""
 
 
 _OF_SPEED = ("drive-speed", "torque-constant")
-"""Doubts that explain none about a machine at rest."""
+"""Names of findings that do not explain findings about a machine at rest."""
 
 
 def find_implausible(robot: Robot) -> list[Finding]:
-    """Doubts about a robot but those that it accepts; impossible inertias are not among them.
+    """Return the findings about a robot except the suppressed ones; impossible inertias are not included.
 
-    A doubt that explains others stands for them: where a unit is wrong or all poses are singular, nothing is
-    said of poses. Limits of motors' speeds explain none.
+    A finding that explains others replaces them: with a wrong unit, or if all poses are singular, poses are
+    not examined. Findings about motor speed limits explain no others.
     """
     with np.errstate(all="ignore"), warnings.catch_warnings():
-        # On which side of the base the platform is decides no doubt.
+        # No finding depends on the side of the base on which the platform is.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         found = _found(robot)
     return found
@@ -86,9 +103,7 @@ def _found(robot: Robot) -> list[Finding]:
 
     base, platform = radius(robot.b), radius(robot.p)
     if not np.isfinite(base + platform):
-        text = (
-            "base or platform points so far out that distances overflow; likely cause: a slip in an exponent"
-        )
+        text = "base or platform points so far out that distances overflow; likely cause: a wrong exponent"
         return left([Finding("length-unit", text)])
     reach = float(max(np.abs(robot.b).max(), np.abs(robot.p).max()))
     collapsed = min(base, platform) <= max(_SAME**2 * max(base, platform), _ROUNDING * reach)
@@ -153,7 +168,7 @@ def _of_lengths(robot: Robot) -> Iterator[Finding]:
 
 
 def _strays(points: Array) -> list[int]:
-    """Points that lie far from the middle of the others beside those."""
+    """Return the indices of points that are far from the mean of the others, relative to their radius."""
     found = []
     for i in range(LEGS):
         others = np.delete(points, i, axis=0)
@@ -187,17 +202,17 @@ def _of_lightness(robot: Robot, sizes: str) -> Iterator[Finding]:
 
 
 def _reach(robot: Robot) -> float:
-    """Distance of the farthest platform point from their middle, m."""
+    """Return the distance of the farthest platform point from the mean of the platform points (m)."""
     return float(np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=-1).max())
 
 
 def _density(mass: float, r: float) -> float:
-    """Of a ball, kg/m^3."""
+    """Return the density of a ball (kg/m^3)."""
     return float(mass / (4.0 / 3.0 * np.pi * np.float64(r) ** 3))
 
 
 def _of_friction(robot: Robot, size: float) -> Iterator[Finding]:
-    """Viscous friction that would stop the machine at once, N s/m or N m s."""
+    """Yield a finding about viscous friction (N s/m or N m s) that would stop the machine at once."""
     weight = 9.81 * (robot.M + robot.m_d.sum() + robot.m_u.sum())
     most = MOST_FRICTION * weight / np.sqrt(9.81 * size) if size > 0.0 else np.inf
     turning, sliding = ("N m s", size**2), ("N s/m", 1.0)
@@ -214,7 +229,7 @@ def _of_friction(robot: Robot, size: float) -> Iterator[Finding]:
 
 
 def _of_rotors(robot: Robot) -> Iterator[Finding]:
-    """Rotors beside which platform and legs do not count."""
+    """Yield a finding about rotors that are far heavier than platform and legs."""
     moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
     legs = np.flatnonzero(robot.reflected_mass > MOST_REFLECTED * moving).tolist()
     if robot.drive is not None and legs:
@@ -275,9 +290,7 @@ def _of_geometry(robot: Robot) -> Iterator[Finding]:
     shares, rounding = _singular_shares(robot)
     if np.max(shares) < SINGULAR_SHARE:
         exact = bool(np.all(shares <= rounding))
-        how = (
-            "singular in every pose" if exact else "singular in every pose but for a few digits of its points"
-        )
+        how = "singular in every pose" if exact else "singular in every pose except for digits of its points"
         yield Finding(
             "singular-everywhere",
             f"{how}: at {len(shares)} random poses the least singular value of H is at most "
@@ -286,11 +299,12 @@ def _of_geometry(robot: Robot) -> Iterator[Finding]:
 
 
 def _singular_shares(robot: Robot) -> tuple[Array, Array]:
-    """Least over largest singular value of H at random poses, (n,), and what rounding may make of a zero.
+    """Return smallest over largest singular value of H at random poses, (n,), and its rounding error.
 
-    A product of analytic functions: det H vanishes everywhere or almost nowhere, so a few random poses tell.
-    Moments are taken about the middle of the platform points, over their radius. An entry of H errs by some
-    units of the coordinates that cancel in S = q + t - b, over L; sixty-four of them are more than enough.
+    det H is a product of analytic functions: it vanishes everywhere or almost nowhere, so a few random poses
+    suffice. Moments are about the platform center and divided by the platform radius. The error of an entry
+    of H is a few rounding units of the coordinates that cancel in S = q + t - b, divided by L; 64 units are
+    an ample bound.
     """
     rng = np.random.default_rng(0)
     count = 16
@@ -323,14 +337,12 @@ def _why_singular(robot: Robot) -> str:
     known = np.column_stack([robot.p, np.ones(LEGS)])
     image = known @ np.linalg.lstsq(known, robot.b, rcond=_SAME)[0]
     if np.abs(image - robot.b).max() < _SAME * radius(robot.b):
-        return (
-            "base and platform points form similar hexagons; pairs of the one belong over gaps of the other"
-        )
+        return "base and platform points form similar hexagons; expected pairs of one above gaps of the other"
     return "points of no independent legs, in wrong order or on a surface of the second degree"
 
 
 _SAME = 1e-3
-# A radius below this share of the coordinates is made of their rounding errors.
+# Radius, relative to the coordinates, below which it consists of rounding errors.
 _ROUNDING = 1e-12
 
 
@@ -344,7 +356,7 @@ def _near(points: Array, i: int) -> list[int]:
 def _of_home(robot: Robot, home: Home) -> Iterator[Finding]:
     if robot.base_joint == "universal":
         yield from _of_axes(robot, home)
-    # Legs that are no machine's of this size, though far away a pose has them.
+    # Legs that are too long for a machine of this size, although distant poses have them.
     too_long = np.mean(robot.length_limits[:, 0]) > MOST_LEGS * (radius(robot.b) + radius(robot.p))
     if not home.fits or too_long:
         yield _of_limits(robot, home)
@@ -410,13 +422,13 @@ _UNITS = (("millimeters", 1e-3), ("centimeters", 1e-2), ("inches", 0.0254))
 
 
 def _fits(robot: Robot, limits: Array) -> bool:
-    """Whether a pose has all legs within other limits."""
+    """Return True if a pose has all legs within other limits."""
     other = replace(robot, length_limits=limits)
     return home_of(other, level_home(other)).fits
 
 
 def _of_parts(robot: Robot, home: Home) -> Iterator[Finding]:
-    """Centers of mass of a leg's parts that lie beyond the leg, on the wrong side or far away."""
+    """Yield findings about centers of mass of leg parts outside the leg, on its wrong side, or far away."""
     off, least_off, times = MOST_OFFSET
     for part, r, sign, joint in (
         ("upper", robot.r_u0, "negative", "platform joint"),

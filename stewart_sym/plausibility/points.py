@@ -1,4 +1,4 @@
-"""Doubts about points: base and platform exchanged, base joints in one place, the home pose, the tool."""
+"""Plausibility of points: exchanged base and platform, coincident joints, the home pose, and the tool."""
 
 from collections.abc import Iterator
 
@@ -10,19 +10,24 @@ from ..robot.robot import LEGS, Robot, legs_text
 from .level_poses import Finding
 
 LEAST_LARGER = 1.1
-"""Platform over base from which on an exchange of the two is looked for by their axes."""
+"""Ratio of platform to base from which their exchange is checked by the axes."""
 ALONG, ACROSS = 0.02, 0.1
-"""Sine or cosine of the angle between fixed axes and the way from the ring's middle: axes that were laid
-along or across a ring, all six, and such that were not."""
+"""Thresholds of the sine or cosine between the fixed axes and the radial directions of the points.
+
+Below the first, all six axes are radial or tangential to a ring; above the second, they are not.
+"""
 SLENDER = (1.5, 0.4, 0.5, 1.5)
-"""Platform over base, radius of gyration over the platform's radius at most, and over the base's from and to:
-a body that fills the ring of the base and is lost in its own."""
+"""Thresholds of a body that fits the ring of the base and is much smaller than its own ring.
+
+They are the ratio of platform to base, the largest radius of gyration over the platform radius, and the
+smallest and largest radius of gyration over the base radius.
+"""
 SAME = 1e-3
-"""Distance over the radius of the ring."""
+"""Distance, relative to the radius of the ring, below which joints coincide."""
 
 
 def of_exchange(robot: Robot, sizes: str) -> Iterator[Finding]:
-    """Base and platform exchanged: a larger platform, and axes or a body that belong to the other ring."""
+    """Yield a finding if sizes, axes, or inertia indicate that base and platform are exchanged."""
     ratio = radius(robot.p) / radius(robot.b)
     gyration = float(np.sqrt(np.linalg.eigvalsh(robot.I_p)[-1].clip(min=0.0) / robot.M))
     larger, thin, low, high = SLENDER
@@ -40,7 +45,7 @@ def of_exchange(robot: Robot, sizes: str) -> Iterator[Finding]:
 
 
 def _laid(k: Array, points: Array) -> float:
-    """How far from lying along, or across, the way from the middle of the points to each one the axes are."""
+    """Return the deviation of the axes from radial or tangential directions of the points, 0 to 1."""
     if not k.any():
         return 1.0
     out = points - points.mean(axis=0)
@@ -51,7 +56,7 @@ def _laid(k: Array, points: Array) -> float:
 
 
 def of_coincidence(robot: Robot) -> Iterator[Finding]:
-    """Base joints in one place; three pairs of them are meant, as an idealisation."""
+    """Yield a finding about coincident base joints, except for three intentional pairs."""
     near = np.linalg.norm(robot.b[:, None] - robot.b, axis=-1) < SAME * radius(robot.b)
     legs = np.flatnonzero(near.sum(axis=0) > 1).tolist()
     if legs and not (len(legs) == LEGS and (near.sum(axis=0) == 2).all()):
@@ -64,15 +69,15 @@ def of_coincidence(robot: Robot) -> Iterator[Finding]:
 # A home pose that the robot file states: far away, flat legs, or legs beyond their limits
 
 MOST_LEGS = 5.0
-"""Shortest leg over the machine's size: machines have 0.2 to 2, limits in inches make it 8 and more."""
+"""Largest plausible shortest leg over machine size; machines have 0.2 to 2, limits in inches at least 8."""
 FLAT = 0.1
-"""RMS share of the legs' directions across the plane that they come closest to."""
+"""Threshold of the RMS component of the leg directions normal to their closest plane."""
 _PARALLEL = 0.3
-"""The same of the second direction, over which legs that stand side by side have as little of it."""
+"""Largest ratio of the smallest to the second component for flat legs; both are small for parallel legs."""
 
 
 def of_place(robot: Robot) -> Iterator[Finding]:
-    """A home pose at which no machine of this size is, or at which its legs lie in one plane."""
+    """Yield a finding about a home pose that is too far away, or whose legs are in one plane."""
     if robot.home_position is None:
         return
     S = robot.p + robot.home_position - robot.b
@@ -82,8 +87,8 @@ def of_place(robot: Robot) -> Iterator[Finding]:
     if L.min() > MOST_LEGS * size:
         yield Finding(
             "home",
-            f"home: legs {L.min():.4g} to {L.max():.4g} m long on a machine of {size:.3g} m; likely cause: "
-            f"another unit than that of the file's points, or {another}",
+            f"home_position: legs {L.min():.4g} to {L.max():.4g} m long on a machine of {size:.3g} m; likely "
+            f"cause: another unit than the file's points, or {another}",
         )
         return
     shares = (
@@ -92,14 +97,14 @@ def of_place(robot: Robot) -> Iterator[Finding]:
     if shares[2] < FLAT and shares[2] <= _PARALLEL * shares[1]:
         yield Finding(
             "home",
-            f"home: all legs lie within {np.degrees(np.arcsin(shares[2])):.2g} degrees (RMS) of one plane, "
-            "across which they hold next to nothing; likely cause: home at the height of the base, or "
+            f"home_position: all legs are within {np.degrees(np.arcsin(shares[2])):.2g} degrees (RMS) of one "
+            "plane, normal to which they support almost no load; likely cause: home at base height, or "
             f"{another}",
         )
 
 
 def of_limits(robot: Robot) -> Iterator[Finding]:
-    """A home pose beyond the length limits."""
+    """Yield a finding about a home pose beyond the length limits."""
     if robot.home_position is None:
         return
     L, (low, high) = level_lengths(robot, robot.home_position), robot.length_limits.T
@@ -117,13 +122,19 @@ def of_limits(robot: Robot) -> Iterator[Finding]:
 # The tool of trajectories
 
 FAR = 10.0
-"""Distance from the platform over the machine's size: millimeters read as meters make it 50 and more."""
+"""Largest plausible distance of the tool from the platform over machine size.
+
+Millimeters that are read as meters make it 50 or more.
+"""
 NEAR = (1e-6, 1e-3)
-"""The same from the frame's origin: meters in a file of millimeters; below it, zero but for rounding."""
+"""Bounds of the distance of the tool from the origin, over machine size, that indicate a wrong unit.
+
+Such values are meters in a file of millimeters. Values below the bounds are zero except for rounding.
+"""
 
 
 def of_tool(robot: Robot) -> Iterator[Finding]:
-    """A tool far from the machine, or next to the origin of the platform frame but not there."""
+    """Yield a finding about a tool far from the machine, or almost but not exactly at the platform origin."""
     size = radius(robot.b) + radius(robot.p)
     away = float(np.linalg.norm(robot.tool))
     apart = min(away, float(np.linalg.norm(robot.tool - robot.p.mean(axis=0))))

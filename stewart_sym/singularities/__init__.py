@@ -1,1 +1,1 @@
-"""Singular poses: at a pose, along a path, and motions from leg lengths that avoid them."""
+"""Singular poses: at one pose, along a path, and for motions from leg lengths."""

@@ -1,11 +1,10 @@
-"""Joint-space trajectories, section 4.3: the platform's motion from leg lengths over time, by continuation.
+"""Joint-space trajectories, section 4.3: platform motion from leg lengths over time, by continuation.
 
-From lengths alone it is undecided whether the platform crosses a singular pose or turns back at it: both
-motions have the same lengths. The rates decide it: turned back, the platform's velocity jumps. At every
-sample the poses on both sides are found, and the one that fits the motion of the sample before is taken;
-where J's determinant has changed its sign by then, or does so between the samples, the sample is named.
-Where noise of the lengths hides on which side the pose is, it hides what the motion does there: that sample
-is named as not decided.
+Leg lengths alone do not determine whether the platform crosses a singular pose or turns back at it: both
+motions have the same lengths. The rates decide, because the platform velocity jumps if the platform turns
+back. The continuation computes the poses on both sides at every sample and selects the pose that fits the
+motion at the previous sample. It fails at the first sample at or before which the determinant of J changes
+its sign. It also fails if the side of the pose is undecided because of the noise.
 """
 
 from __future__ import annotations
@@ -46,17 +45,17 @@ from . import length_steps
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
 from .path_singularities import singularity_crossings
 
-JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
-OFF_RATES = "the step in lengths from the sample before is not what the rates at both samples make of it"
+JUMPED = "the lengths jump here: no motion with the accelerations of the neighboring samples makes this step"
+OFF_RATES = "the step in lengths from the previous sample contradicts the rates at both samples"
 
 
 class RatesError(ValueError):
-    """Rates are not those of the lengths."""
+    """Raised if rates contradict the lengths."""
 
 
-# Lengths may be off by this many deviations of their noise.
+# Largest error of a length in standard deviations of its noise.
 _SURE = 5.0
-# Samples whose rates are found at once.
+# Number of samples whose rates are computed at once.
 _PART = 1 << 14
 
 
@@ -72,45 +71,72 @@ def motion_from_lengths(
     length_std: ArrayLike | None = None,
     progress: Progress = silent,
 ) -> Motion:
-    """Return the platform's motion, of shape (n,), from that of its legs, (n, 6), sample after sample.
+    """Compute the platform motion from leg lengths and rates, sample by sample.
 
-    Between samples the platform moves as poses, rates and accelerations at both ends say (polynomials of
-    degree 5). Where all rates are 0, the samples are poses at rest, and between them the legs move along a
-    straight line in the space of lengths.
+    The platform follows polynomials of degree 5 with the poses, rates, and accelerations at both ends between
+    samples. If all rates are 0, the samples are poses at rest, and the legs move along straight lines in the
+    space of lengths.
 
     Parameters
     ----------
     robot : Robot
-        The machine; its length_limits do not count.
-    L, L_dot : array_like
-        Lengths of the legs and their rates, m and m/s, in order of time.
-    L_ddot : array_like, optional
-        Their accelerations, m/s^2; without, the motion has none.
-    guess : Guess, optional
-        Pose (R, t) near the first sample; None: as in ``forward_kinematics``.
-    F_ext, M_ext : array_like, optional
-        As in ``Motion``.
-    time : array_like, optional
-        Of the samples, s, (n,), increasing; None: the steps that fit L and L_dot.
+        Robot geometry; ``length_limits`` are ignored.
+    L : array_like, shape (n, 6)
+        Leg lengths (m), in order of time.
+    L_dot : array_like, shape (n, 6)
+        Leg rates (m/s).
+    L_ddot : array_like, shape (n, 6), optional
+        Leg accelerations (m/s^2). Without them, the motion has no accelerations.
+    guess : tuple of array_like, optional
+        Pose (R, t) near the first sample; by default the search starts as in ``forward_kinematics``.
+    F_ext : array_like, shape (n, 3), optional
+        External force on the platform, as in ``Motion`` (N).
+    M_ext : array_like, shape (n, 3), optional
+        External moment on the platform, as in ``Motion`` (N m).
+    time : array_like, shape (n,), optional
+        Increasing sample times (s); by default the steps that fit ``L`` and ``L_dot``.
     length_std : array_like, optional
-        Standard deviation of each length, m, broadcasts to (n, 6); None: what rounding or scatter of the
-        numbers show, from 40 samples on.
-    progress : Progress, optional
-        Called with what is being done and the share of the samples that is done, 0 to 1.
+        Standard deviation of each length (m), broadcastable to (n, 6); by default estimated from rounding and
+        scatter of at least 40 samples.
+    progress : callable, optional
+        Called with a text and the completed fraction of the samples, 0 to 1.
 
     Returns
     -------
     Motion
-        Motion of shape (n,).
+        Motion of the platform, shape (n,).
 
     Raises
     ------
     ValueError
-        Naming the legs whose rates say other changes, beyond noise and rounding: by a delay (from 3 % of how
-        far the legs move), a factor (from 8 %) or because they are of another motion (from 30 % over some
-        stretch of samples, of which there are at least 8); naming the sample where the lengths jump, differ
-        from what the rates say, belong to no pose, or lead through a singular one or so near one that this is
-        not decided at their noise; and naming the argument for any other bad input.
+        If an argument is invalid or if rates contradict the lengths beyond noise and rounding. If, at a
+        sample named in the message, the lengths jump, contradict the rates, have no pose, or cross a singular
+        pose. A crossing that is undecided because of the noise is also an error.
+
+    See Also
+    --------
+    forward_kinematics : Compute independent poses from leg lengths.
+    read_trajectory : Read a log of poses or leg lengths.
+
+    Notes
+    -----
+    Continuation of the leg lengths follows section 4.3 of the paper. Rates contradict the lengths if they are
+    delayed (from 3 % of the travel), scaled (from 8 %), or belong to a different motion (from 30 % over a
+    span of at least 8 samples).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> path, step = ss.PAPER_PATHS["I"]
+    >>> time = path.time_grid(10 * step)
+    >>> motion = path.sample(time)
+    >>> legs = ss.inverse_kinematics(robot, motion)
+    >>> rates = dict(L_dot=legs.L_dot, L_ddot=legs.L_ddot, time=time)
+    >>> result = ss.motion_from_lengths(robot, legs.L, **rates, guess=(motion.R[0], motion.t[0]))
+    >>> np.allclose(result.t, motion.t), np.allclose(result.a, motion.a)
+    (True, True)
     """
     instance(robot, Robot, "robot")
     lengths = checked_lengths(L)
@@ -142,7 +168,7 @@ def motion_from_lengths(
             len(t),
         )
     _reject_unsettled(v if a is None else a)
-    # Copies of the arguments would be in memory beside those of the motion.
+    # The motion copies its arrays, so these copies of the arguments are released before.
     rates.clear()
     del lengths
     return Motion(R=R, t=t, omega=omega, v=v, alpha=alpha, a=a, F_ext=F_ext, M_ext=M_ext)  # type: ignore[arg-type]
@@ -151,7 +177,7 @@ def motion_from_lengths(
 def on_platform(
     robot: Robot, joints: JointTrajectory, guess: Guess | None = None, progress: Progress = silent
 ) -> Trajectory:
-    """Return a joint-space trajectory as one of the platform; errors name its file and row."""
+    """Convert a joint-space trajectory to a platform trajectory; errors contain its file and line."""
     try:
         motion = motion_from_lengths(
             robot,
@@ -180,35 +206,66 @@ def read_trajectory(
     smoothing: SmoothingOptions = AS_SHOWN,
     guess: Guess | None = None,
 ) -> Trajectory:
-    """Read a log of the robot, poses or leg lengths, as the motion of its reference point.
+    """Read a log of poses or leg lengths as a motion of the robot's reference point.
 
-    Poses and loads are those of the robot's ``tool``, as in every subcommand. Warns of numbers that do not go
-    with each other or with the robot: noise, wrong rows, late rates, other units.
+    Poses and loads in the file refer to the robot's ``tool``, as in every subcommand.
 
     Parameters
     ----------
     robot : Robot
-        The machine, with the tool, the order of rotations and the kind of lengths of its logs.
+        Robot whose tool, rotation order, and length mode apply to its logs.
     path : path-like
-        CSV file, a row per instant: ``time`` and either ``t_x`` to ``t_z`` with ``theta_x`` to ``theta_z`` or
-        ``q_w`` to ``q_z``, or ``L_1`` to ``L_6``; optionally all rates and second rates, and loads.
+        CSV file with one row per sample. Its columns are ``time`` and a pose (``t_x`` to ``t_z`` with
+        ``theta_x`` to ``theta_z`` or ``q_w`` to ``q_z``) or leg lengths (``L_1`` to ``L_6``). All first and
+        second derivatives and loads are optional.
     file_format : TrajectoryFormat, optional
-        Names, units and marks of the file, None: SI units; an ``euler_order`` or ``lengths`` of None is the
-        robot's.
+        Column names, units, and delimiters of the file; by default SI units. The robot supplies an
+        ``euler_order`` or ``length_mode`` of None.
     smoothing : SmoothingOptions, optional
-        What is known of the noise.
-    guess : tuple, optional
-        Of leg lengths: R and t near the first pose, as for ``forward_kinematics``.
+        Known properties of the noise; by default estimated.
+    guess : tuple of array_like, optional
+        Pose (R, t) near the first sample of a log of leg lengths, as in ``forward_kinematics``.
 
     Returns
     -------
     Trajectory
-        Times, the motion of the reference point, and the noise of the log.
+        Times (s), motion of the reference point, and noise of the log.
 
     Raises
     ------
     ValueError
-        Of one line that names the file and the row or column.
+        If the file or an argument is invalid. The message has one line with the file and the row or column.
+
+    Warns
+    -----
+    TrajectoryWarning
+        If numbers contradict each other or do not fit the robot, for example because of noise, outliers,
+        delayed rates, or another unit.
+
+    See Also
+    --------
+    motion_from_lengths : Compute the platform motion from arrays of leg lengths.
+    interpolate : Interpolate the result between its samples.
+    resample : Resample the result at a constant rate.
+
+    Examples
+    --------
+    >>> import pathlib
+    >>> import tempfile
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> path, step = ss.PAPER_PATHS["I"]
+    >>> time = path.time_grid(10 * step)
+    >>> legs = ss.inverse_kinematics(robot, path.sample(time))
+    >>> rows = np.column_stack([time, legs.L, legs.L_dot, legs.L_ddot])
+    >>> names = [f"{name}_{leg}" for name in ("L", "L_dot", "L_ddot") for leg in range(1, 7)]
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = pathlib.Path(folder) / "log.csv"
+    ...     np.savetxt(file, rows, delimiter=",", header=",".join(["time", *names]), comments="")
+    ...     log = ss.read_trajectory(robot, file)
+    >>> np.allclose(log.motion.t, path.sample(time).t)
+    True
     """
     instance(robot, Robot, "robot")
     instance(smoothing, SmoothingOptions, "smoothing")
@@ -218,14 +275,14 @@ def read_trajectory(
     if isinstance(log, JointTrajectory):
         return on_platform(robot, log, guess)
     if guess is not None:
-        raise ValueError(f"guess: is for leg lengths, {log.source} is of poses")
+        raise ValueError(f"guess: expected a log of leg lengths, {log.source} contains poses")
     return trajectory_from(log)
 
 
 def _in_parts(function: Callable[[slice], tuple[Array, Array]], count: int) -> tuple[Array, Array]:
-    """Two vectors at each of many samples, (n, 3), without all that makes them in memory at once."""
+    """Evaluate two vectors, shape (n, 3), in parts of the samples to limit memory."""
     found = np.empty((2, count, 3))
-    # None is much smaller than the others: few poses take NumPy's kinematics, whose last bits are other ones.
+    # No part is small, because NumPy would compute it with other last bits than the C code.
     starts = [i * _PART for i in range(max(1, count // _PART))]
     for start, end in itertools.pairwise([*starts, count]):
         part = slice(start, end)
@@ -236,7 +293,9 @@ def _in_parts(function: Callable[[slice], tuple[Array, Array]], count: int) -> t
 def _reject_unsettled(rate: Array) -> None:
     bad = np.flatnonzero(~np.isfinite(rate).all(axis=-1))
     if bad.size:
-        raise LostError(int(bad[0]), "H is singular or the rates overflow: no velocity or acceleration")
+        raise LostError(
+            int(bad[0]), "H is singular or the rates overflow: velocity and acceleration are undefined"
+        )
 
 
 def _follow(
@@ -249,7 +308,7 @@ def _follow(
     sigma: Array | None,
     progress: Progress,
 ) -> tuple[Array, Array]:
-    """Return R, (n, 3, 3), and t, (n, 3), along lengths (n, 6)."""
+    """Return R, shape (n, 3, 3), and t (m), shape (n, 3), along lengths (n, 6)."""
     start = forward_kinematics(robot, L[:1], guess, on_failure="nan", check_limits=False)
     if start.status.any():
         raise LostError(0, fault(robot, L[0], int(start.status[0]), guess is not None))
@@ -268,7 +327,7 @@ def _follow(
             raise LostError(sample, reason)
     _reject_other_rates(time, L, L_dot, L_ddot)
     if robot.offsets is not None:
-        # Singular poses of legs with offsets are not foretold: each sample is approached from the last.
+        # Singular poses of legs with offsets are not predicted, so each sample starts at the previous one.
         return at_rest(robot, first, L, progress)
     noise = _noise(time, L) if sigma is None else sigma
     R, t, twist, rate = (np.empty((len(L), *shape)) for shape in ((3, 3), (3,), (6,), (6,)))
@@ -277,7 +336,7 @@ def _follow(
         progress(f"finding {len(L)} poses", done / len(L))
         here = slice(done, done + len(run.state.twist))
         R[here], t[here], twist[here], rate[here] = run.state.pose.R, run.state.pose.t, *run.state[1:]
-        # Where noise of the lengths could carry poses through a singular one.
+        # Samples at which the noise of the lengths could move poses across a singular pose.
         open_ = _SURE * np.linalg.norm(run.near.legs * noise[here], axis=-1)
         undecided = np.flatnonzero(run.near.lengths <= open_)
         if noisy and undecided.size:
@@ -300,7 +359,7 @@ def _follow(
 
 
 def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | None) -> None:
-    """Reject rates and accelerations of another motion than that of the numbers that they are rates of."""
+    """Raise RatesError if rates and accelerations belong to another motion than the lengths."""
     columns = {"L": L, "L_dot": L_dot} | ({} if L_ddot is None else {"L_ddot": L_ddot})
     if not any(rates.any() for rates in [*columns.values()][1:]):  # poses at rest
         return
@@ -310,7 +369,7 @@ def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | Non
 
 
 def _noise(time: Array, L: Array) -> Array:
-    """Standard deviation of each length, (n, 6), as the numbers show it."""
+    """Return the standard deviation of each length (m), shape (n, 6), estimated from the lengths."""
     if len(L) < LEAST_SAMPLES:
         return np.zeros(L.shape)
     shown_noise = np.maximum(rounding_steps(L) / math.sqrt(12.0), white_noise(time, L))
@@ -318,7 +377,7 @@ def _noise(time: Array, L: Array) -> Array:
 
 
 def _reject_crossings(robot: Robot, time: Array, R: Array, t: Array, twist: Array, rate: Array) -> None:
-    """Name the first sample before which J's determinant changes its sign, between samples too."""
+    """Raise LostError for the first sample at or before which the determinant of J changes its sign."""
     bad = np.flatnonzero(~np.isfinite(twist + rate).all(axis=-1))
     known = int(bad[0]) if bad.size else len(twist)
     if known > 1:

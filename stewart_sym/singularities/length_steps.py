@@ -1,6 +1,6 @@
-"""Steps of leg lengths from sample to sample: those that no motion makes, and the poses that they lead to.
+"""Steps between samples of leg lengths: impossible steps, and the poses at the end of possible steps.
 
-Each pose is found from that of the sample before, in steps that keep to one assembly mode.
+Each pose is computed from the previous pose, in steps that remain in one assembly mode.
 """
 
 from collections.abc import Iterator, Sequence
@@ -18,31 +18,31 @@ from ..motion import rotation
 from ..robot.robot import Robot
 
 NO_WAY = (
-    "no way here from the sample before in the same assembly mode: the lengths jump, belong to no pose, "
-    "or lead through one where H is singular"
+    "no path from the previous sample in the same assembly mode: the lengths jump, have no pose, "
+    "or pass through a pose with singular H"
 )
 CROSSED = (
-    "a singular pose is crossed on the way from the sample before: there the forces are without bound, and "
-    "from there on the same lengths belong to two motions"
+    "a singular pose is crossed after the previous sample: the forces are unbounded at this pose, and "
+    "the same lengths belong to two motions after it"
 )
 UNDECIDED = (
-    "a singular pose is as near as the noise of the lengths, {:.2g} m: inconclusive at this noise, since the "
-    "platform may cross it or turn back"
+    "a singular pose is as near as the noise of the lengths, {:.2g} m; a crossing or a return before it is "
+    "inconclusive at this noise"
 )
-# A sample is approached in parts no smaller than this share of the way from the one before.
+# Smallest part of the path from the previous sample, relative to the path, in which a sample is approached.
 _SMALLEST_PART = 2.0**-20
-# A pose farther from its prediction than this share of the step may be of another assembly mode.
+# Distance from the predicted pose, relative to the step, from which a pose may be in another assembly mode.
 _ASTRAY = 0.1
-# Part of the machine's size below which two poses are taken for one.
+# Distance relative to the machine size below which two poses are equal.
 _SAME_POSE = 1e-8
-# Samples found at once at most.
+# Largest number of samples that are computed at once.
 _MANY = 256
-# A pose on the other side of the singular poses is looked for when these are nearer than this, rad.
+# Distance (rad) of singular poses below which the pose on their other side is also computed.
 _NEAR = 1.0
 
 
 class _Pose(NamedTuple):
-    """Poses with leading shape (n,), their lengths, (n, 6), J there and the sign of its determinant."""
+    """Poses with leading shape (n,), lengths (m), Jacobians J, and the signs of det J."""
 
     R: Array
     t: Array
@@ -52,7 +52,7 @@ class _Pose(NamedTuple):
 
 
 class Legs(NamedTuple):
-    """What the legs do at n samples: (n, 6) each."""
+    """Leg lengths (m), rates (m/s), and accelerations (m/s^2) at n samples, shape (n, 6) each."""
 
     L: Array
     L_dot: Array
@@ -60,7 +60,7 @@ class Legs(NamedTuple):
 
 
 class _State(NamedTuple):
-    """Poses and the platform's motion there: [v; omega] and [a; alpha], (n, 6)."""
+    """Poses with the twist [v; omega] and the accelerations [a; alpha] of the platform, shape (n, 6)."""
 
     pose: _Pose
     twist: Array
@@ -68,7 +68,7 @@ class _State(NamedTuple):
 
 
 class Steps(NamedTuple):
-    """States of samples that follow one another, and the way from each to the next singular pose."""
+    """States at consecutive samples and the path from each to the nearest singular pose."""
 
     state: _State
     near: ToSingular
@@ -78,13 +78,13 @@ Record = TypeVar("Record", bound=tuple[Any, ...])
 
 
 def some(record: Record, part: slice) -> Record:
-    """The records above at some of their samples."""
+    """Select samples of a (nested) record of arrays."""
     parts = (some(x, part) if isinstance(x, tuple) else x[part] for x in record)
     return type(record)(*parts)
 
 
 class LostError(ValueError):
-    """No motion at a sample: its index and why."""
+    """Raised if the motion cannot be continued to a sample; contains its index and the reason."""
 
     def __init__(self, sample: int, reason: str) -> None:
         super().__init__(f"L[{sample}]: {reason}")
@@ -96,10 +96,10 @@ def _joined(poses: Sequence[_Pose]) -> _Pose:
 
 
 def walked(robot: Robot, first: _Pose, legs: Legs, steps: Array) -> Iterator[Steps]:
-    """The states from the first pose on, up to the first sample without one or with J's other sign.
+    """Yield the states from the first pose to the first sample without a pose or with another sign of det J.
 
-    Where all goes smoothly, many samples are found at once; where it does not, one after another, and ever
-    more of them before many are tried again.
+    Many samples are computed at once if the motion is smooth. Otherwise, samples are computed one after
+    another, and their number doubles before the next attempt to compute many at once.
     """
     last, done = _state(robot, first, some(legs, slice(1))), 1
     yield Steps(last, way_to_singular(robot, first.R, first.t))
@@ -124,7 +124,7 @@ def walked(robot: Robot, first: _Pose, legs: Legs, steps: Array) -> Iterator[Ste
 
 
 def _run(robot: Robot, last: _State, legs: Legs, h: Array) -> Steps:
-    """The states at the next samples, h s after one another, up to the first that ``_next`` must settle."""
+    """Return the states at the next samples up to the first that requires ``_next``; time steps h (s)."""
     R, t = (np.repeat(x, len(h), axis=0) for x in (last.pose.R, last.pose.t))
     ends = newton(robot, legs.L, R, t)
     after = _state(robot, pose_of(robot, ends.R, ends.t, legs.L), legs)
@@ -142,7 +142,7 @@ def _run(robot: Robot, last: _State, legs: Legs, h: Array) -> Steps:
 
 
 def _next(robot: Robot, state: _State, legs: Legs, h: Array) -> _State | None:
-    """Return the state at the next sample, h s later, (1,), that fits the one before best, or None."""
+    """Return the best state at the next sample, h (s) later, shape (1,), or None."""
     found = _with_other_side(robot, _found(robot, legs.L, *_ahead(state, h)), state, legs, h)
     if not found or not _foretold(robot, state, found[0][1].pose, h).all():
         found += _with_other_side(robot, _approach(robot, state.pose, legs.L), state, legs, h)
@@ -150,7 +150,7 @@ def _next(robot: Robot, state: _State, legs: Legs, h: Array) -> _State | None:
 
 
 def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> Flags:
-    """Whether poses, (n,), are where the states before them lead."""
+    """Return True for poses, shape (n,), close to the prediction from the previous states."""
     ahead = _ahead(before, h)
     off, step = (
         np.linalg.norm(_apart(robot, (pose.R, pose.t), ahead), axis=-1) for pose in (after, before.pose)
@@ -161,13 +161,13 @@ def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> Flags:
 def _with_other_side(
     robot: Robot, pose: _Pose | None, before: _State, legs: Legs, h: Array
 ) -> list[tuple[float, _State]]:
-    """Return a pose and that on the other side of the next singular one: misfit to ``before``, state."""
+    """Return a pose and the pose beyond the nearest singular pose, each with its misfit to ``before``."""
     if pose is None:
         return []
     state = _state(robot, pose, legs)
     found = [(float(_misfit(robot, before, state, h)[0]), state)]
     way = abs(float(way_to_singular(robot, pose.R, pose.t).way[0]))
-    # As far away as this, the pose on the other side cannot fit better.
+    # A pose on the other side at this distance cannot fit better.
     if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
         mirrored = other_side(robot, legs.L, pose.R, pose.t)
         if mirrored.found.all():
@@ -177,9 +177,10 @@ def _with_other_side(
 
 
 def _misfit(robot: Robot, before: _State, after: _State, h: Array) -> Array:
-    """Return by how far poses and rates miss a smooth motion, m, (n,): in the step and in h times the rates.
+    """Return the deviation from a smooth motion (m), shape (n,).
 
-    Both follow from what changes from one sample to the other by Hermite's rules, to h^5 and h^4.
+    It combines the deviation of the step and h times the deviation of the change of rates. Hermite
+    interpolation between the samples gives both, with errors of order h^5 and h^4.
     """
     h = h[:, None]
     turn = rotation.vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))
@@ -202,13 +203,13 @@ def _ahead(state: _State, h: Array) -> tuple[Array, Array]:
 
 
 def _apart(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
-    """Difference of two poses (n, ...) as a twist, (n, 6), m, angles times the platform's size."""
+    """Return the difference of poses (n, ...) as a twist (m), shape (n, 6); angles times platform size."""
     turn = rotation.vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
     return np.hstack([other[1] - one[1], characteristic_length(robot) * turn])
 
 
 def _state(robot: Robot, pose: _Pose, legs: Legs) -> _State:
-    """The platform's motion at a pose from that of its legs, (5), (8); not finite where J is singular."""
+    """Compute the platform motion from the leg motion, (5) and (8); not finite if J is singular."""
     q, S, L = leg_vectors(robot, pose.R, pose.t)
     with np.errstate(all="ignore"):
         twist, regular = solve(pose.J, legs.L_dot)
@@ -227,7 +228,7 @@ def _found(robot: Robot, L: Array, R: Array, t: Array) -> _Pose | None:
 
 
 def at_rest(robot: Robot, pose: _Pose, L: Array, progress: Progress) -> tuple[Array, Array]:
-    """Poses without rates: each is approached from the one before along a straight line of lengths."""
+    """Compute poses without rates, each from the previous pose along a straight line of lengths."""
     poses = [pose]
     for i in tracked(progress, range(1, len(L)), lambda _: f"finding {len(L)} poses"):
         found = _approach(robot, poses[-1], L[i : i + 1])
@@ -238,10 +239,10 @@ def at_rest(robot: Robot, pose: _Pose, L: Array, progress: Progress) -> tuple[Ar
 
 
 def _approach(robot: Robot, pose: _Pose, target: Array) -> _Pose | None:
-    """Return the pose at lengths ``target``, (1, 6), on the way from ``pose``; None if there is no way."""
+    """Return the pose at lengths ``target``, shape (1, 6), by continuation, or None if it fails."""
     origin, done, part = pose.L, 0.0, 1.0
     while done < 1.0:
-        # The last part ends at the target itself, not at a rounded sum.
+        # The last part ends exactly at the target instead of at a rounded sum.
         end = done + part
         found = _step(robot, pose, target if end >= 1.0 else origin + end * (target - origin))
         if found is None:
@@ -254,7 +255,7 @@ def _approach(robot: Robot, pose: _Pose, target: Array) -> _Pose | None:
 
 
 def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
-    """Return the pose at lengths L if it lies where the tangent at ``pose`` points, with J's sign there."""
+    """Return the pose at lengths L if it is near its prediction with the same sign of det J, else None."""
     foretold, regular = solve(pose.J, L - pose.L)
     found = _found(robot, L, pose.R, pose.t)
     if found is None or not regular.all() or found.sign[0] != pose.sign[0]:
@@ -267,29 +268,29 @@ def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
 
 
 def pose_of(robot: Robot, R: Array, t: Array, L: Array) -> _Pose:
-    """A pose with its Jacobian and the sign of its determinant."""
+    """Return a pose with its Jacobian and the sign of its determinant."""
     J = jacobian(robot, R, t)
     return _Pose(R, t, L, J, np.linalg.slogdet(J)[0])
 
 
-# A jump exceeds this many times what accelerations in its surroundings move in a step.
+# Size of a jump relative to the change by the accelerations of the neighboring samples.
 _JUMP = 10.0
-# Samples on either side of a jump that tell these accelerations.
+# Number of samples on each side of a jump that determine these accelerations.
 _SURROUNDINGS = 12
-# Accelerations between samples may exceed those at the samples by this factor.
+# Largest factor by which accelerations between samples exceed the accelerations at the samples.
 _BETWEEN = 4.0
-# Share of the steps that follow their rates as well as rounding or noise lets all of them.
+# Fraction of the steps that agree with their rates except for rounding and noise.
 _MOST = 0.9
-# A step in time follows from lengths where rates exceed this share of their median.
+# Rates, relative to their median, above which the lengths determine the time step.
 _MOVING = 0.01
-# Cosine of the angle between changes and rates below which no noise has turned them.
+# Cosine of the angle between changes and rates below which noise is no explanation.
 _AGAINST = -0.5
 
 
 def times_from_rates(L: Array, L_dot: Array) -> Array | None:
-    """Return times from 0, s, (n,), at which lengths, (n, 6), change as their rates say; None at rest.
+    """Return times from 0 (s), shape (n,), that fit lengths (n, 6) to their rates; None for legs at rest.
 
-    The trapezoidal rule tells each step; where the legs all but rest, it is the median of the others.
+    The trapezoidal rule determines each step. If the legs almost rest, the step is the median of the others.
     """
     change, mean = np.diff(L, axis=0), 0.5 * (L_dot[1:] + L_dot[:-1])
     square = np.sum(mean**2, axis=-1)
@@ -306,15 +307,15 @@ def times_from_rates(L: Array, L_dot: Array) -> Array | None:
 
 
 def against_rates(L: Array, L_dot: Array) -> bool:
-    """Whether lengths, (n, 6), go the other way than their rates, whatever the times."""
+    """Return True if lengths, shape (n, 6), change opposite to their rates, for any times."""
     change, mean = np.diff(L, axis=0), 0.5 * (L_dot[1:] + L_dot[:-1])
     return float(np.sum(change * mean)) < _AGAINST * float(np.linalg.norm(change) * np.linalg.norm(mean))
 
 
 def accelerations(time: Array, L: Array, L_dot: Array) -> Array:
-    """Return L_ddot, m/s^2, (n, 6), of the polynomials of degree 5 through each sample and its neighbors.
+    """Return L_ddot (m/s^2), shape (n, 6), of polynomials of degree 5 through each sample and its neighbors.
 
-    At the first and the last sample the polynomial is of degree 3.
+    At the first and the last sample the degree of the polynomial is 3.
     """
     h = np.diff(elapsed(time))[:, None]
     change, first, last = np.diff(L, axis=0) / h, L_dot[:-1], L_dot[1:]
@@ -326,7 +327,7 @@ def accelerations(time: Array, L: Array, L_dot: Array) -> Array:
     power = np.arange(2, 6)
     sides = []
     for step, other in ((-h[:-1], slice(None, -2)), (h[1:], slice(2, None))):
-        # Offsets are measured by the step after the sample, which keeps the equations' terms alike.
+        # The step after the sample is the unit of time, so that all terms have similar sizes.
         x, unit = step / h[1:], h[1:]
         value = L[other] - L[1:-1] - step * L_dot[1:-1]
         sides += [(x**power, value), (power * x ** (power - 1), (L_dot[other] - L_dot[1:-1]) * unit)]
@@ -336,11 +337,11 @@ def accelerations(time: Array, L: Array, L_dot: Array) -> Array:
 
 
 def jump(time: Array, L: Array) -> int | None:
-    """Return the sample at which lengths, (n, 6), jump as no motion sampled often enough does, or None.
+    """Return the first sample at which lengths, shape (n, 6), jump more than a sampled motion can, or None.
 
-    Accelerations around a jump change sign and are ten times as large as all in their surroundings, and so
-    is what they move in the steps there. After a longer step only the latter is, of noise after a shorter
-    one only the former are.
+    Accelerations around a jump change their sign. They are ten times larger than all accelerations of the
+    neighboring samples, and so is the resulting change of length per step. After a longer time step only this
+    change is large. Noise after a shorter time step makes only the accelerations large.
     """
     h = np.diff(elapsed(time))[:, None]
     if len(h) < 5:
@@ -349,7 +350,7 @@ def jump(time: Array, L: Array) -> int | None:
     steps = np.abs(np.diff(L, axis=0))
     resolution = float(np.min(steps[steps > 0.0], initial=np.inf))
     floor = 4.0 * resolution if np.isfinite(resolution) else 0.0
-    # Entry i belongs to sample i + 1; a jump from sample i + 1 to i + 2 shows in entries i and i + 1.
+    # Entry i belongs to sample i + 1; a jump from sample i + 1 to i + 2 affects entries i and i + 1.
     seconds = (bent * h[1:] * h[:-1], bent)
     sizes = [np.max(_of_both(second), axis=-1) for second in seconds]
     largest = [np.max(np.abs(second), axis=-1) for second in seconds]
@@ -364,15 +365,16 @@ def jump(time: Array, L: Array) -> int | None:
 
 
 def _of_both(second: Array) -> Array:
-    """The smaller of the sizes of each and the next, (n - 1, 6), where they change sign, else 0."""
+    """Return the smaller magnitude of each entry and the next if the sign changes, else 0."""
     turned = second[:-1] * second[1:] < 0.0
     return np.where(turned, np.minimum(np.abs(second[:-1]), np.abs(second[1:])), 0.0)
 
 
 def step_beyond_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array) -> int | None:
-    """Return the first sample, or None, that the rates do not reach from the one before.
+    """Return the first sample that contradicts the rates since the previous sample, or None.
 
-    With accelerations of at most A between samples, a step differs from that of the mean rate by h^2 A / 4.
+    With accelerations of at most A between samples, a step differs by at most h^2 A / 4 from the step of the
+    mean rate.
     """
     h = np.diff(elapsed(time))[:, None]
     off = np.max(np.abs(np.diff(L, axis=0) - 0.5 * h * (L_dot[1:] + L_dot[:-1])), axis=-1)

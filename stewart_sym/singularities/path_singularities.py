@@ -1,7 +1,4 @@
-"""How a path passes the machine's singular poses and limits, found between its samples. det H is a smooth
-function of time, so its roots are found from its sign at all its turning points. Which intervals are searched
-is settled by the rate of H: no singular value changes faster than H does (Weyl).
-"""
+"""Singular poses and limits that a path crosses or approaches, located between its samples."""
 
 from __future__ import annotations
 
@@ -26,18 +23,17 @@ from ..robot.robot import Robot
 from .root_finding import at_each, minima, minimum, root, runs, turning_points
 from .singular_poses import SingularityResult, last_directions, singularity
 
-# Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.
+# Search an interval unless the singular values at both ends exceed twice the possible change of H (Weyl).
 _CARE = 2.0
-# They are skipped by lower bounds of these values only where the bounds exceed four times that, and the
-# change of H.
+# Lower bounds of the singular values must exceed four times that value to skip an interval.
 _SURE = 4.0 * _CARE
-# A smallest singular value below this share of the largest is rounding error along a path.
+# Smallest singular values below this fraction of the largest are rounding errors.
 _NOTHING = 1e-13
-# Rounding error of det H = 0 by elimination, over the product of the columns' sizes.
+# Rounding error of a zero determinant, relative to the product of the column norms.
 _FLOOR = 1e-14
-# A leg shorter than this share of the longest turns its direction round, and with it the sign of det H.
+# A leg shorter than this fraction of the longest may reverse its direction and the sign of det H.
 _SHORT = 1e-9
-# Minima shallower than this share are rounding error.
+# Minima with a smaller relative depth are rounding errors.
 _SHALLOW = 1e-12
 _INSTANTS = 512
 _CHUNK = 1 << 13
@@ -45,18 +41,18 @@ _CHUNK = 1 << 13
 
 @dataclass(frozen=True, eq=False)
 class SingularityCrossing:
-    """A time at which det H changes its sign, between or at the samples of a path.
+    """Time at which det H changes its sign.
 
     Attributes
     ----------
     time : float
-        s.
+        Time of the crossing (s).
     time_error : float
-        What rounding in H leaves open of it, s; inf where the path rests there.
+        Uncertainty of ``time`` due to rounding of H (s); infinite if the path is at rest at this time.
     sign_before, sign_after : int
-        Sign of det H, -1 or 1.
+        Sign of det H before and after the crossing, -1 or 1.
     singularity : SingularityResult
-        The singular pose there.
+        Singularity measures of the pose at ``time``.
     """
 
     time: float
@@ -68,14 +64,14 @@ class SingularityCrossing:
 
 @dataclass(frozen=True, eq=False)
 class SingularityApproach:
-    """A time at which the smallest singular value of the scaled H is least, s, and the pose there.
+    """Local minimum of the smallest singular value of the scaled H along a path.
 
     Attributes
     ----------
     time : float
-        s.
+        Time of the minimum (s).
     singularity : SingularityResult
-        How near it is to a singular pose.
+        Singularity measures of the pose at ``time``.
     """
 
     time: float
@@ -83,14 +79,12 @@ class SingularityApproach:
 
 
 class LegExtreme(NamedTuple):
-    """Where along a path something of each leg is extreme: times, s, (6,), and values, (6,).
+    """Extreme value of a quantity of each leg along a path.
 
     Attributes
     ----------
-    time : ndarray
-        s.
-    value : ndarray
-        Of each leg, (6,).
+    time, value : ndarray, shape (6,)
+        Times (s) of the extremes, and extreme values.
     """
 
     time: Array
@@ -99,25 +93,24 @@ class LegExtreme(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class PathSingularitiesResult:
-    """How a path passes singular poses and limits.
+    """Singular poses and extreme leg values along a path.
 
     Attributes
     ----------
     start, end : float
-        s.
-    crossings : tuple
-        Where det H changes its sign, in order of time.
-    approaches : tuple
-        The other local minima of the smallest singular value, in order of time.
-    spans : tuple
-        Times (from, to), s, through which H is singular to rounding.
+        First and last time (s).
+    crossings : tuple of SingularityCrossing
+        Sign changes of det H, in order of time.
+    approaches : tuple of SingularityApproach
+        Local minima of the smallest singular value without a sign change, in order of time.
+    spans : tuple of tuple of float
+        Time intervals (start, end) in which H is singular to rounding (s).
     nearest : SingularityApproach
-        Of all times, ends and crossings included, the one with the smallest singular value.
+        Time with the smallest singular value of the whole path, including ends and crossings.
     min_joint_sine : LegExtreme
-        Least sine of the angle between each leg and its universal joint's fixed axis; 1 with spherical base
-        joints.
+        Smallest sine of the angle between each leg and its universal axis; 1 for spherical base joints.
     min_length, max_length : LegExtreme
-        Least and greatest length of each leg, m.
+        Minimum and maximum length of each leg (m).
     """
 
     start: float
@@ -132,53 +125,79 @@ class PathSingularitiesResult:
 
 
 def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[SingularityCrossing, ...]:
-    """Return the times at which a path crosses singular poses, in order, each to rounding.
+    """Find the times at which a path crosses singular poses.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    path : Path
-        Times, s, (n,) -> Motion of shape (n,), such as ``StraightLinePath.sample`` or ``interpolate``; its
-        rates must be those of its poses.
-    time : array_like
-        Where to begin, s, (n,), increasing, at least two: the first and the last, and between them the
-        samples or wherever an acceleration jumps. Two crossings between two times are found as well, though
-        the determinant of H has the same sign at both.
+        Robot geometry without joint offsets.
+    path : callable
+        Function of times (s), (n,), that returns a Motion of shape (n,) with the derivatives of its poses,
+        such as ``StraightLinePath.sample`` or a result of ``interpolate``.
+    time : array_like, shape (n,)
+        Increasing sample times (s), n >= 2, including every time at which an acceleration is discontinuous.
 
     Returns
     -------
-    tuple
-        One ``SingularityCrossing`` for each time.
+    tuple of SingularityCrossing
+        All sign changes of det H in order of time, accurate to rounding, including pairs between two samples.
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If an argument is invalid.
+
+    See Also
+    --------
+    path_singularities : Also find near-singular poses and extreme leg values.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> path, step = ss.PAPER_PATHS["III"]
+    >>> crossings = ss.singularity_crossings(robot, path.sample, time=path.time_grid(10 * step))
+    >>> [(round(item.time, 4), item.sign_before, item.sign_after) for item in crossings]
+    [(3.6705, -1, 1)]
     """
     with np.errstate(over="ignore", invalid="ignore"):
         return _Search(robot, path, _checked(robot, path, time), everywhere=False).crossings
 
 
 def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingularitiesResult:
-    """Return how a path passes singular poses, singularities of the universal joints and the legs' limits.
-
-    Arguments and errors as for ``singularity_crossings``. Times of minima are accurate to about 1e-8 of the
-    interval between two times.
+    """Find singular poses, near-singular poses, and extreme leg values along a path.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    path : Path
-        Function of times that returns motions.
-    time : array_like
-        Instants between which the path is smooth, s, (n,).
+        Robot geometry without joint offsets.
+    path : callable
+        Function that maps times (s), shape (n,), to a Motion of shape (n,), as in ``singularity_crossings``.
+    time : array_like, shape (n,)
+        Increasing sample times (s), n >= 2, between which the path is smooth.
 
     Returns
     -------
     PathSingularitiesResult
-        Crossings, nearest approaches and extremes of the legs.
+        Crossings, approaches, and leg extremes. Times of minima are accurate to 1e-8 of an interval.
+
+    Raises
+    ------
+    ValueError
+        If an argument is invalid.
+
+    See Also
+    --------
+    singularity_crossings : Find only the crossings.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> path, step = ss.PAPER_PATHS["III"]
+    >>> result = ss.path_singularities(robot, path.sample, time=path.time_grid(10 * step))
+    >>> result.max_length.value.round(3).tolist()
+    [2.422, 2.43, 2.766, 3.082, 2.675, 2.532]
     """
     with np.errstate(over="ignore", invalid="ignore"):
         search = _Search(robot, path, _checked(robot, path, time))
@@ -207,30 +226,42 @@ def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingula
 
 
 def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
-    """Return the actuator forces' residue, N s, (..., 6), where ``motion`` crosses a singular pose.
+    """Compute the residue of the actuator forces at a crossing of a singular pose.
 
-    Within a crossing at time t_0 they go as F = singular_force_residue / (t - t_0): to one infinity before
-    and to the other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``SingularityResult``; not finite where
-    the motion rests or moves along singular poses, 0 where nothing loads the unconstrained twist.
+    Near a crossing at time t_0 the forces are F = residue / (t - t_0).
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot geometry and inertia.
     motion : Motion
-        Motion of the platform, any leading shape.
+        Motion at the crossings, with accelerations and any leading shape.
     formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
+        Corrected equations, or the equations as printed.
 
     Returns
     -------
-    ndarray
-        Residues, N s, (..., 6).
+    ndarray, shape (..., 6)
+        Residues -v_6 (u_6 . c) / (u_6 . H' v_6) (N s), with u_6 and v_6 of ``SingularityResult``. Not finite
+        at rest or along singular poses, and 0 if no wrench acts on the unconstrained twist.
 
     Raises
     ------
     ValueError
-        As ``inverse_dynamics``.
+        If an argument is invalid or the motion has no accelerations, as in ``inverse_dynamics``.
+
+    See Also
+    --------
+    singularity_crossings : Find the times of the crossings.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> path, step = ss.PAPER_PATHS["III"]
+    >>> crossing = ss.singularity_crossings(robot, path.sample, time=path.time_grid(10 * step))[0]
+    >>> ss.singular_force_residue(robot, path.sample(crossing.time)).round(-2).tolist()
+    [-27600.0, 28500.0, -17000.0, -12000.0, 20500.0, 7800.0]
     """
     need_motion(robot, motion)
     option(formulation, FORMULATIONS, "formulation")
@@ -243,11 +274,8 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
         return np.asarray(-v * (load / rate)[..., None])
 
 
-# The search
-
-
 class _Samples(NamedTuple):
-    """At times (n,): det of the scaled H times lengths over reach, smallest and largest singular value."""
+    """Determinant, smallest, and largest singular value of the scaled H at times of shape (n,)."""
 
     determinant: Array
     smallest: Array
@@ -255,10 +283,10 @@ class _Samples(NamedTuple):
 
 
 class _Search:
-    """A path's singular poses: the points looked at, then what lies between them."""
+    """Search for the singular poses of a path by the signs of the smooth det H at its turning points."""
 
     def __init__(self, robot: Robot, path: Path, times: Array, everywhere: bool = True) -> None:
-        """everywhere: whether singular values count at all times, or only where one may vanish."""
+        """Sample the path; if ``everywhere`` is False, compute singular values only near possible zeros."""
         self.robot, self.path, self.times = robot, path, times
         self.length = characteristic_length(robot) or 1.0
         ends = path(times[[0, -1]])
@@ -274,11 +302,11 @@ class _Search:
         self.crossings = tuple(self._crossings())
 
     def at(self, time: float) -> SingularityResult:
-        """The pose at a time; a leg of length zero has no direction there."""
+        """Return the singularity measures at a time."""
         return singularity(self.robot, self.path(np.array([time]))[0])
 
     def approaches(self) -> tuple[SingularityApproach, ...]:
-        """Local minima of the smallest singular value that are no crossings and in no singular span."""
+        """Return the local minima of the smallest singular value that are not singular."""
         times = np.array([found.time for found in self.crossings])
         order = np.argsort(np.concatenate([self.points, times]), kind="stable")
         points = np.concatenate([self.points, times])[order]
@@ -294,7 +322,7 @@ class _Search:
         return tuple(found)
 
     def _inner_points(self, at_times: Array) -> Array:
-        """Points inside those intervals in which the smallest singular value may vanish or turn."""
+        """Return points in the intervals in which the smallest singular value may vanish or turn."""
         times, (_, smallest, _, rate, speed) = self.times, at_times.T
         may_vanish = smallest[:-1] + smallest[1:] <= _CARE * np.maximum(speed[:-1], speed[1:]) * np.diff(
             times
@@ -303,17 +331,13 @@ class _Search:
         unknown = ~np.isfinite(smallest[:-1] + smallest[1:] + speed[:-1] + speed[1:])
         chosen = np.flatnonzero(may_vanish | may_turn | unknown)
         edges = np.stack([times[chosen], times[chosen + 1]], axis=-1)
-        # Rounding of the times themselves, seconds since 1970 for instance, moves H too.
+        # Include the effect of rounded times, for example seconds since 1970.
         moved = np.spacing(np.abs(edges).max(axis=1)) * np.fmax(speed[chosen], speed[chosen + 1])
         floor = (_FLOOR + 6.0 * np.nan_to_num(moved)) * self._size
         return turning_points(self._determinants, edges, floor)
 
     def _look_about(self, times: Array, everywhere: bool) -> Array:
-        """A sample, the rate of its smallest singular value and a bound of any's, 1/s, (n, 5).
-
-        Unless everywhere, bounds stand for singular values, and no rate, but beside steps in which one may
-        vanish. The smallest is at least |det H| over the fifth power of the mean of the five others.
-        """
+        """Return samples, the rate of the smallest singular value, and a bound of all rates (1/s), (n, 5)."""
         motion = self.path(times)
         H, L = self._scaled_H(motion)
         good, found = _known(H), np.full((len(times), 5), np.nan)
@@ -325,11 +349,12 @@ class _Search:
             found[:, 0], found[:, 2] = self._determinant(H, L), np.linalg.norm(H, axis=(-2, -1))
             with np.errstate(divide="ignore"):
                 volume = np.abs(found[:, 0]) / np.prod(L / self.reach, axis=-1)
+            # Lower bound of the smallest singular value: the mean of the others bounds their product.
             found[:, 1] = least = volume / (found[:, 2] ** 2 / 5.0) ** 2.5
             change = np.maximum(speed[:-1], speed[1:]) * np.diff(times)
             change = _SURE * np.maximum(change, np.linalg.norm(np.diff(H, axis=0), axis=(-2, -1)))
             doubtful = ~(least[:-1] + least[1:] > change)
-            # At the ends of a part singular values are found in any case.
+            # Always compute singular values at the ends of a chunk.
             near = np.append(doubtful, True) | np.append(True, doubtful)
         u, s, v = last_directions(np.where(good[near, None, None], H[near], 0.0))
         found[near, :3] = self._sample(H[near], L[near], s)
@@ -337,7 +362,7 @@ class _Search:
         return found
 
     def _crossings(self) -> list[SingularityCrossing]:
-        """One in each change of sign between points; points where H is singular tell no sign."""
+        """Find one crossing per sign change; points at which H is singular are skipped."""
         known = np.flatnonzero(~self.singular & np.isfinite(self.samples.determinant))
         signs = np.sign(self.samples.determinant[known])
         found = []
@@ -373,7 +398,7 @@ class _Search:
         return _in_chunks(once, times)
 
     def _sample(self, H: Array, L: Array, s: Array) -> Array:
-        """``_Samples`` as columns, (n, 3), of singular values s, (n, 6); inf where a leg has no direction."""
+        """Return the fields of ``_Samples`` as columns, shape (n, 3); inf if a leg has no direction."""
         smallest, largest = (np.where(_known(H), s[:, i], np.inf) for i in (-1, 0))
         return np.stack([self._determinant(H, L), smallest, largest], axis=-1)
 
@@ -384,17 +409,17 @@ class _Search:
         return np.asarray(self._look(times)[:, 1])
 
     def _determinant(self, H: Array, L: Array) -> Array:
-        """Smooth where a leg passes through length zero too: its column is S and not s."""
+        """Return det H scaled by leg lengths, which is smooth even if a leg passes through length zero."""
         return np.asarray(np.linalg.det(np.nan_to_num(H) * (L / self.reach)[:, None, :]))
 
     @property
     def _size(self) -> float:
-        """Bound of the determinant: product of the sizes of the columns at leg lengths up to reach."""
+        """Upper bound of the determinant for leg lengths up to ``reach``."""
         arms = np.linalg.norm(self.robot.p, axis=-1) / self.length
         return float(np.prod(np.sqrt(1.0 + arms**2)))
 
     def _scaled_H(self, motion: Motion) -> tuple[Array, Array]:
-        """H without units, (n, 6, 6), nan at a leg without a direction, and the lengths, m, (n, 6)."""
+        """Return the dimensionless H, (n, 6, 6), NaN for legs of length zero, and leg lengths (m), (n, 6)."""
         q, S, L = leg_vectors(self.robot, *_pose(motion))
         s = S / np.where(_SHORT * self.reach < L, L, np.nan)[..., None]
         rows = np.concatenate([s, cross(q, s) / self.length], axis=-1)
@@ -402,12 +427,12 @@ class _Search:
 
 
 def _scaled_rate(robot: Robot, motion: Motion, length: float) -> Array:
-    """Rate of H without units along the motion, 1/s, (..., 6, 6)."""
+    """Return the time derivative of the dimensionless H (1/s), shape (..., 6, 6)."""
     return moments_over(wrench_matrix_rate(robot, motion), length)
 
 
 def _known(H: Array) -> Flags:
-    """Which matrices, (n, 6, 6), belong to legs that all have a direction, (n,)."""
+    """Return True for matrices in which every leg has a direction, shape (n,)."""
     return np.asarray(np.isfinite(H).all(axis=(-2, -1)))
 
 
@@ -416,12 +441,12 @@ def _pose(motion: Motion) -> tuple[Array, Array]:
 
 
 def _minima(values: Array) -> list[tuple[int, int, int]]:
-    """Inner entries less than what surrounds them: indices of the first larger one before, it, and after."""
+    """Return (before, index, after) for each inner local minimum, bounded by the first larger entries."""
     found: list[tuple[int, int, int]] = []
     for i in np.flatnonzero((values[:-2] >= values[1:-1]) & (values[2:] >= values[1:-1])) + 1:
         if found and i < found[-1][2]:
             continue
-        # Rounding alone makes no minimum of an entry: what counts is where the values leave it.
+        # Compare with the first clearly larger values, because neighbors may differ by rounding only.
         higher = (values > values[i] * (1.0 + _SHALLOW)) & np.isfinite(values)
         before, after = np.flatnonzero(higher[:i]), np.flatnonzero(higher[i:])
         if before.size and after.size:
@@ -431,14 +456,11 @@ def _minima(values: Array) -> list[tuple[int, int, int]]:
     return found
 
 
-# The legs
-
-
 def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, LegExtreme, LegExtreme]:
-    """Least joint sine, least and greatest length of each leg."""
+    """Return the smallest joint sine and the minimum and maximum length of each leg."""
 
     def sought(when: Array) -> Array:
-        """Sines, lengths and negative lengths, (n, 18)."""
+        """Return sines, lengths (m), and negative lengths (m), shape (n, 18)."""
         _, S, L = leg_vectors(robot, *_pose(path(when)))
         sines = joint_sines(robot, S / np.where(L > 0.0, L, 1.0)[..., None])
         return np.concatenate([sines, L, -L], axis=-1)
@@ -448,7 +470,7 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
 
 
 def extremes(function: Callable[[Array], Array], times: Array) -> tuple[Array, Array]:
-    """When each column of a function of times, (n, m), is least, (m,), and its value there, (m,)."""
+    """Return the time (s) and the value of the minimum of each column of a function, shape (m,) each."""
     points = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
     i, last = np.argmin(_in_chunks(function, points), axis=0), len(points) - 1
     sampled = points[i]
@@ -459,7 +481,7 @@ def extremes(function: Callable[[Array], Array], times: Array) -> tuple[Array, A
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:
-    """The function's values at many times without all its arrays in memory at once."""
+    """Evaluate a function at many times in chunks to limit memory."""
     parts = [function(times[i : i + _CHUNK]) for i in range(0, len(times), _CHUNK)]
     return parts[0] if len(parts) == 1 else np.concatenate(parts)
 

@@ -1,4 +1,4 @@
-"""Warnings that a log's path crosses singular poses, between its rows too, where forces have no bound."""
+"""Warnings about singular poses on the path of a log, also between its rows, with unbounded forces."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ from .singular_poses import SingularityResult
 
 
 def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
-    """One line about the singular poses that a log's path crosses; None if it crosses none."""
+    """Return a warning text about the singular poses that a log's path crosses, or None."""
     if robot.offsets is not None:
         return row_warning(robot, log)
     found = singularity_crossings(robot, interpolate(log), log.time) if len(log.time) > 1 else ()
@@ -37,7 +37,10 @@ def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
 
 
 def row_warning(robot: Robot, log: Trajectory | PoseLog, places: str = "lines") -> str | None:
-    """Return the warning from the signs of det H at the rows; places: noun for the numbers of the rows."""
+    """Return a warning text from the signs of det H at the rows, or None.
+
+    ``places`` is the noun for the row numbers.
+    """
     i = side_change(robot, log.motion)
     if i is None:
         return None
@@ -49,15 +52,15 @@ def row_warning(robot: Robot, log: Trajectory | PoseLog, places: str = "lines") 
 
 
 def twist_text(at: SingularityResult) -> str:
-    """The unconstrained twist in words: [v; omega]."""
+    """Return the unconstrained twist [v; omega] as text."""
     return f"v = {triple_text(at.twist[:3])} m/s, omega = {triple_text(at.twist[3:])} rad/s"
 
 
 def sign_text(side: int) -> str:
-    """The sign of det H."""
+    """Return the sign of det H as text."""
     return "-" if side < 0 else "+"
 
 
 def triple_text(values: Sequence[float] | Array) -> str:
-    """Numbers with six decimals, none of them -0."""
+    """Return numbers with six decimals as text, without -0."""
     return "(" + ", ".join(f"{round(float(value), 6) + 0.0:.6f}" for value in values) + ")"

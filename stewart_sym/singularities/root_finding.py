@@ -1,4 +1,4 @@
-"""Roots and minima of functions of one number between samples: brackets cut by many points at a time."""
+"""Roots and minima of functions of one variable between samples, with many points per bracket."""
 
 from collections.abc import Callable
 
@@ -11,12 +11,12 @@ Function = Callable[[Array], Array]
 
 _PARTS = 16
 _DEGREE = 20
-# A piece is resolved when its last Chebyshev coefficients are this share of its largest.
+# Relative size of the last Chebyshev coefficients at which a piece is resolved.
 _RESOLVED = 1e-11
 _TAIL = 4
 _MOST_HALVINGS = 30
 _MOST_PIECES = 4096
-# Relative accuracy of the place of a minimum: values beside it differ by the square of this.
+# Relative accuracy of the location of a minimum: nearby values differ by the square of it.
 _MINIMUM = float(np.sqrt(np.finfo(np.float64).eps))
 
 _ANGLES = np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1)
@@ -25,7 +25,7 @@ _TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
 
 
 def root(function: Function, low: float, high: float) -> tuple[float, float]:
-    """Return the narrowest bracket of a change of sign that floating point allows, or twice a root.
+    """Return the narrowest floating-point bracket of a sign change, or twice the root.
 
     The signs at ``low`` and ``high`` must differ.
     """
@@ -44,18 +44,21 @@ def root(function: Function, low: float, high: float) -> tuple[float, float]:
 
 
 def minimum(function: Function, low: float, high: float) -> float:
-    """Return where the function is least in [low, high], as near as its values tell; one minimum inside."""
+    """Return the location of the only minimum in [low, high], as accurate as the function values allow."""
     return float(minima(lambda points: function(points)[:, None], np.array([low]), np.array([high]))[0])
 
 
 def at_each(function: Function, points: Array) -> Array:
-    """Columns of a function of increasing numbers, (k,) to (k, m), at points of their own, (n, m)."""
+    """Evaluate columns of a function, (k,) to (k, m), of increasing numbers at individual points (n, m)."""
     every, place = np.unique(points, return_inverse=True)
     return function(every)[place.reshape(points.shape), np.arange(points.shape[1])]
 
 
 def minima(function: Function, low: Array, high: Array) -> Array:
-    """Return where each column of a function, (k,) to (k, m), is least between ends of its own, (m,)."""
+    """Return the location of the minimum of each column of a function, (k,) to (k, m), shape (m,).
+
+    Column j is minimized between ``low[j]`` and ``high[j]``.
+    """
     goal = _MINIMUM * (high - low)
     points = _between(low, high)
     values = at_each(function, points)
@@ -66,24 +69,24 @@ def minima(function: Function, low: Array, high: Array) -> Array:
         high = np.where(points > best, points, np.inf).min(axis=0)
         low, high = (np.where(np.isfinite(end), end, best) for end in (low, high))
         inner = _between(low, high)
-        # Neighboring numbers have nothing new between them.
+        # No floating-point number exists between neighboring numbers.
         new = np.any((inner > low) & (inner < high) & (inner != best), axis=0)
         if not np.any((high - low > goal) & new):
             return np.asarray(best)
-        # A point that rounding alone sets apart from the best would cut off one of its sides.
+        # A point that differs from the best only by rounding would remove one of its sides.
         inner = np.where(np.abs(inner - best) < 1e-3 / _PARTS * (high - low), best, inner)
         points = np.concatenate([inner, [best]])
         values = at_each(function, points)
-        # Rounding may hide the best point found; it must not be lost for a worse one.
+        # Keep the best point even if rounding makes another one appear better.
         values = np.where(points == best, np.minimum(values, least), values)
 
 
 def turning_points(function: Function, edges: Array, floor: Array) -> Array:
-    """Return sorted points between the edges, (m, 2), among them all where a smooth function turns.
+    """Return sorted points within the edges, shape (m, 2), that separate all roots of a smooth function.
 
-    On each piece the function becomes a Chebyshev series; pieces for which that does not do are halved. The
-    points are the nodes and the zeros of the series' derivative: between two roots lies one of these, so
-    signs at the points miss no pair of roots. floor, (m,): what is rounding error in the function.
+    Each piece is approximated by a Chebyshev series and halved until the series is accurate. The points are
+    the nodes and the zeros of the derivative of the series. One of these points separates any two roots, so
+    the signs at the points reveal all roots. ``floor``, shape (m,), is the rounding error of the function.
     """
     found: list[Array] = []
     pieces, noise = np.asarray(edges, dtype=np.float64).reshape(-1, 2), np.asarray(floor, dtype=np.float64)
@@ -121,7 +124,7 @@ def _between(low: Array | float, high: Array | float) -> Array:
 
 
 def _zeros(series: Array) -> Array:
-    """Real zeros in (-1, 1), those within rounding of the real axis too."""
+    """Return the real zeros in (-1, 1), including zeros within rounding of the real axis."""
     size = np.max(np.abs(series))
     trimmed = chebyshev.chebtrim(series, 1e-14 * size) if size else series
     if len(trimmed) < 2:
@@ -132,6 +135,6 @@ def _zeros(series: Array) -> Array:
 
 
 def runs(flags: Flags) -> list[tuple[int, int]]:
-    """First and last index of each run of at least three flags; fewer are a crossing looked at closely."""
+    """Return first and last index of each run of at least three flags; shorter runs are crossings."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
     return [(int(i), int(j) - 1) for i, j in edges.reshape(-1, 2) if j - i >= 3]

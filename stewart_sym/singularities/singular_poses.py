@@ -1,4 +1,4 @@
-"""Singular poses as objects: how near a pose is to one, the motion that is lost there, and as a screw."""
+"""Singularity measures of poses, and the unconstrained twist as a screw."""
 
 from __future__ import annotations
 
@@ -16,47 +16,47 @@ from ..robot.robot import Robot
 
 Pose = Motion | tuple[ArrayLike, ArrayLike]
 
-# A twist that turns by less than this share of what it moves does not turn: rounding leaves no more digits.
+# Rotation of a twist, relative to its translation, below which it is rounding error and the twist translates.
 _TRANSLATION = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class SingularityResult:
-    """How near poses are to a singular one, and what is lost; a leading shape ``(...)`` is that of the poses.
+    """Singularity measures of poses with the unconstrained twist and wrench.
 
-    With the moment rows of H divided by ``characteristic_length``, H = sum s_i u_i v_i^T, s_1 >= ... >= s_6.
-    Base frame, wrenches and twists about the platform's reference point. Twist and wrench have the sign that
-    makes the entry of u_6 of largest magnitude positive.
+    The moment rows of H are divided by ``characteristic_length``; then H = sum s_i u_i v_i^T with s_1 >= ...
+    >= s_6. Twists and wrenches refer to the reference point and the base frame. Their sign makes the largest
+    entry of u_6 positive. The leading shape ``(...)`` is the shape of the poses.
 
     Attributes
     ----------
     characteristic_length : float
-        Characteristic length, m, a float.
-    condition_number : ndarray
-        Scaled condition number s_1 / s_6, (...); inf where H is singular to rounding.
-    smallest_singular_value : ndarray
-        s_6, no unit, (...).
-    determinant : ndarray
-        Of the scaled H, no unit, (...); its sign is that of det H, one on each side
-        of a singular pose.
-    lost_dof : ndarray of int
-        Number of degrees of freedom lost to rounding, int, (...); with several, the twist is one of them.
-    twist : ndarray
-        [v; omega], m/s and rad/s, (..., 6), with norm(v)^2 + norm(length omega)^2 = 1: of all such twists
-        the one that moves the legs least, by rates H^T twist of magnitude s_6; at a singular pose no leg
-        length changes.
-    wrench : ndarray
-        [force; moment], N and N m, (..., 6), with norm(force)^2 + norm(moment / length)^2 = 1: the one that
-        costs the largest leg forces, 1 / s_6 N; at a singular pose no leg forces hold it.
-    leg_forces : ndarray
-        v_6, leg forces, N, (..., 6), of magnitude 1 whose wrench is least; at a singular pose it is none.
-    screw_pitch : ndarray
-        Of the twist as a screw, m/rad, (...); 0 for a turn, inf where it does not turn.
-    screw_axis : ndarray
-        Direction of the screw, (..., 3), along omega, along v where it does not turn.
-    screw_point : ndarray
-        Of its axis the one nearest to the reference point, m, (..., 3); that point itself where the twist
-        does not turn.
+        Characteristic length of the robot (m).
+    condition_number : ndarray, shape (...)
+        Scaled condition number s_1 / s_6 (dimensionless); infinite if H is singular to rounding.
+    smallest_singular_value : ndarray, shape (...)
+        Smallest singular value s_6 (dimensionless).
+    determinant : ndarray, shape (...)
+        Determinant of the scaled H (dimensionless). It has the sign of det H, which changes at a singular
+        pose.
+    lost_dof : ndarray of int, shape (...)
+        Number of degrees of freedom lost to rounding. If it exceeds 1, ``twist`` is one of several lost
+        twists.
+    twist : ndarray, shape (..., 6)
+        Twist [v; omega] (m/s, rad/s) with norm(v)^2 + norm(length omega)^2 = 1 that changes the leg lengths
+        least, with rates H^T twist of norm s_6. At a singular pose no leg length changes.
+    wrench : ndarray, shape (..., 6)
+        Wrench [force; moment] (N, N m) with norm(force)^2 + norm(moment / length)^2 = 1 that requires the
+        largest leg forces, of norm 1 / s_6 (N). At a singular pose no leg forces balance it.
+    leg_forces : ndarray, shape (..., 6)
+        Leg forces v_6 (N) of norm 1 with the smallest wrench. At a singular pose the wrench is zero.
+    screw_pitch : ndarray, shape (...)
+        Pitch of the twist as a screw (m/rad); 0 for a pure rotation, infinite for a pure translation.
+    screw_axis : ndarray, shape (..., 3)
+        Direction of the screw axis: parallel to omega, or to v for a pure translation.
+    screw_point : ndarray, shape (..., 3)
+        Point of the screw axis closest to the reference point (m); the reference point itself for a pure
+        translation.
     """
 
     characteristic_length: float
@@ -73,24 +73,45 @@ class SingularityResult:
 
 
 def singularity(robot: Robot, pose: Pose) -> SingularityResult:
-    """Return how near poses are to a singular one and the motion that is lost there.
+    """Compute singularity measures of poses: singular values, unconstrained twist, and unbalanced wrench.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    pose : Pose
-        A Motion, whose rates, accelerations and loads don't count, or (R, t), (..., 3, 3) and m, (..., 3).
+        Robot geometry.
+    pose : Motion or tuple of array_like
+        Motion, whose rates and loads are ignored, or pose (R, t) with shapes (..., 3, 3) and (..., 3); t in
+        m.
 
     Returns
     -------
     SingularityResult
-        Condition, twist and wrench of each pose.
+        Condition number, twist, and wrench of each pose.
 
     Raises
     ------
     ValueError
-        Naming the argument, as ``inverse_kinematics`` for a leg of length zero.
+        If an argument is invalid, or if a leg has length zero or no solution.
+
+    See Also
+    --------
+    path_singularities : Find singular poses along a path.
+    condition_number : Condition number of H.
+
+    Notes
+    -----
+    Twist and wrench are the left singular vector of the scaled H of its smallest singular value.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> result = ss.singularity(robot, (np.eye(3), [0.2, 0.1, 1.0]))
+    >>> round(float(result.condition_number), 1)
+    30.0
+    >>> result.twist.round(2).tolist()
+    [0.78, 0.06, 0.1, -0.54, 0.03, 2.07]
     """
     instance(robot, Robot, "robot")
     motion = pose if isinstance(pose, Motion) else pose_of(pose, "pose", "a Motion or a pose (R, t)")
@@ -116,7 +137,7 @@ def singularity(robot: Robot, pose: Pose) -> SingularityResult:
 
 
 def last_directions(H: Array) -> tuple[Array, Array, Array]:
-    """Return u_6, (..., 6), all singular values, (..., 6), and v_6, (..., 6), of scaled matrices (..., 6, 6).
+    """Return u_6, all singular values, and v_6, shape (..., 6) each, of scaled matrices (..., 6, 6).
 
     The entry of u_6 of largest magnitude is positive; H v_6 = s_6 u_6.
     """
@@ -128,10 +149,10 @@ def last_directions(H: Array) -> tuple[Array, Array, Array]:
 
 
 def screw(twist: Array, length: float) -> tuple[Array, Array, Array]:
-    """Return pitch, m/rad, (...), axis, (..., 3), and the arm to it from the reference point, m, (..., 3).
+    """Return the pitch (m/rad), the axis, and the arm from the reference point (m) of a twist (..., 6).
 
-    twist: [v; omega], m/s and rad/s, (..., 6). length: what a turn is measured by, m. As in
-    ``SingularityResult``.
+    ``twist`` is [v; omega] (m/s, rad/s), and ``length`` (m) scales rotations, as in ``SingularityResult``.
+    The shapes of the results are (...), (..., 3), and (..., 3).
     """
     v, omega = twist[..., :3], twist[..., 3:]
     turns = length * _size(omega) > _TRANSLATION * _size(v)

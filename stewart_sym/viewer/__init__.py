@@ -1,1 +1,1 @@
-"""A machine and its motion as one HTML file that is looked at in a browser, without a network."""
+"""Viewer: a robot and its motion as one HTML file for a browser, without a network."""

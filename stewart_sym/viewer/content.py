@@ -1,4 +1,4 @@
-"""The data of a page: the machine as plain numbers with sizes to draw it by, and the motion as columns."""
+"""Data of a page: the robot as numbers with drawing sizes, and the motion as columns."""
 
 from __future__ import annotations
 
@@ -26,25 +26,25 @@ from ..robot.robot import Robot
 from .limit_report import LimitReport
 from .motion_history import Event, MotionHistory
 
-# Radius of a lower part and length of the axes as drawn, over the machine's size; how far a twist swings the
-# platform, over its characteristic length.
+# Drawn radius of a lower part and length of the axes, relative to the machine size; amplitude of a twist,
+# relative to the characteristic length.
 _THICK, _AXIS, _SWING = 0.028, 0.22, 0.25
-# Largest radius of a lower part, over the shortest leg.
+# Largest radius of a lower part, relative to the shortest leg.
 _THICK_OF_LEG = 0.06
-# Length of a lower part where the file states none: at most these shares of the shortest and the longest leg.
+# Default length of a lower part: at most these fractions of the shortest and the longest leg.
 _LOWER, _LOWER_OF_LONGEST = 0.9, 0.62
-# How far an upper part stays within the lower one, and how long it is at most, over the shortest leg.
+# Overlap of the upper part with the lower part, and its largest length, relative to the shortest leg.
 _WITHIN, _UPPER = 0.15, 0.93
-# Where the largest force exceeds the quantile by this factor, as beside a singular pose, colors end there.
+# If the largest force exceeds the quantile by this factor, as near a singular pose, the colors end there.
 _QUANTILE, _PEAK = 0.9, 4.0
-# Digits that are shown of values, of lengths one more.
+# Number of displayed digits; lengths have one more.
 _DIGITS = 5
-# Size below which machines are shown in millimeters, m.
+# Size (m) below which machines are displayed in millimeters.
 _SMALL = 2.0
 
 
 def content(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str, Any]:
-    """Everything that the page's scripts read."""
+    """Return all data for the scripts of the page."""
     scale, cut = _scale(shown)
     columns = {
         "time": _column(shown.time, "f8"),
@@ -72,60 +72,60 @@ def content(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str
 
 
 def units(robot: Robot) -> dict[str, Any]:
-    """Unit in which lengths are shown, and how many of it are a meter."""
+    """Return the unit of displayed lengths and its number per meter."""
     small = _size(robot) < _SMALL
     return {"length": 1e3 if small else 1.0, "lengthName": "mm" if small else "m"}
 
 
 def data_text(data: dict[str, Any]) -> str:
-    """Data as JSON that may stand in a block of HTML: nothing in it ends the block."""
+    """Return data as JSON that is safe in an HTML block: no character in it can end the block."""
     text = json.dumps(plain(data), ensure_ascii=True, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
 def parts_text(robot: Robot) -> str:
-    """Whether the legs' parts are drawn as long as they are, in words."""
+    """Return a sentence about the lengths of the drawn leg parts: from the robot file, or assumed."""
     stated = np.stack([robot.lower_length, robot.upper_length]) > 0.0
     if stated.all():
-        return "The legs' parts have the lengths of the robot file."
+        return "The leg parts have the lengths of the robot file."
     which = "Some lengths" if stated.any() else "Lengths"
-    return f"{which} of the legs' parts are assumed: the robot file states none."
+    return f"{which} of the leg parts are assumed: the robot file does not contain them."
 
 
 def noise_html(shown: MotionHistory) -> str:
-    """A paragraph about what noise a log was found to have; nothing without."""
+    """Return a paragraph about the noise of a log, or ""."""
     if shown.noise is None or not shown.noise.text:
         return ""
     text = html.escape(safe_text(shown.noise.text))
-    return f'<p id="noise">{text}; \u00b1 is the standard deviation that this leaves</p>'
+    return f'<p id="noise">{text}; \u00b1 is the remaining standard deviation</p>'
 
 
 def limits_html(limits: LimitReport) -> str:
-    """A section about the limits of the robot file that are not kept; nothing of a robot without limits."""
+    """Return a section about exceeded and inconclusive limits of the robot file, or "" without limits."""
     if not limits.stated:
         return ""
     lines = [
         f'<li class="{"beyond" if verdict == EXCEEDED else "doubtful"}">{html.escape(safe_text(line))}</li>'
         for verdict, line in limits.told
     ]
-    known = "forces, lengths, speeds and motors" if np.isfinite(limits.F).any() else "lengths and speeds"
-    kept = f"<p>The limits of {known} that the robot file states are kept.</p>"
+    known = "forces, lengths, speeds, and motors" if np.isfinite(limits.F).any() else "lengths and speeds"
+    kept = f"<p>The motion is within the limits of {known} in the robot file.</p>"
     said = f"<ul>{''.join(lines)}</ul>" if lines else kept
     return f'<section id="limits" aria-label="Limits"><h2>Limits</h2>{said}</section>'
 
 
 def _column(values: Array, kind: str = "f4") -> dict[str, str]:
-    """Numbers in base 64; single precision has the digits that are shown, times need all of theirs."""
+    """Encode numbers in base 64; single precision is enough for displayed digits, but not for times."""
     with np.errstate(over="ignore"):
         numbers = np.ascontiguousarray(values, dtype=f"<{kind}")
     return {"kind": kind, "data": base64.b64encode(numbers.tobytes()).decode()}
 
 
 def _chain_columns(robot: Robot, shown: MotionHistory) -> dict[str, dict[str, str]]:
-    """Points and axes of the legs' chains, base frame, (n, 6, 3), of a robot with offset joints.
+    """Return points and axes of the leg chains in the base frame, (n, 6, 3), for a robot with offset joints.
 
-    moving: where the moving axis meets the common normal; foot, end: of the line of sliding; lower, upper:
-    axes across the parts, which turn with them.
+    moving: intersection of the moving axis and the common normal. foot, end: ends of the prismatic joint
+    axis. lower, upper: axes across the leg parts, which turn with them.
     """
     if robot.offsets is None:
         return {}
@@ -137,7 +137,7 @@ def _chain_columns(robot: Robot, shown: MotionHistory) -> dict[str, dict[str, st
 
 
 def _motor_columns(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str, dict[str, str]]:
-    """Torque of the motors, of which the page makes current and power, and speed where lengths don't tell."""
+    """Return the motor torques, from which the page computes current and power; with offsets also speeds."""
     if limits.motors is None:
         return {}
     found = {"torque": _column(limits.motors.torque)}
@@ -145,7 +145,7 @@ def _motor_columns(robot: Robot, shown: MotionHistory, limits: LimitReport) -> d
 
 
 def _deviations(robot: Robot, shown: MotionHistory, limits: LimitReport) -> Iterator[tuple[str, Array]]:
-    """Names of columns and their deviations, of those that these change in digits that are shown."""
+    """Yield names and standard deviations of columns, if they affect displayed digits."""
     if shown.noise is None:
         return
     sd, motors = shown.noise.sd, limits.motors
@@ -161,7 +161,7 @@ def _deviations(robot: Robot, shown: MotionHistory, limits: LimitReport) -> Iter
 
 
 def _runs(codes: NDArray[np.uint8]) -> Iterator[list[int]]:
-    """Leg, first instant, the one after the last, and the code of all between, where a limit is not kept."""
+    """Yield leg, first sample, end, and status code of each run of samples outside a limit."""
     for leg, column in enumerate(codes.T):
         edges = [0, *(np.flatnonzero(np.diff(column)) + 1).tolist(), len(column)]
         for first, after in itertools.pairwise(edges):
@@ -170,7 +170,7 @@ def _runs(codes: NDArray[np.uint8]) -> Iterator[list[int]]:
 
 
 def _motors(limits: LimitReport) -> dict[str, Any] | None:
-    """Of the motors: what makes speeds of those of legs and currents of torques, limits, and mean torques."""
+    """Return motor data: conversion factors of speeds and currents, limits, and RMS torques."""
     found = limits.summary
     if found is None:
         return None
@@ -217,18 +217,18 @@ def _machine(robot: Robot, shown: MotionHistory) -> dict[str, Any]:
 
 
 def _size(robot: Robot) -> float:
-    """Radii of base and platform together, m."""
+    """Return the sum of the radii of base and platform (m)."""
     return (radius(robot.b) + radius(robot.p)) or 1.0
 
 
 def _up(robot: Robot) -> Array:
-    """Against gravity: what hangs is shown hanging. Without gravity to the platform's side."""
+    """Return the direction opposite to gravity, or, without gravity, toward the platform."""
     weight = float(np.linalg.norm(robot.g))
     return -robot.g / weight if weight > 0.0 else platform_side(robot).direction
 
 
 def _parts(robot: Robot, L: Array) -> tuple[Array, Array]:
-    """Lengths of lower and upper parts, m, (6,): as stated, else such that they slide into each other."""
+    """Return the lengths of lower and upper parts (m), (6,); default parts slide into each other."""
     with np.errstate(all="ignore"):
         shortest, longest = np.nanmin(L, axis=0), np.nanmax(L, axis=0)
     low, high = robot.length_limits.T
@@ -241,7 +241,7 @@ def _parts(robot: Robot, L: Array) -> tuple[Array, Array]:
 
 
 def _extent(robot: Robot, shown: MotionHistory) -> Array:
-    """Points that must be seen, m, (n, 3): joints, tool and axes in some of the poses."""
+    """Return points that must be visible (m), (n, 3): joints, tool, and axes in some of the poses."""
     some = np.linspace(0, len(shown.time) - 1, min(len(shown.time), 16)).astype(np.int64)
     R, t = shown.motion.R[some], shown.motion.t[some]
     points = np.concatenate([robot.p, robot.tool[None], _AXIS * _size(robot) * np.eye(3)])
@@ -250,7 +250,7 @@ def _extent(robot: Robot, shown: MotionHistory) -> Array:
 
 
 def _across(robot: Robot, shown: MotionHistory) -> Array:
-    """Directions across the legs of the first pose, (6, 3): legs with spherical joints don't show a spin."""
+    """Return directions normal to the legs at the first pose, (6, 3), for spherical base joints."""
     S = shown.motion.R[0] @ robot.p.T + shown.motion.t[0][:, None] - robot.b.T
     least = np.eye(3)[np.argmin(np.abs(S), axis=0)]
     across = np.cross(S.T, least)
@@ -258,14 +258,14 @@ def _across(robot: Robot, shown: MotionHistory) -> Array:
 
 
 def around(points: Array) -> NDArray[np.int64]:
-    """Order of points by their angle about their middle, in the plane that fits them best."""
+    """Return the order of points by their angle about their mean, in the plane that fits them best."""
     from_middle = points - points.mean(axis=0)
     across = from_middle @ np.linalg.svd(from_middle)[2][:2].T
     return np.argsort(np.arctan2(across[:, 1], across[:, 0]), kind="stable")
 
 
 def _scale(shown: MotionHistory) -> tuple[float, float | None]:
-    """Force at which the colors end, N, and the force at which curves are cut, None where none is."""
+    """Return the force (N) at which the colors end, and the force at which curves are cut, or None."""
     sizes = np.abs(np.concatenate([F.ravel() for F in shown.forces.values()] or [np.zeros(1)]))
     sizes = sizes[np.isfinite(sizes)]
     if not sizes.size:

@@ -1,4 +1,4 @@
-"""Limits of a machine beside its motion: what is said of them, and where each is exceeded or not decided."""
+"""Limits of a robot compared with its motion: texts, and status codes at each sample."""
 
 from __future__ import annotations
 
@@ -24,12 +24,21 @@ _OF_MOTORS = ("torque_limit", "speed_limit", "current_limit", "power_limit", "ra
 
 @dataclass(frozen=True, eq=False)
 class LimitReport:
-    """Limits of a machine beside its motion.
+    """Limits of a robot compared with its motion.
 
-    stated: whether it has any. told: verdicts and lines about those that are not kept, as ``forces`` says
-    them. codes: places in ``VERDICTS`` at each instant, (n, 6), by F and the formulation, L, L_dot, and of
-    motors torque, speed, current and power. F: forces that the motors are computed from, N, (n, 6). motors:
-    what the instants take of them, of a robot with a drive, and summary: of all of them.
+    Attributes
+    ----------
+    stated : bool
+        True if the robot has limits.
+    told : tuple of tuple of str
+        Status and text of each limit that is exceeded or inconclusive, as in the subcommand ``forces``.
+    codes : dict of ndarray, shape (n, 6)
+        Indices of ``VERDICTS`` at each sample by quantity: F with its formulation, L, L_dot, and motor
+        torque, speed, current, and power.
+    F : ndarray, shape (n, 6)
+        Forces from which the motor quantities are computed (N).
+    motors, summary : MotorStates, Summary, optional
+        Motor quantities of each sample and of the whole motion; None without a drive.
     """
 
     stated: bool
@@ -41,7 +50,7 @@ class LimitReport:
 
 
 def limits(robot: Robot, shown: MotionHistory) -> LimitReport:
-    """Compare a motion with all limits; without forces with those of lengths and speeds."""
+    """Compare a motion with all limits; without forces, only with the limits of lengths and speeds."""
     name, noise = next(iter(shown.forces), None), shown.noise
     F = np.full_like(shown.L, np.nan) if name is None else shown.forces[name]
     sd, there = (None, None) if noise is None else (noise.sd, noise.there)

@@ -1,4 +1,4 @@
-"""What a machine does at instants: poses, lengths, forces, condition numbers, and where it is singular."""
+"""Motion of a robot at n samples: poses, leg lengths, forces, condition numbers, and singular poses."""
 
 from __future__ import annotations
 
@@ -36,21 +36,29 @@ from ..singularities.singular_poses import SingularityResult, singularity
 
 FORMULATIONS = ("exact", "paper")
 STEPS_PER_PATH = 600
-"""Least number of steps of a path of the paper."""
+"""Smallest number of time steps of a path of the paper."""
 _NAMES = {
     name: [f"{name}_{axis}" for axis in "xyz"] for name in ("t", "theta", "v", "omega")
 } | {name: [f"{name}_{leg}" for leg in range(1, 7)] for name in "FL"}  # fmt: skip
 _MOST_BYTES = 1 << 31
-# By how much lengths that a run states may differ from those at its poses, over the longest leg.
+# Largest difference between the lengths in a run file and at its poses, relative to the longest leg.
 _SAME = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Event:
-    """An instant that the time line marks.
+    """Time that the time line marks.
 
-    time: s. motion: the pose there. at: how near it is to a singular pose. singular: whether H is singular
-    there; False: only the largest condition number of the motion.
+    Attributes
+    ----------
+    time : float
+        Time (s).
+    motion : Motion
+        Pose at this time.
+    at : SingularityResult
+        Singularity measures.
+    singular : bool
+        True if H is singular; False for the largest condition number of the motion.
     """
 
     time: float
@@ -61,11 +69,20 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """What noise of a log leaves open at n instants.
+    """Effects of the noise of a log at n samples.
 
-    text: what the log was found to have and what was done about it. sd: standard deviations, of forces those
-    of the first formulation. forces: deviations of forces by the name of the formulation, N, (n, 6). there:
-    instants, (n,), at which they hold what replaced rows change. replaced: these rows.
+    Attributes
+    ----------
+    text : str
+        Description of the noise and its treatment.
+    sd : Deviations
+        Standard deviations, including the forces of the first formulation.
+    forces : dict of ndarray, shape (n, 6)
+        Standard deviations of the forces by formulation (N).
+    there : ndarray of bool, shape (n,)
+        Flags of samples whose standard deviations include replaced rows.
+    replaced : tuple of Replaced
+        Replaced rows.
     """
 
     text: str
@@ -77,12 +94,26 @@ class Noise:
 
 @dataclass(frozen=True, eq=False)
 class MotionHistory:
-    """A machine's motion at n instants, to be looked at; SI units, base frame.
+    """Motion of a robot at n samples in SI units and the base frame.
 
-    name: of the motion, in words. time: s, (n,). motion: poses and rates, (n,). L, L_dot: m and m/s, (n, 6).
-    forces: actuator forces by the name of their formulation or source, N, (n, 6); nan where none hold the
-    pose. condition: of H with its moment rows over the characteristic length, (n,). events: singular instants
-    in order, or the one nearest to a singular pose. noise: of the log; None without.
+    Attributes
+    ----------
+    name : str
+        Name of the motion.
+    time : ndarray, shape (n,)
+        Times (s).
+    motion : Motion
+        Poses and rates, shape (n,).
+    L, L_dot : ndarray, shape (n, 6)
+        Leg lengths (m) and rates (m/s).
+    forces : dict of ndarray, shape (n, 6)
+        Actuator forces by formulation or source (N). NaN if a pose is unsolvable.
+    condition : ndarray, shape (n,)
+        Condition numbers of the scaled H (dimensionless).
+    events : tuple of Event
+        Singular poses in order of time, or the pose closest to a singular pose.
+    noise : Noise, optional
+        Noise of the log.
     """
 
     name: str
@@ -97,16 +128,16 @@ class MotionHistory:
 
 
 def at_home(robot: Robot, home: Array) -> MotionHistory:
-    """The machine at rest at its home pose, whose position is given, m, (3,)."""
+    """Return the motion of a robot at rest at a home position (m), shape (3,)."""
     motion = at_rest(np.eye(3)[None], home[None])
     return _instants(robot, "home pose", np.zeros(1), motion, None, None)
 
 
 def of_path(robot: Robot, path: str | StraightLinePath) -> MotionHistory:
-    """A straight line, or by its name, I, II or III, one of the paper's."""
+    """Return the motion along a straight line, or along path I, II, or III of the paper."""
     if isinstance(path, str):
         if path not in PAPER_PATHS:
-            raise ValueError(f"motion: expected I, II or III, or a motion, got {path!r}")
+            raise ValueError(f"motion: expected I, II, III, or a motion, got {path!r}")
         name, path = f"Path {path} of the paper", path_for(robot, path).path
     else:
         name = "straight line"
@@ -115,7 +146,7 @@ def of_path(robot: Robot, path: str | StraightLinePath) -> MotionHistory:
 
 
 def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> MotionHistory:
-    """A trajectory read from a file, by whose name it is called."""
+    """Return the motion of a trajectory; its name is the file name."""
     path = interpolate(trajectory) if len(trajectory.time) > 1 else None
     name = os.path.basename(trajectory.source)
     found = _instants(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
@@ -123,7 +154,7 @@ def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> MotionHisto
 
 
 def of_run(robot: Robot, run: StateHistory) -> MotionHistory:
-    """A simulated run, with the forces that acted."""
+    """Return the motion of a simulation with its forces."""
     path = _path_of(run.time, run.motion)
     if isinstance(run, SimulationResult):
 
@@ -134,22 +165,22 @@ def of_run(robot: Robot, run: StateHistory) -> MotionHistory:
 
 
 def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> MotionHistory:
-    """A motion of shape (n,) at times, s, (n,), increasing; without accelerations there are no forces."""
+    """Return a motion of shape (n,) at increasing times (s), (n,); forces require accelerations."""
     time = np.arange(1.0) if times is None and motion.shape in ((), (1,)) else real_array(times, "time")
     if motion.shape == ():
         motion = motion[None]
     if time.shape != motion.shape or time.ndim != 1 or not len(time):
-        raise ValueError(f"times: expected shape {motion.shape}, (n,), as the motion's, got {time.shape}")
+        raise ValueError(f"time: expected the shape of the motion, {motion.shape}, (n,), got {time.shape}")
     if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
-        raise ValueError("times: expected finite, increasing times")
+        raise ValueError("time: expected finite, increasing times")
     forces: Mapping[str, Array] | None = {} if motion.a is None else None
     return _instants(robot, name, time, motion, _path_of(time, motion), time, forces)
 
 
 def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]:
-    """Read ``run.csv`` of ``simulate``: times, s, (n,), states, (n,), forces, N, and lengths, m, (n, 6).
+    """Read ``run.csv`` of ``simulate``: times (s), (n,), states, (n,), forces (N), and lengths (m), (n, 6).
 
-    Raises ValueError of one line that names the file and the row or column.
+    Raises ValueError with one line that contains the file and the row or column.
     """
     source = file_name(path)
 
@@ -163,7 +194,7 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
 
 
 def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> MotionHistory:
-    """A run as ``simulate`` wrote it into ``run.csv``; ValueError where its lengths are of another robot."""
+    """Return the motion in a file ``run.csv``; raise ValueError if its lengths belong to another robot."""
     time, motion, F, L = read_run(path)
     own = inverse_kinematics(robot, motion).L
     same = np.abs(own - L) <= _SAME * L.max(initial=0.0)
@@ -185,8 +216,9 @@ def _instants(
     breaks: Array | None,
     forces: Mapping[str, Array] | None = None,
 ) -> MotionHistory:
-    """All of it; forces: None for those of the formulations. path, breaks: as ``singularity_crossings`` takes
-    them.
+    """Return the motion with forces and events; ``forces`` is None to compute them for the formulations.
+
+    ``path`` and ``breaks`` are the arguments of ``singularity_crossings``.
     """
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
@@ -194,7 +226,7 @@ def _instants(
         H = np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2)
         condition = scaled_condition_number(H, length)
     if forces is None:
-        # The paper's formulation has neither rotors nor offsets.
+        # The formulation of the paper has neither rotors nor offsets.
         exact_alone = robot.has_rotors or robot.offsets is not None
         formulations = FORMULATIONS[:1] if exact_alone else FORMULATIONS
         forces = {each: _forces(robot, motion, each) for each in formulations}
@@ -226,7 +258,7 @@ def _events(
     robot: Robot, time: Array, motion: Motion, condition: Array, path: Path | None, breaks: Array | None
 ) -> tuple[Event, ...]:
     if robot.offsets is not None:
-        # Singular poses are sought for legs whose axes meet.
+        # The search for singular poses requires legs without offsets.
         return ()
     found = []
     if path is not None and breaks is not None and len(breaks) > 1:
@@ -241,7 +273,7 @@ def _events(
 
 
 def _path_of(time: Array, motion: Motion) -> Path | None:
-    """The motion between its instants; accelerations that it has not are differences of its rates."""
+    """Return the motion between its samples; missing accelerations are differences of the rates."""
     if len(time) < 2:
         return None
     a, alpha = motion.a, motion.alpha

@@ -1,4 +1,4 @@
-"""Joins the files of the folder ``page`` and data to one HTML file that makes no request."""
+"""Assembly of one HTML file, which makes no request, from the files of the folder ``page`` and data."""
 
 import base64
 import hashlib
@@ -15,23 +15,23 @@ _EXPORT = re.compile(r"^export (?:const|function|class) (\w+)", re.MULTILINE)
 
 
 BEGINNING = "<!DOCTYPE html>\n<!-- A page of stewart-sym:"
-"""How every page begins, by which this program's own are found."""
+"""Beginning of every page, by which pages of this program are recognized."""
 
 
 @cache
 def text_of(name: str) -> str:
-    """A file of the page."""
+    """Return the text of a file of the page."""
     return (resources.files(__package__) / "page" / name).read_text(encoding="utf-8")
 
 
 def filled(name: str, values: Mapping[str, str]) -> str:
-    """A file of the page with its marks, ``@name@``, replaced by values that are HTML already."""
+    """Return a file of the page with its marks, ``@name@``, replaced by HTML values."""
     return _MARK.sub(lambda found: values[found[1]], text_of(name))
 
 
 @cache
 def script(name: str) -> str:
-    """A module of the page and all that it imports, each once, as one: every module is a function's body."""
+    """Join a module of the page and its imports into one script; every module becomes a function body."""
     order: list[str] = []
 
     def visit(module: str) -> None:
@@ -55,11 +55,11 @@ def _wrapped(module: str) -> str:
 def document(
     title: str, body: str, main: str, styles: Iterable[str] = ("style.css",), inner: Iterable[str] = ()
 ) -> str:
-    """A whole HTML file.
+    """Return a complete HTML file.
 
-    Its content security policy lets the scripts and styles in it run and nothing else, and no request out.
-    title: text of the browser's tab. body: HTML. main: name of the module that runs. styles: names of the
-    style sheets. inner: modules of documents within this one, which inherit its policy.
+    Its content security policy allows only its own scripts and styles, and no requests. ``title`` is the text
+    of the browser tab, ``body`` is HTML, ``main`` names the module that runs, and ``styles`` names the style
+    sheets. ``inner`` names the modules of embedded documents, which inherit the policy.
     """
     code, style = script(main), "".join(map(text_of, styles))
     inside = [*inner]
@@ -78,7 +78,7 @@ def document(
 
 
 def generator() -> str:
-    """Name and version of this program."""
+    """Return the name and version of this program."""
     return f"stewart-sym {version('stewart-sym')}"
 
 

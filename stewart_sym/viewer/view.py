@@ -1,4 +1,4 @@
-"""``ss.view``: a machine in motion, shown in a notebook or written to one HTML file."""
+"""Function ``view``: a robot in motion, shown in a notebook or saved as one HTML file."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ _HEIGHT = 900
 
 @dataclass(frozen=True, eq=False)
 class Viewer:
-    """A machine in motion as one HTML file; in a notebook it is shown where it stands at a cell's end.
+    """Robot in motion as one HTML file; a notebook displays it at the end of a cell.
 
     Attributes
     ----------
     robot : Robot
-        The machine.
-    instants : Instants
-        What is shown of its motion.
+        Robot.
+    instants : MotionHistory
+        Displayed motion.
     """
 
     robot: Robot
@@ -43,17 +43,17 @@ class Viewer:
 
     @property
     def title(self) -> str:
-        """Names of machine and motion."""
+        """Names of the robot and the motion."""
         return f"{safe_text(self.robot.name)}: {safe_text(self.instants.name)}"
 
     @cached_property
     def limits(self) -> LimitReport:
-        """The machine's limits beside the motion."""
+        """Limits of the robot compared with the motion."""
         return limits(self.robot, self.instants)
 
     @property
     def html(self) -> str:
-        """The file's text."""
+        """Text of the HTML file."""
         shown = units(self.robot)
         body = filled(
             "viewer.html",
@@ -72,28 +72,28 @@ class Viewer:
         return document(self.title, body, "main")
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the file; what stands there is replaced once all is written.
+        """Write the HTML file; an existing file is replaced after the new file is complete.
 
         Parameters
         ----------
         path : str or os.PathLike
-            Where to write.
+            Path of the HTML file.
 
         Raises
         ------
         OSError
-            Naming the file, when it can't be written.
+            If the file cannot be written; the message contains its name.
         """
         with replaced_file(Path(path)) as stream:
             stream.write(self.html)
 
     def _repr_html_(self) -> str:
-        """The page within a notebook's, closed off from it."""
+        """Return the page as a separate frame of a notebook."""
         return frame(self)
 
 
 def frame(view: Viewer, height: int = _HEIGHT) -> str:
-    """The page as a frame within another; height: of the frame, pixels."""
+    """Return the page as a frame within another page; ``height`` is the height of the frame (pixels)."""
     values = {"title": html.escape(view.title), "page": html.escape(view.html), "height": str(height)}
     return filled("frame.html", values)
 
@@ -103,37 +103,58 @@ def view(
     motion: Motion | StateHistory | Trajectory | PoseLog | StraightLinePath | str | None = None,
     time: Any = None,
 ) -> Viewer:
-    """Return a machine in motion, to be looked at in a notebook or saved as one HTML file.
+    """Show a robot in motion, in a notebook or in one HTML file.
 
-    The file needs no network and no other file. It shows the machine in three dimensions with its legs
-    colored by force, and forces, lengths, speeds and condition number over time, beside the limits of legs
-    and motors; of a log with noise with the deviations that it leaves. Forces are of both formulations, of
-    ``exact`` alone for a robot whose drive has rotor inertia.
+    The file needs neither a network nor other files. It shows the robot in three dimensions with legs colored
+    by force. Curves show forces, lengths, speeds, and the condition number over time, compared with the
+    limits of legs and motors. For a noisy log they include standard deviations.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot to display.
     motion : Motion, StateHistory, Trajectory, PoseLog, StraightLinePath or str, optional
-        A motion of shape (n,) at ``time``; what ``simulate`` returns, with the forces that acted; a
-        trajectory; a straight line; I, II or III, a path of the paper. None: at rest at the home pose. A
-        motion without accelerations is shown without forces.
-    time : array_like, optional
-        Of a Motion, s, (n,), increasing. None: for a motion of one pose.
+        Motion of shape (n,) at ``time``, result of ``simulate`` with its forces, trajectory, straight line,
+        or path "I", "II", or "III" of the paper. By default, the robot is at rest at its home pose. A motion
+        without accelerations is displayed without forces.
+    time : array_like, shape (n,), optional
+        Increasing times of a Motion (s). Not required for a single pose.
 
     Returns
     -------
     Viewer
-        Shown by a notebook; ``save(path)`` writes the file, ``html`` is its text.
+        Object that a notebook displays. ``save(path)`` writes the file, and ``html`` is its text.
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If an argument is invalid.
+
+    See Also
+    --------
+    simulate : Simulate a motion that can be displayed.
+    read_trajectory : Read a log that can be displayed.
+
+    Notes
+    -----
+    Forces are computed for both formulations, or only for "exact" if the robot has rotor inertia or joint
+    offsets.
+
+    Examples
+    --------
+    >>> import pathlib
+    >>> import tempfile
+    >>> import stewart_sym as ss
+    >>> viewer = ss.view(ss.robots.load("unal"))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = pathlib.Path(folder) / "robot.html"
+    ...     viewer.save(file)
+    ...     file.read_text(encoding="utf-8")[:15]
+    '<!DOCTYPE html>'
     """
     instance(robot, Robot, "robot")
     if time is not None and not isinstance(motion, Motion):
-        raise ValueError("time: are for a Motion, expected none")
+        raise ValueError("time: expected None unless motion is a Motion")
     return Viewer(robot, _instants(robot, motion, time))
 
 
@@ -148,5 +169,5 @@ def _instants(robot: Robot, motion: object, times: object) -> MotionHistory:
         return of_run(robot, motion)
     instance(motion, Motion, "motion")
     if times is None and cast(Motion, motion).shape not in ((), (1,)):
-        raise ValueError("times: expected the times of the motion's poses, s, got none")
+        raise ValueError("time: expected the times of the motion's poses (s), got none")
     return of_motion(robot, cast(Motion, motion), times)

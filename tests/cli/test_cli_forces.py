@@ -162,7 +162,10 @@ def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, traject
     assert captured.out == ""
     assert error.startswith("stewart-sym: error: ")
     assert all(line.startswith("stewart-sym: warning: ") for line in warned)
-    assert len([line for line in warned if "beside a machine" in line and "--length-unit mm" in line]) == 1
+    assert (
+        len([line for line in warned if "compared with a machine" in line and "--length-unit mm" in line])
+        == 1
+    )
     assert "--length-unit mm" not in error
 
 

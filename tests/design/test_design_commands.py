@@ -123,7 +123,7 @@ def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, r
 def test_shares_given_in_per_cent_are_named(run: Run) -> None:
     size = ("size-actuators", "hexapod.toml", "trajectory.csv", "--no-plots")
     assert "--margin: 25 means 2500 %; use 0.25 for 25 %" in run(*size, "--margin", 25).err
-    assert "--quantile: expected shares > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
+    assert "--quantile: expected fractions > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
 
 
 def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
@@ -163,7 +163,7 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     text = (folder / "hexapod.toml").read_text()
     (folder / "hexapod.toml").write_text(text + DRIVE)
     captured = run("size-actuators", "hexapod.toml", "noisy.csv", "--cutoff", 20, "--no-plots")
-    assert "the log's noise leaves the forces of all legs unknown: " in captured.err
+    assert "at the noise of the log, the forces of all legs are unknown: " in captured.err
     data = json.loads((folder / "size" / "report.json").read_text())
     assert data["exceeded"] == []
     assert f"limits exceeded: 0, limits without the margin: 0, not decided: {len(data['not_decided'])}" in (

@@ -163,12 +163,12 @@ def test_what_is_no_question_is_one_line() -> None:
     robot, motion = machine_in_motion(7, (3,))
     time = np.arange(3.0)
     for motions, message in (
-        ([], "motions: expected one at least"),
+        ([], "motions: expected at least one"),
         (3, "motions: expected pairs"),
         (motion[0], "motions: expected pairs"),
         ([time], "motions[0]: expected a pair"),
         ([(time[:2], motion)], "motions[0]: expected a motion of the shape"),
-        ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, rising"),
+        ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, increasing"),
         ([([0.0, np.nan, 1.0], motion)], "motions[0]: time: expected finite"),
     ):
         assert error_of(lambda motions=motions: ss.actuator_requirements(robot, motions)).startswith(message)
@@ -351,7 +351,7 @@ def test_no_limit_suffices_for_a_motion_through_a_singular_pose(in_log: bool) ->
     motion, rows = path.sample(time), range(2, len(time) + 2)
     given: Any = Trajectory(time, motion, "III", rows) if in_log else (time, motion)
     strong = dataclasses.replace(ss.robots.dasgupta1998(), force_limit=1e9, drive=ss.Drive(lead=0.005))
-    where = "at 3.67" if in_log else "between instants 12 and 13, where det H changes its sign"
+    where = "at 3.67" if in_log else "between samples 12 and 13, where det H changes its sign"
     with pytest.warns(ss.SingularPoseWarning, match=f"the path crosses a singular pose {where}"):
         needs = ss.actuator_requirements(strong, [given])
     written = report(strong, ["III"], needs)

@@ -311,7 +311,7 @@ def test_distances_of_legs_are_the_least_of_their_points() -> None:
 def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     robot = limited(np.random.default_rng(2))
     free = dataclasses.replace(robot, length_limits=np.tile([0.0, math.inf], (6, 1)))
-    assert "expected a box" in error_of(lambda: ss.workspace(free))
+    assert "expected position_bounds" in error_of(lambda: ss.workspace(free))
     assert error_of(lambda: ss.workspace(robot, "all")).startswith("kind: expected")
     assert error_of(lambda: ss.workspace(robot, samples=3)).startswith("samples: expected")
     assert error_of(lambda: ss.workspace(robot, position=[0.0, math.nan, 0.0])).startswith(
@@ -321,14 +321,14 @@ def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> Non
         lambda: ss.workspace(robot, position_bounds=[[0.0, 1.0], [1.0, 0.0], [0.0, 1.0]])
     ).startswith("position_bounds:")
     assert error_of(lambda: ss.workspace(robot, rpy_bounds=WHOLE_TURN)).startswith(
-        "rpy_bounds: is for rotations"
+        "rpy_bounds: expected None, rotations"
     )
     wide = np.array([[-4.0, 4.0]] * 3)
     assert error_of(lambda: ss.workspace(robot, "six_dof", rpy_bounds=wide)).startswith(
         "rpy_bounds: expected roll"
     )
     assert error_of(lambda: ss.workspace(robot, "orientation", position_bounds=wide)).startswith(
-        "position_bounds: is for positions"
+        "position_bounds: expected None, positions"
     )
     assert error_of(lambda: ss.PoseLimits(condition=0.5)).startswith("condition: expected")
     assert error_of(lambda: ss.PoseLimits(clearance=-1.0)).startswith("clearance: expected")

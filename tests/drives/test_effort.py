@@ -142,7 +142,7 @@ def test_limits_are_named_with_leg_value_and_time(robot: ss.Robot) -> None:
     words = rf"drive\.torque_limit exceeded by leg {worst + 1}: torque {peak} at {time[at]:g}\d* s"
     with pytest.warns(ss.DriveLimitWarning, match=words):
         assert len(ss.drive_effort(tight, motion, time).limit_messages) == 1
-    with pytest.warns(ss.DriveLimitWarning, match=f"at instant {at}, limit"):
+    with pytest.warns(ss.DriveLimitWarning, match=f"at sample {at}, limit"):
         ss.drive_effort(tight, motion)
     rated = with_drive(robot, rated_torque=0.9 * free.rms_torque.max())
     with pytest.warns(

@@ -149,7 +149,7 @@ def test_currents_become_forces_of_the_motors(robot: ss.Robot, excited: ss.Excit
     np.testing.assert_allclose(F, effort.force, rtol=1e-12)
     found = ss.identify(machine, excited.motion, F, 1e-6, excited.base, drive_terms=("coulomb",))
     np.testing.assert_allclose(found.drive.values, 30.0, atol=1e-4)
-    with pytest.raises(ValueError, match=r"robot: expected a drive with a torque_constant of every leg"):
+    with pytest.raises(ValueError, match=r"robot: expected a drive with a torque_constant for every leg"):
         ss.motor_forces(robot, effort.current)
 
 
@@ -340,7 +340,7 @@ def test_command_takes_currents(robot: ss.Robot, excited: ss.Excitation, tmp_pat
     assert not any("--position-std" in line for line in found["warnings"])
     assert found["robot_file"] == {"agreement": "not compared", "probability": None}
     words[1] = str(written(robot, tmp_path / "plain.toml"))
-    assert "expected a drive with a torque_constant of every leg" in run(*words, *out, code=2).err
+    assert "expected a drive with a torque_constant for every leg" in run(*words, *out, code=2).err
 
 
 def test_the_command_seeks_terms_of_measured_forces(

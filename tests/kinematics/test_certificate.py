@@ -220,13 +220,14 @@ def test_what_was_tried_or_why_there_is_no_pose_is_said() -> None:
     none = L[0].copy()
     none[3] += 3.0
     proof = (
-        r"^L: no pose with these leg lengths was found: none exists, legs 1 and 4 cannot have theirs at once$"
+        r"^L: no pose with these leg lengths was found: "
+        r"none exists, legs 1 and 4 cannot have these lengths together$"
     )
     for guess in (None, (np.eye(3), np.array([0.0, 0.0, 0.5]))):
         rejects(proof, ss.forward_kinematics, robot, none, guess)
     # No two legs exclude a pose, all six do.
     short = np.array([0.69, 0.76, 0.66, 0.95, 0.67, 0.29])
-    open_ = r"^L: no pose with these leg lengths was found from {}, which does not prove that there is none$"
+    open_ = r"^L: no pose with these leg lengths was found from {}, which does not prove that no pose exists$"
     rejects(open_.format("100 starts"), ss.forward_kinematics, robot, short)
     with pytest.raises(ValueError, match=open_.format("the guess and about it")):
         ss.forward_kinematics(robot, short, (np.eye(3), np.array([0.0, 0.0, 0.5])))

@@ -88,7 +88,7 @@ def test_a_limit_that_replaced_rows_alone_leave_open_names_them(kind: str, noise
     name = f"the step at line {i}" if kind == "step" else f"line {i}"
     limit, share = (line for line in found.doubts if "replaced rows" in line)
     assert limit.startswith("force_limit inconclusive replaced rows by all legs: ")
-    assert limit.endswith(f"; kept away from {name}")
+    assert limit.endswith(f"; because of replaced rows ({name})")
     assert f"may be more than ten times higher than computed because of replaced rows ({name})" in share
     assert found.summary.count("inconclusive replaced rows") == 6
     tight = dataclasses.replace(one.robot, force_limit=np.full(6, 0.5 * np.abs(one.F).max(axis=0).min()))

@@ -169,7 +169,7 @@ def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
     assert "another unit (TrajectoryFormat(length_unit='m')" in str(length_doubt(robot, 1e-3 * L, "mm"))
     beyond = 25.4 if limits else 100.0
     assert "another unit (TrajectoryFormat(length_unit='mm'))" in str(length_doubt(robot, beyond * L, "in"))
-    assert "those of the robot file in meters" in str(length_doubt(robot, 1e-3 * L))
+    assert "the robot file's lengths in meters" in str(length_doubt(robot, 1e-3 * L))
     assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
 
 

@@ -239,7 +239,7 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     assert side.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
     assert told.err == ""
     there = dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home_position=[0.0, 0.0, -0.4 * sign])
-    stated = f"(0, 0, {-sign:g}) of the base, where the robot file states the home pose: "
+    stated = f"(0, 0, {-sign:g}) of the base, at the home pose of the robot file: "
     assert f"{stated}the platform hangs below its base; on the other side, " in check(there).out
 
 
@@ -286,7 +286,11 @@ def test_an_accepted_doubt_hides_no_other() -> None:
 
 @pytest.mark.parametrize(
     ("height", "words"),
-    [(0.0, "home: all legs lie within"), (0.01, "home: all legs lie within"), (1e3, "home: legs 1000 to 10")],
+    [
+        (0.0, "home_position: all legs are within"),
+        (0.01, "home_position: all legs are within"),
+        (1e3, "home_position: legs 1000 to 10"),
+    ],
 )
 def test_a_stated_home_where_no_machine_is_stands_for_what_follows_from_it(height: float, words: str) -> None:
     robot = dasgupta1998()

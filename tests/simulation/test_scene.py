@@ -215,7 +215,7 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None
     ("old", "new", "words"),
     [
         ("", "", ""),
-        ("[0.2, 0.0, 0.8]", "[200.0, 0.0, 800.0]", "state.t: lengths of 824.6 m beside a machine of "),
+        ("[0.2, 0.0, 0.8]", "[200.0, 0.0, 800.0]", "state.t: lengths of 824.6 m compared with a machine of "),
         ("[0.2, 0.0, 0.8]", "[0.2, 0.0, -0.8]", "state.t: the platform starts on the other side of the base"),
         ("[0.1, 0.0, 0.2]", "[5.0, 0.0, 0.2]", "state.theta: 5 rad about x: in degrees, expected radians?"),
         ("v = [0.05", "v = [50.0", "state.v: 50 m/s, 12 times what a fall through the length of a leg gives"),
@@ -223,7 +223,7 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None
         (
             "= 4e4",
             "= 4e4\nrest_length = 900.0",
-            "actuation.rest_length: lengths of 900 m beside a machine of ",
+            "actuation.rest_length: lengths of 900 m compared with a machine of ",
         ),
         ("= 4e4", "= 4e4\nrest_length = 0.0", ""),
     ],

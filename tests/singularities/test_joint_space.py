@@ -198,7 +198,7 @@ def test_legs_in_reverse_order_from_a_sample_on_are_named(samples: int) -> None:
 def test_rates_in_another_unit_are_named() -> None:
     robot, time, motion, (L, L_dot, L_ddot) = wave(60)
     with pytest.raises(
-        ValueError, match=r"^L\[\d+\]: the step in lengths from the sample before is not what"
+        ValueError, match=r"^L\[\d+\]: the step in lengths from the previous sample contradicts"
     ):
         ss.motion_from_lengths(robot, L, 1e3 * L_dot, 1e3 * L_ddot, (motion.R[0], motion.t[0]), time=time)
 

@@ -285,6 +285,7 @@ def test_a_path_and_a_machine_without_limits_say_nothing_of_limits() -> None:
     wide = dataclasses.replace(free, force_limit=np.full(6, 1e5))
     shown: Viewer = ss.view(wide, "I")
     assert (
-        "The limits of forces, lengths, speeds and motors that the robot file states are kept." in shown.html
+        "The motion is within the limits of forces, lengths, speeds, and motors in the robot file."
+        in shown.html
     )
     assert not shown.limits.told

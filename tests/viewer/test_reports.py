@@ -178,14 +178,14 @@ def test_what_cannot_be_shown_is_named() -> None:
     robot = ss.robots.dasgupta1998()
     path, _ = ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, 6.0, 5)
-    with pytest.raises(ValueError, match="times: expected shape"):
+    with pytest.raises(ValueError, match="time: expected the shape"):
         ss.view(robot, path.sample(time), time[:3])
-    with pytest.raises(ValueError, match="times: expected the times of the motion's poses"):
+    with pytest.raises(ValueError, match="time: expected the times of the motion's poses"):
         ss.view(robot, path.sample(time))
-    with pytest.raises(ValueError, match="times: expected finite, increasing"):
+    with pytest.raises(ValueError, match="time: expected finite, increasing"):
         ss.view(robot, path.sample(time), 0.0 * time)
-    rejects("motion: expected I, II or III", ss.view, robot, "IV")
-    rejects("time: are for a Motion", ss.view, robot, "I", time)
+    rejects("motion: expected I, II, III", ss.view, robot, "IV")
+    rejects("time: expected None", ss.view, robot, "I", time)
     rejects("motion", ss.view, robot, 3)
 
 

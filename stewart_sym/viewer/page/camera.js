@@ -1,9 +1,9 @@
-// The eye: it looks at a target from a distance, turned about the upward direction; and how a hand moves it.
+// The camera: it looks at a target from a distance, rotated about the upward direction; and its controls.
 
 import { across, add, along, cross, dot, minus, product4, times, unit } from "./vectors.js";
 
 const FIELD = (32 * Math.PI) / 180;
-// Of half the picture, that a machine takes when it is first seen.
+// Fraction of half the picture that a machine fills in the first view.
 const ROOM = 0.84;
 const STEEPEST = (89 * Math.PI) / 180;
 const HOME = { azimuth: (-60 * Math.PI) / 180, elevation: (18 * Math.PI) / 180 };
@@ -15,13 +15,13 @@ export const VIEWS = {
 };
 
 export class Camera {
-  // up: unit vector; points: what is to be seen; middle: of them; reach: how far they are from it at most.
+  // up: unit vector; points: visible points; middle: their center; reach: their largest distance from it.
   constructor(up, points, middle, reach) {
     this.up = up;
     this.points = points;
     this.home = middle;
     this.reach = reach;
-    // The view of a machine with z up begins with x to the right.
+    // In the first view of a machine with z up, x points to the right.
     const first = Math.abs(up[0]) < 0.8 ? [1, 0, 0] : [0, 1, 0];
     this.right = unit(minus(first, times(up, dot(first, up))), across(up));
     this.front = cross(up, this.right);
@@ -35,7 +35,7 @@ export class Camera {
     this.untouched = true;
   }
 
-  // Goes as near as all points allow in a picture of that width over height, until a hand has moved the eye.
+  // Moves as close as all points allow in a picture of that aspect ratio, until the user has moved the camera.
   fit(aspect) {
     if (!this.untouched) return;
     const { right, upward, back } = this.axes();
@@ -59,7 +59,7 @@ export class Camera {
     return along(this.target, from, this.distance);
   }
 
-  // Right, upward and backward unit vectors of the picture.
+  // Right, upward, and backward unit vectors of the picture.
   axes() {
     const back = unit(minus(this.eye, this.target));
     const right = unit(cross(this.up, back));
@@ -77,7 +77,7 @@ export class Camera {
     this.distance = Math.max(0.2 * this.reach, Math.min(30 * this.reach, this.distance * factor));
   }
 
-  // Moves the target with the picture; shares of its height.
+  // Moves the target with the picture; fractions of its height.
   pan(x, y) {
     this.untouched = false;
     const { right, upward } = this.axes();
@@ -85,13 +85,13 @@ export class Camera {
     this.target = along(along(this.target, right, -x * height), upward, y * height);
   }
 
-  // Half the picture's width and height one unit before the eye: the machine fits in either direction.
+  // Half the picture's width and height at unit distance: the machine fits in both directions.
   slopes(aspect) {
     const slope = Math.tan(FIELD / 2);
     return aspect >= 1 ? [slope * aspect, slope] : [slope, slope / aspect];
   }
 
-  // Matrix from the base frame to clip coordinates, for a picture of that width over height.
+  // Matrix from the base frame to clip coordinates, for a picture of that aspect ratio.
   matrix(aspect) {
     const { right, upward, back } = this.axes();
     const eye = this.eye;
@@ -114,7 +114,7 @@ export class Camera {
     return product4(lens, view);
   }
 
-  // Pixel of a point in a picture { x, y, width, height }; null behind the eye.
+  // Pixel of a point in a picture { x, y, width, height }; null behind the camera.
   pixel(point, picture) {
     const { right, upward, back } = this.axes();
     const from = minus(point, this.eye);
@@ -128,7 +128,7 @@ export class Camera {
   }
 }
 
-// Lets mouse, fingers and keys move the eye; calls `changed` after each move.
+// Connects mouse, touch, and keyboard with the camera; calls `changed` after each move.
 export function handle(camera, element, changed) {
   const fingers = new Map();
   element.addEventListener("pointerdown", (event) => {
@@ -168,7 +168,7 @@ export function handle(camera, element, changed) {
   });
 }
 
-// Two fingers: their distance zooms, their middle pans.
+// Two fingers: their distance zooms, their center pans.
 function pinch(camera, fingers, moving, now, height) {
   const [other] = [...fingers].filter(([id]) => id !== moving).map(([, place]) => place);
   const before = fingers.get(moving);

@@ -1,4 +1,4 @@
-// The clock: which instant is shown. It runs at a speed, from the beginning again at the end.
+// The clock: time of the displayed sample. It runs at a speed and restarts at the end.
 
 export class Clock {
   constructor(motion) {
@@ -12,7 +12,7 @@ export class Clock {
     this.decimals = Math.max(1, Math.min(6, Math.ceil(-Math.log10(motion.duration / steps / 2 || 1))));
   }
 
-  // `listener` is called with the index of the instant whenever it, or whether the clock runs, changes.
+  // `listener` is called with the index of the sample when it changes, or when the clock starts or stops.
   onChange(listener) {
     this.listeners.push(listener);
   }
@@ -21,7 +21,7 @@ export class Clock {
     for (const listener of this.listeners) listener(this.index);
   }
 
-  // The instant nearest to a time, s.
+  // Returns the sample nearest to a time (s).
   seek(time) {
     const { motion } = this;
     this.time = Math.max(motion.start, Math.min(motion.start + motion.duration, time));
@@ -29,7 +29,7 @@ export class Clock {
     this.tell();
   }
 
-  // Forward or back by a number of instants.
+  // Moves by a number of samples.
   step(count) {
     const index = Math.max(0, Math.min(this.motion.count - 1, this.index + count));
     this.pause();
@@ -47,7 +47,7 @@ export class Clock {
     this.tell();
   }
 
-  // Lets so many seconds pass.
+  // Advances the time by a number of seconds.
   pass(seconds) {
     const { start, duration } = this.motion;
     const since = this.time - start + seconds * this.speed;

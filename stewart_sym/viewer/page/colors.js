@@ -1,4 +1,4 @@
-// Colors of forces: blue where a leg pulls, red where it pushes, light where it does neither.
+// Colors of forces: blue if a leg pulls, red if it pushes, light near zero.
 
 const STEPS = [
   [33, 102, 172],
@@ -11,7 +11,7 @@ const STEPS = [
 ];
 const UNKNOWN = [128, 128, 128];
 
-// Color, 0 to 255, of a force on a scale from -scale to scale, N; what is beyond has the color of the end.
+// Color, 0 to 255, of a force on a scale from -scale to scale (N); larger forces have the color of the end.
 export function forceColor(force, scale) {
   if (!Number.isFinite(force)) return UNKNOWN;
   const share = scale > 0 ? Math.max(-1, Math.min(1, force / scale)) : 0;
@@ -25,7 +25,7 @@ export function gradient() {
   return `linear-gradient(to right, ${STEPS.map((rgb) => `rgb(${rgb.join(" ")})`).join(", ")})`;
 }
 
-// A color of the style sheet's variables as numbers 0 to 1; the theme decides.
+// Color of a style sheet variable as numbers from 0 to 1; it depends on the theme.
 export function themeColor(name, opacity = 1) {
   const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const value = parseInt(text.slice(1), 16);

@@ -1,5 +1,5 @@
-// Curves over time under the machine: forces, lengths, speeds and the condition number, with limits. Drawn with the
-// least and the largest value of each column of pixels, so that no peak of a long run is missed.
+// Curves over time: forces, lengths, speeds, and the condition number, with limits. Each pixel column is drawn from its
+// smallest to its largest value, so that no peak of a long motion is missed.
 
 import { themeText } from "./colors.js";
 import { shown, ticks, tickTexts } from "./numbers.js";
@@ -12,8 +12,8 @@ const BOTTOM = 26;
 const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
 
 export class Panel {
-  // figure: an element with a canvas; series: { name, column, deviations, factor, color, dashed, leg }, whose values are
-  // those of the column, of the leg where there is one, times the factor; limits: numbers.
+  // figure: element with a canvas; series: { name, column, deviations, factor, color, dashed, leg } with the values of
+  // the column, or of its leg, times the factor; limits: numbers.
   constructor(figure, motion, clock, { series, limits = [], logarithmic = false, unit, digits = 5 }) {
     Object.assign(this, { figure, motion, clock, series, limits, logarithmic, unit, digits });
     this.canvas = figure.querySelector("canvas");
@@ -48,7 +48,7 @@ export class Panel {
       });
   }
 
-  // Size of what the axes enclose, read once for a drawing: the browser may lay out the page anew for each reading.
+  // Size of the plot area, read once per drawing, because each reading may trigger a new page layout.
   measure() {
     this.width = this.canvas.clientWidth - LEFT - RIGHT;
     this.height = this.canvas.clientHeight - TOP - BOTTOM;
@@ -64,7 +64,7 @@ export class Panel {
     return LEFT + (duration > 0 ? ((time - start) / duration) * this.width : 0);
   }
 
-  // Values at the instant under the pointer.
+  // Values at the sample under the pointer.
   point(event) {
     const box = this.plot.getBoundingClientRect();
     const i = this.motion.nearest(this.timeAt(event.clientX - box.left));
@@ -83,7 +83,7 @@ export class Panel {
     return this.series.filter(({ leg }) => leg === undefined || !this.hidden.has(leg));
   }
 
-  // Puts the line of the clock where it belongs.
+  // Moves the line of the clock to its place.
   follow(index) {
     this.cursor.style.transform = `translateX(${this.place(this.motion.time[index])}px)`;
   }
@@ -105,7 +105,7 @@ export class Panel {
     this.follow(this.clock.index);
   }
 
-  // Limits that are too far from the curves to be drawn, in words beside the heading.
+  // Limits that are too far from the curves to be drawn, as text in the heading.
   sayOutside() {
     const far = this.limits.filter((each) => this.scaled(each) < this.low || this.scaled(each) > this.high);
     const texts = far.map((each) => {
@@ -120,7 +120,7 @@ export class Panel {
     return this.logarithmic ? Math.log10(Math.min(value, 1e16)) : value;
   }
 
-  // Where each instant stands, and its column of pixels; found once for a width.
+  // Position of each sample and its pixel column, computed once per width.
   places() {
     if (this.placed?.width === this.width) return this.placed;
     const { time, count } = this.motion;
@@ -133,8 +133,8 @@ export class Panel {
     return this.placed;
   }
 
-  // What is seen of a series in each column of pixels: its least and largest value, the first and the last, and
-  // whether the curve begins there.
+  // Smallest, largest, first, and last value of a series in each pixel column, and a flag for the start of
+  // a curve.
   columns(series) {
     const { at, pixels } = this.places();
     const found = [];
@@ -156,7 +156,7 @@ export class Panel {
     return found;
   }
 
-  // The range of values, with the limits that are not far outside it.
+  // Range of the values, including limits that are not far outside.
   choose(drawn) {
     let [low, high] = [Infinity, -Infinity];
     for (const { columns } of drawn)
@@ -225,7 +225,7 @@ export class Panel {
     return found;
   }
 
-  // Limits as dashed lines, singular instants as vertical ones.
+  // Limits as dashed lines, singular poses as vertical lines.
   bounds(pen) {
     pen.strokeStyle = themeText("--warn");
     pen.lineWidth = 1.5;
@@ -261,7 +261,7 @@ function valueOf({ column, factor, leg }, i) {
   return leg === undefined ? column[i] : column[6 * i + leg] * factor;
 }
 
-// A step times a power of ten, large ones with the power written above.
+// A step times a power of ten; large powers are written above the axis.
 function powerText(step, power) {
   if (power < 5 && power > -4) return shown(step * 10 ** power, 1);
   const above = [...String(power)].map((letter) => (letter === "-" ? "\u207b" : SUPERSCRIPTS[letter])).join("");
@@ -275,8 +275,8 @@ function line(pen, x, y, right, low) {
   pen.stroke();
 }
 
-// An empty canvas as large as it is shown, in pixels of the page. Drawn by the processor: the graphics processor's
-// programs take longer to make than a few curves to draw.
+// Empty canvas with the size of its element in page pixels. It is drawn by the CPU, because compiling GPU programs
+// takes longer than drawing a few curves.
 function sheet(canvas) {
   const ratio = window.devicePixelRatio || 1;
   const [wide, high] = [canvas.clientWidth, canvas.clientHeight];
@@ -287,7 +287,7 @@ function sheet(canvas) {
   return pen;
 }
 
-// The condition number along the time line, from the least to the largest, on a logarithmic scale.
+// Condition number along the time line, from the smallest to the largest, on a logarithmic scale.
 export function drawStrip(canvas, motion) {
   const [wide, high] = [canvas.clientWidth, canvas.clientHeight];
   const pen = sheet(canvas);

@@ -1,4 +1,4 @@
-// The numbers of the page: the machine as plain values, the motion as columns of numbers in base 64.
+// Data of the page: the machine as plain values, the motion as columns of numbers in base 64.
 
 import { rotationOf } from "./vectors.js";
 
@@ -15,21 +15,21 @@ function columnOf({ kind, data }) {
   return kind === "f8" ? new Float64Array(bytes.buffer) : new Float32Array(bytes.buffer);
 }
 
-// What the file's block of data says; columns become arrays of numbers.
+// Parses the data block of the file; columns become arrays of numbers.
 export function readPage() {
   const page = JSON.parse(document.getElementById("data").textContent);
   for (const name of Object.keys(page.columns)) page.columns[name] = columnOf(page.columns[name]);
   return page;
 }
 
-// Verdicts of limits at each instant, of the six legs: 0 but where runs, [leg, first, after, verdict], say otherwise.
+// Status codes of limits at each sample for the six legs: 0 except in the runs [leg, first, after, code].
 function spread(runs, count) {
   const found = new Uint8Array(6 * count);
   for (const [leg, first, after, verdict] of runs) for (let i = first; i < after; i++) found[6 * i + leg] = verdict;
   return found;
 }
 
-// A motion: what the machine does at each instant. Every instant is kept; only drawings leave some out.
+// A motion of the machine. Every sample is kept; only drawings omit some.
 export class Motion {
   constructor(page) {
     this.columns = page.columns;
@@ -42,7 +42,7 @@ export class Motion {
     for (const [name, runs] of Object.entries(page.verdicts)) this.verdicts[name] = spread(runs, this.count);
   }
 
-  // Index of the instant nearest to a time, s.
+  // Returns the index of the sample nearest to a time (s).
   nearest(time) {
     let low = 0;
     let high = this.count - 1;
@@ -54,7 +54,7 @@ export class Motion {
     return time - this.time[low] <= this.time[high] - time ? low : high;
   }
 
-  // Of legs with offsets the chains as well: at(name, leg) is one of their points or axes.
+  // For legs with offsets also their chains: at(name, leg) is one of their points or axes.
   pose(i) {
     const { t, q, moving } = this.columns;
     return {
@@ -64,7 +64,7 @@ export class Motion {
     };
   }
 
-  // One of L, L_dot and the forces, of a leg.
+  // Value of L, L_dot, or a force of a leg.
   ofLeg(name, i, leg) {
     const values = this.columns[name];
     return values ? values[6 * i + leg] : NaN;

@@ -1,10 +1,10 @@
-// WebGL 2: draws solids with an outline, surfaces and lines of a width in pixels. Solids that are not lit have exactly
-// the color they are given, so that the color of a leg is that of its force. Edges are smooth where there is time.
+// WebGL 2: draws solids with an outline, surfaces, and lines with a width in pixels. Unlit solids have exactly their
+// color, so that the color of a leg shows its force. Edges are smooth if time permits.
 
 import { ball, bar, tube } from "./shapes.js";
 
-// Where time is short: share of the screen's pixels in either direction, if these are more than the page's; sides of
-// tubes and balls then, and else. Without a graphics processor triangles cost more than pixels.
+// Settings of fast drawing: resolution relative to the screen, if it exceeds the page's; and sides of tubes and balls
+// in fast and in normal drawing. Without a GPU, triangles cost more than pixels.
 const ROUGH = 0.75;
 const FEW = { tube: 8, ball: 12 };
 const MANY = { tube: 18, ball: 18 };
@@ -67,7 +67,7 @@ in vec4 paint;
 out vec4 seen;
 void main() { seen = paint; }`;
 
-// Floats of an instance or a vertex, and where each attribute stands in it.
+// Floats per instance or vertex, and the offset of each attribute.
 const PARTS = {
   solid: { size: 21, at: { model: [0, 16], color: [16, 4], lit: [20, 1] } },
   line: { size: 11, at: { start: [0, 3], end: [3, 3], color: [6, 4], wide: [10, 1] } },
@@ -75,7 +75,7 @@ const PARTS = {
 };
 
 export class Pen {
-  // Raises an error where there is no WebGL 2.
+  // Throws an error without WebGL 2.
   constructor(canvas) {
     this.canvas = canvas;
     this.gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
@@ -83,7 +83,7 @@ export class Pen {
     this.prepare();
   }
 
-  // Again after the context was lost.
+  // Called again after the context was lost.
   prepare() {
     const gl = this.gl;
     this.programs = {
@@ -129,8 +129,8 @@ export class Pen {
     return found;
   }
 
-  // Clears the whole canvas; the picture has as many pixels as the screen shows of it. smooth: with smooth edges;
-  // without, and with fewer sides and pixels, drawing takes a third of the time.
+  // Clears the canvas; the picture has as many pixels as the screen displays. smooth: with smooth edges. Without them,
+  // and with fewer sides and pixels, drawing takes a third of the time.
   begin(paper, smooth) {
     const { gl, canvas } = this;
     const whole = window.devicePixelRatio || 1;
@@ -162,7 +162,7 @@ export class Pen {
     }
   }
 
-  // Puts what was drawn on the canvas.
+  // Copies the drawing to the canvas.
   end() {
     const { gl, canvas } = this;
     if (!this.isSmooth) return;
@@ -172,7 +172,7 @@ export class Pen {
     gl.blitFramebuffer(...all, ...all, gl.COLOR_BUFFER_BIT, gl.NEAREST);
   }
 
-  // Draws a scene { solids, lines, sheets } in a part of the canvas, in pixels of the page.
+  // Draws a scene { solids, lines, sheets } in a part of the canvas, in page pixels.
   draw(scene, picture, eye, style) {
     const { gl, canvas } = this;
     const ratio = canvas.width / Math.max(1, canvas.clientWidth);
@@ -202,7 +202,7 @@ export class Pen {
     fill(gl, shape.instances, instances);
     gl.bindVertexArray(shape.array);
     gl.enable(gl.CULL_FACE);
-    // The outline is the back of each solid, somewhat larger.
+    // The outline is the back of each solid, slightly enlarged.
     for (const [side, outline] of [[gl.FRONT, 1.3 * common.ratio], [gl.BACK, 0]]) {
       gl.cullFace(side);
       gl.uniform1f(use.outline, outline);
@@ -264,7 +264,7 @@ function program(gl, ...texts) {
   return found;
 }
 
-// Says where the attributes of a program stand in the bound buffer; a matrix takes four places.
+// Declares the offsets of a program's attributes in the bound buffer; a matrix takes four places.
 function attributes(gl, { program }, places, size, divisor) {
   for (const [name, [offset, count]] of Object.entries(places)) {
     const first = gl.getAttribLocation(program, name);

@@ -1,11 +1,11 @@
-// Where the parts of the machine are at a pose: the legs' frames, rings of points, what a twist does to a pose.
+// Positions of the machine's parts at a pose: leg frames, rings of points, and poses moved by a twist.
 
 import { add, along, column, cross, minus, product, rotationAbout, size, times, turn, unit } from "./vectors.js";
 
-// Frame of a leg at a pose: origin at the base point, x along the leg, y across the universal joint's fixed axis k,
+// Frame of a leg at a pose: origin at the base point, x along the leg, y normal to the universal joint's fixed axis k,
 // as in the equations: y = (k x s) / |k x s|. Lower and upper part turn with it.
-// With offsets the line of sliding goes from the foot, base, to its end, tip; joint and point are the base point and the
-// platform point, moving is where the second axis is, up the direction across the upper part.
+// With offsets, the prismatic axis extends from the foot (base) to its end (tip); joint and point are the base point and
+// the platform point, moving is the position of the second axis, and up is the direction across the upper part.
 export function legFrame(machine, pose, leg) {
   if (pose.at) return chainFrame(machine, pose, leg);
   const base = machine.b[leg];
@@ -28,7 +28,7 @@ export function ring(points, order, pose) {
   return order.map((i) => (pose ? add(pose.t, turn(pose.R, points[i])) : points[i]));
 }
 
-// A pose moved by a share, s, of a twist [v; omega], m/s and rad/s, about the reference point.
+// A pose moved by a fraction (s) of a twist [v; omega] (m/s, rad/s) about the reference point.
 export function moved(pose, twist, share) {
   return {
     t: along(pose.t, twist.slice(0, 3), share),
@@ -36,5 +36,5 @@ export function moved(pose, twist, share) {
   };
 }
 
-// Point of the trajectory: the tool's, which is the reference point where the robot has no other.
+// Point of the trajectory: the tool, or the reference point if the robot has no tool.
 export const toolPoint = (machine, pose) => add(pose.t, turn(pose.R, machine.tool));

@@ -1,4 +1,4 @@
-// The page comes alive: reads its data, draws the machine at the clock's instant, and joins clock, curves and tables.
+// Main module: reads the data, draws the machine at the clock's time, and connects clock, curves, and tables.
 
 import { Camera, handle } from "./camera.js";
 import { Clock } from "./clock.js";
@@ -25,7 +25,7 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 const state = { shown: sets.slice(0, 1), skeleton: false, frames: true, ribbon: true, twist: null, wave: 0, wordy: true, dirty: true };
 const repaint = () => (state.dirty = true);
 
-// Forces and limits, infinite where the robot file states none
+// Forces and limits; limits are infinite if the robot file has none
 
 const number = (value) => (value === null ? Infinity : value);
 const forceLimits = machine.forceLimit.map(number);
@@ -36,7 +36,7 @@ const legs = [0, 1, 2, 3, 4, 5];
 const quantities = ofLegs(motion, sets, units);
 const motorQuantities = ofMotors(motion, page.motors);
 const others = [quantities.length, quantities.speed, ...motorQuantities];
-// Of each leg the gravest verdict of a limit at the clock's instant.
+// Most severe status of a limit for each leg at the clock's time.
 function verdicts(set) {
   const all = set ? [quantities.forces[set], ...others] : others;
   return legs.map((leg) => Math.max(...all.map((each) => each.verdict(clock.index, leg))));
@@ -45,8 +45,8 @@ function verdicts(set) {
 const limitText = (value, limit) =>
   Number.isFinite(limit) && limit > 0 ? `${shown((100 * Math.abs(value)) / limit, 3)} %` : "none";
 
-// Pace: where frames come slowly, as without a graphics processor, edges are smooth only at rest, and while the clock
-// runs the words, tables and lines in the curves follow the machine ten times a second.
+// Pace: if frames are slow, as without a GPU, edges are smooth only at rest, and while the clock runs, texts, tables,
+// and lines in the curves follow the machine ten times per second.
 
 const pace = {
   moved: -Infinity,
@@ -63,7 +63,7 @@ const pace = {
     if (due) pace.written = now;
     return due;
   },
-  // Rough until frames come fast; rough for good once smooth ones came slowly.
+  // Fast drawing until frames are fast; fast drawing permanently after slow smooth frames.
   count(gap) {
     if (!pace.moving() || pace.failed) return;
     pace.gaps.push(gap);
@@ -100,7 +100,7 @@ function readStyle() {
   style = { colors, ink: colors.ink };
 }
 
-// Parts of the canvas, one for each set of forces that is shown.
+// Parts of the canvas, one for each displayed set of forces.
 function pictures() {
   const [wide, high] = [canvas.clientWidth, canvas.clientHeight];
   const count = Math.max(1, state.shown.length);
@@ -147,7 +147,7 @@ function label(pose, parts) {
   const put = (text, at, kind) => {
     if (!spare[used]) labels.append((spare[used] = document.createElement("span")));
     const span = spare[used++];
-    // What is as before is left alone: the browser paints anew what is written again.
+    // Unchanged text is not written, because the browser repaints written text.
     if (span.textContent !== text) span.textContent = text;
     if (span.className !== kind) span.className = kind;
     span.at = at;
@@ -164,7 +164,7 @@ function label(pose, parts) {
     for (let leg = 0; leg < 6; leg++) {
       const from = minus(machine.b[leg], middle);
       const at = along(along(machine.b[leg], unit(from), 3.2 * machine.thick), machine.up, -1.5 * machine.thick);
-      // Numbers behind the machine are pale: what stands before them has its own.
+      // Numbers behind the machine are pale, because parts in front have their own.
       write(String(leg + 1), at, picture, dot(from, back) < 0 ? "leg behind" : "leg");
     }
     if (state.frames)
@@ -279,10 +279,10 @@ if (sets.length && distinct(forceLimits).length)
   });
 columns.push(asCell(quantities.length), asCell(quantities.speed));
 const fillLegs = legTable(find("now"), columns);
-// Many columns, and numbers with deviations, take the width of the page.
+// Many columns, and numbers with standard deviations, take the width of the page.
 const noisy = Object.keys(motion.columns).some((name) => name.endsWith("_std"));
 find("now").closest(".tables").classList.toggle("single", noisy || columns.length > 4);
-// The largest of the whole motion, with its verdict, and in words what more is to be said.
+// Maximum of the whole motion with its status, and additional text.
 const asPeak = (quantity, more) => {
   const at = quantity.peaks();
   const worst = legs.map((leg) => quantity.worst(leg));
@@ -405,7 +405,7 @@ document.addEventListener("keydown", (event) => {
   KEYS[event.key]();
 });
 
-// Singular instants and the twist that is unconstrained there
+// Singular poses and their unconstrained twist
 
 const marks = find("marks");
 const list = find("events");
@@ -428,7 +428,7 @@ motion.events.forEach((event, number) => {
 });
 find("singular").hidden = !motion.events.length;
 find("kind").textContent = motion.events.some(({ singular }) => singular)
-  ? "Singular instants"
+  ? "Singular poses"
   : "Nearest to a singular pose";
 
 function showTwist(number) {
@@ -436,7 +436,7 @@ function showTwist(number) {
   clock.pause();
   clock.seek(event.time);
   state.twist = { number, pose: event.pose, vector: event.twist, axis: event.axis, point: event.point, share: 0 };
-  // With motion reduced the platform stands still where the twist takes it.
+  // With reduced motion, the platform is displayed at the end of the twist.
   state.wave = still.matches ? Math.PI / 2 : 0;
   pressEvents();
 }
@@ -476,7 +476,7 @@ for (const limit of distinct(forceLimits))
 const limits = distinct(forceLimits);
 find("limit").textContent = limits.length ? `limit ${limits.map((each) => shown(each, 4)).join(", ")} N` : "no force limit";
 
-// Colors of limits that are not kept, of those verdicts that the motion has.
+// Colors of status codes other than within_limit that occur in the motion.
 const found = new Set([...forces, ...others].flatMap((each) => legs.map((leg) => each.worst(leg))));
 for (const [name, words, has] of [
   ["--warn", "limit exceeded", found.has(EXCEEDED)],
@@ -510,7 +510,7 @@ function resize() {
   repaint();
 }
 new ResizeObserver(resize).observe(document.body);
-// On paper the page is light, and the machine a plain picture with its labels: what WebGL drew last would come too late.
+// On paper the page is light, and the machine is a plain picture with labels, because WebGL content would be late.
 let before = null;
 addEventListener("beforeprint", () => {
   before = document.documentElement.dataset.theme;
@@ -536,7 +536,7 @@ canvas.addEventListener("webglcontextrestored", () => {
   repaint();
 });
 
-// Runs as long as something moves; otherwise it draws only what changed.
+// Runs while something moves; otherwise it draws only changes.
 const seen = { frames: 0, last: null };
 function frame(now) {
   const seconds = seen.last === null ? 0 : Math.min(0.25, (now - seen.last) / 1000);
@@ -564,5 +564,5 @@ clock.seek(motion.start);
 if (motion.duration > 0 && !still.matches) clock.play();
 requestAnimationFrame(frame);
 
-// For tests and for whoever looks from the console.
+// For tests and for the browser console.
 window.viewer = { page, motion, clock, camera, state, seen, panels, pictures, showTwist, endTwist };

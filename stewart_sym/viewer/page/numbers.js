@@ -2,7 +2,7 @@
 
 const MINUS = "\u2212";
 
-// A number with so many significant digits, and an exponent only where it is long without.
+// A number with a number of significant digits, and with an exponent only if the text is long without one.
 export function shown(value, digits = 5) {
   if (!Number.isFinite(value)) return value > 0 ? "\u221e" : "\u2013";
   if (value === 0) return "0";
@@ -10,7 +10,7 @@ export function shown(value, digits = 5) {
   return text.replace("-", MINUS);
 }
 
-// What one in its last place is worth; of 0 nothing.
+// Value of one unit in the last place; 0 for 0.
 export function lastPlace(value, digits) {
   return 10 ** (isLong(value) ? power(value) - digits + 1 : -decimals(value, digits));
 }
@@ -19,8 +19,8 @@ export const power = (value) => Math.floor(Math.log10(Math.abs(value)));
 const isLong = (value) => power(value) >= 7 || power(value) < -4;
 const decimals = (value, digits) => Math.max(0, Math.min(10, digits - 1 - power(value)));
 
-// Values at which an axis is numbered: multiples of 1, 2 or 5 times a power of ten, about as many as asked for, two at
-// least.
+// Values of axis ticks: multiples of 1, 2, or 5 times a power of ten, about as many as requested, at
+// least two.
 export function ticks(low, high, count) {
   const raw = (high - low) / Math.max(1, count);
   if (!(raw > 0) || !Number.isFinite(raw)) return [low];
@@ -38,7 +38,7 @@ function multiples(step, low, high) {
   return found;
 }
 
-// Text of ticks, all with the decimals that tell them apart.
+// Text of ticks, all with the decimals that distinguish them.
 export function tickTexts(values) {
   if (values.length < 2) return values.map((value) => shown(value, 3));
   const largest = Math.max(...values.map(Math.abs));

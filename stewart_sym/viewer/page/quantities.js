@@ -1,15 +1,15 @@
-// What the legs and their motors do and take at each instant: values, deviations by noise of a log, verdicts of limits.
+// Quantities of legs and motors at each sample: values, standard deviations due to noise, and status of limits.
 
 import { lastPlace, power, shown } from "./numbers.js";
 
-// Verdicts, as the program numbers them: kept is 0.
+// Status codes of limits; within_limit is 0.
 export const DOUBTFUL = [1, 2];
 export const EXCEEDED = 3;
 
 const DEVIATION_DIGITS = 2;
 
 export class Quantity {
-  // column: its name; factors: of the six legs, from the column's values; name: of its verdicts.
+  // column: its name; factors: of the six legs, for the column's values; name: of its status codes.
   constructor(motion, { head, unit, column, factors = [1, 1, 1, 1, 1, 1], name = column, digits = 5, limits = [] }) {
     Object.assign(this, { motion, head, unit, column, factors, name, digits, limits });
   }
@@ -18,7 +18,7 @@ export class Quantity {
     return this.motion.ofLeg(this.column, i, leg) * this.factors[leg];
   }
 
-  // NaN without noise that digits show.
+  // NaN if the noise does not affect the displayed digits.
   deviation(i, leg) {
     return this.motion.ofLeg(`${this.column}_std`, i, leg) * Math.abs(this.factors[leg]);
   }
@@ -27,14 +27,14 @@ export class Quantity {
     return this.motion.verdicts[this.name]?.[6 * i + leg] ?? 0;
   }
 
-  // Of the whole motion.
+  // For the whole motion.
   worst(leg) {
     let found = 0;
     for (let i = 0; i < this.motion.count; i++) found = Math.max(found, this.verdict(i, leg));
     return found;
   }
 
-  // Instant of the largest magnitude of each leg.
+  // Sample of the largest magnitude of each leg.
   peaks() {
     return [0, 1, 2, 3, 4, 5].map((leg) => {
       let [best, most] = [0, -1];
@@ -51,7 +51,7 @@ export class Quantity {
   }
 }
 
-// Of mechanical power: that of torque and speed.
+// Mechanical power, the product of torque and speed.
 class Power extends Quantity {
   constructor(motion, torque, speed, options) {
     super(motion, { column: "power", ...options });
@@ -59,7 +59,7 @@ class Power extends Quantity {
   }
 }
 
-// A value with its deviation, whose digits end where those of the deviation do; alone where they don't show that.
+// A value with its standard deviation, rounded to the digits of the deviation; or alone if it affects no digit.
 export function amount(value, deviation, unit, digits = 5) {
   if (!Number.isFinite(value)) return "\u2013";
   const reaches = deviation > 0 && deviation >= 0.5 * lastPlace(value, digits);
@@ -68,13 +68,13 @@ export function amount(value, deviation, unit, digits = 5) {
   return `${shown(value, Math.max(1, Math.min(digits, known || 1)))} \u00b1 ${shown(deviation, DEVIATION_DIGITS)} ${unit}`;
 }
 
-// The same of its limit, if there is one, which may stand in the next line.
+// The same with its limit, if there is one, which may be on the next line.
 export function ofLimit(text, limit) {
   if (!Number.isFinite(limit)) return text;
   return `${text.replaceAll(" ", "\u00a0")} of\u00a0${Number(limit.toPrecision(6))}`;
 }
 
-// Of the legs: forces by the names of their formulations, length and speed.
+// Quantities of the legs: forces by formulation, length, and speed.
 export function ofLegs(motion, sets, { length, lengthName }) {
   const factors = Array(6).fill(length);
   const forces = Object.fromEntries(
@@ -87,7 +87,7 @@ export function ofLegs(motion, sets, { length, lengthName }) {
   };
 }
 
-// Of the motors; none of a robot without a drive.
+// Quantities of the motors; none for a robot without a drive.
 export function ofMotors(motion, motors) {
   if (!motors) return [];
   const limits = Object.fromEntries(

@@ -1,4 +1,4 @@
-// What is to be seen at an instant: solids, lines and sheets in the base frame. Sizes follow the machine's.
+// Visible objects at a sample: solids, lines, and sheets in the base frame. Sizes are relative to the machine.
 
 import { add, along, column, cross, minus, size, times, unit } from "./vectors.js";
 import { legFrame, moved, ring, toolPoint } from "./machine.js";
@@ -7,7 +7,7 @@ import { placed } from "./shapes.js";
 
 const RIBBON_STEPS = 100;
 
-// look: colors by name, force colors of the six legs, verdicts of their limits, and the options.
+// look: colors by name, force colors of the six legs, status of their limits, and the options.
 export function sceneAt(machine, pose, look) {
   const scene = { solids: { tube: [], ball: [], bar: [] }, lines: [], sheets: [], overlaid: look.skeleton };
   const draw = look.skeleton ? skeleton : bodies;
@@ -32,8 +32,8 @@ function bodies(scene, machine, pose, look) {
   }
 }
 
-// What joins axes that miss each other: from the base point to the moving axis, from there to the line of sliding, and
-// from its end to the platform point.
+// Connections of axes that do not intersect: from the base point to the moving axis, from there to the prismatic axis,
+// and from its end to the platform point.
 function offsets(scene, machine, frame, colors) {
   for (const [from, to] of [[frame.joint, frame.moving], [frame.moving, frame.base], [frame.tip, frame.point]])
     strut(scene, from, to, 0.5 * machine.thick, colors.joint);
@@ -69,7 +69,7 @@ function collarColor({ colors }, verdict) {
   return DOUBTFUL.includes(verdict) ? colors.open : colors.joint;
 }
 
-// The lower part: a tube from the base point, with a collar where the rod comes out, which warns of a limit.
+// The lower part: a tube from the base point, with a collar at its end, whose color warns of a limit.
 function lowerPart(scene, machine, frame, leg, look) {
   const { thick } = machine;
   const length = machine.lower[leg];
@@ -81,8 +81,8 @@ function lowerPart(scene, machine, frame, leg, look) {
     key(scene, along(frame.base, frame.x, 2 * thick), frame, length - 3 * thick, thick, 0.22 * thick, look.colors.joint);
 }
 
-// The upper part: a rod down from the platform point, as long in every pose; a thin one on where it ends before the lower
-// part, as both do where a robot file states bodies without what joins them.
+// The upper part: a rod down from the platform point, equally long in every pose. A thin rod continues it if it ends
+// before the lower part, as in robot files that define bodies without a connection.
 function upperPart(scene, machine, frame, leg, look) {
   const { thick } = machine;
   const length = machine.upper[leg];
@@ -94,7 +94,7 @@ function upperPart(scene, machine, frame, leg, look) {
     key(scene, along(frame.tip, frame.x, -length), turned, length - 1.1 * thick, 0.55 * thick, 0.14 * thick, look.colors.joint);
 }
 
-// The cross of a universal joint: one bar along the fixed axis k, one along y, which turns about it, where that one is.
+// The cross of a universal joint: one bar along the fixed axis k, one along the moving axis y, at its position.
 function joint(scene, machine, frame, leg, colors) {
   const { thick } = machine;
   const k = machine.k[leg];
@@ -124,7 +124,7 @@ function plate(scene, machine, points, color, opacity) {
   scene.sheets.push({ numbers: new Float32Array(numbers), clear: opacity < 1 });
 }
 
-// Lines alone: each leg from its base point to its platform point, on a darker one so that light ones are seen.
+// Lines only: each leg from its base point to its platform point, on a darker line for contrast.
 function skeleton(scene, machine, pose, look) {
   const { colors } = look;
   outline(scene, ring(machine.b, machine.baseRing), colors.base, 2);
@@ -141,7 +141,7 @@ function outline(scene, points, color, wide) {
   points.forEach((point, i) => scene.lines.push([...point, ...points[(i + 1) % points.length], ...color, wide]));
 }
 
-// Base frame, reference frame, and the tool's where it is another.
+// Base frame, reference frame, and tool frame if it differs.
 function frames(scene, machine, pose, look) {
   if (!look.frames) return;
   const long = machine.axis;
@@ -158,7 +158,7 @@ function frames(scene, machine, pose, look) {
   });
 }
 
-// The platform moved by the unconstrained twist, with the legs to it, and the axis of the twist as a screw.
+// The platform moved by the unconstrained twist, its legs, and the axis of the twist as a screw.
 function ghost(scene, machine, { twist, colors }) {
   const there = moved(twist.pose, twist.vector, twist.share);
   outline(scene, ring(machine.p, machine.platformRing, there), colors.ghost, 2.2);
@@ -173,7 +173,7 @@ function ghost(scene, machine, { twist, colors }) {
   }
 }
 
-// The path of the tool point: a line, and a ribbon as wide as the platform's y axis lies. Pale where it is still to come.
+// The path of the tool point: a line, and a ribbon along the platform's y axis. The future path is pale.
 export class Ribbon {
   constructor(machine, motion) {
     const steps = Math.min(motion.count, RIBBON_STEPS);
@@ -196,7 +196,7 @@ export class Ribbon {
     for (let i = 0; i + 1 < this.edges.length; i++) each(this.edges[i], this.edges[i + 1], i);
   }
 
-  // Puts it into a scene, one opacity for the instants up to an index and one after it.
+  // Adds it to a scene, with one opacity for the samples up to an index and one after it.
   add(scene, index, [red, green, blue]) {
     this.pairs((a, b, i) => {
       const passed = this.at[i] < index;

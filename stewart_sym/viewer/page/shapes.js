@@ -1,5 +1,5 @@
-// Triangles of the few shapes that the machine is made of, each of size one: position, normal, and the direction in
-// which an outline lies. A tube and a bar reach from 0 to 1 along x; around: sides of what is round.
+// Triangles of the shapes that form the machine, each of size one: position, normal, and direction of the outline.
+// A tube and a bar extend from 0 to 1 along x; around: number of sides of round shapes.
 
 function shape() {
   return { numbers: [], corners: [] };
@@ -68,7 +68,7 @@ export function bar() {
   return found;
 }
 
-// Model matrix that puts a shape's x, y and z axes on three vectors, from a point on.
+// Model matrix that maps a shape's x, y, and z axes to three vectors at a point.
 export function placed(origin, x, y, z) {
   return [...x, 0, ...y, 0, ...z, 0, ...origin, 1];
 }

@@ -1,4 +1,4 @@
-// A report: its theme, and tables whose headings sort them, first upward, then downward.
+// A report: its theme, and tables that are sorted by a click on a heading, first ascending, then descending.
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const choose = () => (document.documentElement.dataset.theme = dark.matches ? "dark" : "light");
@@ -18,7 +18,7 @@ function compare(a, b) {
 
 for (const table of document.querySelectorAll("table.sorts"))
   for (const head of table.tHead.rows[0].cells) {
-    // Words begin under their heading, numbers end under it.
+    // Words are left-aligned with their heading, numbers right-aligned.
     const first = table.tBodies[0].rows[0]?.cells[head.cellIndex];
     head.classList.toggle("words", Boolean(first?.classList.contains("words")));
     head.querySelector("button").addEventListener("click", () => {

@@ -1,4 +1,4 @@
-// Tables of numbers: of the legs at the clock's instant, and their peaks. What is drawn can be read here.
+// Tables of numbers: leg quantities at the clock's time, and their peaks. They contain the drawn values as text.
 
 import { DOUBTFUL, EXCEEDED } from "./quantities.js";
 
@@ -10,8 +10,8 @@ function cell(row, text, tag = "td") {
   return made;
 }
 
-// A table of six legs whose columns are { head, text(i, leg) }, which returns words and the verdict of a limit; returns
-// what fills it for an instant.
+// A table of six legs with columns { head, text(i, leg) }, which return text and the status of a limit. Returns the
+// function that fills it for a sample.
 export function legTable(table, columns) {
   const top = table.createTHead().insertRow();
   for (const text of ["leg", ...columns.map(({ head }) => head)]) cell(top, text, "th");

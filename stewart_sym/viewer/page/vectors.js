@@ -17,7 +17,7 @@ export function unit(a, otherwise = [0, 0, 1]) {
   return length > 0 ? times(a, 1 / length) : otherwise;
 }
 
-// A unit vector across a unit vector.
+// A unit vector normal to a unit vector.
 export function across(a) {
   const axis = Math.abs(a[0]) < 0.8 ? [1, 0, 0] : [0, 1, 0];
   return unit(cross(a, axis));
@@ -39,7 +39,7 @@ export function rotationOf([w, x, y, z]) {
   ];
 }
 
-// Rotation about a vector by its magnitude, rad.
+// Rotation about a vector by its magnitude (rad).
 export function rotationAbout(vector) {
   const angle = size(vector);
   const half = times(unit(vector), Math.sin(angle / 2));
