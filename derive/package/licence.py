@@ -1,4 +1,4 @@
-"""The terms under which generated code may be used: free of any condition."""
+"""License of generated code: use without any condition."""
 
 from .text_format import template
 

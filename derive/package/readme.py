@@ -1,4 +1,4 @@
-"""``README.md`` of a kit: inputs, outputs, operations, stack and error bounds of every function."""
+"""README of a kit: inputs, outputs, operations, stack, and error bounds of each function."""
 
 import math
 import textwrap
@@ -18,11 +18,15 @@ from .text_format import in_markdown, table, template
 
 @dataclass(frozen=True)
 class Figures:
-    """What a README says of one function.
+    """Measured figures of one function for a README.
 
-    error, worst: relative error bounds of its ordinary test vectors, median and largest; of each vector the
-    largest bound over the largest answer of the same array counts; nan without vectors. stack, batch_stack:
-    bytes, None where they were not measured or there is no batch.
+    Attributes
+    ----------
+    error, worst : float
+        Median and largest relative error bound of the ordinary test vectors. The error bound of a vector is
+        its largest bound divided by the largest answer in the same array; nan without vectors.
+    stack, batch_stack : int, optional
+        Stack (bytes); None if not measured, or without a batch.
     """
 
     error: float
@@ -33,12 +37,29 @@ class Figures:
 
 @dataclass(frozen=True)
 class Kit:
-    """What a README is about.
+    """Contents of a README.
 
-    figures: by the functions' stems. options: as the command line takes them. precision: "double" or "float".
-    stack_by: with what the stack was measured. unit: file name of an FMI unit, "" without one. changed:
-    relative error of a constant that the test vectors are made to detect; hidden: names of the constants
-    folded into the forces for which no test vector detects it; None where none are folded in.
+    Attributes
+    ----------
+    machine : Machine
+        Robot.
+    parts : sequence of Part
+        Parts of the kit.
+    figures : mapping
+        Figures by the stems of the functions.
+    options : str
+        Command-line options.
+    precision : str
+        "double" or "float".
+    stack_by : str
+        Compiler and options of the stack measurement.
+    unit : str
+        File name of an FMI unit; empty without one.
+    changed : float
+        Relative error of a constant that the test vectors must detect.
+    hidden : sequence of str, optional
+        Names of the baked constants for which no test vector detects this error; None without baked
+        constants.
     """
 
     machine: Machine
@@ -53,17 +74,17 @@ class Kit:
 
     @property
     def functions(self) -> list[Function]:
-        """Those of all parts."""
+        """Functions of all parts."""
         return [function for part in self.parts for function in part.functions]
 
     @property
     def has_robot(self) -> bool:
-        """Whether stewart_robot.h is among the files."""
+        """True if the kit contains stewart_robot.h."""
         return reads_robot(self.functions)
 
 
 def readme(kit: Kit) -> str:
-    """The text."""
+    """Return the text of the README."""
     functions = kit.functions
     kinds = {kind for part in kit.parts for kind in part.kinds} | ({"robot"} if kit.has_robot else set())
     robot_says = "" if kit.has_robot else "The numbers are in the kernel. "
@@ -129,7 +150,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
 
 
 def _drives(kit: Kit) -> str:
-    """What a kit with torques says of the constants that they take."""
+    """Describe the constants of the drives in a kit with torques."""
     of_drives = any(function.subject == DRIVES for function in kit.functions)
     return f", and the constants of its drives, `{kit.machine.symbol}_drives`" if of_drives else ""
 
@@ -168,7 +189,7 @@ def _function(function: Function) -> str:
 
 
 def _hidden(kit: Kit) -> str:
-    """Which wrong constants the self-test finds, and which it does not."""
+    """Describe the wrong constants that the self-test detects, and those that it does not."""
     says = []
     if kit.has_robot:
         says.append(
@@ -189,7 +210,7 @@ def _hidden(kit: Kit) -> str:
 
 
 def _by_leg(names: Sequence[str]) -> str:
-    """Constants, those of several legs together: ``C_p of legs 1, 2``."""
+    """Combine constants of several legs: ``C_p of legs 1, 2``."""
     legs: dict[str, list[str]] = {}
     for name in names:
         constant, _, leg = name.partition(" of leg ")

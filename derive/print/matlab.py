@@ -33,7 +33,7 @@ class Matlab(Printer):
         }
 
     def _given(self) -> list[t.Structure]:
-        """Return the structures that callers fill: arguments of public functions, except those with a status."""
+        """Return the structures that callers fill: arguments of public functions without a status."""
         names = [
             each.type.name
             for function in self.program.functions

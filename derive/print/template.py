@@ -12,7 +12,7 @@ def _template(package: str, name: str) -> Template:
 
 
 def filled_from(package: str, name: str, words: Mapping[str, object]) -> str:
-    """Return a file of ``templates`` of a package with each ``$word`` replaced; ``name`` is without ``.in``."""
+    """Return a file of ``templates`` of a package with each ``$word`` replaced; omit ``.in`` in ``name``."""
     return _template(package, name).substitute({key: str(word) for key, word in words.items()})
 
 

@@ -275,7 +275,7 @@ def substitution(steps: Iterable[Step]) -> dict[sp.Symbol, sp.Expr]:
 
 
 def as_value(quantity: Quantity, exprs: Sequence[sp.Expr]) -> sp.Expr | sp.Matrix:
-    """Arrange components in storage order as a value for equations, the inverse of the storage in an output."""
+    """Arrange components in storage order as a value for equations: the inverse of the storage."""
     if not quantity.shape:
         return exprs[0]
     if quantity.shape == (3,):
