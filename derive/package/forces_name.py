@@ -16,7 +16,7 @@ def forces_header(machine: Machine, function: Function) -> dict[str, str]:
         "name": in_comment(machine.name),
         "version": machine.version,
         "includes": "\n".join(own if of_model else (own[0], own[2])),
-        "unused": "" if of_model else ", which are in the kernel: nothing is read",
+        "unused": "" if of_model else ", which are in the kernel; the model is empty",
         "model": f"{function.prefix}_model" if of_model else "struct { char unused; }",
         "prepare": f"return {function.prefix}_prepare(&{machine.symbol}, model);"
         if of_model

@@ -87,7 +87,7 @@ def readme(kit: Kit) -> str:
     """Return the text of the README."""
     functions = kit.functions
     kinds = {kind for part in kit.parts for kind in part.kinds} | ({"robot"} if kit.has_robot else set())
-    robot_says = "" if kit.has_robot else "The numbers are in the kernel. "
+    robot_says = "" if kit.has_robot else "The constants are in the kernel. "
     values = {
         "title": in_markdown(kit.machine.name),
         "symbol": kit.machine.symbol,
@@ -122,7 +122,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
         [
             (
                 "stewart_robot.h`, `stewart_robot.c",
-                f"this robot's constants, `{symbol}`, and limits, `{symbol}_limits`{_drives(kit)}",
+                f"constants `{symbol}` and limits `{symbol}_limits` of this robot{_drives(kit)}",
             )
         ]
         if kit.has_robot
@@ -130,21 +130,24 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
     )
     shared = dict.fromkeys(name for part in kit.parts for name in part.shared)
     unit = [(kit.unit, "co-simulation unit, FMI 2.0")] if kit.unit else []
-    named = "`stewart_kit_forces`: the forces by one name, with and without `--bake`"
+    named = "`stewart_kit_forces`: one name for the forces, with and without `--bake`"
     one_name = [(FORCES_HEADER, named)] if any(each.stem == "forces" for each in kit.functions) else []
     return [
         ("stewart.h", "types and status codes"),
-        ("`, `".join(shared), "arithmetic and functions that the sources share; callers include none of it"),
+        ("`, `".join(shared), "arithmetic and functions that the sources share; do not include them"),
         *((f"{part.header}`, `{part.source}", _stems(part) or part.says) for part in kit.parts),
         *one_name,
         *robot,
-        ("test/selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),
-        ("example/main.c", "an example: every function once"),
+        ("test/selftest.c", "compares every function with answers that were computed with 50 digits"),
+        ("example/main.c", "example that calls every function once"),
         ("stewart.hpp", "the same functions for C++17"),
-        ("CMakeLists.txt`, `Config.cmake.in`, `Makefile", "builds library, self-test and example"),
-        ("robot.toml", "the robot file, all defaults and units written out"),
-        ("LICENSE", "terms of use: any use, without conditions (0BSD)"),
-        ("manifest.json", "options, digests of robot and files, version"),
+        (
+            "CMakeLists.txt`, `Config.cmake.in`, `Makefile",
+            "build the library, the self-test, and the example",
+        ),
+        ("robot.toml", "robot file with all defaults and units"),
+        ("LICENSE", "license: any use, without conditions (0BSD)"),
+        ("manifest.json", "options, version, and digests of the robot and the files"),
         *unit,
     ]
 
@@ -152,7 +155,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
 def _drives(kit: Kit) -> str:
     """Describe the constants of the drives in a kit with torques."""
     of_drives = any(function.subject == DRIVES for function in kit.functions)
-    return f", and the constants of its drives, `{kit.machine.symbol}_drives`" if of_drives else ""
+    return f", and constants `{kit.machine.symbol}_drives` of its drives" if of_drives else ""
 
 
 def _stems(part: Part) -> str:
@@ -163,7 +166,7 @@ def _summary(function: Function, figures: Figures) -> str:
     stack = "" if figures.stack is None else f"{figures.stack:,}"
     stack += "" if figures.batch_stack is None else f", batch {figures.batch_stack:,}"
     error = (
-        "not tested: no pose settles it |"
+        "not tested: no pose determines it |"
         if math.isnan(figures.error)
         else f"{figures.error:.0e} | {figures.worst:.0e}"
     )
@@ -193,19 +196,19 @@ def _hidden(kit: Kit) -> str:
     says = []
     if kit.has_robot:
         says.append(
-            "It compares every number of `stewart_robot.c`, limits too, with the one that the kit was "
-            "generated from, to the bit."
+            "The self-test compares every number of `stewart_robot.c`, including limits, with the generated "
+            "number, to the bit."
         )
     if kit.hidden is not None:
-        folded = f"It fails where a constant folded into the forces is wrong by {kit.changed:g} of itself"
+        folded = f"The self-test detects a relative error of {kit.changed:g} in each baked constant"
         if kit.hidden:
             folded += (
-                ", but for those that no motion was found to show, as rounding errors of other terms are "
+                ", except in these constants, because in all test motions rounding errors of others are "
                 f"larger: {_by_leg(kit.hidden)}"
             )
         says.append(f"{folded}.")
         if kit.hidden:
-            says.append("What each is, comments in the forces' source say.")
+            says.append("Comments in the source of the forces describe them.")
     return textwrap.fill(" ".join(says), 108, break_long_words=False, break_on_hyphens=False) + "\n"
 
 
@@ -223,13 +226,13 @@ def _by_leg(names: Sequence[str]) -> str:
 
 
 _ARITHMETIC = {
-    "double": "Arithmetic is `double`; the self-test's bounds are those of `double`.",
-    "float": "Arithmetic is `float`; no `double` is in the object code.",
+    "double": "The arithmetic is `double`, and so are the bounds of the self-test.",
+    "float": "The arithmetic is `float`; the object code contains no `double`.",
 }
 
-_ONE_NAME = """`stewart_kit.h` gives the forces one name in every kit, with `--bake` or without. A program
-that calls `stewart_kit_prepare(&model)` once and `stewart_kit_forces(&model, &motion, F)` at each pose
-compiles with either kit; `model` is a `stewart_kit_model`, which is empty in a kit with `--bake`.
+_ONE_NAME = """`stewart_kit.h` gives the forces one name in every kit, with or without `--bake`. A program
+that calls `stewart_kit_prepare(&model)` once and `stewart_kit_forces(&model, &motion, F)` for each pose
+compiles with both kits. `model` is a `stewart_kit_model`, which is empty in a kit with `--bake`.
 
 """
-_STACK_BAKED = ", with the numbers folded in as much as without"
+_STACK_BAKED = ", the same with and without baked constants"

@@ -93,8 +93,8 @@ class Language(ABC):
 
 
 _GUESS = """
-`forward_kinematics` returns the nearest to its guess of the poses found by up to three searches. The guess's
-R must be near a rotation. From a guess farther than 0.05 (m and rad) compare the result with the guess."""
+`forward_kinematics` performs up to three searches and returns the pose nearest to the guess. R of the guess
+must be close to a rotation. If the guess is off by more than 0.05 (m, rad), compare the result with it."""
 
 
 def spoilt(kit: Contents, test: Vector, given: Mapping[str, Value]) -> Iterator[tuple[str, str, list[str]]]:
