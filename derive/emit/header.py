@@ -134,8 +134,8 @@ def _thresholds() -> str:
     """Print the thresholds as lines of a C comment."""
     lines = [
         f"Threshold of each status; largest error of STEWART_OK in 10^{len(str(CASES)) - 1} random poses",
-        "near failure, in rounding units times the condition number of the problem, with the distance at which it",
-        "occurred (`stewart-sym stability`):",
+        "near failure, in rounding units times the condition number of the problem, with the distance from",
+        "the failure (`stewart-sym stability`):",
         *(f"STEWART_{each.status}: {each.begins}; error {each.worst} at {each.where}" for each in THRESHOLDS),
     ]
     return "/* " + "\n * ".join(lines) + " */"
