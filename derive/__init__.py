@@ -1,20 +1,21 @@
-"""The derivation: from the paper's equations to the files of ``generated/``. SymPy only, no runtime.
+"""Derivation of all kernels from the equations of the paper, with SymPy.
 
-In the order of the flow; each folder imports only those before it:
+No module here is needed at run time. In the order of the data flow, each folder imports only the folders
+before it:
 
-    program     blocks, straight-line programs with named steps, and what rewrites them
-    mechanics   the paper's equations as blocks: legs, platform, forces, closed form, regressor, reductions
-    kernel      whole functions as trees: blocks, and the loops, checks and solves around them
-    print       trees as C, Python, MATLAB and Rust
+    program     blocks: straight-line programs with named steps, and their transformations
+    mechanics   equations of the paper as blocks: legs, platform, forces, closed form, regressor, reductions
+    kernel      complete functions as trees: blocks with loops, checks, and linear solves
+    print       trees as C, Python, MATLAB, and Rust
     emit        files of ``generated/``
-    package     what surrounds kernels in a kit for one robot, from files of ``templates``
+    package     other files of a kit for one robot, from ``templates``
 
-``generate`` writes all of it; ``passes`` shows what each reduction is worth. ``derivation.ipynb`` reads
-this beside the paper.
+``generate`` writes all files. ``passes`` measures the effect of each reduction. ``derivation.ipynb`` compares
+the code with the paper.
 """
 
 import os
 
-# SymPy reads this when it is imported first. By itself it keeps a thousand results, and the derivation needs
-# most of them again once they are gone: a fifth of its time.
+# SymPy reads this variable at its first import. Its default cache of 1000 results is too small: recomputing
+# results that were dropped takes a fifth of the time of the derivation.
 os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")

@@ -1,7 +1,8 @@
-"""Generation: derive every formulation, share, emit, and write the files of ``generated/``.
+"""Generation of all files of ``generated/``.
 
-The last step of ``derive``. The texts depend on this package and on SymPy's minor version alone: no date,
-no path, no order of a set. Does not depend on the runtime. A process derives each kernel once.
+For each formulation: derive the blocks, eliminate common subexpressions, and emit the files. This is the last
+step of ``derive``. The texts depend only on this package and on SymPy's minor version, and contain no date,
+path, or set order. This module does not depend on the runtime package. A process derives each kernel once.
 """
 
 import gc
@@ -45,63 +46,71 @@ from .program.block import Block
 from .program.cse import share, shared_blocks
 
 WHOLE = (EXACT, EXACT_DRIVE)
-"""Formulations with a closed form and bounds."""
+"""Formulations with a closed form and error bounds."""
 COMPARED = (EXACT, PAPER)
-"""Formulations whose operations are counted without friction as well: the paper's program has none."""
+"""Formulations whose operations are also counted without friction, because the paper's program has none."""
 
 
 def generator_version() -> str:
-    """Version that goes into every emitted header: this package's and SymPy's minor one."""
+    """Return the version in each emitted header: this package and SymPy's minor version."""
     return f"{installed_version('stewart-sym')} with SymPy {'.'.join(sp.__version__.split('.')[:2])}"
 
 
 @cache
 def reduced(form: Formulation, friction: bool = True) -> Kernel:
-    """The kernel as it is emitted: derived, then shared."""
+    """Derive a kernel and eliminate its common subexpressions."""
     return shared_blocks(kernel(form, friction))
 
 
 @cache
 def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
-    """The kernel of the forces alone as it is emitted: derived, regrouped, then shared."""
+    """Derive and regroup the kernel of the actuator forces, and eliminate its common subexpressions."""
     return shared_blocks(force_kernel(form, friction))
 
 
 @cache
 def prepared_model(form: Formulation) -> ForceKernel:
-    """The kernel of the forces with all constants that are prepared for it and, of ``WHOLE``, for the closed
-    form."""
+    """Return the kernel of the forces with all constants of the prepared model.
+
+    Formulations of ``WHOLE`` include the constants of the closed form.
+    """
     kernel = force_kernel(form)
     return shared_blocks(with_numbers(kernel, PREPARED) if form in WHOLE else kernel)
 
 
 @cache
 def reduced_kinematics() -> Kinematics:
-    """The blocks of the kinematics as they are emitted: derived, then shared."""
+    """Derive the blocks of the kinematics and eliminate their common subexpressions."""
     return shared_blocks(kinematics())
 
 
 @cache
 def reduced_axial(form: Formulation, reflected: bool = False) -> Block:
-    """The block of the axial forces of a formulation with rotors as it is emitted: derived, then shared.
+    """Derive the block of the axial forces of a formulation with rotors, as it is emitted.
 
-    reflected: of forces that have the rotors' masses alone.
+    ``reflected`` selects forces that contain only the reflected masses of the rotors.
     """
     return share(axial_block(form, REFLECTED if reflected else None))
 
 
 @cache
 def reduced_rotation() -> dict[str, Block]:
-    """The blocks of an orientation and its rates as they are emitted, by what they are named in C."""
+    """Derive the blocks of an orientation and its rates, by their names in C."""
     return {"motion_from_rpy": share(rpy()), "motion_from_quaternion": share(quaternion())}
 
 
 @dataclass(frozen=True)
 class Made:
-    """What one unit of the derivation makes.
+    """Results of one unit of the derivation.
 
-    files: texts by their paths. models: how many numbers each kernel's prepared model holds. programs: of
-    kernels on arrays.
+    Attributes
+    ----------
+    files : mapping
+        Texts by path.
+    models : mapping
+        Count of numbers in the prepared model of each kernel.
+    programs : mapping
+        Programs of the kernels on arrays.
     """
 
     files: Mapping[str, str]
@@ -113,18 +122,23 @@ _BASES = {
     **dict.fromkeys(("paper", "exact_drive", "exact_spherical", "exact_offset"), ("exact",)),
     **dict.fromkeys(("paper_spherical", "exact_spherical_drive"), ("exact", "exact_spherical")),
 }
-"""Kernel -> those whose modules on arrays hold what it has in common with them."""
+"""Kernels whose array modules contain the common parts, by kernel."""
 
 
 Progress = Callable[[str, float, float], None]
-"""Takes the name of a unit that is made, the seconds that it took, and the share of all that is made."""
+"""Callback with the name of a finished unit, its time (s), and the completed fraction."""
 
 
 def generated_files(progress: Progress = lambda *_: None, processes: int = 1) -> dict[str, str]:
-    """Every file of ``generated/`` by its path relative to it.
+    """Return each file of ``generated/`` by its relative path.
 
-    processes: how many derive side by side; the texts do not depend on it. One is this process; more are
-    started anew, so that a script calls this under ``if __name__ == "__main__"``.
+    Parameters
+    ----------
+    progress : callable
+        Callback for each finished unit.
+    processes : int
+        Number of parallel processes; the texts do not depend on it. With 1, this process derives. Otherwise
+        new processes are spawned, so a script must call this function under ``if __name__ == "__main__"``.
     """
     version = generator_version()
     found: dict[str, Made] = {}
@@ -146,7 +160,7 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
 
 
 def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
-    """The modules on arrays."""
+    """Return the array modules."""
     version = generator_version()
     files = {}
     for name, made in programs.items():
@@ -159,23 +173,23 @@ def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
 
 
 def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, float]]:
-    """What some of ``UNITS`` make, in their order, and the seconds that each took."""
+    """Yield the results of some of ``UNITS`` in their order, and the time of each (s)."""
     if processes == 1:
         yield from map(_timed, names)
     else:
-        # What a process makes it needs to its end: collecting garbage takes a tenth of the time.
+        # A process needs its results until it ends, and garbage collection would take a tenth of the time.
         with ProcessPoolExecutor(processes, get_context("spawn"), gc.disable) as pool:
             yield from pool.map(_timed, names)
 
 
 def _timed(name: str) -> tuple[Made, float]:
-    """One of ``UNITS``, and the seconds that it took."""
+    """Derive one of ``UNITS`` and measure the time (s)."""
     start = perf_counter()
     return UNITS[name](generator_version()), perf_counter() - start
 
 
 def _formulation(form: Formulation, version: str) -> Made:
-    """Every output and the forces of one formulation, the closed form, and the axial forces."""
+    """Derive all outputs and the forces of one formulation, its closed form, and its axial forces."""
     built, forces, smooth = reduced(form), prepared_model(form), None
     counts, force_counts = {"friction": kernel_operations(built)}, {"friction": force_operations(forces)}
     if form in COMPARED:
@@ -194,14 +208,14 @@ def _formulation(form: Formulation, version: str) -> Made:
 
 
 def _bounds(form: Formulation, version: str) -> Made:
-    """The forces of one of ``WHOLE`` with bounds of their rounding errors."""
+    """Derive the forces of one of ``WHOLE`` with bounds of their rounding errors."""
     bounded = BoundedForces(reduced_forces(form))
     models = {f"{form.kernel_name}_bounds": bounded.model_numbers()}
     return Made(_of_c(bounds.files(bounded, version)), models)
 
 
 def _others(version: str) -> Made:
-    """The regressors, the kinematics and the motors' torques."""
+    """Derive the regressors, the kinematics, and the motor torques."""
     columns, blocks = shared_blocks(regressor()), reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
@@ -214,7 +228,7 @@ def _others(version: str) -> Made:
 
 
 def _offset_joints(version: str) -> Made:
-    """The forces of legs with offset joints."""
+    """Derive the forces of legs with offset joints."""
     built = shared_blocks(offset_kernel())
     row = f'    "forces": {force_operations(built).total.total},'
     files = _of_c(lanes.files(built, version)) | {
@@ -224,18 +238,18 @@ def _offset_joints(version: str) -> Made:
 
 
 def _of_c(files: dict[str, str]) -> dict[str, str]:
-    """Files by their paths."""
+    """Prefix the names of C files with their folder."""
     return {f"c/{name}": text for name, text in files.items()}
 
 
 @cache
 def reduced_fidelity(form: Formulation, level: Fidelity) -> ForceKernel:
-    """The force kernel of one level as it is emitted: derived, reduced, then shared."""
+    """Derive and reduce the force kernel of one fidelity level, and eliminate its common subexpressions."""
     return shared_blocks(fidelity_kernel(form, level))
 
 
 def _fidelities(version: str) -> Made:
-    """The forces of the levels, and the table of them."""
+    """Derive the forces of all fidelity levels, and the table of levels."""
     files: dict[str, str] = {}
     models: dict[str, int] = {}
     kernels = {}
@@ -252,8 +266,15 @@ def _fidelities(version: str) -> Made:
 def reduced_motion(
     names: Collection[str] = closed_form.NAMES, form: Formulation = EXACT
 ) -> tuple[SumKernel, ...]:
-    """The kernels of the closed form as they are emitted; names: out of ``closed_form.NAMES``; form: of
-    ``WHOLE``."""
+    """Return kernels of the closed form, with common subexpressions eliminated.
+
+    Parameters
+    ----------
+    names : collection of str
+        Kernels out of ``closed_form.NAMES``.
+    form : Formulation
+        One of ``WHOLE``.
+    """
     return tuple(_reduced_sums(name, form) for name in closed_form.NAMES if name in names)
 
 
@@ -266,8 +287,11 @@ def _reduced_sums(name: str, form: Formulation) -> SumKernel:
 def output_program(
     form: Formulation, outputs: tuple[str, ...], level: str = "general", by_pivots: bool = False
 ) -> Program:
-    """Some of ``kernel.outputs.OUTPUTS`` and of the kinematics as one program; what of the former is not of
-    the forces is of ``exact`` alone. by_pivots: without the solve that compares determinants."""
+    """Return the program of some outputs in ``kernel.outputs.OUTPUTS`` and of the kinematics.
+
+    Outputs other than the forces and the kinematics exist only for formulations in ``WHOLE``. ``by_pivots``
+    omits the linear solver that compares determinants.
+    """
     of_model = tuple(each for each in outputs if each not in search.PUBLIC)
     parts = []
     if of_model:
@@ -282,9 +306,19 @@ def output_program(
 
 
 def motion_files(functions: Collection[str], form: Formulation = EXACT) -> dict[str, str]:
-    """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.closed_form.FUNCTIONS`` and what those need.
+    """Return ``stewart_exact_motion.h`` and ``.c`` with some functions and their dependencies.
 
-    form: of ``WHOLE``. Raises ValueError for other functions and for none.
+    Parameters
+    ----------
+    functions : collection of str
+        Functions out of ``emit.closed_form.FUNCTIONS``.
+    form : Formulation
+        One of ``WHOLE``.
+
+    Raises
+    ------
+    ValueError
+        If there is no function, or an unknown one.
     """
     sums = reduced_motion(sums_used(functions), form)
     return motion.files(sums, prepared_model(form), generator_version(), functions)
@@ -306,4 +340,4 @@ UNITS: Mapping[str, Callable[[str], Made]] = {
     "exact_offset": _offset_joints,
     "regressors, kinematics and torques": _others,
 }
-"""What is derived, by name, each from the version; what takes longest comes first."""
+"""Units of the derivation by name, each a function of the version; the slowest units are first."""

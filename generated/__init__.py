@@ -1,4 +1,4 @@
-"""Kernels that ``stewart_sym.derive`` wrote: C below ``c/``, NumPy beside this file.
+"""Kernels written by ``stewart_sym.derive``: C in ``c/``, NumPy in this folder.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
 SPDX-License-Identifier: 0BSD

@@ -1,4 +1,4 @@
-"""What the modules on arrays share: status codes, constants, and the functions of an array namespace.
+"""Common part of the array modules: status codes, constants, and functions of an array namespace.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
 SPDX-License-Identifier: 0BSD
@@ -22,8 +22,12 @@ CONSTANTS = {
 class Arithmetic:
     """Functions of an array namespace, and the constants of its real numbers.
 
-    xp: the namespace, such as ``numpy`` or ``jax.numpy``; real: its type of real numbers; None: ``xp.float64``
-    or, where that is switched off, what the namespace takes in its place.
+    Parameters
+    ----------
+    xp : module
+        Array namespace, such as ``numpy`` or ``jax.numpy``.
+    real : dtype, optional
+        Type of real numbers. If None, ``xp.float64`` or its replacement in the namespace.
     """
 
     NAN: float
@@ -55,11 +59,11 @@ class Arithmetic:
         vars(self).update(CONSTANTS["double" if double else "float"])
 
     def real(self, value: Any) -> Any:
-        """A number as an array."""
+        """Convert a number to an array."""
         return value if hasattr(value, "shape") else self.xp.asarray(value, dtype=self.type)
 
     def arrays(self, value: Any) -> Any:
-        """Every real number of a structure or list as an array, so that division by zero gives no error."""
+        """Convert the real numbers of a structure or list to arrays, so that division by zero is no error."""
         if isinstance(value, list):
             return [self.arrays(each) for each in value]
         if hasattr(value, "shape") or isinstance(value, int):
@@ -72,10 +76,14 @@ class Arithmetic:
         return made
 
     def checked(self, made: Any, name: str, value: Any) -> Any:
-        """``value`` with the members and components of ``made``, real numbers in the type of real numbers.
+        """Convert ``value`` to the structure and type of ``made``.
 
-        Raises ValueError with ``name``, or that of a member, for another structure or shape. What has a status,
-        and so was made by a function, has its members.
+        A value with a status was returned by a function and is not checked.
+
+        Raises
+        ------
+        ValueError
+            If the structure or shape differs; the message begins with the name of the argument or member.
         """
         if isinstance(made, int | float):
             return value if isinstance(made, int) else self.number(value)
@@ -94,12 +102,12 @@ class Arithmetic:
         return made
 
     def number(self, value: Any) -> Any:
-        """A number in the type of real numbers."""
+        """Convert a number to the type of real numbers."""
         known = hasattr(value, "dtype") and value.dtype == self.type
         return value if known else self.xp.asarray(value, dtype=self.type)
 
     def components(self, name: str, value: Any, count: int) -> Any:
-        """A list of numbers or arrays, one for each component; of an array they are along its last axis."""
+        """Split a list, or the last axis of an array, to a list of components."""
         if isinstance(value, list | tuple):
             if len(value) != count or any(isinstance(each, list | tuple) for each in value):
                 got = "nested lists" if len(value) == count else f"{len(value)}"
@@ -111,7 +119,7 @@ class Arithmetic:
         return [array[..., i] for i in range(count)]
 
     def agree(self, **given: Any) -> None:
-        """Raises ValueError with the name of an argument or member whose shape does not broadcast with others."""
+        """Raise ValueError if the shape of an argument or member does not broadcast with the others."""
         shape: tuple[int, ...] = ()
         for name, each in self.parts(given.items()):
             own = tuple(getattr(each, "shape", ()))
@@ -124,7 +132,7 @@ class Arithmetic:
             shape = tuple(other if one == 1 else one for one, other in pairs)
 
     def parts(self, named: Any) -> Any:
-        """Every number of structures and lists, with the name of its member or argument."""
+        """Yield each number of structures and lists with the name of its member or argument."""
         for name, value in named:
             if isinstance(value, list):
                 yield from self.parts((name, each) for each in value)
@@ -134,7 +142,7 @@ class Arithmetic:
                 yield name, value
 
     def fill(self, made: Any, fields: Any) -> None:
-        """Members of a structure from arrays, whose components are along the last axis; R may be (..., 3, 3)."""
+        """Fill a structure from arrays with components along the last axis; R may be (..., 3, 3)."""
         if "R" not in fields:
             raise ValueError("R: expected shape (..., 3, 3) or (..., 9), got none")
         for name, value in fields.items():
@@ -149,19 +157,19 @@ class Arithmetic:
             setattr(made, name, self.components(name, array, len(getattr(made, name))))
 
     def sqrt(self, value: Any) -> Any:
-        """The square root."""
+        """Compute the square root."""
         return self.xp.sqrt(self.real(value))
 
     def size(self, value: Any) -> Any:
-        """The absolute value."""
+        """Compute the absolute value."""
         return self.xp.abs(value) if hasattr(value, "shape") else abs(value)
 
     def larger(self, one: Any, other: Any) -> Any:
-        """The larger of two numbers; the other one where one is NaN."""
+        """Return the larger of two numbers, or ``other`` if ``one`` is NaN."""
         return self.where(one > other, one, other)
 
     def where(self, test: Any, yes: Any, no: Any) -> Any:
-        """``yes`` where the test holds, else ``no``: of numbers, and of lists and structures part by part."""
+        """Select ``yes`` if the test is true, else ``no``, for numbers, lists, and structures."""
         if isinstance(test, bool):
             return yes if test else no
         kind = getattr(yes, "dtype", None)
@@ -178,12 +186,12 @@ class Arithmetic:
         return self.xp.where(test, self.xp.asarray(yes, dtype=kind), self.xp.asarray(no, dtype=kind))
 
     def is_whole(self, value: Any) -> bool:
-        """Whether a number, or those of an array, are whole."""
+        """Return True if a number or the elements of an array are integers."""
         kind = getattr(value, "dtype", None)
         return isinstance(value, int) or kind == self.whole or (kind != self.type and "int" in str(kind))
 
     def at(self, array: Any, first: Any, *others: Any) -> Any:
-        """An element of an array, in which poses may differ."""
+        """Return an element of an array; the index may differ between poses."""
         if isinstance(first, int):
             return self.at(array[first], *others) if others else array[first]
         found, *more = (self.at(each, *others) if others else each for each in array)
@@ -192,7 +200,7 @@ class Arithmetic:
         return found
 
     def put(self, array: Any, value: Any, first: Any, *others: Any) -> None:
-        """Puts a value into an element of an array, in which poses may differ."""
+        """Set an element of an array; the index may differ between poses."""
         for i in [first] if isinstance(first, int) else range(len(array)):
             here = True if isinstance(first, int) else first == i
             if others:
@@ -201,7 +209,7 @@ class Arithmetic:
                 array[i] = self.where(here, value, array[i])
 
     def anywhere(self, test: Any) -> bool:
-        """Whether a test holds for any pose; true where arrays have no values yet, as under ``jit`` and ``vmap``."""
+        """Return True if a test is true for any pose, or if arrays have no values, as in ``jit`` and ``vmap``."""
         try:
             return bool(self.xp.any(test)) if hasattr(test, "shape") else bool(test)
         except (TypeError, RuntimeError):

@@ -1,12 +1,12 @@
-"""What the modules of every output and of the regressor share: robot, motion, platform, checks, solve.
+"""Common part of the modules of inverse dynamics and regressor: robot, motion, platform, checks, solver.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose, so that components come first: ``t``
-is a list of three. Numbers of ``robot.leg``, and those that functions find of the legs, have one value for each
-leg along an axis before that of the poses: ``m_d`` is (6, 1), ``F_s`` a list of three (6, n). ``on`` is the
-arithmetic of arithmetic.py. Nothing is checked but what a status says.
+Each number of a structure may be an array with one value per pose, so the component is the first index: ``t`` is a
+list of three. Numbers of ``robot.leg`` and results for legs have an additional axis for the leg before the axis of
+the poses: ``m_d`` is (6, 1), ``F_s`` a list of three arrays (6, n). ``on`` is the arithmetic of arithmetic.py. Only
+the conditions that a status describes are checked.
 """
 
 from typing import Any
@@ -78,7 +78,7 @@ class Terms:
 
 
 def platform_wrench(on: Arithmetic, robot: Any, motion: Any) -> Any:
-    """The platform's own part of c, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt)."""
+    """Part of c that belongs to the platform, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt)."""
     R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
     omega_x, omega_y, omega_z = motion.omega
     alpha_x, alpha_y, alpha_z = motion.alpha

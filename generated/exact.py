@@ -1,11 +1,11 @@
-"""Inverse dynamics and joint reactions of the Stewart platform on arrays, formulation and joint `exact`.
+"""Inverse dynamics and joint reactions of a Gough-Stewart platform on arrays, kernel `exact`.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Arguments and results as every_output.py says.
+Arguments and results are described in every_output.py.
 
-Operations of one pose of inverse dynamics, six legs, solve included, checks left out
+Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
          with friction                             without friction
 leg      414 (229 mul, 181 add, 2 div, 2 sqrt)     364 (204 mul, 156 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
@@ -22,7 +22,7 @@ from .every_output import (
     Terms, eliminate, fault_of, first_of, platform_wrench, reach_of, scale_of, singular_status,
 )
 
-# (mul, add, div, sqrt) of each part of one pose, and of all.
+# Operations (mul, add, div, sqrt) of each part of one pose, and in total.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (229, 181, 2, 2),
@@ -42,7 +42,7 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     },
 }
 
-# The same of stewart_exact_forces.h.
+# Operations of stewart_exact_forces.h.
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (156, 105, 2, 2),
@@ -178,7 +178,7 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     y_z = s_y * z_x - s_x * z_y
     # (10) k = (k1, 0, k3) in the leg frame
     k1 = k_x * s_x + k_y * s_y + k_z * s_z
-    # spin of the leg about s for each turn about z
+    # spin of the leg about s per rotation about z
     kappa = inv_k3 * k1
     # (4), (5) velocity of the platform point, leg frame; u_x is L_dot
     u_x = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
@@ -207,7 +207,7 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c3 = 2.0 * u_x
     c4 = W_z * c3
     c5 = W_y * c3
-    # (9) angular acceleration of the leg but for its spin, leg frame
+    # (9) angular acceleration of the leg without the spin terms, leg frame
     A_z_own = inv_L * (e_y - c4)
     A_y_own = inv_L * (-e_z - c5)
     c6 = W_y * W_z
@@ -254,7 +254,7 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
         + A_x * I_xy)
     E_z = (I_xy * c11 - I_xy * c1 + A_y_own * I_yz + c7 * (I_yy - I_xx - I_zz) - I_xz * c6 + I_yz * c10 + A_z_own
         * I_zz + A_x * I_xz)
-    # (20) moment that the joints' forces must make
+    # (20) moment that the joint forces must balance
     C_x = C_u * W_x + f_leg_x + E_x + N_d_z * r_d0_y + N_u_z * r_u0_y - N_d_y * r_d0_z - N_u_y * r_u0_z
     C_y = C_u * W_y + f_leg_y + E_y + N_d_x * r_d0_z + N_u_x * r_u0_z - N_d_z * r_d0_x - N_u_z * r_u_x
     C_z = C_u * W_z + f_leg_z + E_z - N_d_x * r_d0_y - N_u_x * r_u0_y + N_d_y * r_d0_x + N_u_y * r_u_x
@@ -352,7 +352,7 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     y_z = s_y * z_x - s_x * z_y
     # (10) k = (k1, 0, k3) in the leg frame
     k1 = k_x * s_x + k_y * s_y + k_z * s_z
-    # spin of the leg about s for each turn about z
+    # spin of the leg about s per rotation about z
     kappa = inv_k3 * k1
     # (4), (5) velocity of the platform point, leg frame; u_x is L_dot
     u_x = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
@@ -381,7 +381,7 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c3 = 2.0 * u_x
     c4 = W_z * c3
     c5 = W_y * c3
-    # (9) angular acceleration of the leg but for its spin, leg frame
+    # (9) angular acceleration of the leg without the spin terms, leg frame
     A_z_own = inv_L * (e_y - c4)
     A_y_own = inv_L * (-e_z - c5)
     c6 = W_y * W_z
@@ -438,7 +438,7 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c17 = C_u * W_x + N_d_z * r_d0_y - N_d_y * r_d0_z
     c18 = C_u * W_y + N_d_x * r_d0_z - N_d_z * r_d0_x
     c19 = C_u * W_z - N_d_x * r_d0_y + N_d_y * r_d0_x
-    # (20) moment that the joints' forces must make
+    # (20) moment that the joint forces must balance
     C_x = f_leg_x + E_x + N_u_z * r_u0_y - N_u_y * r_u0_z + c17
     C_y = f_leg_y + E_y + N_u_x * r_u0_z - N_u_z * r_u_x + c18
     C_z = f_leg_z + E_z - N_u_x * r_u0_y + N_u_y * r_u_x + c19

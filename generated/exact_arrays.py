@@ -1,11 +1,11 @@
-"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+"""Dynamics of a Gough-Stewart platform on arrays of the array API: NumPy, JAX, PyTorch, and others.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
-is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
-selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Each number of a structure may be an array with one value per pose, so the component is the first index: ``F`` is
+a list of six. An array instead of such a list has the components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots, and constants. If a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -80,8 +80,9 @@ class LegConstants:
         self.C_us: Any = 0.0  # N m s: C_u + C_s
         self.m_u: Any = 0.0  # kg: mass of the upper part
         self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
+        # kg m: first moment of this mass about platform point 1, platform frame
+        self.h_add: Any = [0.0] * 3
+        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -90,8 +91,9 @@ class Added:
 
     def __init__(self) -> None:
         self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
+        # kg m: first moment of this mass about platform point 1, platform frame
+        self.h_add: Any = [0.0] * 3
+        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -100,8 +102,8 @@ class Platform:
 
     def __init__(self) -> None:
         self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: its center of mass, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its center of mass, platform frame
+        self.r_C: Any = [0.0] * 3  # m: center of mass of the platform with the upper parts, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: inertia of this mass about r_C, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
         self.C_P: Any = 0.0  # N m s: friction of all spherical joints
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
@@ -109,8 +111,9 @@ class Platform:
         self.R_0: Any = [0.0] * 3  # m: center of mass of the platform, platform frame
         # kg m^2: inertia of the platform about its center of mass, platform frame
         self.I_p: Any = [0.0] * 6
-        self.h_P: Any = [0.0] * 3  # kg m: its first moment, platform frame
-        self.J_P: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        # kg m: first moment of this mass about the reference point, platform frame
+        self.h_P: Any = [0.0] * 3
+        self.J_P: Any = [0.0] * 6  # kg m^2: inertia of this mass about the reference point, platform frame
 
 
 class Model:
@@ -203,9 +206,10 @@ class LegInputs:
         self.F: Any = 0.0  # N: actuator force of the leg
         # N, N m: generalized forces of the leg less the actuator's, along L, theta, phi
         self.net: Any = [0.0] * 3
-        # m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone
+        # m/s^2, 1/s^2: accelerations of L, theta, phi caused by the platform's accelerations only
         self.turned: Any = [0.0] * 3
-        self.axial: Any = 0.0  # 1: 0 of a leaning leg with little inertia about its own axis, else 1
+        # 1: 0 for a leg near its joint singularity with little inertia about its own axis, else 1
+        self.axial: Any = 0.0
 
 
 class EquationsLeg:
@@ -737,11 +741,11 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     C_add = total.C_add
     p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
     M_P = M + M_add
-    # the platform's own center of mass from platform point 1
+    # center of mass of the platform without the upper parts, from platform point 1
     arm_x = R_0_x - p_1_x
     arm_y = R_0_y - p_1_y
     arm_z = R_0_z - p_1_z
-    # first moment of what is lumped with it about that center
+    # first moment of the lumped masses about this center
     e_x = h_add_x - M_add * arm_x
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
@@ -1150,13 +1154,13 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
     rho2 = k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(zeta * zeta + rho2)
     rho = on.sqrt(rho2)
     inv_L = 1.0 / L
@@ -1212,15 +1216,15 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_theta = a2 * (0.5 - k33) + a1 * k13
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     bend = L_dot * theta_dot
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalized forces about y and about k
@@ -1229,14 +1233,14 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     tau_k = (M_mixed_theta * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - L_ddot * k3_h
         + C_us * phi_dot - gamma_n * w_y - gamma_y * w_n + two_phi_dot * (L_dot * M_phi_L + M_phi_theta * theta_dot)
         - bend * h2_y * k1 + M_phi * phi_ddot + M_mixed * theta_ddot)
-    # (21) K = Q_k k + Q_y y, up to a part along s
+    # (21) K = Q_k k + Q_y y, with a component along s
     Q_k = -inv_rho * tau_y
     Q_y = inv_rho * tau_k
     # (21) force at the spherical joint, base frame
     K_x = Q_y * y_x + Q_k * k_x
     K_y = Q_y * y_y + Q_k * k_y
     K_z = Q_y * y_z + Q_k * k_z
-    # (24) known part of the actuator force, to match
+    # (24) known part of the actuator force for this K
     D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 + h_z * theta_ddot - k3_h * phi_ddot - Q_k * k1
     c1 = C_s * phi_dot
     c2 = C_s * theta_dot
@@ -1410,12 +1414,12 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -1426,7 +1430,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -1465,7 +1469,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
@@ -1484,14 +1488,14 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     bend = L_dot * theta_dot
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalized forces about y and about k
@@ -1508,7 +1512,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     K_x = Q_y * y_x + Q_z * z_x
     K_y = Q_y * y_y + Q_z * z_y
     K_z = Q_y * y_z + Q_z * z_z
-    # (24) known part of the actuator force, to match
+    # (24) known part of the actuator force for this K
     D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 + h_z * theta_ddot - k3_h * phi_ddot
     c4 = C_s * phi_dot
     c5 = C_s * theta_dot
@@ -1688,12 +1692,12 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -1845,15 +1849,15 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     c26 = C_tip_zx * q_y
     c27 = -C_tip_zy * q_x
     C_q_zz = -c16 - c22 - c26 - c27
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c28 = inv_L * (g_k * w_n + gamma_n * w_k)
     c29 = -gamma_n * w_y - gamma_y * w_n
-    # against gravity
+    # force at the tip that balances gravity
     held_x = c29 * inv_rho * y_x - c28 * z_x
     held_y = c29 * inv_rho * y_y - c28 * z_y
     held_z = c29 * inv_rho * y_z - c28 * z_z
@@ -1862,11 +1866,11 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     c32 = inv_L * (C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z))
     c33 = L_dot * s_y
     c34 = L_dot * s_z
-    # against friction
+    # force at the tip that balances friction
     resistance_x = C_p * c30 + c31 * y_x - c32 * z_x
     resistance_y = C_p * c33 + c31 * y_y - c32 * z_y
     resistance_z = C_p * c34 + c31 * y_z - c32 * z_z
-    # (3) rate of s
+    # (3) derivative of s
     s_dot_x = inv_L * (S_dot_x - c30)
     s_dot_y = inv_L * (S_dot_y - c33)
     s_dot_z = inv_L * (S_dot_z - c34)
@@ -2025,12 +2029,12 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -2041,7 +2045,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -2106,7 +2110,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     m_yz = m_T_ys * s_z + m_T_yz * z_z + m_T_yy * y_z
     m_zz = m_T_zs * s_z + m_T_zz * z_z + m_T_zy * y_z
     inv_k3 = L * inv_rho
-    # (6) leg's turning about z
+    # (6) angular velocity of the leg about z
     W_z = c1 * inv_L
     c4 = W_z * inv_L
     c5 = c4 * h_y
@@ -2194,15 +2198,15 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c50 = C_tip_zx * q_y
     c51 = -C_tip_zy * q_x
     C_q_zz = -c40 - c46 - c50 - c51
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c52 = inv_L * (g_k * w_n + gamma_n * w_k)
     c53 = -gamma_n * w_y - gamma_y * w_n
-    # against gravity
+    # force at the tip that balances gravity
     held_x = c53 * inv_rho * y_x - c52 * z_x
     held_y = c53 * inv_rho * y_y - c52 * z_y
     held_z = c53 * inv_rho * y_z - c52 * z_z
@@ -2211,11 +2215,11 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c56 = inv_L * (C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z))
     c57 = L_dot * s_y
     c58 = L_dot * s_z
-    # against friction
+    # force at the tip that balances friction
     resistance_x = C_p * c54 + c55 * y_x - c56 * z_x
     resistance_y = C_p * c57 + c55 * y_y - c56 * z_y
     resistance_z = C_p * c58 + c55 * y_z - c56 * z_z
-    # (3) rate of s
+    # (3) derivative of s
     s_dot_x = inv_L * (S_dot_x - c54)
     s_dot_y = inv_L * (S_dot_y - c57)
     s_dot_z = inv_L * (S_dot_z - c58)
@@ -2505,12 +2509,12 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -2520,7 +2524,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     # (10) distance of the tip from the fixed axis
     rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
     inv_rho = 1.0 / rho
-    # share of the normal along s: rounding
+    # relative component of the normal along s: rounding
     n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
     # one over |s x normal|
     inv_across = inv_rho + 0.5 * inv_rho * n_along_s * n_along_s
@@ -2567,7 +2571,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
@@ -2586,14 +2590,14 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     bend = L_dot * theta_dot
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalized forces about y and about k
@@ -2610,7 +2614,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     K_x = Q_y * y_x + Q_z * z_x
     K_y = Q_y * y_y + Q_z * z_y
     K_z = Q_y * y_z + Q_z * z_z
-    # (24) known part of the actuator force, to match
+    # (24) known part of the actuator force for this K
     D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 + h_z * theta_ddot - k3_h * phi_ddot
     # force at the tip
     R_tip_x = D * s_x + K_x
@@ -2788,12 +2792,12 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -2803,7 +2807,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     # (10) distance of the tip from the fixed axis
     rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
     inv_rho = 1.0 / rho
-    # share of the normal along s: rounding
+    # relative component of the normal along s: rounding
     n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
     # one over |s x normal|
     inv_across = inv_rho + 0.5 * inv_rho * n_along_s * n_along_s
@@ -2850,7 +2854,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
@@ -2869,14 +2873,14 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     bend = L_dot * theta_dot
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalized forces about y and about k
@@ -2893,7 +2897,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     K_x = Q_y * y_x + Q_z * z_x
     K_y = Q_y * y_y + Q_z * z_y
     K_z = Q_y * y_z + Q_z * z_z
-    # (24) known part of the actuator force, to match
+    # (24) known part of the actuator force for this K
     D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 + h_z * theta_ddot - k3_h * phi_ddot
     c4 = F - D
     # force on the platform at the tip
@@ -3272,12 +3276,12 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -3288,7 +3292,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -3335,7 +3339,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     k33 = c4
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c5 = k1 * k3
@@ -3354,14 +3358,14 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     bend = L_dot * theta_dot
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalized forces about y and about k
@@ -3371,7 +3375,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     tau_k = (M_mixed_theta * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - L_ddot * k3_h
         + C_us * phi_dot - gamma_n * w_y - gamma_y * w_n + two_phi_dot * (L_dot * M_phi_L - theta_dot * (0.5
         * J2_xz - 0.5 * c6 + J_xx * kappa)) - bend * h2_y * k1 + M_mixed * theta_ddot + M_phi * own_phi_ddot)
-    # of the platform point, from free fall
+    # acceleration of the platform point relative to free fall, a = alpha = 0
     fall_x = c1 - g_x
     fall_y = c2 - g_y
     fall_z = c3 - g_z
@@ -4190,12 +4194,12 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -4255,7 +4259,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     c7 = 2.0 * theta_dot
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - L_share * c7
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c8 = k1 * k3
@@ -4300,7 +4304,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
     m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
     m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # k x y
@@ -4520,7 +4524,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     A_1_zx = A_1_T_zz * z_x + A_1_T_zs * s_x + A_1_T_zy * y_x
     A_1_zy = A_1_T_zz * z_y + A_1_T_zs * s_y + A_1_T_zy * y_y
     A_1_zz = A_1_T_zz * z_z + A_1_T_zs * s_z + A_1_T_zy * y_z
-    # force by rotation about the tip
+    # derivative of the force by rotation about the tip
     X_xx = B_xx * m_xx + B_yx * m_xy + B_zx * m_xz + A_1_xy * omega_z - A_1_xz * omega_y + A_0_xx
     X_xy = B_xy * m_xx + B_yy * m_xy + B_zy * m_xz + A_1_xz * omega_x - A_1_xx * omega_z + A_0_xy
     X_xz = B_xz * m_xx + B_yz * m_xy + B_zz * m_xz + A_1_xx * omega_y - A_1_xy * omega_x + A_0_xz
@@ -4573,7 +4577,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     V_zx = m_zz * w_q_y - f_S_dot_xz - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
     V_zy = m_xz * w_q_z - f_S_dot_yz - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
     V_zz = c91 - f_S_dot_zz - c90 + Y_zy * q_x - Y_zx * q_y
-    # moment by rotation about the tip
+    # derivative of the moment by rotation about the tip
     Q_xx = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx + c83 - c88
     Q_xy = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy - R_tip_z + c82 - X_zy * q_y
     Q_xz = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz + R_tip_y + X_yz * q_z + c86
@@ -4747,12 +4751,12 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -4763,7 +4767,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -4801,7 +4805,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     theta_dot2 = c3
     phi_dot2 = phi_dot * phi_dot
     inv_k3 = L * inv_rho
-    # (6) leg's turning about z
+    # (6) angular velocity of the leg about z
     W_z = c1 * inv_L
     # (7) acceleration of the platform point
     S_ddot_x = a_x + B_xx * q_x + B_xy * q_y + B_xz * q_z
@@ -4811,7 +4815,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     # (8) acceleration of the length
     L_ddot = L * (theta_dot2 + c4 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     c5 = 2.0 * L_share
-    # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
+    # (9) angular accelerations of the leg about y and z without the rotation of the frame about s
     own_y = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - c5 * theta_dot
     own_z = inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c5
     k33 = c4
@@ -4852,7 +4856,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     m_yy = m_T_ys * s_y + m_T_yz * z_y + m_T_yy * y_y
     m_yz = m_T_ys * s_z + m_T_yz * z_z + m_T_yy * y_z
     m_zz = m_T_zs * s_z + m_T_zz * z_z + m_T_zy * y_z
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # k x y
@@ -5244,7 +5248,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     A_1_zx = A_1_T_zs * s_x + A_1_T_zz * z_x + A_1_T_zy * y_x
     A_1_zy = A_1_T_zs * s_y + A_1_T_zz * z_y + A_1_T_zy * y_y
     A_1_zz = A_1_T_zs * s_z + A_1_T_zz * z_z + A_1_T_zy * y_z
-    # force by rotation about the tip
+    # derivative of the force by rotation about the tip
     X_xx = B_xx * m_xx + B_yx * m_xy + B_zx * m_xz + A_1_xy * omega_z - A_1_xz * omega_y + A_0_xx
     X_xy = B_xy * m_xx + B_yy * m_xy + B_zy * m_xz + A_1_xz * omega_x - A_1_xx * omega_z + A_0_xy
     X_xz = B_xz * m_xx + B_yz * m_xy + B_zz * m_xz + A_1_xx * omega_y - A_1_xy * omega_x + A_0_xz
@@ -5297,7 +5301,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     V_zx = m_zz * w_q_y - f_S_dot_xz - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
     V_zy = m_xz * w_q_z - f_S_dot_yz - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
     V_zz = c269 - f_S_dot_zz - c268 + Y_zy * q_x - Y_zx * q_y
-    # moment by rotation about the tip
+    # derivative of the moment by rotation about the tip
     Q_xx = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx + c261 - c266
     Q_xy = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy - R_tip_z + c260 - X_zy * q_y
     Q_xz = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz + R_tip_y + X_yz * q_z + c264
@@ -5823,12 +5827,12 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -5839,7 +5843,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -5878,7 +5882,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     phi_dot2 = phi_dot * phi_dot
     c4 = L * inv_rho
     inv_k3 = c4
-    # (6) leg's turning about z
+    # (6) angular velocity of the leg about z
     W_z = c1 * inv_L
     c5 = omega_z * w_q_y
     c6 = omega_x * w_q_z - omega_z * w_q_x
@@ -5892,10 +5896,10 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     L_ddot = turned_x + L * (theta_dot2 + c8 * phi_dot2) + S_ddot_x * s_x + S_ddot_z * s_z + S_ddot_y * s_y
     c9 = 2.0 * L_share
     c10 = k3 * turned_z
-    # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
+    # (9) angular accelerations of the leg about y and z without the rotation of the frame about s
     own_y = turned_y - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - c9 * theta_dot
     own_z = c10 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c9
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # k x y
@@ -5915,7 +5919,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     fall_x = omega_y * w_q_z - g_x - c5
     fall_y = -g_y - c6
     fall_z = omega_x * w_q_y - g_z - c7
-    # acceleration of the platform point from free fall, leg frame
+    # m_u times the acceleration of the platform point relative to free fall, leg frame
     fall_T_x = turned_x + fall_x * s_x + fall_z * s_z + fall_y * s_y
     fall_T_y = L * c10 + fall_x * y_x + fall_y * y_y + fall_z * y_z
     fall_T_z = fall_x * z_x - L * turned_y + fall_y * z_y + fall_z * z_z
@@ -6154,7 +6158,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * c176 * k1 + c161 * c170 + c174 * c2 + c197 * c78 - c136 * c191 + c137 * k1 * theta_dot + c184 * c88
         - c124 - c140 - c16 * c199 + c172 * c180 + c196 - J_xx * c162 - c109 * c147 * c50 - c127 * own_z - c16
         * c202 + c196 * c50 - c177 * c42 - c128 * c40)
-    # generalized forces by the tip's motion
+    # derivatives of the generalized forces by the tip's motion
     tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_13 * z_x + tau_S_leg_12 * y_x
     tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_13 * z_y + tau_S_leg_12 * y_y
     tau_S_xz = s_z * tau_S_leg_11 + tau_S_leg_13 * z_z + tau_S_leg_12 * y_z
@@ -6182,7 +6186,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * k1 - c113 * c16 * inv_k3 - c132 * c53 + 2.0 * h_z * inv_k3 * theta_dot - c187 * c88 - W_z * c178 - c113
         * c182 * c88 - c18 * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L * k1)
     tau_S_dot_leg_33 = c16 * c200 + c111 - c205 + 2.0 * c198 * c88 + c113 * c157 * c40 + c199 * inv_L - c174
-    # generalized forces by the tip's motion
+    # derivatives of the generalized forces by the tip's motion
     tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_x + tau_S_dot_leg_12 * y_x
     tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_y + tau_S_dot_leg_12 * y_y
     tau_S_dot_xz = s_z * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_z + tau_S_dot_leg_12 * y_z
@@ -6201,7 +6205,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_ddot_leg_31 = -c208
     tau_S_ddot_leg_32 = c166 + c207 * k3 + c171 - c194 * c91 + c172 * c40 - c193
     tau_S_ddot_leg_33 = h_y * k1 - c173 - c99
-    # generalized forces by the tip's motion
+    # derivatives of the generalized forces by the tip's motion
     tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_13 * z_x + tau_S_ddot_leg_12 * y_x
     tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_13 * z_y + tau_S_ddot_leg_12 * y_y
     tau_S_ddot_xz = m_u * s_z + tau_S_ddot_leg_13 * z_z + tau_S_ddot_leg_12 * y_z
@@ -6234,7 +6238,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c217 = inv_rho * k3
     bent_leg_32 = L * k3 * (c217 * net_x + c214 * c40 * inv_rho)
     bent_leg_33 = c216 * kappa
-    # generalized forces by the tip's place, as the rows turn
+    # derivative of the generalized forces by the tip's position, with the rotation of the rows
     tau_place_xx = bent_leg_13 * z_x + tau_S_xx + bent_leg_12 * y_x
     tau_place_xy = bent_leg_13 * z_y + tau_S_xy + bent_leg_12 * y_y
     tau_place_xz = bent_leg_13 * z_z + tau_S_xz + bent_leg_12 * y_z
@@ -6597,10 +6601,14 @@ def linearization(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
 
 
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
-    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+    """Return a motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
-    names and shapes.
+    R is required; other fields are zero by default. The leading shapes must broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a name or a shape is wrong.
     """
     made = Motion()
     on.fill(made, fields)

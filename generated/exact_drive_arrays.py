@@ -1,11 +1,11 @@
-"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+"""Dynamics of a Gough-Stewart platform on arrays of the array API: NumPy, JAX, PyTorch, and others.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
-is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
-selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Each number of a structure may be an array with one value per pose, so the component is the first index: ``F`` is
+a list of six. An array instead of such a list has the components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots, and constants. If a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -45,7 +45,7 @@ class Leg:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        # kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m
         self.m_r: Any = 0.0
         self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
 
@@ -71,7 +71,7 @@ class LegConstants:
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        # kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m
         self.m_r: Any = 0.0
         self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
         self.h: Any = [0.0] * 3  # kg m: first moment of the upper part about the platform point, leg frame
@@ -88,8 +88,9 @@ class LegConstants:
         self.C_us: Any = 0.0  # N m s: C_u + C_s
         self.m_u: Any = 0.0  # kg: mass of the upper part
         self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
+        # kg m: first moment of this mass about platform point 1, platform frame
+        self.h_add: Any = [0.0] * 3
+        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -302,13 +303,13 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
     rho2 = k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(zeta * zeta + rho2)
     rho = on.sqrt(rho2)
     inv_L = 1.0 / L
@@ -364,16 +365,16 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_theta = a2 * (0.5 - k33) + a1 * k13
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     c1 = L_dot * theta_dot
     bend = c1
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c2 = j_r * k3
@@ -386,14 +387,14 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     tau_k = (L_ddot * c4 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) + M_mixed_theta * theta_dot2
         + C_us * phi_dot - gamma_n * w_y - gamma_y * w_n - c1 * c2 + two_phi_dot * (L_dot * M_phi_L + M_phi_theta
         * theta_dot) - bend * h2_y * k1 + M_phi * phi_ddot + M_mixed * theta_ddot)
-    # (21) K = Q_k k + Q_y y, up to a part along s
+    # (21) K = Q_k k + Q_y y, with a component along s
     Q_k = -inv_rho * tau_y
     Q_y = inv_rho * tau_k
     # (21) force at the spherical joint, base frame
     K_x = Q_y * y_x + Q_k * k_x
     K_y = Q_y * y_y + Q_k * k_y
     K_z = Q_y * y_z + Q_k * k_z
-    # (24) known part of the actuator force, to match
+    # (24) known part of the actuator force for this K
     D = (C_p * L_dot - h_x * theta_dot2 + L_ddot * m_r - M_phi_L * phi_dot2 - c3 * theta_dot + c4 * phi_ddot
         + h_z * theta_ddot - Q_k * k1)
     c5 = C_s * phi_dot
@@ -443,12 +444,12 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -459,7 +460,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -498,7 +499,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
@@ -517,15 +518,15 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     c4 = L_dot * theta_dot
     bend = c4
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c5 = j_r * k3
@@ -545,7 +546,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     K_x = Q_z * z_x + Q_y * y_x
     K_y = Q_z * z_y + Q_y * y_y
     K_z = Q_z * z_z + Q_y * y_z
-    # (24) known part of the actuator force, to match
+    # (24) known part of the actuator force for this K
     D = (C_p * L_dot - h_x * theta_dot2 + L_ddot * m_r - M_phi_L * phi_dot2 + h_z * theta_ddot - c6 * theta_dot
         + c7 * phi_ddot)
     c8 = C_s * phi_dot
@@ -659,12 +660,12 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -819,15 +820,15 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     c29 = C_tip_zx * q_y
     c30 = -C_tip_zy * q_x
     C_q_zz = -c19 - c25 - c29 - c30
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c31 = inv_L * (g_k * w_n + gamma_n * w_k)
     c32 = -gamma_n * w_y - gamma_y * w_n
-    # against gravity
+    # force at the tip that balances gravity
     held_x = c32 * inv_rho * y_x - c31 * z_x
     held_y = c32 * inv_rho * y_y - c31 * z_y
     held_z = c32 * inv_rho * y_z - c31 * z_z
@@ -836,11 +837,11 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     c35 = inv_L * (C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z))
     c36 = L_dot * s_y
     c37 = L_dot * s_z
-    # against friction
+    # force at the tip that balances friction
     resistance_x = C_p * c33 + c34 * y_x - c35 * z_x
     resistance_y = C_p * c36 + c34 * y_y - c35 * z_y
     resistance_z = C_p * c37 + c34 * y_z - c35 * z_z
-    # (3) rate of s
+    # (3) derivative of s
     s_dot_x = inv_L * (S_dot_x - c33)
     s_dot_y = inv_L * (S_dot_y - c36)
     s_dot_z = inv_L * (S_dot_z - c37)
@@ -960,12 +961,12 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -976,7 +977,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -1042,7 +1043,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     m_yz = m_T_ys * s_z + m_T_yz * z_z + m_T_yy * y_z
     m_zz = m_T_zs * s_z + m_T_zz * z_z + m_T_zy * y_z
     inv_k3 = L * inv_rho
-    # (6) leg's turning about z
+    # (6) angular velocity of the leg about z
     W_z = c1 * inv_L
     c5 = c3 * theta_dot
     c6 = W_z * inv_L
@@ -1138,15 +1139,15 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c57 = C_tip_zx * q_y
     c58 = -C_tip_zy * q_x
     C_q_zz = -c47 - c53 - c57 - c58
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c59 = inv_L * (g_k * w_n + gamma_n * w_k)
     c60 = -gamma_n * w_y - gamma_y * w_n
-    # against gravity
+    # force at the tip that balances gravity
     held_x = c60 * inv_rho * y_x - c59 * z_x
     held_y = c60 * inv_rho * y_y - c59 * z_y
     held_z = c60 * inv_rho * y_z - c59 * z_z
@@ -1155,11 +1156,11 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c63 = inv_L * (C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z))
     c64 = L_dot * s_y
     c65 = L_dot * s_z
-    # against friction
+    # force at the tip that balances friction
     resistance_x = C_p * c61 + c62 * y_x - c63 * z_x
     resistance_y = C_p * c64 + c62 * y_y - c63 * z_y
     resistance_z = C_p * c65 + c62 * y_z - c63 * z_z
-    # (3) rate of s
+    # (3) derivative of s
     s_dot_x = inv_L * (S_dot_x - c61)
     s_dot_y = inv_L * (S_dot_y - c64)
     s_dot_z = inv_L * (S_dot_z - c65)
@@ -1309,12 +1310,12 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -1324,7 +1325,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     # (10) distance of the tip from the fixed axis
     rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
     inv_rho = 1.0 / rho
-    # share of the normal along s: rounding
+    # relative component of the normal along s: rounding
     n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
     # one over |s x normal|
     inv_across = inv_rho + 0.5 * inv_rho * n_along_s * n_along_s
@@ -1371,7 +1372,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
@@ -1390,15 +1391,15 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     c4 = L_dot * theta_dot
     bend = c4
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c5 = j_r * k3
@@ -1418,7 +1419,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     K_x = Q_z * z_x + Q_y * y_x
     K_y = Q_z * z_y + Q_y * y_y
     K_z = Q_z * z_z + Q_y * y_z
-    # (24) known part of the actuator force, to match
+    # (24) known part of the actuator force for this K
     D = (C_p * L_dot - h_x * theta_dot2 + L_ddot * m_r - M_phi_L * phi_dot2 + h_z * theta_ddot - c6 * theta_dot
         + c7 * phi_ddot)
     # force at the tip
@@ -1508,12 +1509,12 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -1523,7 +1524,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     # (10) distance of the tip from the fixed axis
     rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
     inv_rho = 1.0 / rho
-    # share of the normal along s: rounding
+    # relative component of the normal along s: rounding
     n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
     # one over |s x normal|
     inv_across = inv_rho + 0.5 * inv_rho * n_along_s * n_along_s
@@ -1570,7 +1571,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
@@ -1589,15 +1590,15 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     c4 = L_dot * theta_dot
     bend = c4
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c5 = j_r * k3
@@ -1617,7 +1618,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     K_x = Q_z * z_x + Q_y * y_x
     K_y = Q_z * z_y + Q_y * y_y
     K_z = Q_z * z_z + Q_y * y_z
-    # (24) known part of the actuator force, to match
+    # (24) known part of the actuator force for this K
     D = (C_p * L_dot - h_x * theta_dot2 + L_ddot * m_r - M_phi_L * phi_dot2 + h_z * theta_ddot - c6 * theta_dot
         + c7 * phi_ddot)
     c8 = F - D
@@ -1738,12 +1739,12 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -1754,7 +1755,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -1801,7 +1802,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     k33 = c4
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c5 = k1 * k3
@@ -1820,15 +1821,15 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     c8 = L_dot * theta_dot
     bend = c8
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
-    # first moment along k and against k x y
+    # components of the first moment along k and along -k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c9 = j_r * k3
@@ -1841,7 +1842,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     tau_k = (L_ddot * c11 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) + M_mixed_theta * theta_dot2
         + C_us * phi_dot - c8 * c9 - gamma_n * w_y - gamma_y * w_n + two_phi_dot * (L_dot * M_phi_L - theta_dot
         * (0.5 * J2_xz - 0.5 * c6 + J_xx * kappa)) - bend * h2_y * k1 + M_mixed * theta_ddot + M_phi * own_phi_ddot)
-    # of the platform point, from free fall
+    # acceleration of the platform point relative to free fall, a = alpha = 0
     fall_x = c1 - g_x
     fall_y = c2 - g_y
     fall_z = c3 - g_z
@@ -2055,12 +2056,12 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -2120,7 +2121,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     c7 = 2.0 * theta_dot
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - L_share * c7
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c8 = k1 * k3
@@ -2167,7 +2168,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
     m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
     m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # k x y
@@ -2399,7 +2400,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     A_1_zx = A_1_T_zs * s_x + A_1_T_zz * z_x + A_1_T_zy * y_x
     A_1_zy = A_1_T_zs * s_y + A_1_T_zz * z_y + A_1_T_zy * y_y
     A_1_zz = A_1_T_zs * s_z + A_1_T_zz * z_z + A_1_T_zy * y_z
-    # force by rotation about the tip
+    # derivative of the force by rotation about the tip
     X_xx = B_xx * m_xx + B_yx * m_xy + B_zx * m_xz + A_1_xy * omega_z - A_1_xz * omega_y + A_0_xx
     X_xy = B_xy * m_xx + B_yy * m_xy + B_zy * m_xz + A_1_xz * omega_x - A_1_xx * omega_z + A_0_xy
     X_xz = B_xz * m_xx + B_yz * m_xy + B_zz * m_xz + A_1_xx * omega_y - A_1_xy * omega_x + A_0_xz
@@ -2452,7 +2453,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     V_zx = m_zz * w_q_y - f_S_dot_xz - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
     V_zy = m_xz * w_q_z - f_S_dot_yz - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
     V_zz = c101 - f_S_dot_zz - c100 + Y_zy * q_x - Y_zx * q_y
-    # moment by rotation about the tip
+    # derivative of the moment by rotation about the tip
     Q_xx = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx + c93 - c98
     Q_xy = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy - R_tip_z + c92 - X_zy * q_y
     Q_xz = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz + R_tip_y + X_yz * q_z + c96
@@ -2589,12 +2590,12 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -2605,7 +2606,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -2643,7 +2644,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     theta_dot2 = c3
     phi_dot2 = phi_dot * phi_dot
     inv_k3 = L * inv_rho
-    # (6) leg's turning about z
+    # (6) angular velocity of the leg about z
     W_z = c1 * inv_L
     # (7) acceleration of the platform point
     S_ddot_x = a_x + B_xx * q_x + B_xy * q_y + B_xz * q_z
@@ -2653,7 +2654,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     # (8) acceleration of the length
     L_ddot = L * (theta_dot2 + c4 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     c5 = 2.0 * L_share
-    # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
+    # (9) angular accelerations of the leg about y and z without the rotation of the frame about s
     own_y = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - c5 * theta_dot
     own_z = inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c5
     k33 = c4
@@ -2695,7 +2696,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     m_yy = m_T_ys * s_y + m_T_yz * z_y + m_T_yy * y_y
     m_yz = m_T_ys * s_z + m_T_yz * z_z + m_T_yy * y_z
     m_zz = m_T_zs * s_z + m_T_zz * z_z + m_T_zy * y_z
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # k x y
@@ -3120,7 +3121,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     A_1_zx = A_1_T_zs * s_x + A_1_T_zz * z_x + A_1_T_zy * y_x
     A_1_zy = A_1_T_zs * s_y + A_1_T_zz * z_y + A_1_T_zy * y_y
     A_1_zz = A_1_T_zs * s_z + A_1_T_zz * z_z + A_1_T_zy * y_z
-    # force by rotation about the tip
+    # derivative of the force by rotation about the tip
     X_xx = B_xx * m_xx + B_yx * m_xy + B_zx * m_xz + A_1_xy * omega_z - A_1_xz * omega_y + A_0_xx
     X_xy = B_xy * m_xx + B_yy * m_xy + B_zy * m_xz + A_1_xz * omega_x - A_1_xx * omega_z + A_0_xy
     X_xz = B_xz * m_xx + B_yz * m_xy + B_zz * m_xz + A_1_xx * omega_y - A_1_xy * omega_x + A_0_xz
@@ -3173,7 +3174,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     V_zx = m_zz * w_q_y - f_S_dot_xz - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
     V_zy = m_xz * w_q_z - f_S_dot_yz - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
     V_zz = c300 - f_S_dot_zz - c299 + Y_zy * q_x - Y_zx * q_y
-    # moment by rotation about the tip
+    # derivative of the moment by rotation about the tip
     Q_xx = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx + c292 - c297
     Q_xy = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy - R_tip_z + c291 - X_zy * q_y
     Q_xz = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz + R_tip_y + X_yz * q_z + c295
@@ -3342,12 +3343,12 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -3358,7 +3359,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -3397,7 +3398,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     phi_dot2 = phi_dot * phi_dot
     c4 = L * inv_rho
     inv_k3 = c4
-    # (6) leg's turning about z
+    # (6) angular velocity of the leg about z
     W_z = c1 * inv_L
     c5 = omega_z * w_q_y
     c6 = omega_x * w_q_z - omega_z * w_q_x
@@ -3411,10 +3412,10 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     L_ddot = turned_x + L * (theta_dot2 + c8 * phi_dot2) + S_ddot_x * s_x + S_ddot_z * s_z + S_ddot_y * s_y
     c9 = 2.0 * L_share
     c10 = k3 * turned_z
-    # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
+    # (9) angular accelerations of the leg about y and z without the rotation of the frame about s
     own_y = turned_y - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - c9 * theta_dot
     own_z = c10 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c9
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # k x y
@@ -3434,7 +3435,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     fall_x = omega_y * w_q_z - g_x - c5
     fall_y = -g_y - c6
     fall_z = omega_x * w_q_y - g_z - c7
-    # acceleration of the platform point from free fall, leg frame
+    # m_u times the acceleration of the platform point relative to free fall, leg frame
     fall_T_x = turned_x + fall_x * s_x + fall_z * s_z + fall_y * s_y
     fall_T_y = L * c10 + fall_x * y_x + fall_y * y_y + fall_z * y_z
     fall_T_z = fall_x * z_x - L * turned_y + fall_y * z_y + fall_z * z_z
@@ -3693,7 +3694,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * own_y + c118 * k3 + c144 * k1 * theta_dot + c16 * c194 - c128 - c146 - c181 * c190 + c181 * c189 + c206
         * c209 + c206 * c47 - J_xx * c168 - c131 * own_z - c151 * c28 * c85 - c20 * c211 - c205 * c49 - c132
         * c47)
-    # generalized forces by the tip's motion
+    # derivatives of the generalized forces by the tip's motion
     tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_13 * z_x + tau_S_leg_12 * y_x
     tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_13 * z_y + tau_S_leg_12 * y_y
     tau_S_xz = s_z * tau_S_leg_11 + tau_S_leg_13 * z_z + tau_S_leg_12 * y_z
@@ -3727,7 +3728,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * c171)
     tau_S_dot_leg_33 = (c185 * c2 + c169 * c191 + c218 - c217 + c17 * c210 - c18 * c44 + W_z * c117 * c209 + c181
         * c219 - c184)
-    # generalized forces by the tip's motion
+    # derivatives of the generalized forces by the tip's motion
     tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_x + tau_S_dot_leg_13 * z_x
     tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_y + tau_S_dot_leg_13 * z_y
     tau_S_dot_xz = s_z * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_z + tau_S_dot_leg_13 * z_z
@@ -3747,7 +3748,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_ddot_leg_31 = j_r * k1 - c221
     tau_S_ddot_leg_32 = c175 + c220 * k3 + c180 - c104 * c203 + c182 - c202
     tau_S_ddot_leg_33 = h_y * k1 - c183 - c109
-    # generalized forces by the tip's motion
+    # derivatives of the generalized forces by the tip's motion
     tau_S_ddot_xx = s_x * tau_S_ddot_leg_11 + tau_S_ddot_leg_13 * z_x + tau_S_ddot_leg_12 * y_x
     tau_S_ddot_xy = s_y * tau_S_ddot_leg_11 + tau_S_ddot_leg_13 * z_y + tau_S_ddot_leg_12 * y_y
     tau_S_ddot_xz = s_z * tau_S_ddot_leg_11 + tau_S_ddot_leg_13 * z_z + tau_S_ddot_leg_12 * y_z
@@ -3781,7 +3782,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c230 = inv_rho * k3
     bent_leg_32 = L * k3 * (c230 * net_x + c227 * c47 * inv_rho)
     bent_leg_33 = c229 * kappa
-    # generalized forces by the tip's place, as the rows turn
+    # derivative of the generalized forces by the tip's position, with the rotation of the rows
     tau_place_xx = bent_leg_13 * z_x + tau_S_xx + bent_leg_12 * y_x
     tau_place_xy = bent_leg_13 * z_y + tau_S_xy + bent_leg_12 * y_y
     tau_place_xz = bent_leg_13 * z_z + tau_S_xz + bent_leg_12 * y_z
@@ -4107,10 +4108,14 @@ def linearization(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
 
 
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
-    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+    """Return a motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
-    names and shapes.
+    R is required; other fields are zero by default. The leading shapes must broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a name or a shape is wrong.
     """
     made = Motion()
     on.fill(made, fields)

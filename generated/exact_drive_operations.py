@@ -1,4 +1,4 @@
-"""Operations of the closed form's kernels, one pose each, before any solve.
+"""Operations of the kernels of the closed form for one pose, without linear solvers.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD

@@ -1,11 +1,11 @@
-"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+"""Dynamics of a Gough-Stewart platform on arrays of the array API: NumPy, JAX, PyTorch, and others.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
-is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
-selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Each number of a structure may be an array with one value per pose, so the component is the first index: ``F`` is
+a list of six. An array instead of such a list has the components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots, and constants. If a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -33,15 +33,16 @@ class Leg:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        # kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m
         self.m_r: Any = 0.0
         self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
-        self.cross: Any = 0.0  # m: from the fixed to the moving axis, along o = y x k
-        self.along: Any = 0.0  # m: from where o meets the moving axis to the line of sliding, along y
-        self.across: Any = 0.0  # m: the same along z = s x y
+        self.cross: Any = 0.0  # m: offset from the fixed to the moving axis, along o = y x k
+        self.along: Any = 0.0  # m: offset along y from o to the line of sliding
+        self.across: Any = 0.0  # m: offset from the moving axis to the line of sliding, along z = s x y
         self.cross_mass: Any = 0.0  # kg: mass of the body between fixed and moving axis
-        self.cross_center: Any = [0.0] * 3  # m: its center of mass from the base point, along o, y and k
-        self.cross_inertia: Any = 0.0  # kg m^2: its inertia about k through its center of mass
+        # m: center of mass of this body from the base point, along o, y, and k
+        self.cross_center: Any = [0.0] * 3
+        self.cross_inertia: Any = 0.0  # kg m^2: inertia of this body about its center of mass, axis k
 
 
 class Robot:
@@ -65,7 +66,7 @@ class LegConstants:
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        # kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m
         self.m_r: Any = 0.0
         self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
         self.h: Any = [0.0] * 3  # kg m: first moment of the upper part about the platform point, leg frame
@@ -80,16 +81,17 @@ class LegConstants:
         self.g_k: Any = 0.0  # m/s^2: gravity along the fixed axis
         self.g_x_k: Any = [0.0] * 3  # m/s^2: g x k, base frame
         self.C_us: Any = 0.0  # N m s: C_u + C_s
-        self.cross: Any = 0.0  # m: from the fixed to the moving axis, along o = y x k
-        self.along: Any = 0.0  # m: from where o meets the moving axis to the line of sliding, along y
-        self.across: Any = 0.0  # m: the same along z = s x y
+        self.cross: Any = 0.0  # m: offset from the fixed to the moving axis, along o = y x k
+        self.along: Any = 0.0  # m: offset along y from o to the line of sliding
+        self.across: Any = 0.0  # m: offset from the moving axis to the line of sliding, along z = s x y
         self.across2: Any = 0.0  # m^2: across^2
         self.along2: Any = 0.0  # m^2: along^2
         self.cross2: Any = 0.0  # m: 2 cross
-        self.w_o: Any = 0.0  # kg m: first moment along o of what turns about k alone
+        self.w_o: Any = 0.0  # kg m: first moment along o of the bodies that rotate about k only
         self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
+        # kg m: first moment of this mass about platform point 1, platform frame
+        self.h_add: Any = [0.0] * 3
+        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -98,8 +100,8 @@ class Platform:
 
     def __init__(self) -> None:
         self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: its center of mass, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its center of mass, platform frame
+        self.r_C: Any = [0.0] * 3  # m: center of mass of the platform with the upper parts, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: inertia of this mass about r_C, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
         self.C_P: Any = 0.0  # N m s: friction of all spherical joints
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
@@ -166,12 +168,12 @@ def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
     arm_y = p_y - p_1_y
     arm_z = p_z - p_1_z
     c11 = 2.0 * h_y
-    # inertia about k of what turns about it alone
+    # inertia about k of the bodies that rotate about k only
     I_k = (cross_inertia + m_d * cross * cross + along * c11 + cross_mass * (cross_center_x * cross_center_x
         + cross_center_y * cross_center_y))
     c12 = 2.0 * h_z
     c13 = across * c12
-    # with what offsets and cross add
+    # with the terms of the offsets and of the body between the axes
     J_xx = c13 + I_k + own_J_xx
     J_xz = own_J_xz - across * h_x
     J_yy = c13 + own_J_yy
@@ -239,11 +241,11 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     C_add = total.C_add
     p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
     M_P = M + M_add
-    # the platform's own center of mass from platform point 1
+    # center of mass of the platform without the upper parts, from platform point 1
     arm_x = R_0_x - p_1_x
     arm_y = R_0_y - p_1_y
     arm_z = R_0_z - p_1_z
-    # first moment of what is lumped with it about that center
+    # first moment of the lumped masses about this center
     e_x = h_add_x - M_add * arm_x
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
@@ -394,7 +396,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     S_x = t_b_x + q_x
     S_y = t_b_y + q_y
     S_z = t_b_z + q_z
-    # (10) leg vector along the fixed axis, normal to both, and across the fixed axis
+    # (10) leg vector: component along the fixed axis, normal to both, and part across the fixed axis
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
@@ -416,7 +418,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     o_x = k_z * y_y - k_y * y_z
     o_y = k_x * y_z - k_z * y_x
     o_z = k_y * y_x - k_x * y_y
-    # tip from the moving axis: along o, and squared
+    # distance of the tip from the moving axis: along o, and squared
     r_out = r - cross
     reach2 = r_out * r_out + zeta * zeta
     # (2) leg length
@@ -437,11 +439,11 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     z_z = k3 * k_z - k1 * o_z
     column_of_z = across * inv_L
     column_of_y = along * inv_r * (k3 - column_of_z * k1)
-    # (22) direction in which the tip moves as L alone grows least: the leg's column of H
+    # (22) gradient of L by the tip: the leg's column of H
     column_x = column_of_y * y_x + s_x + column_of_z * z_x
     column_y = column_of_y * y_y + s_y + column_of_z * z_y
     column_z = column_of_y * y_z + s_z + column_of_z * z_z
-    # (10) share of r in L; near the least distance the square of r is known to rounding, not r itself
+    # (10) r / L, scaled by (r / rho)^2 because the rounding error of r grows near the least distance
     sine = inv_L * r_share * r * r
     # (4) velocity of the platform point
     S_dot_x = v_x + omega_y * q_z - omega_z * q_y
@@ -465,7 +467,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     two_phi_dot = 2.0 * phi_dot
     # (9) accelerations of the joint coordinates
     phi_ddot = (inv_r * (along * phi_dot2 + S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z - r_dot * two_phi_dot))
-    # r_ddot by phi alone
+    # part of r_ddot by phi only
     turning = phi_dot2 * r + along * phi_ddot
     c1 = L_dot * theta_dot
     # (9) accelerations of the joint coordinates
@@ -484,7 +486,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     M_theta = J_yy + L_h2
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
-    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    # (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta
     M_phi_theta = a2 * (0.5 - k33) + a1 * k13
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
@@ -498,7 +500,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     M_mixed_theta_offset = M_mixed_theta + along * h_n
     bend = c1
     c2 = g_x * y_x + g_y * y_y + g_z * y_z
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = c2
     c3 = j_r * k3
@@ -598,10 +600,14 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
 
 
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
-    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+    """Return a motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
-    names and shapes.
+    R is required; other fields are zero by default. The leading shapes must broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a name or a shape is wrong.
     """
     made = Motion()
     on.fill(made, fields)

@@ -1,10 +1,10 @@
-"""The regressor of the Stewart platform on arrays, formulation `exact`, universal base joints.
+"""Regressor of a Gough-Stewart platform on arrays, formulation `exact`, universal base joints.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Columns of Y are in ``force_NAME``, rows 0 to 2, and ``moment_NAME``, rows 3 to 5. Arguments and results as
-every_output.py says; of the robot, the points, the axes and gravity alone are read.
+Columns of Y are in ``force_NAME``, rows 0 to 2, and ``moment_NAME``, rows 3 to 5. Arguments and results are described
+in every_output.py. Of the robot only the points, the axes, and gravity are read.
 """
 
 from typing import Any
@@ -51,8 +51,8 @@ PLATFORM_PARAMETERS = (
     ("J_P_zz", "kg m^2"),
 )
 
-# Parameters of a leg whose columns are zero or sums of others on every machine, and the base parameters that
-# take them up; sum: over the legs. All other parameters are base parameters by themselves.
+# Parameters of a leg whose columns are zero or sums of others for every robot, and the base parameters that contain
+# them, with sums over the legs. All other parameters are base parameters.
 DEPENDENT = (
     "m_d",
     "m_u",
@@ -193,12 +193,12 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     S_x = t_x - b_x + q_x
     S_y = t_y - b_y + q_y
     S_z = t_z - b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -209,7 +209,7 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -257,7 +257,7 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     c5 = 2.0 * theta_dot
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - L_share * c5
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c6 = k1 * k3
@@ -270,7 +270,7 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     g_x_k_x = g_y * k_z - g_z * k_y
     g_x_k_y = g_z * k_x - g_x * k_z
     g_x_k_z = g_x * k_y - g_y * k_x
-    # gravity along k x y and along y
+    # components of gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # omega along k x y, y and k

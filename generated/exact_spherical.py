@@ -1,11 +1,11 @@
-"""Inverse dynamics and joint reactions of the Stewart platform on arrays, formulation and joint `exact_spherical`.
+"""Inverse dynamics and joint reactions of a Gough-Stewart platform on arrays, kernel `exact_spherical`.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Arguments and results as every_output.py says.
+Arguments and results are described in every_output.py.
 
-Operations of one pose of inverse dynamics, six legs, solve included, checks left out
+Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
 leg      248 (143 mul, 103 add, 1 div, 1 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
@@ -21,7 +21,7 @@ from .every_output import (
     Terms, eliminate, fault_of, first_of, platform_wrench, reach_of, scale_of, singular_status,
 )
 
-# (mul, add, div, sqrt) of each part of one pose, and of all.
+# Operations (mul, add, div, sqrt) of each part of one pose, and in total.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (143, 103, 1, 1),
@@ -33,7 +33,7 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     },
 }
 
-# The same of stewart_exact_spherical_forces.h.
+# Operations of stewart_exact_spherical_forces.h.
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (128, 91, 1, 1),

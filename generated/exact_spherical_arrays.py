@@ -1,11 +1,11 @@
-"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+"""Dynamics of a Gough-Stewart platform on arrays of the array API: NumPy, JAX, PyTorch, and others.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
-is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
-selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Each number of a structure may be an array with one value per pose, so the component is the first index: ``F`` is
+a list of six. An array instead of such a list has the components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots, and constants. If a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -34,8 +34,9 @@ class LegConstants:
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
         self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
+        # kg m: first moment of this mass about platform point 1, platform frame
+        self.h_add: Any = [0.0] * 3
+        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -44,8 +45,8 @@ class Platform:
 
     def __init__(self) -> None:
         self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: its center of mass, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its center of mass, platform frame
+        self.r_C: Any = [0.0] * 3  # m: center of mass of the platform with the upper parts, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: inertia of this mass about r_C, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
 
@@ -104,11 +105,11 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     J_add_xx, J_add_xy, J_add_xz, J_add_yy, J_add_yz, J_add_zz = total.J_add
     p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
     M_P = M + M_add
-    # the platform's own center of mass from platform point 1
+    # center of mass of the platform without the upper parts, from platform point 1
     arm_x = R_0_x - p_1_x
     arm_y = R_0_y - p_1_y
     arm_z = R_0_z - p_1_z
-    # first moment of what is lumped with it about that center
+    # first moment of the lumped masses about this center
     e_x = h_add_x - M_add * arm_x
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
@@ -455,10 +456,14 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
 
 
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
-    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+    """Return a motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
-    names and shapes.
+    R is required; other fields are zero by default. The leading shapes must broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a name or a shape is wrong.
     """
     made = Motion()
     on.fill(made, fields)

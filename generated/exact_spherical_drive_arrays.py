@@ -1,11 +1,11 @@
-"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+"""Dynamics of a Gough-Stewart platform on arrays of the array API: NumPy, JAX, PyTorch, and others.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
-is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
-selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Each number of a structure may be an array with one value per pose, so the component is the first index: ``F`` is
+a list of six. An array instead of such a list has the components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots, and constants. If a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -34,7 +34,7 @@ class Leg:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        # kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m
         self.m_r: Any = 0.0
         self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
 
@@ -66,11 +66,12 @@ class LegConstants:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        # kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m
         self.m_r: Any = 0.0
         self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
+        # kg m: first moment of this mass about platform point 1, platform frame
+        self.h_add: Any = [0.0] * 3
+        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -357,10 +358,14 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
 
 
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
-    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+    """Return a motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
-    names and shapes.
+    R is required; other fields are zero by default. The leading shapes must broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a name or a shape is wrong.
     """
     made = Motion()
     on.fill(made, fields)

@@ -1,4 +1,4 @@
-"""The levels of fidelity of the force kernels of ``exact``, from everything to nothing but the platform.
+"""Fidelity levels of the force kernels of ``exact``, from all terms to the platform only.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
 SPDX-License-Identifier: 0BSD
@@ -6,7 +6,7 @@ SPDX-License-Identifier: 0BSD
 
 from typing import Any
 
-# kernel: name of its C, stewart_<kernel>_forces; universal: whether it has the universal joints' axes.
+# kernel: name in C, stewart_<kernel>_forces; universal: True if it reads the axes of the universal joints.
 FIDELITIES: dict[str, dict[str, Any]] = {
     "general": {
         "kernel": "exact",
@@ -127,7 +127,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
     },
 }
 
-# Those that only legs with rotors have; the others leave the rotors out.
+# Additional levels of legs with rotors; the other levels omit the rotors.
 DRIVE_FIDELITIES: dict[str, dict[str, Any]] = {
     "general": {
         "kernel": "exact_drive",

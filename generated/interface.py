@@ -1,4 +1,4 @@
-"""Layout of the C as data: status codes, members of structs, outputs of functions, sizes of prepared models.
+"""Layout of the C code as data: status codes, structs, outputs of functions, sizes of prepared models.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
 SPDX-License-Identifier: 0BSD
@@ -19,7 +19,7 @@ STATUS: dict[str, tuple[int, str]] = {
 }
 
 # Members of ``stewart_<name>`` in order, with their shapes; ``stewart_robot`` is six legs, then ``platform``.
-# Of a symmetric (3, 3) C stores the six components xx xy xz yy yz zz.
+# For a symmetric (3, 3) tensor C stores the six components xx xy xz yy yz zz.
 STRUCTS: dict[str, dict[str, Shape]] = {
     "leg": {
         "b": (3,),
@@ -205,7 +205,7 @@ OUTPUTS: dict[str, dict[str, Shape]] = {
     },
 }
 
-# How many numbers the prepared model of a kernel holds.
+# Count of numbers in the prepared model of each kernel.
 MODELS: dict[str, int] = {
     "exact": 311,
     "exact_axisymmetric": 163,
@@ -235,7 +235,7 @@ MODELS: dict[str, int] = {
     "paper_spherical": 251,
 }
 
-# Headers that the sources share: to compile one takes these, and its own.
+# Headers that the sources share; a source requires these and its own.
 HEADERS = (
     "stewart.h",
     "stewart_arithmetic.h",

@@ -1,11 +1,11 @@
-"""Inverse dynamics and joint reactions of the Stewart platform on arrays, formulation and joint `paper`.
+"""Inverse dynamics and joint reactions of a Gough-Stewart platform on arrays, kernel `paper`.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Arguments and results as every_output.py says.
+Arguments and results are described in every_output.py.
 
-Operations of one pose of inverse dynamics, six legs, solve included, checks left out
+Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
          with friction                             without friction
 leg      331 (186 mul, 141 add, 2 div, 2 sqrt)     285 (162 mul, 119 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
@@ -22,7 +22,7 @@ from .every_output import (
     Terms, eliminate, fault_of, first_of, platform_wrench, reach_of, scale_of, singular_status,
 )
 
-# (mul, add, div, sqrt) of each part of one pose, and of all.
+# Operations (mul, add, div, sqrt) of each part of one pose, and in total.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (186, 141, 2, 2),
@@ -42,7 +42,7 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     },
 }
 
-# The same of stewart_paper_forces.h.
+# Operations of stewart_paper_forces.h.
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (142, 97, 2, 2),
@@ -210,7 +210,7 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c3 = 2.0 * u_x
     c4 = W_z * c3
     c5 = W_y * c3
-    # (9) angular acceleration of the leg but for its spin, leg frame
+    # (9) angular acceleration of the leg without the spin terms, leg frame
     A_z_own = inv_L * (e_y - c4)
     A_y_own = inv_L * (-e_z - c5)
     # (12) center of mass of the upper part from the base point
@@ -246,7 +246,7 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     # (19) I A + W x I W
     E_y = I_xz * c2 + I_xy * c6 + A_y_own * I_yy + A_z_own * I_yz
     E_z = A_y_own * I_yz - I_xy * c1 - I_xz * c6 + A_z_own * I_zz
-    # (20) moment that the joints' forces must make
+    # (20) moment that the joint forces must balance
     C_y = C_u * W_y + f_leg_y + E_y - N_d_z * r_d0_x - N_u_z * r_u_x + N_d_x * r_d0_z + N_u_x * r_u0_z
     C_z = C_u * W_z + f_leg_z + E_z + N_d_y * r_d0_x + N_u_y * r_u_x - N_d_x * r_d0_y - N_u_x * r_u0_y
     # (24) known part of the actuator force
@@ -375,7 +375,7 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c3 = 2.0 * u_x
     c4 = W_z * c3
     c5 = W_y * c3
-    # (9) angular acceleration of the leg but for its spin, leg frame
+    # (9) angular acceleration of the leg without the spin terms, leg frame
     A_z_own = inv_L * (e_y - c4)
     A_y_own = inv_L * (-e_z - c5)
     # (12) center of mass of the upper part from the base point
@@ -420,7 +420,7 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c12 = N_d_y * r_d0_z
     c13 = C_u * W_y - N_d_z * r_d0_x + N_d_x * r_d0_z
     c14 = C_u * W_z + N_d_y * r_d0_x - N_d_x * r_d0_y
-    # (20) moment that the joints' forces must make
+    # (20) moment that the joint forces must balance
     C_x = f_leg_x + E_x + N_u_z * r_u0_y + c11 - N_u_y * r_u0_z - c12
     C_y = f_leg_y + E_y - N_u_z * r_u_x + N_u_x * r_u0_z + c13
     C_z = f_leg_z + E_z + N_u_y * r_u_x - N_u_x * r_u0_y + c14

@@ -1,11 +1,11 @@
-"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+"""Dynamics of a Gough-Stewart platform on arrays of the array API: NumPy, JAX, PyTorch, and others.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
-is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
-selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Each number of a structure may be an array with one value per pose, so the component is the first index: ``F`` is
+a list of six. An array instead of such a list has the components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots, and constants. If a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -199,10 +199,14 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
 
 
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
-    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+    """Return a motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
-    names and shapes.
+    R is required; other fields are zero by default. The leading shapes must broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a name or a shape is wrong.
     """
     made = Motion()
     on.fill(made, fields)

@@ -3,7 +3,7 @@
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-They are not among those of exact_regressor.py and are named as those are.
+The module exact_regressor.py does not contain these columns. The names follow the same pattern.
 """
 
 from typing import Any
@@ -46,12 +46,12 @@ def rotor_columns(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     S_x = t_x - b_x + q_x
     S_y = t_y - b_y + q_y
     S_z = t_z - b_z + q_z
-    # (10) leg vector along the fixed axis, and normal to both
+    # (10) component of the leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
     k_cross_S_y = S_x * k_z - S_z * k_x
     k_cross_S_z = S_y * k_x - S_x * k_y
-    # (2) leg length, and distance of its tip from the fixed axis
+    # (2) leg length, and distance of the tip from the fixed axis
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -62,7 +62,7 @@ def rotor_columns(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
+    # (10) leg length, and distance of the tip from the fixed axis
     rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
         * s_cross_normal_z))
     inv_rho = 1.0 / rho
@@ -105,7 +105,7 @@ def rotor_columns(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
     L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
-    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    # (9) accelerations of the joint coordinates without the rotation of the leg frame about s
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     # (9) accelerations of the joint coordinates
     phi_ddot = own_phi_ddot - lean * two_phi_dot

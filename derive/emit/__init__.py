@@ -1,1 +1,1 @@
-"""Kernels as files of C and NumPy: where numbers are, what stands in lanes, what a header says."""
+"""Kernels as files in C and NumPy: data layout, lanes, and headers."""

@@ -1,4 +1,4 @@
-"""Python on arrays: the modules of ``generated/``, and what they share with the kits in Python."""
+"""Python array modules of ``generated/``, and the parts that they share with kits in Python."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import replace
@@ -24,11 +24,11 @@ from ..program.block import Block, Quantity, component_name
 from .c import operations_table, wrap_list
 
 Counts = Mapping[str, KernelOperations]
-"""Operations with "friction" and, of kernels that are compared with the paper's program, "frictionless"."""
+"""Operations for "friction" and, if the kernel is compared with the paper's program, "frictionless"."""
 
 
 def every_output(kernel: Kernel, counts: Counts, force_counts: Counts, version: str) -> str:
-    """``<kernel>.py``; counts, force_counts: of this kernel and of the one of the forces alone."""
+    """Return ``<kernel>.py``, with the operations of this kernel and of the kernel of the forces."""
     program = arrays_program(kernel)
     return filled(
         "every_output.py",
@@ -43,19 +43,19 @@ def every_output(kernel: Kernel, counts: Counts, force_counts: Counts, version: 
 
 
 def shared_module(version: str) -> str:
-    """``every_output.py``: what the modules of every output share."""
+    """Return ``every_output.py``, the common part of the modules of inverse dynamics."""
     program = shared_program()
     source = Python(program).source().rstrip()
     return filled("shared_outputs.py", version=version, imported=imported(program), program=source)
 
 
 def _own(program: t.Program) -> str:
-    """The program without what all share."""
+    """Print the program without the common part."""
     return Python(program).source(_shared_names()).rstrip()
 
 
 def _imported(program: t.Program, shared: Mapping[str, set[str]], public: Collection[str] = ()) -> str:
-    """The imports of a program without what it shares with modules; public: names that others look for."""
+    """Print the imports of a program from shared modules; ``public`` names are imported for callers."""
     taken = set().union(*shared.values())
     parts = [part for name, part in _by_name(program).items() if name not in taken]
     functions = tuple(each for each in parts if isinstance(each, t.Function))
@@ -72,8 +72,10 @@ def _imported(program: t.Program, shared: Mapping[str, set[str]], public: Collec
 
 
 def _needed(part: t.Structure | t.Function) -> set[str]:
-    """Names of the structures that a part of a program makes, or checks its arguments by, and of the
-    functions that it calls."""
+    """Return the names that a part of a program requires.
+
+    These are structures that it creates or by which it checks its arguments, and functions that it calls.
+    """
     public = isinstance(part, t.Function) and part.public
     kinds = t.Variable | t.Field | t.Argument if public else t.Variable | t.Field
     made = (each for each in t.parts_of(part) if isinstance(each, kinds))
@@ -88,7 +90,7 @@ def _by_name(program: t.Program) -> dict[str, t.Structure | t.Function]:
 
 
 def alike(program: t.Program, base: t.Program) -> set[str]:
-    """Names of what two programs have in common, all that it needs included."""
+    """Return the names that two programs have in common, including everything that these names require."""
     own, known = map(_by_name, (program, base))
     found = {name for name, part in own.items() if known.get(name) == part}
     needed = {name: _needed(own[name]).intersection(own) for name in found}
@@ -102,7 +104,7 @@ def _shared_names() -> set[str]:
 
 
 def regressor(blocks: Regressor, version: str) -> str:
-    """``exact_regressor.py``."""
+    """Return ``exact_regressor.py``."""
     program = regressor_program(blocks)
     return filled(
         "regressor.py",
@@ -117,14 +119,14 @@ def regressor(blocks: Regressor, version: str) -> str:
 
 
 def rotor_regressor(columns: Block, version: str) -> str:
-    """``rotor_regressor.py``."""
+    """Return ``rotor_regressor.py``."""
     program = rotor_program(columns)
     parameters = _literal("PARAMETERS", n.ROTOR)
     return filled("rotor_regressor.py", version=version, parameters=parameters, program=_own(program))
 
 
 def arithmetic(numbers: Mapping[str, tuple[int, str]] = STATUS) -> str:
-    """Status codes, constants and the class ``Arithmetic`` of modules on arrays."""
+    """Return status codes, constants, and the class ``Arithmetic`` of array modules."""
     found = {name: constants(name) for name in PRECISIONS}
     return filled(
         "arithmetic.py",
@@ -135,8 +137,15 @@ def arithmetic(numbers: Mapping[str, tuple[int, str]] = STATUS) -> str:
 
 
 def module(program: t.Program, names: str, version: str, without: Collection[str] = ()) -> str:
-    """A program as a module on arrays; names: text that defines or imports what ``arithmetic`` does, and
-    what the module is without."""
+    """Return a program as an array module.
+
+    Parameters
+    ----------
+    names : str
+        Text that defines or imports the names of ``arithmetic``.
+    without : collection of str
+        Structures and functions to omit.
+    """
     has_pose = any(each.name == "Pose" for each in program.structures)
     return filled(
         "arrays.py",
@@ -148,7 +157,7 @@ def module(program: t.Program, names: str, version: str, without: Collection[str
 
 
 def module_beside(bases: Mapping[str, t.Program], program: t.Program, version: str) -> str:
-    """A program as a module that imports what others have as well, each part from the first that has it."""
+    """Return a program as a module that imports common parts from the first module that contains them."""
     shared: dict[str, set[str]] = {}
     for name, base in bases.items():
         shared[f"{name}_arrays"] = alike(program, base).difference(*shared.values())
@@ -157,13 +166,13 @@ def module_beside(bases: Mapping[str, t.Program], program: t.Program, version: s
 
 
 def imported(program: t.Program) -> str:
-    """The import of what a program on arrays names in the module that they share."""
+    """Return the import of the names that a program requires from the common module."""
     named = {each.name for each in t.parts_of(program.functions) if isinstance(each, t.Constant)}
     return f"from .arithmetic import {', '.join([*sorted(named & STATUS.keys()), 'Arithmetic'])}"
 
 
 def merged() -> list[tuple[str, str]]:
-    """Base parameters that others are merged into, with their formulas; ``sum`` runs over the legs."""
+    """Return base parameters with their formulas in other parameters; ``sum`` is a sum over the legs."""
     own = names_of(PLATFORM_PARAMETERS)
     formulas: dict[str, str] = {}
     for lost, shares in dependencies().items():
@@ -194,7 +203,7 @@ def _rows(name: str, rows: list[str]) -> str:
 
 
 def fidelities(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
-    """``fidelities.py``: what there is of reduced force kernels, for the runtime to choose from."""
+    """Return ``fidelities.py``, the table of reduced force kernels for the runtime."""
     plain, drive = (
         "\n".join(
             _fidelity(level, kernel) for level, kernel in kernels.items() if (level.rotor != NONE) == rotors

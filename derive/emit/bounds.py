@@ -1,4 +1,4 @@
-"""C99: the actuator forces with a bound of their rounding error and the reciprocal condition of H."""
+"""C99 files of the actuator forces with bounds of their rounding errors and the reciprocal condition of H."""
 
 from ..kernel.bounds import BoundedForces
 from ..kernel.tree.nodes import Function
@@ -7,12 +7,14 @@ from ..print.template import filled
 from .shared import LANES, SIZES, header
 
 _OF_FORCES = ("shared_of_pose", "leg_of_pose", "leg_of_pose_near_singularity")
-"""Functions that round as those of the force kernel do; in the others every operation has its own error."""
+"""Functions that round like the force kernel; in other functions each operation has a separate error."""
 
 
 def files(made: BoundedForces, version: str) -> dict[str, str]:
-    """``stewart_<kernel>_bounds.h`` and ``.c``: preparation, blocks with their errors, the solution and its
-    bound."""
+    """Return ``stewart_<kernel>_bounds.h`` and ``.c``.
+
+    They contain the preparation, the blocks with their errors, and the solution with its bound.
+    """
     name = made.kernel.formulation.kernel_name
     structures = (made.structures[each] for each in ("Leg", "Platform", "Model"))
     file = f"stewart_{name}_bounds"

@@ -1,6 +1,6 @@
-"""C99: every output of the inverse dynamics, one header and one source for each formulation.
+"""C99 files of the complete inverse dynamics, one header and one source for each formulation.
 
-All dynamics come from the blocks; what is done around them is read from ``kernel.written.every_output``.
+The dynamics are blocks; the code around them is read from ``kernel.written.every_output``.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -23,9 +23,9 @@ from .shared import OUTPUTS, Part, Source, header, top
 
 
 def files(kernel: Kernel, counts: Mapping[str, KernelOperations], version: str) -> dict[str, str]:
-    """``stewart_<kernel>.h`` and ``.c``: what the kernel computes, its cost, its functions.
+    """Return ``stewart_<kernel>.h`` and ``.c``.
 
-    counts: operations with "friction" and, where wanted, "frictionless".
+    ``counts`` contains the operations for "friction" and, if compared, "frictionless".
     """
     made = _Source(kernel)
     texts = header(
@@ -45,34 +45,38 @@ def files(kernel: Kernel, counts: Mapping[str, KernelOperations], version: str) 
 def _about(kernel: Kernel) -> str:
     form = kernel.formulation
     first = {
-        "exact": "Formulation `exact`: the elimination with joint and inertias treated correctly.",
-        "paper": "Formulation `paper`: the equations as printed, faults included.",
+        "exact": "Formulation `exact`: corrected equations.",
+        "paper": "Formulation `paper`: equations as printed, including their four errors.",
     }[form.name]
     joint = {
         UNIVERSAL: "Base joint: universal, fixed axis k.",
         SPHERICAL: "Base joint: spherical; legs must be axisymmetric; M_u is zero.",
     }[form.base_joint]
-    rotors = "\n * Each leg has a rotor that turns with its length: STEWART_ROTORS." if form.drive else ""
+    rotors = (
+        "\n * Each leg has a rotor that turns in proportion to its length: STEWART_ROTORS."
+        if form.drive
+        else ""
+    )
     return f"{first}\n * {joint}{rotors}"
 
 
 def _interface(kernel: Kernel) -> str:
-    """Inputs that the kernel reads and outputs that it writes, with shapes and units."""
+    """List the inputs and outputs of the kernel with shapes and units."""
     used = {quantity.name for block in kernel.blocks for quantity in block.inputs}
-    held = {"each leg": ("leg", "rotor"), "the machine": ("platform",), "the motion": ("motion",)}
+    held = {"each leg": ("leg", "rotor"), "the robot": ("platform",), "the motion": ("motion",)}
     rows = {
-        f"Reads of {name}": [each for struct in structs for each in STRUCTS[struct] if each.name in used]
+        f"Inputs from {name}": [each for struct in structs for each in STRUCTS[struct] if each.name in used]
         for name, structs in held.items()
     }
-    rows |= {f"Writes {name}": list(STRUCTS[name]) for name in ("forces", "reactions")}
+    rows |= {f"Outputs in {name}": list(STRUCTS[name]) for name in ("forces", "reactions")}
     lists = (", ".join(f"{m.name}{m.dims} {m.unit}" for m in members) for members in rows.values())
     found = (f" * {title}: {names}." for title, names in zip(rows, lists, strict=True))
     return "\n".join(wrap_list(line, " *     ") for line in found)
 
 
 def operations_table(counts: KernelOperations, frictionless: KernelOperations | None, prefix: str) -> str:
-    """Operation counts part by part; with ``frictionless``, beside those without the friction terms."""
-    rows = ["Operations of one pose of inverse dynamics, six legs, solve included, checks left out"]
+    """List the operations of each part; with ``frictionless`` also the operations without friction."""
+    rows = ["Operations of the inverse dynamics of one pose: six legs and linear solver, without checks"]
     if frictionless is None:
         rows += [f"{part:8s} {count}" for part, count in counts.parts().items()]
     else:
@@ -82,7 +86,7 @@ def operations_table(counts: KernelOperations, frictionless: KernelOperations | 
     if counts.fused:
         both = [each for each in (counts, frictionless) if each is not None]
         found = " and ".join(str(each.total.total - each.fused) for each in both)
-        rows.append(f"With products and the sums that they feed in one instruction {found}.")
+        rows.append(f"With fused multiply-add instructions: {found}.")
     return "\n".join((prefix + row).rstrip() for row in rows)
 
 
@@ -134,7 +138,7 @@ class _Source(Source):
 
 
 def block_text(block: Block, result: str) -> str:
-    """A block as its function in C; result: name of the structure that it fills."""
+    """Print a block as a C function; ``result`` is the name of the structure that it fills."""
     return "\n".join(C().function(filling(block, structure(result, "", block.made))))
 
 
@@ -149,14 +153,14 @@ def _pointers(name: str) -> Structure:
 
 
 def _copied(name: str) -> tuple[Statement, ...]:
-    """Results of one pose to where the caller wants them."""
+    """Return statements that copy the results of one pose to the arrays of the caller."""
     counts = {each.name: each.count for each in STRUCTS[name]}
     rows = [each.name for each in STRUCTS[name] if len(each.stored) > 1]
     return copies(name, counts, rows)
 
 
 def wrap_list(text: str, indent: str = " " * 8) -> str:
-    """Break a long list after a comma; continuation lines get ``indent``."""
+    """Break a long list after commas; continuation lines begin with ``indent``."""
     lines, line = [], ""
     for word in text.split(", "):
         if line and len(line) + len(word) > 100:

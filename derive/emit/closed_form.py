@@ -1,8 +1,8 @@
-"""C99 of the closed form: equations of motion, bias and friction, forward dynamics, derivatives,
-linearization.
+"""C99 files of the closed form: equations of motion, bias, forward dynamics, derivatives, linearization.
 
-The trees of ``kernel.outputs`` with the legs in lanes (``kernel.legs_in_lanes``), on the prepared model of
-the force kernel, with ``written.motion`` for what only C has; batches are those of ``closed_form_blocks``.
+The trees of ``kernel.outputs`` are printed with the legs in lanes (``kernel.legs_in_lanes``) and with the
+prepared model of the force kernel. ``written.motion`` contains the parts that exist only in C.
+``closed_form_blocks`` defines the batches.
 """
 
 from collections.abc import Collection, Iterator
@@ -33,7 +33,7 @@ from .shared import LANES as HEADER
 from .shared import SIZES, header, top
 
 FUNCTIONS = tuple(each for each in o.OUTPUTS if each != o.FORCES)
-"""What the emitted file can hold, in the order of its declarations."""
+"""Functions that the emitted file can contain, in the order of its declarations."""
 
 ORDER = (*STRUCTS, *(each for each in FUNCTIONS if each not in STRUCTS))
 MODEL_ONLY = ("Leg", "Robot", "LegConstants", "Added", "Platform", "Model", "Motion")
@@ -42,9 +42,14 @@ MODEL_ONLY = ("Leg", "Robot", "LegConstants", "Added", "Platform", "Model", "Mot
 def files(
     kernels: tuple[SumKernel, ...], model: ForceKernel, version: str, functions: Collection[str] = FUNCTIONS
 ) -> dict[str, str]:
-    """``stewart_<kernel>_motion.h`` and ``.c``: the functions and what they need, nothing else.
+    """Return ``stewart_<kernel>_motion.h`` and ``.c`` with the functions and their dependencies.
 
-    kernels: at least those of which the functions use sums. functions: out of FUNCTIONS.
+    Parameters
+    ----------
+    kernels : tuple of SumKernel
+        At least the kernels whose sums the functions use.
+    functions : collection of str
+        Functions out of FUNCTIONS.
     """
     asked = [what for what in FUNCTIONS if what in functions]
     file = f"stewart_{model.formulation.kernel_name}_motion"
@@ -56,13 +61,16 @@ def files(
 
 
 def _header(made: "_Source", kernels: tuple[SumKernel, ...], version: str) -> dict[str, str]:
-    """What is computed, its cost, its functions."""
+    """Return the header: description, operations, declarations."""
     asked, public = made.asked, made.public
     own = {each for what in asked for each in o.sums_used((what,), deep=False)}
-    rows = ["Operations per pose before any solve"]
+    rows = ["Operations per pose without linear solver"]
     rows += [f"{kernel.name:17s} {sum_operations(kernel)}" for kernel in kernels if kernel.name in own]
     printer, structs = C(), [what for what in asked if what in STRUCTS]
-    says = ["The same of `count` poses. Any pointer may be null: not wanted.", *[""] * len(structs)]
+    says = [
+        "Results of `count` poses. A pointer may be null if its output is not needed.",
+        *[""] * len(structs),
+    ]
     arrays = map(arrays_of, structs, says)
     return header(
         "motion.h",
@@ -71,7 +79,7 @@ def _header(made: "_Source", kernels: tuple[SumKernel, ...], version: str) -> di
         rotors=made.model.formulation.drive,
         included=f"stewart_{made.name}_forces.h",
         name=made.name,
-        read="are read by\n * `derivatives` alone." if "derivatives" in asked else "are not read.",
+        read="are read only\n * by `derivatives`." if "derivatives" in asked else "are not read.",
         operations="\n".join(f" * {row}" for row in rows),
         structs=printer.interface(*map(struct_of, structs), *arrays),
         one_pose="\n".join(line for what in asked for line in printer.declaration(public[what][0])),
@@ -83,17 +91,17 @@ def _header(made: "_Source", kernels: tuple[SumKernel, ...], version: str) -> di
 
 
 def sum_operations(kernel: SumKernel) -> Operations:
-    """Operations per pose before any solve: six legs, the platform, the sums."""
+    """Count the operations per pose without linear solver: six legs, the platform, the sums."""
     sums = LEGS * sum(len(q.keys) for q in kernel.summed)
     return LEGS * kernel.leg.operations() + kernel.pose.operations() + Operations(add=sums)
 
 
 class _Source(blocks.Batches):
-    """The functions of one file, in their order."""
+    """Functions of one file, in order."""
 
     def __init__(self, kernels: tuple[SumKernel, ...], model: ForceKernel, asked: list[str]) -> None:
         super().__init__(model, asked, kernels)
-        # What is needed of the functions that serve other languages as well.
+        # Functions that are common to all languages.
         texts = [each for each in asked if each not in blocks.OWN]
         texts += [f"{o.PREFIX.get(each, each)}_sums" for each in asked if each in blocks.OWN]
         texts += ["place_inertia_40"] if "derivatives" in asked else []
@@ -116,7 +124,7 @@ class _Source(blocks.Batches):
         self.public = {what: interface(self.name, what) for what in asked}
 
     def parts(self) -> Iterator[str | t.Structure | t.Function]:
-        """Structures, functions and texts."""
+        """Yield structures, functions, and texts."""
         skipped = ("Pose", "Leg", "Legs", "Sums")
         for each in self.program.structures:
             if each.name not in MODEL_ONLY and not each.name.endswith(skipped):
@@ -166,7 +174,10 @@ class _Source(blocks.Batches):
         return self.read(written.forces, "find_forces", structures={"Forces": record}, names=names)
 
     def _check(self, what: str) -> t.Function:
-        """Says where a result is not finite: vectors number by number, of matrices how many numbers."""
+        """Return a function that checks whether a result is finite.
+
+        Vectors are checked number by number; for matrices the numbers that are not finite are counted.
+        """
         lost, status, ok, bad = (
             t.Name("lost"),
             t.of("out", "status"),
@@ -190,14 +201,14 @@ class _Source(blocks.Batches):
             matrices = [t.Variable("lost", t.Count(), none), *matrices, found]
         return t.Function(
             f"check_{what}",
-            "Says where a number of a result is not finite.",
+            "Sets the status if a number of a result is not finite.",
             (t.Argument("out", t.Record(self.layout.records[o.RESULTS[what].name]), changed=True),),
             None,
             (*vectors, *matrices),
         )
 
     def _kernel(self, prefix: str) -> Iterator[t.Structure | t.Function]:
-        """One kernel: the pose's part, the legs' parts, both added up."""
+        """Yield the functions of one kernel: the pose's part, the legs' parts, and their sum."""
         kernel = self.kernels[prefix]
         legs = {"leg": kernel.leg} | ({} if kernel.near is None else {"near": kernel.near})
         structures = {"Pose": self.pose_structure(prefix), "Legs": self.legs_structure(prefix)}
@@ -216,7 +227,7 @@ class _Source(blocks.Batches):
             own = {"OUTSIDE": outside, "BLOCK": inside} | checks(block)
             name = f"{prefix}_of_{part}"
             yield self.read(written.leg_terms, name, apart=True, given=given | own, structures=structures)
-        # Of the motion what the platform reads, and the legs, for themselves and for how they are checked.
+        # Quantities of the motion that the platform, the legs, and the checks of the legs read.
         moved = {n.t, *(q for part in (kernel.pose, *legs.values()) for q in part.inputs)}
         given |= {
             "GIVEN": lay.entries(q for q in GIVEN if q in kernel.leg.inputs),
@@ -245,7 +256,7 @@ class _Source(blocks.Batches):
         )
 
     def _leg_body(self, kernel: SumKernel, block: Block) -> blocks.Parted:
-        """What all legs share, and what is done for each."""
+        """Return the statements that are common to all legs, and the statements for each leg."""
 
         def place(q: Quantity) -> lay.Place:
             if q in GIVEN:
@@ -267,13 +278,13 @@ class _Source(blocks.Batches):
 
 
 def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:
-    """Each number that the block adds, in the order of the sums."""
+    """Return the numbers that the block adds, in the order of the sums."""
     given = block.exprs
     return [given[q][i] for q, i in blocks.placed(kernel.summed)]
 
 
 def checks(block: Block) -> dict[str, read.Given]:
-    """How legs are found unfit, as ``layouts.checks`` has it."""
+    """Return the checks of legs, as in ``layouts.checks``."""
     terms = [*block.exprs[n.q], *n.t.symbols, *n.b.symbols]
     least = t.Constant("ROUNDING") * t.Name("reach")
     return lay.largest(terms) | lay.checks(block, least, "JOINT_SINGULAR_SINE")

@@ -1,4 +1,4 @@
-"""Results of the closed form in C, of one pose and of eight side by side: what their texts are given."""
+"""Results of the closed form in C, for one pose and for eight poses in lanes: words of their texts."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -23,15 +23,15 @@ from ..program.block import Quantity
 from .closed_form_interface import OF_BATCHES, STRUCTS, arrays_of, in_place, members_in_order, struct_of
 
 OUTPUTS = ("equations", "bias_and_friction", "forward_dynamics", "derivatives")
-"""Functions whose batch takes eight poses at a time."""
+"""Functions whose batch computes eight poses at a time."""
 
 OWN = ("equations", "bias_and_friction", "derivatives")
-"""Functions whose C of one pose has a text of its own; the others share theirs with other languages."""
+"""Functions with a separate C text for one pose; other functions share their text with other languages."""
 
 LEGS = 6
 
 Parted = tuple[tuple[t.Statement, ...], tuple[t.Statement, ...]]
-"""What all lanes share, and what is done in each."""
+"""Statements that are common to all lanes, and statements for each lane."""
 
 MOTION_LANES = t.Structure(
     "motion_in_lanes",
@@ -43,7 +43,7 @@ MOTION_LANES = t.Structure(
 
 CHECKS = t.Structure(
     "leg_checks",
-    "What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0.",
+    "Quantities that determine the status of a leg; bad: 1 if it cannot be computed, else 0.",
     tuple(t.numbers(each, LANES) for each in ("L", "reach", "k3", "bad")),
 )
 
@@ -57,7 +57,7 @@ _ADD_LEGS = t.signature(
 
 
 def placed(summed: tuple[Quantity, ...]) -> list[tuple[Quantity, int]]:
-    """Each number that is summed, in the order in which C has them: matrices of four parts row by row."""
+    """Return each summed number in the order of C, with matrices of four parts row by row."""
     found: list[tuple[Quantity, int]] = []
     for q in summed:
         four = next((each for each in (CORIOLIS, BY_POSE, BY_TWIST) if q in each), None)
@@ -70,16 +70,16 @@ def placed(summed: tuple[Quantity, ...]) -> list[tuple[Quantity, int]]:
 
 
 def offsets(summed: tuple[Quantity, ...]) -> dict[str, int]:
-    """Where the first number of each quantity is."""
+    """Return the index of the first number of each quantity."""
     return {q.name: place for place, (q, i) in enumerate(placed(summed)) if i == 0}
 
 
 LOADED = tuple(loaded_block(q, t.As(t.Count(), t.Number(0))) for q in n.MOTION)
-"""Motions of eight poses."""
+"""Loads of the motions of eight poses."""
 
 
 def aligned(function: t.Function) -> t.Function:
-    """The function with its larger arrays where vectors begin."""
+    """Align the larger arrays of a function for vector instructions."""
 
     def changed(node: t.Statement) -> t.Statement:
         if isinstance(node, t.Variable) and isinstance(node.type, t.Array) and node.blank:
@@ -91,9 +91,18 @@ def aligned(function: t.Function) -> t.Function:
 
 @dataclass(frozen=True)
 class Results:
-    """What one output is made of, and where: numbers one after the other, in lanes of one pose or eight.
+    """Layout of the numbers of one output, in lanes of one pose or eight.
 
-    prefix: of its functions. what: the output. kept: of each leg, beside the sums.
+    Attributes
+    ----------
+    prefix : str
+        Prefix of the functions.
+    what : str
+        Output.
+    kernel : SumKernel
+        Kernel of the sums.
+    kept : list of Quantity
+        Quantities of each leg in addition to the sums.
     """
 
     prefix: str
@@ -103,38 +112,38 @@ class Results:
 
     @property
     def count(self) -> int:
-        """How many numbers are summed."""
+        """Count of summed numbers."""
         return len(placed(self.kernel.summed))
 
     @property
     def first(self) -> int:
-        """Where the sums begin: those of the equations so that all but M are in their place."""
+        """Index of the first sum; for the equations all sums except M are at their final place."""
         return 15 if self.what == "equations" else 0
 
     @property
     def base(self) -> int:
-        """Where the numbers begin that legs keep."""
+        """Index of the first number of ``kept``."""
         return 96 if self.what == "equations" else self.count
 
     @property
     def width(self) -> int:
-        """How many numbers a pose hands on."""
+        """Count of numbers that a pose returns."""
         slots = LEGS * sum(len(q.keys) for q in self.kept)
         return LEGS if self.what in ("bias_and_friction", "forward_dynamics") else self.base + slots
 
     @property
     def has_f(self) -> bool:
-        """Whether the legs are given actuator forces."""
+        """True if the legs read actuator forces."""
         return F_LEG in self.kernel.leg.inputs
 
     @property
     def forces_first(self) -> bool:
-        """Whether these are those of inverse dynamics."""
+        """True if these are the forces of inverse dynamics."""
         return self.what == "derivatives"
 
     def block(self) -> t.Structure:
-        """Eight poses on their way."""
-        bad = "1 where a pose is left to the function of one, else 0"
+        """Return the structure of eight poses."""
+        bad = "1 if the function for one pose must compute the pose, else 0"
         size = LANES * max(self.width, self.first + self.count)
         return t.Structure(
             f"{self.prefix}_block",
@@ -144,13 +153,13 @@ class Results:
         )
 
     def names(self) -> dict[str, str]:
-        """What names of the texts stand for."""
+        """Return the C names of the names in the texts."""
         found = {f"{part}_terms": f"{self.prefix}_of_{part}" for part in ("pose", "leg")}
         of_block = {"leg_of_block": f"{self.prefix}_leg_of_block", "sums_of_block": f"{self.prefix}_of_block"}
         return found | of_block | {"sums": f"{self.prefix}_sums"}
 
     def given(self) -> dict[str, read.Given]:
-        """What every text is given: where numbers are, and what legs keep of them."""
+        """Return the words of every text: indices of numbers, and the quantities that legs keep."""
         leg = t.Name("leg")
         of_block, of_one = t.of("out", "number"), t.Name("number")
         lanes = t.Number(LANES)
@@ -178,7 +187,7 @@ class Results:
         }
 
     def _places(self) -> dict[str, read.Given]:
-        """Where numbers are."""
+        """Return the indices of the numbers."""
         if self.what == "equations":
             places = {
                 "C": 36,
@@ -199,12 +208,12 @@ class Results:
         return {}
 
     def _slots(self) -> Iterator[tuple[Quantity, int, t.Expression]]:
-        """Each number that legs keep, and where those of six legs begin."""
+        """Yield each number that legs keep, and its index for six legs."""
         numbers = [(q, i) for q in self.kept for i in range(len(q.keys))]
         return ((q, i, t.Number(self.base + LEGS * slot)) for slot, (q, i) in enumerate(numbers))
 
     def batch(self) -> dict[str, read.Given]:
-        """What the text of the batch is given besides."""
+        """Return the additional words of the text of the batch."""
         needed = (n.R, n.t, n.omega, n.v, *((n.alpha, n.a) if self.forces_first else ()))
         forced = self.has_f and not self.forces_first
         of_block: dict[str, read.Given] = {
@@ -228,12 +237,12 @@ class Results:
 
 
 def _in_lanes(i: int) -> t.Expression:
-    """One of the numbers of a lane."""
+    """Return one of the numbers of a lane."""
     return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
 
 
 def _symmetric(first: int) -> tuple[t.Statement, ...]:
-    """M, row by row, from its parts."""
+    """Fill M row by row from its parts."""
     part = inertia_at(lambda _, __, i: t.Name(f"m_{i}"))
     cells = [(i, j) for i in range(LEGS) for j in range(LEGS)]
     return (
@@ -246,28 +255,33 @@ def _symmetric(first: int) -> tuple[t.Statement, ...]:
 
 
 def kept(kernel: SumKernel) -> list[Quantity]:
-    """What legs hand out beside their part of the sums."""
+    """Return the outputs of a leg in addition to the sums."""
     others = (*kernel.summed, *lay.CHECKED)
     return [q for q in kernel.leg.made if q not in others]
 
 
 def handed(kernel: SumKernel) -> list[Quantity]:
-    """What a pose hands to its legs."""
+    """Return the outputs of a pose that its legs read."""
     return [q for q in kernel.pose.made if q not in kernel.summed]
 
 
 class Batches:
-    """The functions of one file that make results of sums, of one pose and of many.
+    """Functions of one file that compute results from sums, for one pose and for many.
 
-    structures: those that all texts may name; functions: those that were read, and others that they may call.
+    Attributes
+    ----------
+    structures : dict
+        Structures that all texts may name.
+    functions : dict
+        Functions that were read, and other functions that they may call.
     """
 
     def __init__(self, model: ForceKernel, asked: list[str], kernels: Iterable[SumKernel]) -> None:
-        """asked: the outputs; kernels: those of ``kernels_of``."""
+        """Set the outputs ``asked`` and their kernels."""
         self.model, self.asked, self.name = model, asked, model.formulation.kernel_name
         self.kernels = {o.prefix_of(each): each for each in kernels}
         leg = (t.Field("model", t.Record(f"stewart_{self.name}_model")),)
-        says = "The constants of one leg in every lane."
+        says = "Constants of one leg in every lane."
         self.structures = {
             "Model": t.Structure(f"stewart_{self.name}_model", "", ()),
             "Motion": MOTION,
@@ -281,7 +295,7 @@ class Batches:
         self.read = lay.Written(self.structures, {}, self.functions).function
 
     def _forces_as_called(self) -> Iterator[t.Function]:
-        """The forces of one pose, and their batch."""
+        """Yield the signatures of the forces of one pose and of their batch."""
         name, records = f"stewart_{self.name}_forces", dict.fromkeys(("model", "motion"), t.Record(""))
         yield t.signature(name, t.Integer(), ("F",), **records, F=t.Array(t.Real(), (LEGS,)))
         arrays = dict.fromkeys(("F", "status"), t.Pointer(t.Real()))
@@ -289,12 +303,12 @@ class Batches:
         yield t.signature(f"{name}_batch", t.Integer(), ("F", "status"), **of_many)
 
     def pose_structure(self, prefix: str) -> t.Structure:
-        """What a pose hands to its legs."""
+        """Return the structure of the terms of a pose that its legs read."""
         members = tuple(lay.stored(q, LANES) for q in handed(self.kernels[prefix]))
         return t.Structure(f"{prefix}_pose", "", members, aligned=bool(members))
 
     def legs_structure(self, prefix: str) -> t.Structure:
-        """The legs of a pose, or one leg of eight."""
+        """Return the structure of the legs of a pose, or of one leg of eight poses."""
         kernel = self.kernels[prefix]
         held = [q for q in GIVEN if q in kernel.leg.inputs] + kept(kernel)
         members = (
@@ -306,7 +320,7 @@ class Batches:
         return t.Structure(f"{prefix}_legs", "", members, aligned=True)
 
     def shared_by_blocks(self) -> Iterator[t.Function]:
-        """What all kernels need for blocks of eight poses."""
+        """Yield the common functions of blocks of eight poses."""
         yield self.read(texts.spread_leg, given={"OF_LEG": lay.entries(self.model.leg_constants())})
         yield self.read(texts.load_motions, given={"LOADS": LOADED})
         if {"forward_dynamics", "derivatives"} & set(self.asked):
@@ -317,7 +331,7 @@ class Batches:
             yield self.read(texts.any_of)
 
     def _results(self, what: str) -> tuple[Results, dict[str, t.Structure]]:
-        """What is known of an output, and the structures of its functions."""
+        """Return the layout of an output, and the structures of its functions."""
         prefix = o.PREFIX.get(what, what)
         kernel = self.kernels[prefix]
         made = Results(prefix, what, kernel, [] if what == "bias_and_friction" else kept(kernel))
@@ -332,7 +346,7 @@ class Batches:
         return made, structures
 
     def own(self, what: str) -> Iterator[t.Function]:
-        """The function of one pose, and what it makes a result with."""
+        """Yield the function of one pose and its helpers."""
         made, structures = self._results(what)
         names = made.names() | {"kernel_forces": f"stewart_{self.name}_forces"}
         if what == "equations":
@@ -351,7 +365,7 @@ class Batches:
         yield aligned(self.read(text, name, structures=structures, given=given, names=names, public=True))
 
     def accelerations(self) -> Iterator[t.Function]:
-        """The solve of forward dynamics."""
+        """Yield the linear solver of forward dynamics."""
         made, structures = self._results("forward_dynamics")
         found = result("forward_dynamics_found", "", t.numbers("acceleration", 6))
         in_lanes: dict[str, read.Given] = {
@@ -365,7 +379,7 @@ class Batches:
         yield self.read(results.accelerations_of, structures=structures | {"Found": found}, given=given)
 
     def of_blocks(self, what: str) -> Iterator[t.Structure | t.Function]:
-        """A batch, and what its blocks do."""
+        """Yield a batch and the functions of its blocks."""
         made, structures = self._results(what)
         struct = what in STRUCTS
         yield structures["Block"]

@@ -1,4 +1,4 @@
-"""What others call of the closed form in C: structures, functions of one pose and batches."""
+"""Interface of the closed form in C: structures, functions for one pose, and batches."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -16,13 +16,13 @@ from ..kernel.written import batch
 from ..mechanics import quantities as n
 
 STRUCTS = {
-    "equations": "H_dot: rate of H; the others as above.",
-    "derivatives": "Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], "
-    "[a; alpha].",
+    "equations": "Terms of the equations of motion; H_dot: derivative of H by time.",
+    "derivatives": "Actuator forces of inverse dynamics, and their derivatives by [dt; dphi], [v; omega], "
+    "and [a; alpha].",
     "linearization": "Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF "
     "about the motion.",
 }
-"""Functions that fill a structure, and what it says."""
+"""Functions that fill a structure, and the description of the structure."""
 
 PARTS = {
     (structure, part): ("acceleration", first)
@@ -32,12 +32,12 @@ PARTS = {
 
 
 def members(what: str) -> dict[str, int]:
-    """Members of what a function fills, and how many numbers each has."""
+    """Return the members of a function's result, and the count of their numbers."""
     return {each.name: each.count for each in CALLS[what].outputs}
 
 
 def members_in_order(what: str) -> Iterator[tuple[str, t.Expression, int]]:
-    """Members, where they begin where all are one after the other, and how many numbers each has."""
+    """Yield each member with its offset in a contiguous array and its count."""
     first = 0
     for name, count in members(what).items():
         yield name, t.Number(first), count
@@ -45,7 +45,7 @@ def members_in_order(what: str) -> Iterator[tuple[str, t.Expression, int]]:
 
 
 def in_place(what: str) -> Iterator[t.Statement]:
-    """Members of a whole block, each into its array, if there is one."""
+    """Yield statements that copy the members of a whole block to their arrays, if there are such."""
     for name, place, count in members_in_order(what):
         to = t.of("out", name) if what in STRUCTS else t.Name("out")
         numbers = t.From(t.of("block", "number"), t.Number(LANES) * place)
@@ -55,19 +55,19 @@ def in_place(what: str) -> Iterator[t.Statement]:
 
 
 def struct_of(what: str) -> t.Structure:
-    """What a function fills."""
+    """Return the structure that a function fills."""
     fields = tuple(t.numbers(each, count) for each, count in members(what).items())
     return t.Structure(f"stewart_{what}", STRUCTS[what], fields)
 
 
 def arrays_of(what: str, says: str) -> t.Structure:
-    """What its batch fills; says: of the structure."""
+    """Return the structure that its batch fills, with the description ``says``."""
     fields = tuple(t.Field(each, t.Pointer(t.Real()), f"[count][{n}]") for each, n in members(what).items())
     return t.Structure(f"stewart_{what}_arrays", says, fields)
 
 
 def interface(name: str, what: str) -> tuple[t.Function, t.Function]:
-    """The functions of one pose and of many."""
+    """Return the functions of one pose and of many."""
     struct, counts = what in STRUCTS, members(what)
     ((first, count), *_) = counts.items()
     forced = ["F"] if what in o.FORCED else []

@@ -1,4 +1,4 @@
-"""The interface table as C and as Python: ``stewart.h``, the same for every kernel, and ``interface.py``."""
+"""Interface table as C, ``stewart.h`` for all kernels, and as Python, ``interface.py``."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -12,8 +12,15 @@ _MATRICES = {q.name: q for q in (*OF_LEG, *PLATFORM, *MOTION) if len(q.shape) ==
 
 
 def common_header(version: str, precision: str = "double", rotors: bool = False) -> str:
-    """``stewart.h``; precision: "float" where it defines float by itself, as that of a float kit does;
-    rotors: where it defines by itself that legs have them."""
+    """Return ``stewart.h``.
+
+    Parameters
+    ----------
+    precision : str
+        "float" if the header defines float itself, as in a float kit.
+    rotors : bool
+        True if the header defines that legs have rotors.
+    """
     structs = {name: "\n".join(map(member_text, members)) for name, members in STRUCTS.items()}
     arrays = {f"{name}_arrays": _pointers(name) for name in ("forces", "reactions")}
     return filled(
@@ -31,7 +38,7 @@ def common_header(version: str, precision: str = "double", rotors: bool = False)
 
 
 def member_text(member: Member) -> str:
-    """A member of a struct as C declares it, with unit and meaning."""
+    """Print the declaration of a struct member with unit and meaning."""
     quantity = _MATRICES.get(member.name) if len(member.stored) == 1 else None
     order = "" if quantity is None else ", order xx xy xz yy yz zz" if quantity.symmetric else ", row-major"
     return f"    stewart_real {member.name}{member.dims}; /* {member.unit}: {member.meaning}{order} */"
@@ -44,8 +51,15 @@ def _pointers(struct: str, const: str = "") -> str:
 
 
 def layout(models: Mapping[str, int], headers: Iterable[str], version: str) -> str:
-    """``interface.py``; models: how many numbers each kernel's prepared model holds. headers: those that
-    sources share."""
+    """Return ``interface.py``.
+
+    Parameters
+    ----------
+    models : mapping
+        Count of numbers in the prepared model of each kernel.
+    headers : iterable of str
+        Headers that sources share.
+    """
     return filled(
         "interface.py",
         version=version,
@@ -64,18 +78,27 @@ def _shapes(groups: Mapping[str, Iterable[Member]]) -> str:
     )
 
 
-# ---------------------------------------------------------------- where a status begins
-# Figures of the sweep over random poses near failure that ``stewart-sym stability`` makes: what the kernels
-# were seen to do on this side of each threshold. The tests hold them to the sweep's last run.
+# ---------------------------------------------------------------- thresholds of the statuses
+# Results of ``stewart-sym stability``, a sweep over random poses near failure: largest errors of the kernels
+# within each threshold. The tests compare them with the last run of the sweep.
 
 
 @dataclass(frozen=True)
 class Threshold:
-    """Where one status begins.
+    """Threshold of one status.
 
-    status: its name. kind: of near failure, as the sweep calls it. begins: in words. worst: largest error
-    seen with status ok, in rounding units times the condition number of the problem itself, rounded up;
-    where: at which distance from the failure that was.
+    Attributes
+    ----------
+    status : str
+        Name of the status.
+    kind : str
+        Kind of failure in the sweep.
+    begins : str
+        Threshold in words.
+    worst : int
+        Largest error with status OK, in rounding units times the condition number of the problem, rounded up.
+    where : str
+        Distance from the failure at which this error occurred.
     """
 
     status: str
@@ -86,13 +109,13 @@ class Threshold:
 
 
 CASES = 1_000_000
-"""Random poses of the sweep, in double."""
+"""Number of random poses of the sweep, in double."""
 
 THRESHOLDS = (
     Threshold(
         "ZERO_LENGTH",
         "zero-length leg",
-        "within 16 rounding units of the vectors it is the sum of",
+        "leg shorter than 16 rounding units of the vectors in its sum",
         7,
         "2.2e-01",
     ),
@@ -108,11 +131,11 @@ THRESHOLDS = (
 
 
 def _thresholds() -> str:
-    """The thresholds as lines of a C comment."""
+    """Print the thresholds as lines of a C comment."""
     lines = [
-        f"Where a status begins, and the worst error seen on this side of it among 10^{len(str(CASES)) - 1}",
-        "random poses near failure, in rounding units times the condition number of the problem itself, at",
-        "which distance from the failure (`stewart-sym stability`):",
-        *(f"STEWART_{each.status}: {each.begins}; {each.worst}, at {each.where}" for each in THRESHOLDS),
+        f"Threshold of each status; largest error of STEWART_OK in 10^{len(str(CASES)) - 1} random poses",
+        "near failure, in rounding units times the condition number of the problem, with the distance from",
+        "the failure (`stewart-sym stability`):",
+        *(f"STEWART_{each.status}: {each.begins}; error {each.worst} at {each.where}" for each in THRESHOLDS),
     ]
     return "/* " + "\n * ".join(lines) + " */"

@@ -1,6 +1,6 @@
-"""C99: legs of a pose and their rates, the pose and velocity of given legs, orientations and their rates.
+"""C99 files of kinematics: lengths and rates of legs, pose and twist of the platform, orientations.
 
-One pose at a time, for processors without vector registers, and the legs of many poses.
+The functions compute one pose, for processors without vector registers. ``stewart_legs`` computes many poses.
 """
 
 from collections.abc import Iterable
@@ -17,7 +17,7 @@ from ..program.block import Block
 from .shared import ARITHMETIC, header, top
 
 STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}
-"""Steps from near, middling and far guesses, as the header says; the tests hold the kernel to them."""
+"""Newton steps from near, medium, and distant guesses in the header; tests compare them with the kernel."""
 
 OF_STEWART_H = {"Leg": "stewart_leg", "Robot": "stewart_robot", "Motion": "stewart_motion"}
 _OF_ARRAYS = OF_STEWART_H | {"Motion": "stewart_motions", "LegsArrays": "stewart_legs_arrays"}
@@ -25,7 +25,7 @@ _OF_POSES = OF_STEWART_H | {"Pose": "stewart_pose"}
 
 
 def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
-    """``stewart_kinematics``: one pose, forward and inverse; its header says what it costs."""
+    """Return ``stewart_kinematics``: inverse and forward kinematics of one pose."""
     return files(
         "kinematics",
         of_one_pose(search_program(blocks, check=RETURNED)),
@@ -34,29 +34,33 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
         operations="\n".join(f" * {name:15s} {count}" for name, count in search_operations(blocks).items()),
         max_steps=SEARCH["MAX_STEPS"][0],
         max_searches=SEARCH["MAX_SEARCHES"][0],
-        steps="{}, {} and {}".format(*STEPS["double"]),
-        float_steps="{}, {} and {}".format(*STEPS["float"]),
+        steps="{}, {}, and {}".format(*STEPS["double"]),
+        float_steps="{}, {}, and {}".format(*STEPS["float"]),
     )
 
 
 def legs_files(blocks: Kinematics, version: str) -> dict[str, str]:
-    """``stewart_legs``: the legs of many poses."""
+    """Return ``stewart_legs``: the legs of many poses."""
     operations = f" * Operations, six legs: {6 * blocks.second.operations()}."
     return files("legs", legs_batch(blocks), _OF_ARRAYS, version, False, operations=operations)
 
 
 def rotation_files(blocks: Iterable[Block], version: str) -> dict[str, str]:
-    """``stewart_rotation``: R, omega and alpha of a motion from roll, pitch and yaw, or from a quaternion."""
+    """Return ``stewart_rotation``: R, omega, and alpha from roll, pitch, and yaw or from a quaternion."""
     return files("rotation", rotation_program(blocks), OF_STEWART_H, version)
 
 
 def files(
     name: str, program: Program, records: dict[str, str], version: str, brackets: bool = True, **said: object
 ) -> dict[str, str]:
-    """Header and source of a program, from templates of a name.
+    """Return header and source of a program, from the templates of this name.
 
-    records: structures that a header has, by their names in the tree. said: words of the templates, ``file``
-    among them where it is not called after the name.
+    Parameters
+    ----------
+    records : dict
+        C names of structures that a header declares, by their names in the tree.
+    said : str
+        Words of the templates, with ``file`` if the file has another name.
     """
     file = str(said.get("file", f"stewart_{name}"))
     named = {each.name: snake(each.name) for each in program.structures} | records

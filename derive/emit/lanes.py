@@ -1,8 +1,8 @@
-"""C99 for speed: the regrouped force kernel with legs, or poses, side by side in lanes.
+"""C99 files for speed: the regrouped force kernel with legs or poses in vector lanes.
 
-One pose puts its six legs into lanes of eight; a batch puts eight poses into them, sixteen in float. Either
-way a block is the body of a loop over lanes, which compilers turn into vector instructions by themselves, and
-which is plain portable C where they don't.
+A single pose uses six of eight lanes for its legs. A batch uses eight lanes for poses, or sixteen in float.
+In both cases a block is the body of a loop over lanes. Compilers vectorize this loop; otherwise it is
+portable C.
 """
 
 from collections.abc import Iterable
@@ -31,9 +31,9 @@ from .shared import LANES as HEADER
 from .shared import Part, Source, header, top
 
 _ROWS = {n.H_force: 0, n.H_moment: 3}
-"""First row of the part of a column of H."""
+"""First row of a part of a column of H."""
 _BASE_REACH = t.Field("base_reach", t.Real(), "m: largest coordinate of the base points")
-# Operations of a leg after its roots from which on it pays to take the roots of the next one before them.
+# Least number of operations after a leg's roots for which computing the next leg's roots first is faster.
 _WORTH_HANDING_ON = 40
 _WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
 
@@ -44,19 +44,23 @@ def files(
     frictionless: ForceKernel | None = None,
     before: ForceKernel | None = None,
 ) -> dict[str, str]:
-    """``stewart_<kernel>_forces.h`` and ``.c``: preparation, one pose, batch.
+    """Return ``stewart_<kernel>_forces.h`` and ``.c``: preparation, one pose, batch.
 
-    frictionless: the same kernel without friction, for its count of operations. before: of a kernel with a
-    robot's numbers folded in, the one without them.
+    Parameters
+    ----------
+    frictionless : ForceKernel, optional
+        The kernel without friction, for its count of operations.
+    before : ForceKernel, optional
+        The kernel without constants, for a baked kernel.
     """
     made, file = _Source(kernel), f"stewart_{kernel.name}_forces"
-    title, says = "alone, from prepared constants, as fast as we can.", f"Fidelity: {kernel.meaning}."
+    title, says = "from prepared constants, optimized for speed.", f"Fidelity: {kernel.meaning}."
     if before is not None:
-        title, count = "of one machine, its numbers folded in.", force_operations(before).total.total
-        says += f" Before the numbers were folded in a pose took {count} operations."
+        title, count = "of one robot with baked constants.", force_operations(before).total.total
+        says += f" Without baked constants, a pose took {count} operations."
     plain = None if frictionless is None else force_operations(frictionless)
     robot, leg = p.raw_structures(kernel)
-    # Of kernels that are prepared from more than ``stewart_robot``.
+    # These kernels are prepared from more constants than ``stewart_robot`` contains.
     own = [] if robot is p.ROBOT else [leg, robot]
     texts = header(
         "forces.h",
@@ -74,27 +78,27 @@ def files(
 
 
 def model_numbers(kernel: ForceKernel) -> int:
-    """How many numbers ``stewart_<kernel>_model`` holds."""
+    """Return the count of numbers in ``stewart_<kernel>_model``."""
     of_legs = LANES * sum(len(q.keys) for q in kernel.leg_constants())
     return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 3
 
 
 def base_points(kernel: ForceKernel) -> tuple[Quantity, ...]:
-    """The constants that are base points; of a baked kernel, components that differ from leg to leg."""
+    """Return the constants that are base points; in a baked kernel, components that differ between legs."""
     if kernel.constants is None:
         return (n.b,)
     return tuple(part for part in kernel.leg_constants() if part.name in n.b.names)
 
 
 def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...]]:
-    """The vectors whose sum is S, component by component, and the inputs among them."""
+    """Return the components of the vectors whose sum is S, and the inputs among them."""
     inputs = (n.t, *base_points(kernel))
     symbols = (symbol for q in inputs for symbol in q.symbols)
     return [*kernel.leg.exprs[n.q], *symbols], inputs
 
 
 def as_far_as_roots(leg: Block) -> tuple[Block, Block]:
-    """The steps that roots are made of, roots and their reciprocals; and all others with the outputs."""
+    """Split a leg into the steps up to the square roots and their reciprocals, and the other steps."""
     half = sp.Rational(1, 2)
     rooted = [step for step in leg.steps if any(each.exp == half for each in step.expr.atoms(sp.Pow))]
     before, _ = lay.parted_steps(leg, (step.symbol for step in rooted))
@@ -139,10 +143,10 @@ class _Source(Source):
         terms = [q for block in blocks for q in block.made]
         terms = [q for q in terms if q not in (*lay.CHECKED, *_ROWS)]
         kept = [lay.stored(q, POSES) for q in (n.q, *lay.RIGHT_SIDE) if q in self.given]
-        says = "What differs from leg to leg; the last two lanes repeat leg 6."
+        says = "Constants that differ between the legs; the last two lanes repeat leg 6."
         own = []
         if not self.baked:
-            says = "A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6."
+            says = "Prepared constants of a robot, legs in lanes; the last two lanes repeat leg 6."
             own = [p.PER_LENGTH, p.ARM_CUBE, _BASE_REACH]
         model = (
             *(lay.described(q, LANES) for q in kernel.leg_constants()),
@@ -151,19 +155,19 @@ class _Source(Source):
         )
         of_pose = (
             *(lay.stored(q, POSES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
-            t.numbers("least_L", POSES, meaning="m: length of a leg that needs a closer look"),
+            t.numbers("least_L", POSES, meaning="m: length below which a leg must be checked"),
         )
         of_legs = (
-            t.numbers("A", 6, LANES, meaning="H, whose columns are those of the legs"),
+            t.numbers("A", 6, LANES, meaning="H, one column for each leg"),
             *(lay.stored(q, LANES) for q in (n.q, *terms)),
             *(t.numbers(name, LANES) for name in ("L", "reach", *(["k3"] if n.k3 in self.given else []))),
-            t.numbers("bad", LANES, meaning="1 where the leg needs a closer look, else 0"),
+            t.numbers("bad", LANES, meaning="1 if the leg must be checked, else 0"),
         )
         block = (
             t.numbers("column", 7, 6, POSES, meaning="[H | c], column by column"),
             *([t.numbers("D", 6, POSES)] if n.D in self.given else []),
             t.numbers("F", 6, POSES),
-            t.numbers("bad", POSES, meaning="1 where a leg, a pivot or a force needs a closer look, else 0"),
+            t.numbers("bad", POSES, meaning="1 if a leg, a pivot, or a force must be checked, else 0"),
         )
         roots = (t.numbers(name, POSES) for name in self.handed_on)
         of_pose_alone = tuple(map(lay.stored, (*self.of_pose, *kernel.shift.made)))
@@ -174,15 +178,17 @@ class _Source(Source):
                 (lay.stored(q, POSES) for q in motion),
             ),
             "SharedLanes": ("shared_lanes", "", of_pose),
-            "LegRoots": ("leg_roots", "A leg of the poses of a block as far as its roots.", roots),
+            "LegRoots": ("leg_roots", "A leg of the poses of a block up to its square roots.", roots),
             "Roots": ("roots_of_legs", "", [t.Field("leg", t.Array(t.Record("leg_roots"), (6,)))]),
-            "Block": ("block", "A block of poses on its way.", block),
-            "LegBlock": ("leg_block", "What a leg hands to the moments.", kept),
+            "Block": ("block", "Intermediate results of a block of poses.", block),
+            "LegBlock": ("leg_block", "Terms of a leg that the moments require.", kept),
         }
         return {
             "Model": t.Structure(f"stewart_{kernel.name}_model", says, model),
             "Motions": MOTIONS,
-            "SharedTerms": t.Structure("shared_terms", "What a pose has for all legs.", of_pose_alone),
+            "SharedTerms": t.Structure(
+                "shared_terms", "Terms of a pose that are common to all legs.", of_pose_alone
+            ),
             "LegLanes": t.Structure("leg_lanes", "The legs of one pose.", of_legs),
             **{
                 key: t.Structure(name, meaning, tuple(held), aligned=True)
@@ -224,7 +230,7 @@ class _Source(Source):
         yield from self._batch(name)
 
     def _table(self) -> t.Table:
-        """The constants of a baked kernel; the last two lanes repeat leg 6."""
+        """Print the constants of a baked kernel; the last two lanes repeat leg 6."""
         assert self.kernel.constants is not None
         columns = [self.kernel.constants[q] for q in self.kernel.leg_constants()]
         row = tuple(value for values in columns for value in (*values, values[-1], values[-1]))
@@ -233,14 +239,21 @@ class _Source(Source):
     def _public(
         self, *needed: str, quantities: Iterable[Quantity] = (), tests: Iterable[t.Expression] = ()
     ) -> dict[str, Given]:
-        """What the interface's functions reject, and that baked ones have no model."""
+        """Return the checks of public functions, and the omission of the model in baked kernels."""
         pointers = needed if self.baked else ("model", *needed)
         return missing(pointers, tuple(quantities), *tests) | self._without()
 
     def _place(self, motion: str, *lane: t.Expression, leg: t.Expression | None = None) -> lay.Layout:
-        """Where blocks find what they read.
+        """Return the layout of the blocks' inputs.
 
-        motion: the argument that holds it; lane: of motion and pose; leg: of the legs' constants.
+        Parameters
+        ----------
+        motion : str
+            Argument that contains the motion.
+        lane : Expression
+            Lane of motion and pose.
+        leg : Expression, optional
+            Index of the legs' constants.
         """
         of_legs = () if leg is None else (leg,)
         literals = self.kernel.literals()
@@ -259,16 +272,16 @@ class _Source(Source):
     # ------------------------------------------------------------ one pose
 
     def _legs_of_pose(self) -> Iterable[t.Function]:
-        """The legs of a pose, and the code path near the joint singularity where the kernel has one."""
+        """Yield the legs of a pose, and the code path near the joint singularity if the kernel has one."""
         kernel, near = self.kernel, self.kernel.leg_near_singular
         least = "JOINT_SINGULAR_SINE" if near is None else "NEAR_JOINT_SINGULAR"
-        yield self._legs(kernel.leg, "legs_of_pose", least, "The legs of one pose side by side")
+        yield self._legs(kernel.leg, "legs_of_pose", least, "Computes the legs of one pose in lanes")
         if near is not None:
-            says = "The same for a pose in which a leg is near its joint singularity"
+            says = "Computes the legs of a pose in which a leg is near its joint singularity"
             yield self._legs(near, "legs_near_singular", "JOINT_SINGULAR_SINE", says)
 
     def _legs(self, leg: Block, name: str, least: str, says: str) -> t.Function:
-        """A leg's block as the body of a loop over the legs of a pose."""
+        """Return the block of a leg as the body of a loop over the legs of a pose."""
         terms, more = reach_terms(self.kernel)
         outside, inside = lay.parted(lay.loaded(leg, self._place("at", leg=lay.LANE), *more))
         kept = [out for out in leg.outputs if out.quantity not in lay.CHECKED]
@@ -303,7 +316,7 @@ class _Source(Source):
         return t.Number(max(sizes, default=0.0))
 
     def _roots_of_leg(self) -> t.Function:
-        """Steps of the leg's block as far as its roots, and what the others read of them."""
+        """Return the steps of a leg up to its roots, and store the results that other steps read."""
         leg = self.roots
         loads = lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")))
         steps, _ = lay.where_read(loads, steps_of(leg.steps, ready_in(self.kernel.leg.steps)))
@@ -312,7 +325,7 @@ class _Source(Source):
         return self.texts.function(written.roots_of_leg, given=given, count=leg.operations())
 
     def _leg_of_block(self) -> t.Function:
-        """The steps of the leg's block that are left as the body of a loop over the poses of a block."""
+        """Return the other steps of a leg as the body of a loop over the poses of a block."""
         kernel, exprs = self.kernel, self.given
         leg, about_tip = self.from_roots, kernel.about_tip
         loads = lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")))
@@ -332,11 +345,11 @@ class _Source(Source):
         given |= lay.checks(leg, t.at(t.of("shared", "least_L"), "l"), least)
         given |= {} if n.D in exprs else {"known": False}
         given |= {} if self.ahead else {"roots": False}
-        says = "The leg from there on" if self.ahead else "A leg of the poses of a block"
+        says = "Computes the rest of a leg" if self.ahead else "Computes a leg of the poses of a block"
         return self.texts.function(written.leg_of_block, given=given, says=says, count=leg.operations())
 
     def _batch(self, name: str) -> Iterable[str | t.Function]:
-        """The solve of a block, and block after block."""
+        """Yield the linear solver of a block, and the loop over blocks."""
         kernel, read = self.kernel, self.texts.function
         about_tip, has_d = kernel.about_tip, n.D in self.given
         given = kernel.used_motion()
@@ -356,7 +369,7 @@ class _Source(Source):
             **{f"{each.upper()}_MOMENT": self._has(n.c_moment, each) for each in ("first", "other")},
         }
         stride = t.Name("stride")
-        # Inlined, it leaves too few registers for the loops of the same function.
+        # If it were inlined, too few registers would remain for the loops of the same function.
         yield read(
             written.load_block, apart=True, given={"LOADS": tuple(loaded_block(q, stride) for q in given)}
         )
@@ -369,11 +382,11 @@ class _Source(Source):
             yield read(many, f"{name}_{many.__name__}", public=True, given=public)
 
     def _has(self, q: Quantity, owner: str, member: Quantity | None = None) -> t.Expression | bool:
-        """A member, of the quantity's name unless given, if the kernel's legs have the quantity."""
+        """Return the member for the quantity, or False if the kernel's legs do not have it."""
         return t.of(owner, (member or q).name) if q in self.given else False
 
     def _without(self) -> dict[str, Given]:
-        """A baked kernel takes no model."""
+        """Return the omission of the model in baked kernels."""
         return {"model": False} if self.baked else {}
 
 
@@ -382,7 +395,7 @@ def _out(*lane: t.Expression) -> lay.Layout:
 
 
 def _of_legs(owner: str) -> lay.Layout:
-    """The legs of a pose: columns of H are in the rows that are solved."""
+    """Return the layout of the legs of a pose: columns of H are in the rows of the linear system."""
 
     def place(q: Quantity) -> lay.Place:
         if q in _ROWS:

@@ -1,6 +1,7 @@
-"""C99 of the regressor: one pose with its legs in lanes, and poses one after the other.
+"""C99 files of the regressor: one pose with its legs in lanes, and successive poses.
 
-The blocks are those of the module of arrays, in the same order, so that both have the same bits.
+The blocks are the blocks of the array module in the same order, so both results are identical to the last
+bit.
 """
 
 from ..kernel import layouts as lay
@@ -32,7 +33,7 @@ _COUNTS: dict[str, Given] = {
 }
 _COLUMNS = t.Structure(
     "regressor_columns",
-    "Columns of a pose, their rows first; what the legs are given, and lost: 1 where a number is not finite.",
+    "Columns of a pose with the row as first index, and inputs of the legs; lost: 1 if not finite.",
     (
         t.numbers("of_legs", 6, len(_OF_LEG), LANES),
         *(lay.stored(q, LANES) for q in _GIVEN),
@@ -45,7 +46,7 @@ _COLUMNS = t.Structure(
 
 
 def files(blocks: Regressor, version: str) -> dict[str, str]:
-    """``stewart_exact_regressor.h`` and ``.c``."""
+    """Return ``stewart_exact_regressor.h`` and ``.c``."""
     parts = _functions(blocks)
     texts = header(
         "regressor.h",
@@ -87,14 +88,14 @@ def _functions(blocks: Regressor) -> list[t.Function]:
 
 
 def _loaded(quantity: Quantity) -> Place:
-    """Where a block's input is."""
+    """Return the location of a block's input."""
     if quantity in _GIVEN:
         return lay.member("out", quantity, LANE)
     return lay.member("at" if quantity in n.MOTION else "robot", quantity)
 
 
 def _places(member: str, parameters: list[str], *lane: t.Expression) -> dict[Quantity, Place]:
-    """Where columns are put: force rows, then moment rows."""
+    """Return the locations of the columns: force rows, then moment rows."""
     whole = t.of("out", member)
     return {
         rows: Place(whole, (t.Number(j), *lane), first)
@@ -104,7 +105,7 @@ def _places(member: str, parameters: list[str], *lane: t.Expression) -> dict[Qua
 
 
 def _leg(block: Block) -> dict[str, Given]:
-    """What ``written.columns_of_legs`` is given: loads, the block, and the moments, each once."""
+    """Return the words of ``written.columns_of_legs``: loads, the block, and the moments."""
     places = _places("of_legs", _OF_LEG, LANE)
     columns = [out for out in block.outputs if out.quantity in places]
     moments = {

@@ -1,7 +1,7 @@
-"""C99 for controllers: one pose, one leg after the other, small in code and stack.
+"""C99 files for controllers: one pose, one leg after the other, with little code and stack.
 
-Prints the blocks of ``lanes`` for processors without vector registers. The model is prepared once, or its
-numbers are folded in.
+The blocks of ``lanes`` are printed for processors without vector registers. The model is prepared once, or
+its constants are baked.
 """
 
 from collections.abc import Iterable
@@ -28,18 +28,20 @@ from .c import operations_table
 from .shared import SOLVE, Part, Source, header, top
 
 _LEAST_PIVOTS = t.signature("STEWART_LEAST_PIVOTS", t.Real(), size=t.Real())
-_CLOSE = t.Field("close", t.Integer(), "whether H may be singular to rounding for a zero-length leg")
+_CLOSE = t.Field("close", t.Integer(), "1 if H may be singular to rounding because of a leg of zero length")
 _LEAST = t.numbers("least", meaning="product of the pivots of H below which it may be singular to rounding")
-_SIZE = t.numbers("size", meaning="m: no platform point and no base point is farther from its origin")
+_SIZE = t.numbers("size", meaning="m: largest distance of a base or platform point from its origin")
 
 
 def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict[str, str]:
-    """``stewart_<kernel>_pose.h`` and ``.c``: preparation, unless the robot's numbers are folded in, and one
-    pose; before: of such a kernel, the one without its numbers."""
+    """Return ``stewart_<kernel>_pose.h`` and ``.c``: preparation, unless baked, and one pose.
+
+    ``before`` is the kernel without constants for a baked kernel.
+    """
     made, file, folded = _Source(kernel), f"stewart_{kernel.name}_pose", ""
     if before is not None:
         count = force_operations(before, scalar_text=True).total.total
-        folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
+        folded = f" The constants are baked; without, a pose took {count} operations."
     texts = header(
         "forces_pose.h",
         file,
@@ -76,7 +78,9 @@ class _Source(Source):
         kernel, name = self.kernel, f"stewart_{self.kernel.name}_pose"
         legs = tuple(map(lay.described, kernel.leg_constants()))
         named = (f"{name}_leg", "Constants of one leg.")
-        leg = t.Structure(*(("leg_numbers", "What differs from leg to leg.") if self.baked else named), legs)
+        leg = t.Structure(
+            *(("leg_numbers", "Constants that differ between the legs.") if self.baked else named), legs
+        )
         pose = (
             *(lay.stored(out.quantity) for out in self.of_pose),
             t.numbers("q_1", 3, meaning="platform point 1 from the reference point"),
@@ -89,9 +93,9 @@ class _Source(Source):
         return {
             "Leg": leg,
             "Platform": t.Structure("platform_constants", "Constants of the platform.", tuple(prepared)),
-            "PoseTerms": t.Structure("pose_terms", "What the pose has for all legs.", pose),
-            "LegSizes": t.Structure("leg_sizes", "What decides on a leg that may be short.", sizes),
-            "Model": t.Structure(f"{name}_model", "A robot's constants, prepared once.", model),
+            "PoseTerms": t.Structure("pose_terms", "Terms of the pose that are common to all legs.", pose),
+            "LegSizes": t.Structure("leg_sizes", "Magnitudes for the check of a short leg.", sizes),
+            "Model": t.Structure(f"{name}_model", "Prepared constants of a robot.", model),
         }
 
     def _parts(self) -> Iterable[Part]:
@@ -127,7 +131,7 @@ class _Source(Source):
     # ------------------------------------------------------------ constants
 
     def _table(self) -> t.Table:
-        """What differs from leg to leg in a baked kernel."""
+        """Print the constants that differ between the legs of a baked kernel."""
         assert self.kernel.constants is not None
         columns = [self.kernel.constants[q] for q in self.kernel.leg_constants()]
         return t.Table("legs", self.structures["Leg"], tuple(zip(*columns, strict=True)))
@@ -135,7 +139,7 @@ class _Source(Source):
     # ------------------------------------------------------------ blocks
 
     def _layout(self, q: Quantity) -> lay.Place | t.Name:
-        """Where a leg's block finds what it reads."""
+        """Return the location of an input of a leg's block."""
         if q in n.MOTION:
             return lay.member("at", q)
         if q == q_1 or any(out.quantity == q for out in self.of_pose):
@@ -156,7 +160,7 @@ class _Source(Source):
         )
 
     def _closely(self) -> dict[str, Given]:
-        """What is seldom read: a leg's length, the sizes of its terms, its column of H."""
+        """Return the words of the rarely used check of a leg: length, magnitude of its terms, column of H."""
         kernel = self.kernel
         exprs = kernel.leg.exprs
         # In a baked kernel a coordinate of b that is zero for all legs is none of its inputs.
@@ -183,7 +187,7 @@ class _Source(Source):
         }
 
     def _shift(self) -> dict[str, Given]:
-        """Platform point 1, which leg 1 makes once more, and what is moved there."""
+        """Return the words that move c to platform point 1, which leg 1 computes again."""
         (moved,) = self.kernel.shift.outputs
         block = part_of(self.kernel.leg, n.q)
         (point,) = block.outputs
@@ -198,7 +202,7 @@ class _Source(Source):
         }
 
     def _leg(self, own: Block, near: bool) -> t.Function:
-        """One leg: its column of H and its D are stored, its part of c is added."""
+        """Return the function of one leg, which stores its column of H and its D and adds its part of c."""
         kernel = self.kernel
         block = joined(own, kernel.moments)
         exprs, used = block.exprs, lay.names_used(block)

@@ -1,4 +1,4 @@
-"""C99: what files of kernels have in common: headers of shared functions, beginnings and ends, sources."""
+"""Common parts of the C99 files of kernels: headers of shared functions, beginnings and ends, sources."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
@@ -22,15 +22,15 @@ INCLUDED = {
     LANES: (ARITHMETIC, SOLVE, LANES),
     OUTPUTS: (ARITHMETIC, SOLVE, OUTPUTS),
 }
-"""What a source needs beside its own header and ``stewart.h``, by the header that it includes."""
+"""Headers that a source requires in addition to its own and ``stewart.h``, by the header that it includes."""
 SIZES = {COUNT: "LANES"}
 _OF_BLOCKS = {**SIZES, POSES: "POSES", 9 * POSES: "9 * POSES"}
-"""Names of dimensions; the forces' sources have blocks of their own size."""
+"""Names of dimensions; the sources of forces have blocks of a different size."""
 
 
 @cache
 def shared_headers(version: str, about_tip: bool = True) -> Mapping[str, str]:
-    """File name -> text; about_tip: of kernels whose moments are about platform point 1."""
+    """Return file name -> text of the shared headers; ``about_tip``: moments about platform point 1."""
     found = shared(about_tip)
     texts = {
         ARITHMETIC: filled("arithmetic.h", version=version),
@@ -55,10 +55,10 @@ def _printed(found: Shared, parts: tuple[t.Structure | t.Function, ...], more: s
 
 
 def header(template: str, file: str, version: str, /, **words: object) -> dict[str, str]:
-    """``<file>.h`` of a template, framed as the headers of all kernels are.
+    """Return ``<file>.h`` of a template with the common frame of all headers.
 
-    words: of the template; ``included``: the header that it includes, ``stewart.h`` unless given; ``rotors``:
-    whether the legs have them.
+    ``words`` are the words of the template. Two of them are special: ``included``, the included header
+    (default ``stewart.h``), and ``rotors``, True if the legs have rotors.
     """
     included, rotors = words.pop("included", "stewart.h"), words.pop("rotors", False)
     needed = filled("rotors.h").rstrip() if rotors else ""
@@ -71,7 +71,7 @@ def header(template: str, file: str, version: str, /, **words: object) -> dict[s
 
 
 def top(file: str, version: str, header: str, defined: str = "") -> str:
-    """How a source begins; header: of those above, the one that it includes. defined: macros before it."""
+    """Return the beginning of a source, which includes ``header`` after the macros ``defined``."""
     return filled("top.c", file=file, version=version, header=header, defined=defined)
 
 
@@ -79,22 +79,22 @@ Part = str | t.Structure | t.Table | t.Function
 
 
 class Source(ABC):
-    """The functions of one kernel; ``parts`` in their order, with structures, tables and fixed texts."""
+    """Functions of one kernel: ``parts`` in order, with structures, tables, and fixed texts."""
 
     def __init__(self, texts: Written) -> None:
-        """texts: with what the functions may call."""
+        """Set the texts of the functions that may be called."""
         self.texts = texts
         self.parts = list(self._parts())
         self.functions = [each for each in self.parts if isinstance(each, t.Function)]
 
     @abstractmethod
     def _parts(self) -> Iterable[Part]:
-        """Reads the functions."""
+        """Yield the parts of the source."""
 
     def declared(self, *structures: t.Structure) -> str:
-        """Structures and public functions as a header has them."""
+        """Print structures and public functions for a header."""
         return C(self.functions).interface(*structures, *self.functions)
 
     def printed(self, before: str, fused: bool = True) -> str:
-        """The source; before: how it begins; fused: products and sums as one."""
+        """Print the source after the text ``before``, with products and sums fused if ``fused``."""
         return C(self.texts.functions.values(), _OF_BLOCKS, fused=fused).source(before, *self.parts)

@@ -1,4 +1,4 @@
-"""C99: torques of the motors, and the axial forces that they take of legs with rotors; one pose at a time."""
+"""C99 files of the motor torques, and of the axial forces of legs with rotors, for one pose."""
 
 from random import Random
 
@@ -13,7 +13,7 @@ from .kinematics import OF_STEWART_H, files
 
 
 def torque_operations(stribeck: bool = True) -> Operations:
-    """Operations of six legs; stribeck: with friction of that name."""
+    """Count the operations of six legs with or without Stribeck friction."""
     draw = Random(1)
     return counted(
         torque_program(),
@@ -23,7 +23,7 @@ def torque_operations(stribeck: bool = True) -> Operations:
 
 
 def torque_files(version: str) -> dict[str, str]:
-    """``stewart_torque``: torques and currents from forces and rates."""
+    """Return ``stewart_torque``: torques and currents from forces and length rates."""
     return files(
         "torque",
         of_one_pose(torque_program()),
@@ -36,17 +36,20 @@ def torque_files(version: str) -> dict[str, str]:
 
 
 def axial_name(form: Formulation, reflected: bool = False) -> str:
-    """Name of header and source of a formulation with rotors; reflected: of these the masses alone."""
+    """Return the name of header and source of a formulation with rotors, or with reflected masses only."""
     return f"stewart_{form.kernel_name}{'_reflected' if reflected else ''}_axial"
 
 
 def axial_operations(block: Block) -> Operations:
-    """Operations of six legs."""
+    """Count the operations of six legs."""
     return 6 * (block.operations() + Operations(add=1))
 
 
 def axial_files(form: Formulation, block: Block, version: str, reflected: bool = False) -> dict[str, str]:
-    """``stewart_..._axial`` of a formulation with rotors; block: a leg's; reflected: as ``axial_name``."""
+    """Return ``stewart_..._axial`` of a formulation with rotors from the block of a leg.
+
+    ``reflected`` is as in ``axial_name``.
+    """
     file, masses = axial_name(form, reflected), reflected or form.base_joint == SPHERICAL
     return files(
         "axial",
@@ -56,7 +59,7 @@ def axial_files(form: Formulation, block: Block, version: str, reflected: bool =
         rotors=True,
         file=file,
         symbol=f"{file}_forces",
-        read="b, p and m_r" if masses else "b, p, k, m_r and j_r",
+        read="b, p, and m_r" if masses else "b, p, k, m_r, and j_r",
         turns="m_r L_ddot" if masses else "m_r L_ddot + j_r A.s",
         operations=axial_operations(block),
         statuses=f"STEWART_NOT_FINITE, STEWART_ZERO_LENGTH{'' if masses else ', STEWART_JOINT_SINGULAR'}",

@@ -1,1 +1,1 @@
-"""The mechanics of the paper: equations in, blocks of named steps out."""
+"""Mechanics of the paper: its equations as blocks of named steps."""

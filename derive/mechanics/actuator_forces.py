@@ -1,19 +1,21 @@
-"""The actuator forces alone, regrouped to fewer operations.
+"""Actuator forces without other outputs, regrouped to reduce the number of operations.
 
-Each change leaves the forces as they are:
+None of these changes affects the result:
 
-- what the pose has for all legs is computed once: B with S_ddot = B q + a, and the platform's part of c;
-- constants that enter together are prepared once per robot (``lumped_constants``), and the mass of an upper
-  part is lumped with the platform as a point at the spherical joint;
-- ``exact`` legs are written in the coordinates of their joints (``joint_coordinates``), `paper` legs in their
-  frame (``printed``); legs with spherical base joints stay as ``inverse_dynamics`` has them;
-- the force K on the leg may carry any part along s, since x takes up the rest: F = D - x with D to match;
-- the platform's inertia is about the center of mass of all that it moves, so that a reference point far away
-  costs no digits;
-- moments are taken about platform point 1, so that leg 1 has none, elimination begins with three rows, and
-  no moment is larger than the platform, however long the legs are.
+- Terms that are common to all legs are computed once per pose: B with S_ddot = B q + a, and the platform's
+  part of c.
+- Constants that occur together are prepared once per robot (``lumped_constants``). The mass of an upper part
+  is lumped with the platform as a point mass at the spherical joint.
+- Legs of ``exact`` use joint coordinates (``joint_coordinates``), legs of ``paper`` use the leg frame
+  (``printed``). Legs with spherical base joints use the equations of ``inverse_dynamics``.
+- The force K on a leg may have any component along s, because x compensates for it. D changes with it, so
+  that F = D - x is unchanged.
+- The inertia of the platform is about the common center of mass of the platform and the lumped masses. A
+  distant reference point does not reduce the accuracy.
+- Moments are about platform point 1. Leg 1 then has no moment, the elimination begins with three rows, and no
+  moment arm is longer than the platform, however long the legs are.
 
-``passes`` shows what each is worth.
+``passes`` measures the effect of each change.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -43,16 +45,36 @@ from .platform import platform
 
 @dataclass(frozen=True)
 class ForceKernel:
-    """The blocks from which the actuator forces are computed.
+    """Blocks that compute the actuator forces.
 
-    prepare_leg, prepare_platform: constants, once per robot. shared: what is computed once per pose for all
-    legs, with the platform's part of c. leg: D, a column of H and a part of c of one leg; leg_near_singular:
-    the same, for poses in which a leg is near its joint singularity. about_tip: whether moments are about
-    platform point 1: then ``moments`` and ``shift`` compute them, and a leg's block computes no moment but
-    that of friction; otherwise moments are about the reference point, and a leg's block computes them.
-    Of a baked kernel alone: constants, the values of each, one for all legs or six; size, m, the largest
-    coordinate of the arms of its moments; extent, m, the largest sum of the absolute coordinates of a base or
-    platform point.
+    Attributes
+    ----------
+    formulation : Formulation
+        Formulation of the equations.
+    friction : bool
+        True if the joints have friction.
+    prepare_leg, prepare_platform : Block
+        Preparation of the constants, once per robot.
+    shared : Block
+        Terms of a pose that are common to all legs, with the platform's part of c.
+    leg : Block
+        D, column of H, and part of c of one leg.
+    leg_near_singular : Block, optional
+        The block of a leg for poses in which a leg is near its joint singularity.
+    about_tip : bool
+        True if moments are about platform point 1. ``moments`` and ``shift`` then compute the moments, and
+        the block of a leg computes only the moment of friction. If False, moments are about the reference
+        point and the block of a leg computes them.
+    fidelity, meaning : str
+        Name and description of the fidelity level.
+    constants : mapping, optional
+        Values of each constant of a baked kernel: one value for all legs, or six.
+    baked_name : str
+        Name of a baked kernel.
+    size : float
+        Largest coordinate of the moment arms of a baked kernel (m).
+    extent : float
+        Largest sum of the absolute coordinates of a base or platform point of a baked kernel (m).
     """
 
     formulation: Formulation
@@ -72,7 +94,7 @@ class ForceKernel:
 
     @property
     def name(self) -> str:
-        """Name of the emitted kernel: ``exact``, ``paper``, ``exact_slender``."""
+        """Name of the emitted kernel, such as ``exact``, ``paper``, or ``exact_slender``."""
         if self.baked_name:
             return self.baked_name
         own = self.formulation.kernel_name
@@ -80,18 +102,19 @@ class ForceKernel:
 
     @property
     def moments(self) -> Block:
-        """Moments about platform point 1 of one leg, of all but leg 1."""
+        """Moments of one leg about platform point 1, for legs 2 to 6."""
         return leg_moments(n.c_force in self.leg.made)
 
     @property
     def shift(self) -> Block:
-        """The platform's part of c with moments about platform point 1."""
+        """Platform's part of c with moments about platform point 1."""
         return platform_moments()
 
     def whole(self) -> "ForceKernel":
-        """The kernel with ``moments`` and ``shift`` in the blocks of legs and pose: the same operations.
+        """Return the kernel with ``moments`` and ``shift`` merged into the blocks of legs and pose.
 
-        Leg 1 then has moments like any other, all of them zero, and the pose has q_1 from p_1, a constant.
+        The operations are the same. Leg 1 then also computes moments, all of them zero, and the block of the
+        pose computes q_1 from the constant p_1.
         """
         turned = zip(p.q_1.names, n.R.value * n.p_1.value, strict=True)
         tip = [Step(name, expr, "(1)", p.q_1.meaning) for name, expr in turned]
@@ -107,36 +130,36 @@ class ForceKernel:
         )
 
     def literals(self) -> dict[Quantity, float]:
-        """Constants of a baked kernel that all legs share."""
+        """Return the constants of a baked kernel that have the same value for all legs."""
         return {q: values[0] for q, values in (self.constants or {}).items() if len(values) == 1}
 
     def used_motion(self) -> tuple[Quantity, ...]:
-        """What of the motion the forces depend on; R and t always, since they place the legs."""
+        """Return the components of the motion on which the forces depend, always including R and t."""
         used = {*self.shared.inputs, *self.leg.inputs, n.R, n.t}
         return tuple(q for q in n.MOTION if q in used)
 
     def changed(self, change: Callable[[Block], Block]) -> "ForceKernel":
-        """The kernel with the blocks of a pose changed, its own and those of the legs."""
+        """Return the kernel with ``change`` applied to the blocks of a pose, ``shared`` and legs."""
         near = None if self.leg_near_singular is None else change(self.leg_near_singular)
         return replace(self, shared=change(self.shared), leg=change(self.leg), leg_near_singular=near)
 
     def blocks(self) -> tuple[Block, ...]:
-        """The blocks of a pose: its own and those of the legs."""
+        """Return the blocks that are evaluated for each pose: ``shared`` and the legs."""
         return self.shared, self.leg, *(() if self.leg_near_singular is None else (self.leg_near_singular,))
 
     def leg_constants(self) -> tuple[Quantity, ...]:
-        """Constants of each leg in the prepared model."""
+        """Return the constants of each leg in the prepared model."""
         if self.constants is not None:
             return tuple(q for q, values in self.constants.items() if len(values) > 1)
         return tuple(q for q in self.prepare_leg.made if q not in p.ADDED)
 
     def more_of_legs(self) -> tuple[Quantity, ...]:
-        """What is prepared of each leg beside ``quantities.OF_LEG``."""
+        """Return the inputs of ``prepare_leg`` in addition to ``OF_LEG``, ``PLATFORM``, and p_1."""
         known = (*n.OF_LEG, *n.PLATFORM, n.p_1)
         return tuple(q for q in self.prepare_leg.inputs if q not in known)
 
     def platform_constants(self) -> tuple[Quantity, ...]:
-        """Constants of the platform in the prepared model."""
+        """Return the constants of the platform in the prepared model."""
         if self.constants is not None:
             return ()
         return self.prepare_platform.made
@@ -144,17 +167,17 @@ class ForceKernel:
 
 @cache
 def force_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
-    """Derive the regrouped blocks of a formulation."""
+    """Derive the regrouped blocks of a formulation with moments about platform point 1."""
     return about_tip(regrouped(form, friction))
 
 
 def elimination_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
-    """The blocks of ``inverse_dynamics`` as they are, without what the forces do not need."""
+    """Return the blocks of ``inverse_dynamics`` without the outputs that the forces do not need."""
     return with_constants(form, friction, platform()[0], _plain_leg(form, friction), p.NOTHING_LUMPED)
 
 
 def with_shared_pose(form: Formulation, friction: bool = True) -> ForceKernel:
-    """The legs of ``inverse_dynamics`` with S_ddot = B q + a, and the platform's part of c regrouped."""
+    """Derive the legs of ``inverse_dynamics`` with S_ddot = B q + a and a regrouped platform's part of c."""
     leg = _plain_leg(form, friction)
     ready = dict(zip(("S_ddot_x", "S_ddot_y", "S_ddot_z"), p.B.value * n.q.value + n.a.value, strict=True))
     steps = [replace(step, expr=ready.get(step.name, step.expr)) for step in leg.steps]
@@ -163,7 +186,7 @@ def with_shared_pose(form: Formulation, friction: bool = True) -> ForceKernel:
 
 
 def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
-    """All constants regrouped, moments about the reference point."""
+    """Derive the blocks with all constants regrouped and with moments about the reference point."""
     if form.base_joint == SPHERICAL:
         return with_shared_pose(form, friction)
     lumped = p.Lumped(mass=True, friction=friction)
@@ -177,7 +200,7 @@ def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
 def with_constants(
     form: Formulation, friction: bool, pose: Block, leg: Block, lumped: p.Lumped
 ) -> ForceKernel:
-    """The kernel with the constants that its blocks read; ``lumped`` as in ``prepare_leg``."""
+    """Return a kernel with the preparation of the constants that its blocks of pose and leg read."""
     return ForceKernel(
         form,
         friction,
@@ -189,7 +212,7 @@ def with_constants(
 
 
 def with_numbers(kernel: ForceKernel, numbers: Iterable[Quantity]) -> ForceKernel:
-    """The kernel with these numbers of the robot in its prepared model as well."""
+    """Return the kernel with additional numbers of the robot in its prepared model."""
     numbers = tuple(numbers)
     of_leg, of_platform = (
         dict.fromkeys((*block.made, *numbers)) for block in (kernel.prepare_leg, kernel.prepare_platform)
@@ -202,7 +225,7 @@ def with_numbers(kernel: ForceKernel, numbers: Iterable[Quantity]) -> ForceKerne
 
 
 def without_zeros(kernel: ForceKernel) -> ForceKernel:
-    """The kernel without outputs that are zero; a leg keeps what it has on either code path."""
+    """Return the kernel without zero outputs; a leg keeps outputs that are nonzero in one of its blocks."""
     legs = [leg for leg in (kernel.leg, kernel.leg_near_singular) if leg is not None]
     of_legs = {
         n.H_force,
@@ -227,7 +250,7 @@ def _is_not_zero(out: Output) -> bool:
 
 
 def about_tip(kernel: ForceKernel) -> ForceKernel:
-    """The same kernel with moments about platform point 1, and S = q + (t - b)."""
+    """Move the moments of a kernel to platform point 1, and write S = q + (t - b)."""
     leg = _leg_without_moments(kernel.leg)
     lumped = p.lumped(kernel.prepare_leg)
     moved = with_constants(kernel.formulation, kernel.friction, kernel.shared, leg, lumped)
@@ -236,7 +259,7 @@ def about_tip(kernel: ForceKernel) -> ForceKernel:
 
 
 def from_difference(leg: Block) -> Block:
-    """The leg with S = q + (t - b): the error of t - b is as small as t - b itself."""
+    """Write S = q + (t - b) in a leg, because the rounding error of t - b is as small as t - b."""
     steps: list[Step] = []
     for step in leg.steps:
         if step.name == "S_x":
@@ -252,7 +275,7 @@ def from_difference(leg: Block) -> Block:
 
 
 def _leg_without_moments(leg: Block) -> Block:
-    """The leg with q, and of the moments nothing but friction."""
+    """Return the leg with output q and without moments other than friction."""
     moved = from_difference(leg)
     given = moved.exprs
     force = sp.Matrix(given[n.c_force])
@@ -268,7 +291,7 @@ def _leg_without_moments(leg: Block) -> Block:
 
 @cache
 def leg_moments(with_force: bool) -> Block:
-    """Moments about platform point 1 of a leg but the first; with_force: of its part of c as well."""
+    """Derive the moments about platform point 1 of a leg other than leg 1, including c if ``with_force``."""
     build = Builder()
     arm = build.vector("arm", n.q.value - p.q_1.value, "", "platform point from platform point 1")
     outputs = [(n.H_moment, cross(arm, n.H_force.value))]
@@ -279,7 +302,7 @@ def leg_moments(with_force: bool) -> Block:
 
 @cache
 def platform_moments() -> Block:
-    """The platform's part of c moved from the reference point to platform point 1."""
+    """Derive the platform's part of c with moments about platform point 1 instead of the reference point."""
     moved = n.c_moment.value - cross(p.q_1.value, n.c_force.value)
     inputs = (p.q_1, n.c_force, n.c_moment)
     return Builder().block("shift", "the platform's part of c", inputs, [(p.c_tip, moved)])
@@ -288,7 +311,11 @@ def platform_moments() -> Block:
 def joined(
     first: Block, second: Block, between: Iterable[Step] = (), inputs: Iterable[Quantity] = ()
 ) -> Block:
-    """Two blocks as one; what the second reads of the first keeps its name, and so the order of its sums."""
+    """Concatenate two blocks.
+
+    Outputs of the first block that the second block reads keep their names and thus the order of terms in
+    sums.
+    """
     read = {out.quantity: out for out in first.outputs if out.quantity in second.inputs}
     renamed = [
         Step(name, expr)
@@ -312,7 +339,7 @@ def joined(
 
 
 def rotary(build: Builder, omega: sp.Matrix, alpha: sp.Matrix) -> sp.Matrix:
-    """B = [alpha]x + [omega]x [omega]x, named entry by entry."""
+    """Name the entries of B = [alpha]x + [omega]x [omega]x, (7)."""
     square = build.tensor("omega", omega * omega.T, "", "products of omega")
     turn = skew(alpha) + square - square.trace() * sp.eye(3)
     return build.matrix("B", turn, "(7)", "S_ddot = B q + a")
@@ -326,9 +353,9 @@ def euler(
     alpha: sp.Matrix,
     turn: sp.Matrix | None = None,
 ) -> sp.Matrix:
-    """I alpha + omega x I omega, with the products of omega shared and the differences d prepared.
+    """Compute I alpha + omega x I omega (34) with shared products of omega and prepared differences d.
 
-    turn: ``rotary`` of the same omega and alpha, where there is one to take sums from.
+    ``turn`` is the result of ``rotary`` for the same omega and alpha, if available.
     """
     square = {
         (i, j): build.scalar(component_name("P", (i, j)), omega[i] * omega[j])
@@ -349,9 +376,9 @@ def euler(
 
 
 def shared(friction: bool) -> Block:
-    """What a pose has for all legs: B, and the platform's part of c, (30)-(35).
+    """Derive the terms common to all legs: B, and the platform's part of c, (30)-(35).
 
-    friction: whether the platform's part of the spherical joints' friction is in it.
+    ``friction`` adds the platform's part of the spherical-joint friction.
     """
     build = Builder()
     R, omega, alpha = n.R.value, n.omega.value, n.alpha.value
@@ -393,9 +420,14 @@ def closed_leg(
     f: sp.Matrix,
     more: Iterable[Quantity] = (),
 ) -> Block:
-    """The leg's block, moments about the reference point; k3 None where there is no universal joint.
+    """Return the block of a leg with moments about the reference point.
 
-    more: constants of the leg beside ``quantities.LEG`` and ``lumped_constants.LEG``.
+    Parameters
+    ----------
+    k3 : Expr or None
+        Sine of the angle between the leg and the fixed axis; None without a universal joint.
+    more : iterable of Quantity
+        Constants of the leg in addition to ``quantities.OF_LEG`` and ``lumped_constants.LEG``.
     """
     joint = [] if k3 is None else [(n.k3, k3)]
     return build.block(
@@ -416,7 +448,11 @@ def closed_leg(
 
 
 def joint_leg(friction: bool, near_singular: bool = False, rotor: Rotor = NONE) -> Block:
-    """The general leg in the coordinates of its joints; ``near_singular``: measured along its third axis."""
+    """Derive a leg with universal base joint in joint coordinates.
+
+    ``near_singular`` projects on the third axis z of the leg frame, which is accurate near the joint
+    singularity.
+    """
     build = Builder()
     at = joint_frame(build, near_singular, rotor=rotor)
     S_dot, S_ddot = p.tip_motion(build, at.q)
@@ -434,7 +470,7 @@ def _printed_leg(form: Formulation, friction: bool, near_singular: bool) -> Bloc
 
 
 def _plain_leg(form: Formulation, friction: bool) -> Block:
-    """The leg as ``inverse_dynamics`` has it, without the outputs that the forces do not need."""
+    """Return the leg of ``inverse_dynamics`` without the output K, which the forces do not need."""
     leg = leg_block(form, friction)
     kept = [out for out in leg.outputs if out.quantity != n.K]
     return replace(rebuilt(leg, list(leg.steps), kept, leg.inputs), name="leg_terms_of")

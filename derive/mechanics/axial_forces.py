@@ -1,6 +1,6 @@
-"""The axial force between the parts of a leg: the motor's force less that which accelerates the rotor.
+"""Axial force between the parts of a leg: the motor force less the force that accelerates the rotor.
 
-Efficiency and friction of a screw act on that force. What turns the rotor is m_r L_ddot + j_r A.s, (8), (9).
+Efficiency and friction of a screw act on this axial force. The rotor requires m_r L_ddot + j_r A.s, (8), (9).
 """
 
 import sympy as sp
@@ -12,13 +12,20 @@ from .kinematics import L_dot
 from .legs.leg import LegFrameMotion, leg_frame, leg_vector, platform_point_motion, rotation, sliding
 from .legs.rotor import Rotor, rotor_of
 
-F_rotor = Quantity("F_rotor", (), "N", "part of the actuator force that turns the leg's rotor")
+F_rotor = Quantity("F_rotor", (), "N", "part of the actuator force that accelerates the leg's rotor")
 
 
 def axial_block(form: Formulation, rotor: Rotor | None = None) -> Block:
-    """q, L, k3, 1 where no fixed axis is read, L_dot and F_rotor of one leg with a rotor.
+    """Derive q, L, k3, L_dot, and F_rotor of one leg with a rotor.
 
-    rotor: what the forces have of it, None for all of it.
+    k3 is 1 if the block does not use the fixed axis.
+
+    Parameters
+    ----------
+    form : Formulation
+        Formulation with ``drive``.
+    rotor : Rotor, optional
+        Rotor terms that the forces contain. If None, all terms of the formulation.
     """
     build = Builder()
     rotor = rotor_of(form) if rotor is None else rotor
@@ -39,7 +46,7 @@ def axial_block(form: Formulation, rotor: Rotor | None = None) -> Block:
         turned = rotor.mass * second + rotor.momentum * A[0]
     return build.block(
         "axial_terms",
-        "One leg's rate of length and the force that turns its rotor, (5), (8), (9)",
+        "Length rate of one leg and the force that accelerates its rotor, (5), (8), (9)",
         (*n.OF_LEG, *n.MOTION),
         [(n.q, q), (n.L, L), (n.k3, k3), (L_dot, rate), (F_rotor, turned)],
     )

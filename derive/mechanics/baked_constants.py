@@ -1,9 +1,8 @@
-"""Baking: a robot's numbers folded into a force kernel.
+"""Baking: insertion of a robot's constants into a force kernel.
 
-The constants are prepared at 50 digits and rounded once. A constant that is zero, one or minus one for all
-legs goes into the expressions, so that the terms it stands in disappear or shorten by themselves; one that
-all legs share becomes a literal; the others stay a table over the legs. Constants that meet in a product or
-a sum become one.
+The constants are prepared with 50 digits and rounded once. A constant that is 0, 1, or -1 for all legs is
+substituted, so that terms vanish or become shorter. A constant with the same value for all legs becomes a
+literal. Other constants are a table over the legs. Constants that occur in one product or sum are merged.
 """
 
 from collections.abc import Iterable, Mapping
@@ -24,28 +23,37 @@ DIGITS = 50
 _MORE_DIGITS = 80
 
 Numbers = Mapping[str, Any]
-"""Field of ``stewart_robot`` -> number or nested lists of numbers; fields of the legs have six rows."""
+"""Numbers, or nested lists of numbers, by field of ``stewart_robot``; fields of the legs have six rows."""
 
 
 @dataclass
 class _Constants:
-    """Values of every constant by symbol: one for all legs, or six."""
+    """Values of each constant by symbol: one for all legs, or six."""
 
     quantities: dict[sp.Symbol, Quantity] = field(default_factory=dict)
     values: dict[sp.Symbol, tuple[mpf, ...]] = field(default_factory=dict)
 
     def add(self, quantity: Quantity, values: tuple[mpf, ...]) -> sp.Symbol:
-        """The symbol of a constant. Raises ValueError where its name already stands for other values."""
+        """Add a constant and return its symbol.
+
+        Raises
+        ------
+        ValueError
+            If the name already belongs to other values.
+        """
         symbol = quantity.symbols[0]
         values = values[:1] if len(set(values)) == 1 else values
         if self.values.setdefault(symbol, values) != values:
-            raise ValueError(f"{quantity.name}: expected the values that the name has already, got others")
+            raise ValueError(f"{quantity.name}: expected the values that this name already has, got others")
         self.quantities.setdefault(symbol, quantity)
         return symbol
 
 
 def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
-    """The kernel, not shared yet, with a robot's numbers folded in; ``name``: of the result."""
+    """Insert the numbers of a robot into a kernel whose common subexpressions are not yet eliminated.
+
+    ``name`` is the name of the result.
+    """
     kernel = replace(kernel, size=_size(robot), extent=_extent(robot))
     constants = _prepared(kernel, robot)
     shared = {symbol: values[0] for symbol, values in constants.values.items() if len(values) == 1}
@@ -53,8 +61,8 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
 
     def change(block: Block) -> Block:
         given = specialized(block, simple)
-        # Near a joint singularity speed hardly matters; with constants of its own that block would have to be
-        # tested for each, where rounding errors are largest.
+        # The block near a joint singularity is rarely used. If its constants were merged, it would have to be
+        # tested for each robot, because rounding errors are largest there.
         return given if block is kernel.leg_near_singular else _folded(given, constants)
 
     kernel = without_zeros(kernel.changed(lambda block: _with_inputs(change(block), constants)))
@@ -75,13 +83,13 @@ def _with_inputs(block: Block, constants: _Constants) -> Block:
 
 
 def _size(robot: Numbers) -> float:
-    """Largest coordinate of the platform points from the first, platform frame."""
+    """Return the largest coordinate of the platform points relative to the first one, platform frame (m)."""
     points = [[float(x) for x in point] for point in robot[n.p.name]]
     return max(abs(x - first) for point in points for x, first in zip(point, points[0], strict=True))
 
 
 def _extent(robot: Numbers) -> float:
-    """Largest sum of the sizes of a base or platform point's coordinates."""
+    """Return the largest sum of the absolute coordinates of a base or platform point (m)."""
     return max(sum(abs(float(x)) for x in point) for q in (n.p, n.b) for point in robot[q.name])
 
 
@@ -98,12 +106,12 @@ def _prepared(kernel: ForceKernel, robot: Numbers) -> _Constants:
 
 
 def _rounded(coarse: mpf, fine: mpf) -> mpf:
-    """The double nearest to a value; zero where more digits show that it is nothing but rounding."""
+    """Return the double nearest to a value, or zero if more digits show that it is a rounding error."""
     return mpf(0) if abs(fine) < abs(coarse) * mpf(10) ** -10 else mpf(float(fine))
 
 
 def _run(kernel: ForceKernel, robot: Numbers, digits: int) -> _Constants:
-    """Both preparations in the given digits."""
+    """Prepare the constants of the legs and of the platform with the given number of digits."""
     with mp.workdps(digits):
         of_all = _components((*n.PLATFORM, n.p_1), {**robot, n.p_1.name: robot[n.p.name][0]})
         given = [
@@ -123,7 +131,7 @@ def _run(kernel: ForceKernel, robot: Numbers, digits: int) -> _Constants:
 
 
 def _components(quantities: Iterable[Quantity], numbers: Numbers) -> dict[str, mpf]:
-    """Numbers under the names of the blocks' inputs."""
+    """Return numbers by the names of the blocks' inputs."""
     found = {}
     for quantity in quantities:
         for name, key in zip(quantity.names, quantity.keys, strict=True):
@@ -143,11 +151,11 @@ def _by_name(block: Block, values: Mapping[str, mpf]) -> dict[str, mpf]:
     }
 
 
-# ---------------------------------------------------------------- constants that meet
+# ---------------------------------------------------------------- merged constants
 
 
 def _folded(block: Block, constants: _Constants) -> Block:
-    """The block with constants that meet in a product or a sum made one."""
+    """Merge constants that occur in one product or sum of the block."""
     steps = [replace(step, expr=_fold(step.expr, constants)) for step in block.steps]
     outputs = [Output(out.quantity, tuple(_fold(e, constants) for e in out.exprs)) for out in block.outputs]
     return rebuilt(block, steps, outputs, (*block.inputs, *constants.quantities.values()))
@@ -174,7 +182,7 @@ def _is_constant(expr: sp.Expr, constants: _Constants) -> bool:
 
 
 def _joined(join: type[sp.Expr], known: list[sp.Expr], constants: _Constants) -> sp.Expr:
-    """One constant for several, named after them."""
+    """Merge several constants into one, and name it after them."""
     name = ("_plus_" if join is sp.Add else "_").join(_word(arg) for arg in known)
     with mp.workdps(DIGITS):
         rows = zip(*(_values(arg, constants) for arg in known), strict=True)
@@ -184,7 +192,7 @@ def _joined(join: type[sp.Expr], known: list[sp.Expr], constants: _Constants) ->
 
 
 def _word(arg: sp.Expr) -> str:
-    """A number or a constant in a name: ``two``, ``h_s``, ``minus_h_s``."""
+    """Return the name of a number or a constant: ``two``, ``h_s``, or ``minus_h_s``."""
     if arg.could_extract_minus_sign():
         return f"minus_{_word(-arg)}"
     return {sp.Integer(2): "two", sp.Rational(1, 2): "half"}.get(arg, str(arg).replace("/", "_over_"))

@@ -1,6 +1,6 @@
-"""The formulations: with the four errors of the printed equations or without, and the legs' base joint.
+"""Formulations: printed or corrected equations, base joint, and rotors.
 
-One derivation serves all of them; the switches here are the only places where they differ.
+All formulations use one derivation. They differ only in the switches of `Formulation`.
 """
 
 from dataclasses import dataclass, replace
@@ -13,14 +13,24 @@ SPHERICAL = "spherical"
 class Formulation:
     """Switches of the derivation.
 
-    name: as the user says it; base_joint: ``universal`` or ``spherical``.
-    no_spin: fault 1, s.W = 0 and s.A = 0 in (6), (8), (9) although the universal joint spins the leg.
-    moment_along_leg: fault 2, the constraint moment is M_u s in (17), (19), (20) instead of M_u n.
-    drive: the legs have rotors that turn with their lengths.
-    transport_twice: fault 3, (16) adds m_u L^2 diag(0, 1, 1) although (18) carries the transport already.
+    With a spherical base joint the spin of a leg is undetermined and there is no constraint moment, so
+    ``no_spin`` and ``moment_along_leg`` have no effect.
 
-    With a spherical base joint nothing fixes the spin and there is no constraint moment: the first two
-    switches have no effect.
+    Attributes
+    ----------
+    name : str
+        Name in the user interface, ``exact`` or ``paper``.
+    base_joint : str
+        Joint at the base point, ``universal`` or ``spherical``.
+    no_spin : bool
+        Fault 1 of the printed equations: s.W = 0 and s.A = 0 in (6), (8), (9), although the universal joint
+        couples the spin to the motion of the leg.
+    moment_along_leg : bool
+        Fault 2: the constraint moment in (17), (19), (20) is M_u s instead of M_u n with n = k x y.
+    transport_twice : bool
+        Fault 3: (16) adds m_u L^2 diag(0, 1, 1), although (18) already contains this term.
+    drive : bool
+        The legs have rotors that turn in proportion to the leg length.
     """
 
     name: str
@@ -32,7 +42,7 @@ class Formulation:
 
     @property
     def kernel_name(self) -> str:
-        """Name of the emitted kernel: ``exact``, ``paper_spherical``, ``exact_drive``."""
+        """Name of the emitted kernel, such as ``exact``, ``paper_spherical``, or ``exact_drive``."""
         joint = "" if self.base_joint == UNIVERSAL else f"_{self.base_joint}"
         return f"{self.name}{joint}{'_drive' if self.drive else ''}"
 
@@ -44,4 +54,4 @@ EXACT_DRIVE = replace(EXACT, drive=True)
 EXACT_SPHERICAL_DRIVE = replace(EXACT_SPHERICAL, drive=True)
 FORMULATIONS = (EXACT, PAPER, EXACT_SPHERICAL, PAPER_SPHERICAL, EXACT_DRIVE, EXACT_SPHERICAL_DRIVE)
 BY_KERNEL = {form.kernel_name: form for form in FORMULATIONS}
-"""Formulations by the names of their kernels."""
+"""Formulations by kernel name."""

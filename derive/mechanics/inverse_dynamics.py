@@ -1,8 +1,8 @@
-"""Every output of the inverse dynamics: one leg and the platform put together into blocks.
+"""Blocks of the complete inverse dynamics: the legs, the platform, and the joint reactions.
 
-Takes the solved leg and the platform's equations, adds what turns leg-frame results into base-frame
-vectors, and closes three blocks for each formulation: the leg's part of the inverse dynamics, the
-platform's part, and the leg's joint reactions.
+This module combines the solved equations of one leg with the equations of the platform. It converts results
+from the leg frame to the base frame. Each formulation has three blocks: the leg's part, the platform's part,
+and the joint reactions of one leg.
 """
 
 from dataclasses import dataclass
@@ -29,10 +29,20 @@ from .platform import platform
 
 @dataclass(frozen=True)
 class Kernel:
-    """The blocks of one formulation.
+    """Blocks of one formulation.
 
-    leg: q, L, k3, D, K, a column of H and a part of c; platform: the rest of c; reactions: one leg's joint
-    reactions from its axial force x.
+    Attributes
+    ----------
+    formulation : Formulation
+        Formulation of the equations.
+    friction : bool
+        True if the joints have friction.
+    leg : Block
+        q, L, k3, D, K, column of H, and part of c of one leg.
+    platform : Block
+        Platform's part of c.
+    reactions : Block
+        Joint reactions of one leg from its axial force x.
     """
 
     formulation: Formulation
@@ -43,13 +53,33 @@ class Kernel:
 
     @property
     def blocks(self) -> tuple[Block, Block, Block]:
-        """All three."""
+        """The three blocks."""
         return self.leg, self.platform, self.reactions
 
 
 @dataclass(frozen=True)
 class BaseFrameLeg:
-    """One leg solved, as base-frame vectors of the inputs."""
+    """Solution of one leg in the base frame, as expressions of the inputs.
+
+    Attributes
+    ----------
+    q : Matrix, shape (3, 1)
+        Platform point from the reference point (m).
+    s : Matrix, shape (3, 1)
+        Unit vector along the leg.
+    L : Expr
+        Leg length (m).
+    k3 : Expr or None
+        Sine of the angle between the leg and the fixed axis; None without a universal joint.
+    D : Expr
+        Known part of the actuator force (N).
+    K : Matrix, shape (3, 1)
+        Transverse force at the spherical joint (N).
+    f : Matrix, shape (3, 1)
+        Friction moment at the spherical joint (N m).
+    reactions : dict
+        Joint reactions by name.
+    """
 
     q: sp.Matrix
     s: sp.Matrix
@@ -63,7 +93,7 @@ class BaseFrameLeg:
 
 @cache
 def kernel(form: Formulation, friction: bool = True) -> Kernel:
-    """Derive the kernel of a formulation; without friction, the friction constants are zero throughout."""
+    """Derive the blocks of a formulation; without friction, all friction constants are zero."""
     return Kernel(
         form,
         friction,
@@ -75,7 +105,7 @@ def kernel(form: Formulation, friction: bool = True) -> Kernel:
 
 @cache
 def leg_block(form: Formulation, friction: bool) -> Block:
-    """One leg's part of the inverse dynamics, (1)-(24) and its share of (35)."""
+    """Derive one leg's part of the inverse dynamics, (1)-(24), and its terms in (35)."""
     build = Builder()
     leg = base_frame_leg(build, form, friction, with_reactions=False)
     share = platform()[1]
@@ -103,7 +133,7 @@ def leg_block(form: Formulation, friction: bool) -> Block:
 
 
 def reactions_block(form: Formulation, friction: bool) -> Block:
-    """One leg's joint reactions, (21), (26)-(29) and M_p of (17), from its axial force x."""
+    """Derive the joint reactions of one leg from its axial force x: (21), (26)-(29), and M_p of (17)."""
     build = Builder()
     reactions = base_frame_leg(build, form, friction, with_reactions=True).reactions
     quantities = (n.F_s, n.F_u, n.F_p, n.F_c, n.M_p, n.M_u)
@@ -116,7 +146,7 @@ def reactions_block(form: Formulation, friction: bool) -> Block:
 
 
 def base_frame_leg(build: Builder, form: Formulation, friction: bool, with_reactions: bool) -> BaseFrameLeg:
-    """Solve one leg with the base joint of the formulation."""
+    """Solve the equations of one leg with the base joint of the formulation."""
     solve = {UNIVERSAL: _universal_leg, SPHERICAL: _spherical_leg}[form.base_joint]
     return solve(build, form, friction, with_reactions)
 

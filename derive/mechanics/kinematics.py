@@ -1,7 +1,7 @@
-"""Kinematics of the legs, (1)-(5), and of a step of the platform, for the search of a pose from leg lengths.
+"""Kinematics of the legs (1)-(5) and rotation steps of the platform, for direct kinematics.
 
-From the vectors of ``leg``: lengths, rates, the rows of J = H^T, and the rotation by which a step of
-Newton's method turns the platform.
+The blocks compute leg lengths, length rates, rows of the inverse Jacobian H^T, and the rotation of the
+platform in a Newton step.
 """
 
 from dataclasses import dataclass
@@ -16,15 +16,25 @@ S = Quantity("S", (3,), "m", "vector from base point to platform point, base fra
 L_dot = Quantity("L_dot", (), "m/s", "rate of the leg's length, positive when it extends")
 L_ddot = Quantity("L_ddot", (), "m/s^2", "second derivative of the leg's length")
 turn = Quantity("turn", (3,), "rad", "small rotation of the platform, base frame")
-Q = Quantity("Q", (3, 3), "1", "rotation by which the platform is turned, base frame")
+Q = Quantity("Q", (3, 3), "1", "rotation matrix of this rotation, base frame")
 
 
 @dataclass(frozen=True)
 class Kinematics:
-    """The blocks from which lengths, rates and the steps of the search are computed.
+    """Blocks of inverse kinematics and of the Newton steps of direct kinematics.
 
-    vectors: q, S and L of one leg; row: its row of J; rate: its L_dot; turned: Q of a small rotation;
-    second: L, L_dot, L_ddot, s, S and q of one leg.
+    Attributes
+    ----------
+    vectors : Block
+        q, S, and L of one leg, (1), (2).
+    row : Block
+        Row [s, q x s] of the inverse Jacobian H^T.
+    rate : Block
+        Length rate L_dot of one leg, (4), (5).
+    turned : Block
+        Rotation matrix Q of a small rotation.
+    second : Block
+        L, L_dot, L_ddot, s, S, and q of one leg, (1)-(5), (7), (8).
     """
 
     vectors: Block
@@ -56,7 +66,7 @@ def _row() -> Block:
     s = build.vector("s", S.value * inv_L, "(3)", "unit vector along the leg")
     return build.block(
         "row_of",
-        "The row [s, q x s] of J, by which [v; omega] moves the leg, (5)",
+        "Row [s, q x s] of the inverse Jacobian H^T, which maps [v; omega] to the length rate, (5)",
         (n.q, S, n.L),
         [(n.H_force, s), (n.H_moment, cross(n.q.value, s))],
     )
@@ -81,23 +91,23 @@ def _second() -> Block:
     rate, second = sliding(build, s, inv_L, S_dot, S_ddot)
     return build.block(
         "motion_of",
-        "Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8)",
+        "Length of one leg with its first and second derivative, unit vector s, S, and q, (1)-(5), (7), (8)",
         (*n.MOTION, n.b, n.p),
         [(n.L, L), (L_dot, rate), (L_ddot, second), (n.s, s), (S, vector), (n.q, q)],
     )
 
 
 def _turned() -> Block:
-    """Cayley's rotation (E - X)^-1 (E + X) with X = [turn / 2]x: exp([turn]x) to third order."""
+    """Derive Cayley's rotation (E - X)^-1 (E + X) with X = [turn / 2]x: exp([turn]x) to third order."""
     build = Builder()
-    w = build.vector("w", turn.value / 2, "", "half the turn")
+    w = build.vector("w", turn.value / 2, "", "half of the rotation vector")
     share = build.scalar("share", 2 / (1 + w.dot(w)))
-    products = build.tensor("W", w * w.T, "", "products of the half turn")
+    products = build.tensor("W", w * w.T, "", "products of the components of w")
     square = products - products.trace() * sp.eye(3)
     rotation = sp.eye(3) + (skew(w) + square) * share
     return build.block(
         "turned_by",
-        "Cayley's rotation, which needs no sine: exp([turn]x) to third order",
+        "Cayley's rotation, without sines: exp([turn]x) to third order",
         (turn,),
         [(Q, rotation)],
     )

@@ -1,8 +1,8 @@
 """Constants that are prepared once per robot, and the blocks that prepare them.
 
-Of a leg, the inertia of the lower part about the base point and of the upper part about the platform point
-add up to one constant tensor J, and the first moments h (upper part) and w (both parts) remain. The mass
-of the upper parts, lumped as points at their spherical joints, is added to the platform's own.
+The inertia of a leg's lower part about the base point and of its upper part about the platform point add up
+to one constant tensor J. The first moments h (upper part) and w (both parts) remain. The mass of the upper
+parts is added to the platform as point masses at the spherical joints.
 """
 
 from collections.abc import Iterable
@@ -33,7 +33,7 @@ h_s = Quantity("h_s", (), "kg m", "first moment of the upper part about the plat
 w_s = Quantity("w_s", (), "kg m", "first moments of both parts, along the leg")
 J_s = Quantity("J_s", (), "kg m^2", "inertia of both parts about the axis of the leg")
 J_t = Quantity("J_t", (), "kg m^2", "inertias about base and platform point across the leg, mean of two axes")
-J_m = Quantity("J_m", (), "kg m^2", "inertias about base and platform point of the masses as points")
+J_m = Quantity("J_m", (), "kg m^2", "inertias about base and platform point of the parts as point masses")
 J_ts = Quantity("J_ts", (), "kg m^2", "J_t - J_s")
 LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, h_s, w_s, J_s, J_t, J_m, J_ts)
 
@@ -42,26 +42,30 @@ COMBINED: dict[Quantity, sp.Expr] = {
     J2_xz: 2 * J.value[0, 2],
     dJ_zx: J.value[2, 2] - J.value[0, 0],
 }
-"""Constants that stand for combinations of h and J."""
+"""Constants that are combinations of h and J."""
 
-# What one leg hands to the platform's constants.
+# Contributions of one leg to the constants of the platform.
 M_add = Quantity("M_add", (), "kg", "mass that is lumped with the platform")
-h_add = Quantity("h_add", (3,), "kg m", "its first moment about platform point 1, platform frame")
-J_add = Quantity("J_add", (3, 3), "kg m^2", "its inertia about platform point 1, platform frame", True)
+h_add = Quantity("h_add", (3,), "kg m", "first moment of this mass about platform point 1, platform frame")
+J_add = Quantity(
+    "J_add", (3, 3), "kg m^2", "inertia of this mass about platform point 1, platform frame", True
+)
 C_add = Quantity("C_add", (), "N m s", "friction of the leg's spherical joint")
 ADDED = (M_add, h_add, J_add, C_add)
 
 # Prepared constants of the platform.
 M_P = Quantity("M_P", (), "kg", "mass of the platform with the upper parts")
 W_P = Quantity("W_P", (3,), "N", "weight of the platform with the upper parts, base frame")
-h_P = Quantity("h_P", (3,), "kg m", "its first moment, platform frame")
-J_P = Quantity("J_P", (3, 3), "kg m^2", "its inertia about the reference point, platform frame", True)
-r_C = Quantity("r_C", (3,), "m", "its center of mass, platform frame")
-J_C = Quantity("J_C", (3, 3), "kg m^2", "its inertia about its center of mass, platform frame", True)
+h_P = Quantity("h_P", (3,), "kg m", "first moment of this mass about the reference point, platform frame")
+J_P = Quantity(
+    "J_P", (3, 3), "kg m^2", "inertia of this mass about the reference point, platform frame", True
+)
+r_C = Quantity("r_C", (3,), "m", "center of mass of the platform with the upper parts, platform frame")
+J_C = Quantity("J_C", (3, 3), "kg m^2", "inertia of this mass about r_C, platform frame", True)
 dJ_C = Quantity("dJ_C", (3,), "kg m^2", "J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx")
 C_P = Quantity("C_P", (), "N m s", "friction of all spherical joints")
 
-# What the pose hands to the legs.
+# Terms of the pose that the legs read.
 B = Quantity("B", (3, 3), "1/s^2", "[alpha]x + [omega]x [omega]x: S_ddot = B q + a")
 t_b = Quantity("t_b", (3,), "m", "reference point from base point, base frame")
 q_1 = Quantity("q_1", (3,), "m", "platform point 1 from the reference point, base frame")
@@ -70,19 +74,27 @@ arm_c = Quantity("arm_c", (3,), "N m", "moment of the leg's part of c, force row
 
 
 def point_inertia(mass: sp.Expr, at: sp.Matrix) -> sp.Matrix:
-    """Inertia of a point mass about the origin: m (r.r E - r r^T)."""
+    """Compute the inertia of a point mass about the origin: m (r.r E - r r^T)."""
     return mass * (at.dot(at) * sp.eye(3) - at * at.T)
 
 
 def differences(tensor: sp.Matrix) -> sp.Matrix:
-    """(zz - yy, xx - zz, yy - xx)."""
+    """Return the differences (zz - yy, xx - zz, yy - xx) of the diagonal."""
     xx, yy, zz = (tensor[i, i] for i in range(3))
     return sp.Matrix([zz - yy, xx - zz, yy - xx])
 
 
 @dataclass(frozen=True)
 class Lumped:
-    """What of a leg is lumped with the platform: the upper part's mass, the spherical joint's friction."""
+    """Contributions of a leg that are lumped with the platform.
+
+    Attributes
+    ----------
+    mass : bool
+        Mass of the upper part.
+    friction : bool
+        Friction of the spherical joint.
+    """
 
     mass: bool
     friction: bool
@@ -92,15 +104,20 @@ NOTHING_LUMPED = Lumped(mass=False, friction=False)
 
 
 def lumped(prepare: Block) -> Lumped:
-    """What is lumped with the platform, from the block that prepares a leg."""
+    """Return the lumped contributions of the block that prepares a leg."""
     added = prepare.exprs
     return Lumped(mass=added[M_add][0] != 0, friction=added[C_add][0] != 0)
 
 
 def prepare_leg(needed: Iterable[Quantity], lumped: Lumped) -> Block:
-    """The constants in ``needed``, and what the leg adds to the platform, from the robot's numbers.
+    """Prepare the constants in ``needed`` and the leg's contribution to the platform.
 
-    needed: prepared or raw constants of a leg; others are passed over. lumped: with the platform.
+    Parameters
+    ----------
+    needed : iterable of Quantity
+        Prepared or raw constants of a leg; other quantities are ignored.
+    lumped : Lumped
+        Contributions that are lumped with the platform.
     """
     build = Builder()
     raw = n.k.value
@@ -126,7 +143,7 @@ def prepare_leg(needed: Iterable[Quantity], lumped: Lumped) -> Block:
         **_axial(first, both, tensor),
     }
     mass = m_u if lumped.mass else sp.S.Zero
-    # Not from the reference point: however far off that lies, no digits of the platform's own size are lost.
+    # From platform point 1, because a distant reference point would reduce the accuracy.
     arm = build.vector("arm", n.p.value - n.p_1.value, "", "platform point from platform point 1")
     added = [
         (M_add, mass),
@@ -143,7 +160,7 @@ def prepare_leg(needed: Iterable[Quantity], lumped: Lumped) -> Block:
 
 
 def _axial(first: sp.Matrix, both: sp.Matrix, tensor: sp.Matrix) -> dict[Quantity, sp.Expr]:
-    """Constants of a leg that is taken to be axisymmetric."""
+    """Return the constants of an axisymmetric leg."""
     across = sp.Rational(1, 2) * (tensor[1, 1] + tensor[2, 2])
     return {
         h_s: first[0],
@@ -156,22 +173,23 @@ def _axial(first: sp.Matrix, both: sp.Matrix, tensor: sp.Matrix) -> dict[Quantit
 
 
 def prepare_platform(needed: Iterable[Quantity]) -> Block:
-    """The platform's constants in ``needed``, from the robot's numbers and from sums over the legs."""
+    """Prepare the platform's constants in ``needed`` from the robot's numbers and from sums over the legs."""
     build = Builder()
     M, R_0, h = n.M.value, n.R_0.value, h_add.value
     mass = build.scalar("M_P", M + M_add.value)
     arm = build.vector(
-        "arm", R_0 - n.p_1.value, "", "the platform's own center of mass from platform point 1"
+        "arm",
+        R_0 - n.p_1.value,
+        "",
+        "center of mass of the platform without the upper parts, from platform point 1",
     )
-    e = build.vector(
-        "e", h - M_add.value * arm, "", "first moment of what is lumped with it about that center"
-    )
-    # Each term as exact as its inputs: a center from another one cancels where either mass is small.
+    e = build.vector("e", h - M_add.value * arm, "", "first moment of the lumped masses about this center")
+    # Each term is as accurate as its inputs. A difference of centers would cancel if either mass is small.
     first = build.vector(
         "h_P", M * R_0 + (h + M_add.value * n.p_1.value), "", "first moment about the reference point"
     )
     center = build.vector("r_C", first / mass)
-    # Not the inertia about a given point less M_P r r: that cancels where nothing is lumped.
+    # The inertia about a fixed point less M_P r r would cancel if nothing is lumped.
     r = build.vector("r", h / mass)
     u = build.vector("u", M / mass * (h + e) / 2)
     tensor = build.tensor(
@@ -200,7 +218,7 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
 
 
 def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
-    """S_dot and S_ddot, named, (4), (7)."""
+    """Name S_dot (4) and S_ddot (7), base frame."""
     S_dot = build.vector(
         "S_dot", cross(n.omega.value, q) + n.v.value, "(4)", "velocity of the platform point"
     )

@@ -1,4 +1,4 @@
-"""The actuator forces of legs with offset joints: kernel ``exact_offset``, of its own beside ``exact``."""
+"""Actuator forces of legs with offset joints: the kernel ``exact_offset``."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -16,14 +16,12 @@ from .legs import offset_joints as o
 from .legs.joint_coordinates import friction_moment
 
 LEVEL = "offset"
-MEANING = (
-    "offset joints; STEWART_NOT_FINITE also where a platform point lies where no leg with its offsets ends"
-)
+MEANING = "offset joints; also STEWART_NOT_FINITE if a leg with its offsets cannot reach its platform point"
 
 
 @cache
 def offset_kernel() -> ForceKernel:
-    """The blocks of the forces, platform joints spherical."""
+    """Derive the blocks of the forces for offset universal joints and spherical platform joints."""
     lumped = p.Lumped(mass=True, friction=True)
     shared = actuator_forces.shared(friction=True)
     kernel = actuator_forces.with_constants(EXACT, True, shared, offset_leg(), lumped)
@@ -33,7 +31,7 @@ def offset_kernel() -> ForceKernel:
 
 
 def offset_leg() -> Block:
-    """The leg with offsets."""
+    """Derive the block of a leg with offsets."""
     build = Builder()
     leg = o.offset_frame(build)
     at = leg.at
@@ -50,14 +48,14 @@ def offset_leg() -> Block:
 
 
 def prepare_leg(needed: Iterable[Quantity], lumped: p.Lumped) -> Block:
-    """The constants in ``needed`` with what offsets and the joint's cross add to them."""
+    """Prepare the constants in ``needed``, including the offsets and the body between the axes."""
     needed = tuple(needed)
     plain = p.prepare_leg(dict.fromkeys((*needed, p.h, p.w, p.J)), lumped)
     h, r_c, m_c = p.h.value, o.r_c.value, o.m_c.value
     d, a, e = o.d.value, o.a.value, o.e.value
     z = sp.Matrix([0, 0, 1])
     about_k = sp.Symbol("I_k", real=True)
-    # What the arm d z of the upper part's center adds, and what turns about k alone.
+    # Terms of the arm d z of the upper part's center of mass, and of the bodies that rotate about k only.
     added_J = d * (2 * h[2] * sp.eye(3) - z * h.T - h * z.T) + about_k * sp.diag(1, 0, 1)
     added_w = sp.Matrix([0, m_c * r_c[1], 0])
     more_of = dict(zip(p.J.names, (added_J[key] for key in p.J.keys), strict=True))
@@ -78,10 +76,12 @@ def prepare_leg(needed: Iterable[Quantity], lumped: p.Lumped) -> Block:
         "I_k",
         n.m_d.value * a**2 + o.I_c.value + m_c * (r_c[0] ** 2 + r_c[1] ** 2) + 2 * e * h[1],
         "",
-        "inertia about k of what turns about it alone",
+        "inertia about k of the bodies that rotate about k only",
     )
     for name, expr in more_of.items():
-        build.scalar(name, own[name] + expr, "", "with what offsets and cross add")
+        build.scalar(
+            name, own[name] + expr, "", "with the terms of the offsets and of the body between the axes"
+        )
     values: dict[Quantity, sp.Expr] = {
         o.a: a,
         o.e: e,

@@ -1,6 +1,7 @@
-"""Orientation and its rates from roll, pitch and yaw, (38), or a quaternion, and theirs, as blocks.
+"""Orientation, angular velocity, and angular acceleration from angles (38) or from a quaternion.
 
-Sines and cosines are inputs: no block has a function but the square root.
+The angles are roll, pitch, and yaw. Their sines and cosines are inputs, because blocks contain no function
+except the square root.
 """
 
 import sympy as sp
@@ -12,7 +13,7 @@ from .legs.leg import cross, skew
 SINE = Quantity("sine", (3,), "1", "sines of theta_x, theta_y, theta_z")
 COSINE = Quantity("cosine", (3,), "1", "cosines of theta_x, theta_y, theta_z")
 RATE = Quantity("theta_dot", (3,), "rad/s", "rates of the angles")
-SECOND = Quantity("theta_ddot", (3,), "rad/s^2", "second rates of the angles")
+SECOND = Quantity("theta_ddot", (3,), "rad/s^2", "second derivatives of the angles")
 
 
 def _quaternion(name: str, unit: str, meaning: str) -> tuple[Quantity, Quantity]:
@@ -20,12 +21,12 @@ def _quaternion(name: str, unit: str, meaning: str) -> tuple[Quantity, Quantity]
 
 
 E = _quaternion("e", "1", "quaternion")
-E_DOT = _quaternion("e_dot", "1/s", "its rate")
-E_DDOT = _quaternion("e_ddot", "1/s^2", "its second rate")
+E_DOT = _quaternion("e_dot", "1/s", "derivative of the quaternion")
+E_DDOT = _quaternion("e_ddot", "1/s^2", "second derivative of the quaternion")
 
 
 def rpy() -> Block:
-    """R = Rz Ry Rx of (38), omega = e_x theta_x' + e_y theta_y' + e_z theta_z', and alpha, its derivative."""
+    """Derive R = Rz Ry Rx (38), omega = e_x theta_x' + e_y theta_y' + e_z theta_z', and alpha = omega'."""
     (sx, sy, sz), (cx, cy, cz) = SINE.symbols, COSINE.symbols
     Rx = sp.Matrix([[1, 0, 0], [0, cx, -sx], [0, sx, cx]])
     Ry = sp.Matrix([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]])
@@ -36,11 +37,11 @@ def rpy() -> Block:
         build.vector(f"about_{axis}", axes[:, i] * RATE.value[i], "", f"rate of theta_{axis} about its axis")
         for i, axis in enumerate("xyz")
     ]
-    # Each axis is carried by the turns outside of its own.
+    # The rotations that are applied after an axis also rotate this axis.
     carried = cross(turns[2], turns[1] + turns[0]) + cross(turns[1], turns[0])
     return build.block(
         "turned_by_angles",
-        "Orientation and its rates from roll, pitch and yaw, (38)",
+        "Orientation, angular velocity, and angular acceleration from roll, pitch, and yaw, (38)",
         (SINE, COSINE, RATE, SECOND),
         [
             (n.R, Rz * Ry * Rx),
@@ -51,15 +52,18 @@ def rpy() -> Block:
 
 
 def quaternion() -> Block:
-    """R x = e x e^-1, omega = 2 e' e^-1, alpha = 2 (e'' e^-1 - (e' e^-1)^2), for any length of e."""
+    """Derive R x = e x e^-1, omega = 2 e' e^-1, and alpha = 2 (e'' e^-1 - (e' e^-1)^2).
+
+    The quaternion e may have any norm.
+    """
     (w, v), rate, second = ((part.value for part in parts) for parts in (E, E_DOT, E_DDOT))
     build = Builder()
-    over = build.scalar("inv_square", 1 / (w * w + v.dot(v)), "", "one over the square of the length")
+    over = build.scalar("inv_square", 1 / (w * w + v.dot(v)), "", "1 / |e|^2")
     turn = skew(v)
     R = sp.eye(3) + 2 * over * (w * turn + turn * turn)
 
     def by_inverse(scalar: sp.Expr, vector: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
-        """Product with e^-1 = (w, -v) / |e|^2."""
+        """Multiply a quaternion by e^-1 = (w, -v) / |e|^2 from the right."""
         return over * (scalar * w + vector.dot(v)), over * (w * vector - scalar * v - cross(vector, v))
 
     along, half = by_inverse(*rate)
@@ -70,7 +74,7 @@ def quaternion() -> Block:
     _, second_half = by_inverse(*second)
     return build.block(
         "turned_by_quaternion",
-        "Orientation and its rates from a quaternion and its rates",
+        "Orientation, angular velocity, and angular acceleration from a quaternion and its derivatives",
         (*E, *E_DOT, *E_DDOT),
         [(n.R, R), (n.omega, 2 * half), (n.alpha, 2 * second_half - 4 * along * half)],
     )

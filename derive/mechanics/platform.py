@@ -1,8 +1,9 @@
-"""The platform: kinematics (30)-(32), its two equations of motion, and H x = c read off them, (33)-(36).
+"""Equations of motion of the platform: (30)-(34), written as H x = c (36).
 
-Takes what the legs give as symbols (s, q, K, f of each leg) and hands back, for one leg, its column of H
-and its part of c, and the part of c that belongs to no leg. The sign of sum K in (33) is a slip in print;
-here it follows from the equation itself.
+Equations (30)-(32) are the kinematics and (33)-(34) the force and moment balance. The terms of the legs are
+the symbols s, q, K, f of each leg. The results are the column of H and the part of c of one leg, and the part
+of c that belongs to the platform. In the printed (33) the sign of sum K is a misprint. Here the sign follows
+from the force balance.
 """
 
 from dataclasses import dataclass
@@ -20,9 +21,14 @@ _LEG_VECTORS = (n.s, n.q, n.K, n.f)
 
 @dataclass(frozen=True)
 class LegShare:
-    """What one leg gives to H x = c, as expressions of s, q, K, f without index.
+    """Terms of one leg in H x = c, base frame, as expressions of s, q, K, f without the number of the leg.
 
-    column: 6x1, its column of H; wrench: 6x1, its part of c.
+    Attributes
+    ----------
+    column : Matrix, shape (6, 1)
+        Column of H.
+    wrench : Matrix, shape (6, 1)
+        Part of c.
     """
 
     column: sp.Matrix
@@ -31,7 +37,17 @@ class LegShare:
 
 @dataclass(frozen=True)
 class PlatformEquations:
-    """H (6x6), x and c (6x1) of (36), with the symbols of all six legs."""
+    """H x = c (36) with the symbols of all six legs, base frame.
+
+    Attributes
+    ----------
+    H : Matrix, shape (6, 6)
+        Wrench matrix.
+    x : tuple of Symbol, length 6
+        Axial forces of the legs at their spherical joints (N).
+    c : Matrix, shape (6, 1)
+        Right-hand side.
+    """
 
     H: sp.Matrix
     x: tuple[sp.Symbol, ...]
@@ -45,10 +61,20 @@ def _indexed(quantity: Quantity, leg: int) -> sp.Matrix:
 def equations_of_motion(
     N: sp.Matrix, R_G: sp.Matrix, F_load: sp.Matrix, E: sp.Matrix, M_load: sp.Matrix
 ) -> PlatformEquations:
-    """Newton's and Euler's equations with F_s = x s + K of every leg, solved for H and c.
+    """Solve the force and moment balance (33), (34) of the platform for H and c.
 
-    N: M (g - a_G); R_G: center of mass from the reference point; F_load, M_load: external force and moment;
-    E: I alpha + omega x I omega. All 3x1, base frame.
+    The force on each leg is F_s = x s + K. All arguments are in the base frame and have shape (3, 1).
+
+    Parameters
+    ----------
+    N : Matrix
+        Gravity and inertia force M (g - a_G) (N).
+    R_G : Matrix
+        Center of mass from the reference point (m).
+    F_load, M_load : Matrix
+        External force (N) and moment (N m).
+    E : Matrix
+        Rate of the angular momentum, I alpha + omega x I omega (N m).
     """
     force = N + F_load
     moment = cross(R_G, N) - E + M_load
@@ -63,10 +89,16 @@ def equations_of_motion(
 
 
 def leg_share(equations: PlatformEquations) -> LegShare:
-    """Column of H and part of c of one leg. Raises ValueError if the six legs do not enter alike."""
+    """Return the column of H and the part of c of one leg.
+
+    Raises
+    ------
+    ValueError
+        If the six legs do not enter the equations in the same way.
+    """
     shares = [_share_of(equations, leg) for leg in LEGS]
     if any(share != shares[0] for share in shares):
-        raise ValueError("the legs do not enter the platform's equations alike")
+        raise ValueError("the six legs do not enter the equations of the platform in the same way")
     return shares[0]
 
 
@@ -83,7 +115,7 @@ def _share_of(equations: PlatformEquations, leg: int) -> LegShare:
 
 @cache
 def platform() -> tuple[Block, LegShare]:
-    """The block of the platform's part of c, and the share of one leg."""
+    """Derive the block of the platform's part of c, and the terms of one leg."""
     build = Builder()
     R, omega, alpha = n.R.value, n.omega.value, n.alpha.value
     R_G = build.vector("R_G", R * n.R_0.value, "(30)", "center of mass from the reference point, base frame")
@@ -105,7 +137,7 @@ def platform() -> tuple[Block, LegShare]:
     own = equations.c.xreplace(dict.fromkeys(of_legs, sp.S.Zero))
     block = build.block(
         "platform_wrench",
-        "the platform's own part of c, (33)-(35)",
+        "part of c that belongs to the platform, (33)-(35)",
         (*n.MOTION, *n.PLATFORM),
         [(n.c_force, own[:3, :]), (n.c_moment, own[3:, :])],
     )

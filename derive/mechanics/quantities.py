@@ -1,7 +1,7 @@
-"""The paper's symbols: every quantity that enters or leaves a block, with unit, frame and meaning.
+"""Symbols of the paper: name, shape, unit, frame, and meaning of each input and output of a block.
 
-The first file to read beside the paper. Everything else in ``derive`` takes its symbols from
-here; it holds no equation.
+Read this file first when you compare the code with the paper. All other modules of ``derive`` take their
+symbols from here. This module contains no equation.
 """
 
 from collections.abc import Container
@@ -35,7 +35,7 @@ C_s = Quantity("C_s", (), "N m s", "viscous friction of the spherical joint")
 LEG = (b, p, k, m_d, r_d0, I_d0, m_u, r_u0, I_u0, C_u, C_p, C_s)
 FRICTION = (C_u, C_p, C_s)
 m_r = Quantity(
-    "m_r", (), "kg", "reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m"
+    "m_r", (), "kg", "reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m"
 )
 j_r = Quantity("j_r", (), "kg m", "angular momentum of the leg's rotor per rate of length, J_r N")
 ROTOR = (m_r, j_r)
@@ -43,11 +43,11 @@ OF_LEG = (*LEG, *ROTOR)
 
 
 def of_leg(numbers: Container[str]) -> tuple[Quantity, ...]:
-    """Constants of a leg: those of a rotor where there are numbers of one."""
+    """Return the constants of a leg, with the rotor constants if ``numbers`` contains m_r."""
     return OF_LEG if m_r.name in numbers else LEG
 
 
-# Constants of the platform and of the place it stands in.
+# Constants of the platform and gravity.
 M = Quantity("M", (), "kg", "mass of the platform with its payload")
 R_0 = Quantity("R_0", (3,), "m", "center of mass of the platform, platform frame")
 I_p = Quantity(
@@ -57,7 +57,7 @@ g = Quantity("g", (3,), "m/s^2", "acceleration due to gravity, base frame")
 PLATFORM = (M, R_0, I_p, g)
 p_1 = Quantity("p_1", (3,), "m", "platform point 1, platform frame")
 
-# What one leg gives to the platform's equations.
+# Terms of one leg in the equations of motion of the platform.
 q = Quantity("q", (3,), "m", "platform point from the reference point, base frame")
 s = Quantity("s", (3,), "1", "unit vector along the leg, base frame")
 L = Quantity("L", (), "m", "length of the leg")
@@ -72,7 +72,7 @@ c_force = Quantity("c_force", (3,), "N", "part of c, force rows, base frame")
 c_moment = Quantity("c_moment", (3,), "N m", "part of c, moment rows, base frame")
 
 # Reactions.
-bearing = Quantity("bearing", (), "m", "distance along the leg from the base point to where M_p is taken")
+bearing = Quantity("bearing", (), "m", "distance along the leg from the base point to the reference of M_p")
 F_s = Quantity("F_s", (3,), "N", "force on the leg at the spherical joint, base frame")
 F_u = Quantity("F_u", (3,), "N", "force on the leg at the universal joint, base frame")
 F_p = Quantity(

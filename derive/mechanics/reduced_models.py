@@ -1,8 +1,7 @@
-"""Reduced models: how much of the legs' physics a force kernel has.
+"""Fidelity levels of the force kernels as reductions of one derivation.
 
-Every level is a reduction of the one derivation: constants that a simpler leg does not have become zero,
-and with them every term they stand in; a leg without axial inertia and friction needs no leg frame at all.
-A quasi-static level has neither velocities nor accelerations.
+Constants that a simpler leg does not have become zero, and their terms vanish. A leg without axial inertia
+and friction does not need a leg frame. A quasi-static level has neither velocities nor accelerations.
 """
 
 from collections.abc import Mapping
@@ -30,12 +29,22 @@ MASSLESS = "massless"
 
 @dataclass(frozen=True)
 class Fidelity:
-    """One level.
+    """One fidelity level.
 
-    legs: ``general``; ``axisymmetric``, centers of mass on the axis and equal transverse inertias;
-    ``slender``, also no inertia about the axis; ``point_masses``, no inertia but that of the masses;
-    ``massless``. friction: of all joints. moving: False for no velocities and no accelerations. rotor: of the
-    legs' drives.
+    Attributes
+    ----------
+    name, meaning : str
+        Name, and description.
+    legs : str
+        Model of the legs. ``general``: all inertia. ``axisymmetric``: centers of mass on the axis and equal
+        transverse inertias. ``slender``: additionally no inertia about the axis. ``point_masses``: only the
+        inertia of the masses as points. ``massless``: no mass.
+    friction : bool
+        True for friction of all joints.
+    moving : bool
+        False for zero velocities and accelerations.
+    rotor : Rotor
+        Rotors of the legs' drives.
     """
 
     name: str
@@ -82,14 +91,20 @@ DRIVE_FIDELITIES = {
         ("reflected_massless", MASSLESS, False, _MASSLESS_LEGS, REFLECTED),
     )
 }
-"""Further levels of legs with rotors. The levels of ``FIDELITIES`` leave the rotors out."""
+"""Additional levels of legs with rotors. The levels of ``FIDELITIES`` omit the rotors."""
 
 NO_ROTOR = "no_rotor"
-"""Name, for legs with rotors, of the level ``general`` of ``FIDELITIES``: everything but the rotors."""
+"""Name of the level ``general`` of ``FIDELITIES`` for legs with rotors: everything except the rotors."""
 
 
 def level_of(name: str, rotors: bool) -> Fidelity:
-    """The level that a name stands for; rotors: of a robot whose legs have them. KeyError for no level."""
+    """Return the level of a name, for a robot with or without rotors.
+
+    Raises
+    ------
+    KeyError
+        If there is no such level.
+    """
     if not rotors:
         return FIDELITIES[name]
     return DRIVE_FIDELITIES.get(name) or FIDELITIES[GENERAL if name == NO_ROTOR else name]
@@ -100,9 +115,12 @@ _ZERO = sp.S.Zero
 
 @cache
 def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
-    """The blocks of one level, before sharing.
+    """Derive the blocks of one level, before common subexpressions are eliminated.
 
-    Raises ValueError for a level below ``frictionless`` of another formulation than EXACT.
+    Raises
+    ------
+    ValueError
+        If a level below ``frictionless`` is requested for a formulation other than EXACT.
     """
     if level.legs == GENERAL and level.moving and level.rotor == (FULL if form.drive else NONE):
         return replace(
@@ -133,7 +151,7 @@ _AT_REST: Mapping[sp.Symbol, sp.Expr] = {
 
 
 def _weighed(block: Block) -> Block:
-    """The block with the platform's weight from a constant."""
+    """Replace M_P g by the prepared weight of the platform."""
     weight = dict(zip(p.M_P.value * n.g.value, p.W_P.symbols, strict=True))
     steps = [replace(step, expr=step.expr.xreplace(weight)) for step in block.steps]
     outputs = [replace(out, exprs=tuple(e.xreplace(weight) for e in out.exprs)) for out in block.outputs]
@@ -156,12 +174,12 @@ def _leg(level: Fidelity, near_singular: bool = False) -> Block:
 
 
 def _across(legs: str) -> sp.Expr:
-    """Transverse inertia of a leg's parts about base and platform point."""
+    """Return the transverse inertia of a leg's parts about base and platform point."""
     return {MASSLESS: _ZERO, POINT_MASSES: p.J_m.value}.get(legs, p.J_t.value)
 
 
 def _constants(legs: str) -> dict[sp.Symbol, sp.Expr]:
-    """The constants of the general leg as a simpler one has them."""
+    """Return the constants of the general leg for a simpler leg."""
     heavy = legs != MASSLESS
     axial = p.J_s.value if legs == AXISYMMETRIC else _ZERO
     across = _across(legs)
@@ -176,7 +194,7 @@ def _constants(legs: str) -> dict[sp.Symbol, sp.Expr]:
 
 
 def _leg_on_axis(level: Fidelity) -> Block:
-    """A leg without friction and without inertia about its axis: it has no frame and no universal axis."""
+    """Derive a leg without friction and axial inertia, which has no leg frame and no universal axis."""
     build = Builder()
     q, _, L, inv_L, s = leg_vector(build)
     S_dot, S_ddot = p.tip_motion(build, q)
@@ -191,7 +209,7 @@ def _leg_on_axis(level: Fidelity) -> Block:
         meaning = "one massless leg with a reflected mass: D and its column of H"
         L_dot = build.scalar("L_dot", s.dot(S_dot), "(5)", "rate of the length")
         turned = build.scalar("turned", (S_dot.dot(S_dot) - L_dot**2) * inv_L, "(8)", "L |s_dot|^2")
-        D = build.scalar("D", mass * (s.dot(S_ddot) + turned), "(24)", "force that turns the motor")
+        D = build.scalar("D", mass * (s.dot(S_ddot) + turned), "(24)", "force that accelerates the rotor")
     return actuator_forces.closed_leg(build, meaning, q, s, L, None, D, K, sp.zeros(3, 1))
 
 
@@ -205,16 +223,22 @@ def slender_force(
     inertia: sp.Expr,
     reflected: sp.Expr,
 ) -> tuple[sp.Expr, sp.Matrix]:
-    """D and K of a slender leg, (21), (24); K carries a part along s, and D is to match.
+    """Name D and K of a slender leg, (21), (24), base frame; K has a component along s.
 
-    inertia: of both parts about base and platform point, across the leg. With the upper part's mass on the
-    platform, the leg's kinetic energy is that of the turning s alone: (inertia + 2 L h) |s_dot|^2 / 2.
-    reflected: mass of a rotor, which moves with L; zero without one.
+    With the upper part's mass on the platform, the kinetic energy of the leg is only (inertia + 2 L h)
+    |s_dot|^2 / 2.
+
+    Parameters
+    ----------
+    inertia : Expr
+        Transverse inertia of both parts about base and platform point (kg m^2).
+    reflected : Expr
+        Reflected mass of a rotor, which moves with L (kg); zero without a rotor.
     """
     h = p.h_s.value
     inv_L2 = build.scalar("inv_L2", inv_L**2)
     L_dot = build.scalar("L_dot", s.dot(S_dot), "(5)", "rate of the length")
-    meaning = "K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s"
+    meaning = "K = K_a S_ddot + K_v S_dot - K_g g, with a component along s"
     K_a = build.scalar("K_a", (inertia + 2 * L * h) * inv_L2, "(21)", meaning)
     L_share = build.scalar("L_share", 2 * inv_L * L_dot, "", "2 L_dot / L")
     K_v = build.scalar("K_v", L_share * (h * inv_L - K_a), "(21)", meaning)
@@ -225,11 +249,11 @@ def slender_force(
     D = -h * turning - s.dot(K)
     if reflected != 0:
         D += reflected * (s.dot(S_ddot) + L * turning)
-    return build.scalar("D", D, "(24)", "known part of the actuator force, to match"), K
+    return build.scalar("D", D, "(24)", "known part of the actuator force for this K"), K
 
 
 def _platform_alone(friction: bool) -> Block:
-    """The platform's part of c where no leg needs B: everything in the platform frame, (30)-(35)."""
+    """Derive the platform's part of c in the platform frame for legs that do not need B, (30)-(35)."""
     build = Builder()
     R = n.R.value
     meaning = "in the platform frame"

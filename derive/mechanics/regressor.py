@@ -1,11 +1,11 @@
-"""The regressor: H F + external wrench = Y pi, linear in mass, first moment and inertia of every body.
+"""Regressor Y: H F + external wrench = Y pi, linear in the inertial and friction parameters pi.
 
-Each body's inertial parameters are taken about its part's joint point: of the lower part about the base
-point, of the upper part about the platform point, of the platform about its reference point; a leg's
-friction coefficients follow. Lagrange's torques of ``tip`` are linear in them, so the columns of a leg are
-the derivatives of its torques, led to the tip; the upper part's mass is lumped with the platform as a
-point. ``dependencies`` says which columns are sums of others on every machine. Formulation `exact` with
-universal base joints.
+The inertial parameters of a body are its mass, first moment, and inertia. For the lower part of a leg they
+are about the base point, for the upper part about the platform point, for the platform about the reference
+point. The friction coefficients of the leg follow. Lagrange's torques of ``tip`` are linear in pi, so the
+columns of a leg are the derivatives of its torques, transformed to the tip. The upper part's mass is lumped
+with the platform as a point mass. ``dependencies`` lists the columns that are linear combinations of others
+for every robot. The formulation is `exact` with universal base joints.
 """
 
 from collections.abc import Iterable
@@ -22,7 +22,7 @@ from .legs.joint_coordinates import JointFrame, gravity_torques, joint_accelerat
 from .legs.leg import cross, platform_point_motion
 from .legs.rotor import FULL
 
-# Parameters of one leg and of the platform; their columns stand in Y in this order.
+# Parameters of one leg and of the platform, in the order of their columns in Y.
 h_d = Quantity("h_d", (3,), "kg m", "first moment of the lower part about the base point, frame D")
 J_d = Quantity("J_d", (3, 3), "kg m^2", "inertia of the lower part about the base point, frame D", True)
 h_u = Quantity("h_u", (3,), "kg m", "first moment of the upper part about the platform point, frame U")
@@ -39,9 +39,14 @@ Column = tuple[sp.Matrix, sp.Matrix]
 
 @dataclass(frozen=True)
 class Regressor:
-    """Blocks whose outputs are columns of Y: of one leg, and of the platform.
+    """Blocks whose outputs are columns of Y.
 
-    Outputs come in pairs, the force rows and the moment rows of one parameter's column (``column``).
+    Outputs come in pairs: the force rows and the moment rows of the column of one parameter (``column``).
+
+    Attributes
+    ----------
+    leg, platform : Block
+        Columns of one leg, and of the platform.
     """
 
     leg: Block
@@ -49,7 +54,7 @@ class Regressor:
 
 
 def column(parameter: str) -> tuple[Quantity, Quantity]:
-    """What a block hands out for a parameter's component: force rows and moment rows of its column."""
+    """Return the outputs of a parameter's component: force rows and moment rows of its column."""
     return (
         Quantity(f"force_{parameter}", (3,), "", f"column of {parameter}, force rows, base frame"),
         Quantity(f"moment_{parameter}", (3,), "", f"column of {parameter}, moment rows, base frame"),
@@ -57,28 +62,29 @@ def column(parameter: str) -> tuple[Quantity, Quantity]:
 
 
 def names_of(parameters: Iterable[Quantity]) -> list[str]:
-    """The name of each parameter's component, in the order of the columns."""
+    """Return the names of the parameters' components in the order of the columns."""
     return [component_name(q.name, key) for q in parameters for key in q.keys]
 
 
 def regressor() -> Regressor:
-    """Derive both blocks."""
+    """Derive the columns of one leg and of the platform."""
     return Regressor(_leg(LEG_PARAMETERS), _platform())
 
 
 def rotor_columns() -> Block:
-    """Columns of the constants of one leg's rotor, which are not among those of ``regressor``."""
+    """Derive the columns of the rotor constants of one leg, which ``regressor`` does not contain."""
     whole = _leg(n.ROTOR)
     kept = [out for out in whole.outputs if out.quantity.name.startswith(("force_", "moment_"))]
     return rebuilt(whole, whole.steps, kept, whole.inputs)
 
 
 def dependencies() -> dict[str, dict[str, sp.Expr]]:
-    """Columns of a leg that are sums of others on every machine: parameter -> {parameter: coefficient}.
+    """Return the columns of a leg that are sums of others for every robot.
 
-    The lower part turns about a fixed point, so its mass is never felt; both parts turn alike, so their
-    inertias act as one; the upper part's mass acts at its platform point p as if fixed to the platform. There
-    are no others: on random machines the columns left are independent.
+    The result maps a parameter to {parameter: coefficient}. The lower part rotates about a fixed point, so
+    its mass has no effect. Both parts rotate alike, so only the sum of their inertias matters. The upper
+    part's mass acts at its platform point p as if it were fixed to the platform. On random robots all other
+    columns are independent.
     """
     at_tip = p.point_inertia(sp.S.One, n.p.value)
     lumped = {n.M.name: sp.S.One}
@@ -122,7 +128,7 @@ def _leg(parameters: tuple[Quantity, ...]) -> Block:
 
 
 def _projections(build: Builder, at: JointFrame) -> None:
-    """Names what ``tip`` takes as given: gravity and omega along the axes of the joint."""
+    """Name the projections that ``tip`` uses: gravity and omega along the axes of the joint."""
     k, g = n.k.value, n.g.value
     build.scalar("g_k", g.dot(k), "", p.g_k.meaning)
     build.vector("g_x_k", cross(g, k), "", p.g_x_k.meaning)
@@ -131,7 +137,7 @@ def _projections(build: Builder, at: JointFrame) -> None:
 
 
 def _torques_by_parameter() -> dict[str, sp.Matrix]:
-    """Derivatives of Lagrange's torques, 3x1, by the parameters of a leg that they hold."""
+    """Differentiate Lagrange's torques, 3x1, by the parameters of a leg."""
     torques = tip.torques(True, FULL)
 
     def by(symbol: sp.Symbol) -> sp.Matrix:
@@ -151,8 +157,11 @@ def _torques_by_parameter() -> dict[str, sp.Matrix]:
 
 
 def _without_turning(torque: sp.Expr) -> sp.Expr:
-    """A torque by the own accelerations of ``JointAccelerations``, where it is shorter so: what the turning
-    adds to the others cancels there, and is much larger than what is left near the joint singularity."""
+    """Return a torque as a function of the own accelerations of ``JointAccelerations`` if it is shorter.
+
+    The effect of the frame's rotation then cancels symbolically. Near the joint singularity it is much larger
+    than the remaining terms.
+    """
     (_, theta_dot, phi_dot), (_, theta_ddot, phi_ddot) = tip.rates, tip.accelerations
     own_theta, own_phi = sp.symbols("own_theta_ddot own_phi_ddot", real=True)
     turning = {

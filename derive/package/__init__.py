@@ -1,1 +1,1 @@
-"""What surrounds kernels in a kit: files of ``templates``, filled with names, numbers and tables."""
+"""Files of a kit other than the kernels: ``templates``, filled with names, numbers, and tables."""

@@ -1,6 +1,6 @@
-"""Build files of a kit: a CMake project that installs and is found, and a plain Makefile.
+"""Build files of a kit: a CMake project with an installable package, and a plain makefile.
 
-The switches are those under which the kernels' error bounds hold.
+The error bounds of the kernels are valid for the compiler options in these files.
 """
 
 import re
@@ -9,11 +9,11 @@ from collections.abc import Sequence
 from .text_format import template
 
 FILES = ("CMakeLists.txt", "Config.cmake.in", "Makefile")
-"""The second is what ``find_package(<symbol>)`` runs, as a template that the first reads."""
+"""Build files. CMake fills the template ``Config.cmake.in``, which ``find_package(<symbol>)`` runs."""
 WRAPPER = "stewart.hpp"
 """File name of the C++ wrapper in a kit."""
 EXAMPLE, SELFTEST = "example/main.c", "test/selftest.c"
-"""Sources with a main of their own, in folders of their own: ``*.c`` of a kit is a library."""
+"""Sources with a main function. They have separate folders, so that ``*.c`` of a kit is a library."""
 
 
 def build_files(
@@ -24,13 +24,24 @@ def build_files(
     shared: Sequence[str] = (),
     precision: str = "double",
 ) -> dict[str, str]:
-    """``FILES``, name -> text: the library ``lib<symbol>.a``, and two programs that link it.
+    """Return ``FILES``, name -> text, for the library ``lib<symbol>.a`` and two programs that link it.
 
-    symbol: C identifier, name of library, package and CMake target, for CMake 3.15 or newer. version: of the
-    generator. sources: ``.c`` files of the library; headers: those that callers include; shared: others, that
-    sources include. precision: in the files alone, as stewart.h of a float kit defines float by itself.
+    Parameters
+    ----------
+    symbol : str
+        C identifier: name of the library, the package, and the CMake target, for CMake 3.15 or newer.
+    version : str
+        Version of the generator.
+    sources : sequence of str
+        ``.c`` files of the library.
+    headers : sequence of str
+        Headers that callers include.
+    shared : sequence of str
+        Other headers, which the sources include.
+    precision : str
+        "double" or "float", only for texts, because stewart.h of a float kit defines float itself.
     """
-    # All that CMake takes: "0.2.0" of "0.2.0.dev1".
+    # CMake accepts only the numeric part: "0.2.0" of "0.2.0.dev1".
     number = re.match(r"\d+(\.\d+){0,3}", version)
     assert number is not None
     installed = (*headers, WRAPPER)

@@ -1,7 +1,8 @@
-"""``stewart.hpp``: the functions of a kit as C++17 classes, in one header, without heap or exceptions.
+"""C++ wrapper ``stewart.hpp``: the functions of a kit as C++17 classes, in one header.
 
-Adds nothing to the C but types: statuses that must not be ignored, arrays of fixed length, constants
-prepared once. Methods follow the C functions' arguments.
+The wrapper uses neither heap nor exceptions. It adds only types to the C code: statuses that must not be
+ignored, arrays of fixed length, and constants that are prepared once. Methods have the arguments of the C
+functions.
 """
 
 import textwrap
@@ -23,10 +24,11 @@ _CLASSES = {
 
 
 def wrapper(functions: Sequence[Function], version: str) -> str:
-    """``stewart.hpp`` of a kit that holds these functions; version: of the generator.
+    """Return ``stewart.hpp`` of a kit with these functions; ``version`` is the version of the generator.
 
-    There is a class for each prepared model, for each header whose functions take a robot or its drives, and
-    for each baked kernel; each name of ``_ALIASES`` stands for the first class that has such functions.
+    There is one class for each prepared model, for each header whose functions take a robot or its drives,
+    and for each baked kernel. Each name in ``_ALIASES`` is an alias of the first class with one of its
+    functions.
     """
     classes: dict[str, list[Function]] = {}
     for function in functions:
@@ -47,7 +49,7 @@ def wrapper(functions: Sequence[Function], version: str) -> str:
 
 
 def _class_name(function: Function) -> str:
-    """Named after the kernel, so that two kits of one program may hold different kernels."""
+    """Return a class name that contains the kernel, so that a program may contain two kits."""
     if function.subject == MODEL:
         return f"{_short(function.prefix)}_kernel"
     if function.subject == NOTHING and function.stem == "forces":
@@ -67,7 +69,7 @@ def _class(name: str, functions: Sequence[Function]) -> str:
 
 
 def _methods(function: Function) -> Iterable[str]:
-    """One method, a second one with the arguments that may be null, and for forces those of a batch."""
+    """Yield a method, a second one with optional arguments, and the batch methods of forces."""
     arguments = function.call.arguments
     yield _method(function, [each for each in arguments if not each.optional], arguments)
     if any(each.optional for each in arguments):
@@ -86,7 +88,7 @@ def _call(function: Function) -> dict[str, str]:
 
 
 def _method(function: Function, taken: Sequence[Argument], arguments: Sequence[Argument]) -> str:
-    """taken: the arguments that the method has; null is handed on for the others."""
+    """Return a method with the arguments ``taken``; it passes nullptr for the others."""
     name = "operator()" if function.stem == "forces" else function.stem.removeprefix("motion_")
     named = {each: replace(each, name=_name(each, name)) for each in arguments}
     parameters = ", ".join(_parameter(named[each]) for each in taken)
@@ -106,7 +108,7 @@ def _method(function: Function, taken: Sequence[Argument], arguments: Sequence[A
 
 
 def _name(argument: Argument, method: str) -> str:
-    """The argument's name in C, unless that is the method's or the class's ``out``."""
+    """Return the name of an argument in C, or "found" if it is the method or the class ``out``."""
     return "found" if argument.name in (method, "out") else argument.name
 
 
@@ -122,7 +124,7 @@ def _handed(argument: Argument) -> str:
 
 
 def _aliases(classes: dict[str, list[Function]]) -> Iterable[str]:
-    """The first class that has the first of these functions."""
+    """Yield an alias of the first class that has one of the functions."""
     for alias, stems in _ALIASES.items():
         for name, functions in classes.items():
             if any(function.stem in stems for function in functions):

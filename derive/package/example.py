@@ -1,7 +1,4 @@
-"""``example/main.c``: an example of a kit, one call of each of its functions with what it prints.
-
-Takes the functions of a kit and one call of each.
-"""
+"""Example of a kit, ``example/main.c``: one call of each function with its output."""
 
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
@@ -13,7 +10,10 @@ from .text_format import braces, in_comment, literal, motion_members, template
 
 
 def example(machine: Machine, functions: Sequence[Function], vectors: Mapping[str, Sequence[Vector]]) -> str:
-    """``example/main.c``. Arguments and errors as of ``selftest``; the first vector of each is shown."""
+    """Return ``example/main.c``, with the first test vector of each function.
+
+    Arguments and errors are as in ``selftest``.
+    """
     shown = [(function, vectors[function.stem][0]) for function in functions]
     motions = [motion for _, vector in shown if (motion := vector.motion) is not None]
     parts = {
@@ -61,7 +61,7 @@ def _shown(function: Function, vector: Vector, symbol: str) -> str:
 
 
 def _declared(function: Function, inputs: Sequence[float]) -> Iterable[str]:
-    """Declarations of all arguments, those that are read with their numbers."""
+    """Yield the declarations of all arguments; inputs have initial values."""
     start = 0
     for argument in function.call.arguments:
         arrays = []
@@ -81,7 +81,7 @@ def _declared(function: Function, inputs: Sequence[float]) -> Iterable[str]:
 
 
 def _local(argument: Argument) -> str:
-    """The argument's name in C; an output has another one than ``motion``, the example's, and ``out``."""
+    """Return the name of an argument; outputs do not reuse ``motion``, a name of the example, or ``out``."""
     other = {"motion": "turned", "out": "found"} if argument.written else {}
     return other.get(argument.name, argument.name)
 
@@ -91,7 +91,7 @@ def _handed(argument: Argument) -> str:
 
 
 def _printed(function: Function) -> Iterable[tuple[str, str, int]]:
-    """Label, array and count of the numbers that are printed."""
+    """Yield label, array, and count of the printed numbers."""
     outputs = [(f"{each.name}, {each.unit}", each.name, each.count) for each in function.call.outputs]
     return _PRINTED.get(function.stem, outputs)
 
@@ -110,4 +110,4 @@ _PRINTED: dict[str, tuple[tuple[str, str, int], ...]] = {
     "motion_from_rpy": _TURNED,
     "motion_from_quaternion": _TURNED,
 }
-"""What the example prints of a function, where it is not all that this hands out: label, array, count."""
+"""Printed numbers of functions that do not print all outputs: label, array, count."""

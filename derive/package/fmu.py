@@ -1,8 +1,8 @@
-"""An FMI 2.0 co-simulation unit around a kernel: its description, its C and its page.
+"""FMI 2.0 co-simulation unit (FMU) with a kernel: model description, C code, and documentation page.
 
-Takes plain data and hands back text by path. What is in the description and in the C (variables, order,
-start values) comes from one list, made of the interface table. The C of the standard's functions is
-``stewart_fmi2.c``; what varies from unit to unit stands in ``stewart_unit.h``.
+The functions take plain data and return texts by path. One list of variables, from the interface table,
+determines the description and the C code (variables, order, start values). ``stewart_fmi2.c`` implements the
+functions of the standard; ``stewart_unit.h`` contains the code that differs between units.
 """
 
 import hashlib
@@ -22,7 +22,7 @@ from .robot import Machine
 from .text_format import Numbers, stored, template
 
 STEP = 0.001
-"""Step that the description proposes, s."""
+"""Default step size in the description (s)."""
 
 _STATIC = ("stewart_fmi2.h", "stewart_fmi2.c")
 _LONGEST_IDENTIFIER = 63
@@ -32,7 +32,17 @@ _BASE_UNITS["N"] = {"kg": 1, "m": 1, "s": -2}
 
 @dataclass(frozen=True)
 class Variable:
-    """A variable of the unit; start: None for what the unit computes."""
+    """Variable of the unit.
+
+    Attributes
+    ----------
+    name, unit, meaning : str
+        Name, unit, and description.
+    causality : str
+        "input", "output", or "parameter".
+    start : float, optional
+        Start value; None for an output.
+    """
 
     name: str
     unit: str
@@ -44,15 +54,28 @@ class Variable:
 def unit(
     machine: Machine, sources: Mapping[str, str], kernel: Part, precision: str, pose: Numbers
 ) -> dict[str, str]:
-    """All texts of the unit: path in the archive -> text; the C lies below ``sources/``.
+    """Return all texts of the unit, path in the archive -> text, with the C code below ``sources/``.
 
-    machine: whose payload M, R_0, I_p and g become tunable parameters, unless the kernel is baked. sources:
-    file name -> text of every .h and .c that the kernel needs, the robot's too unless it is baked. kernel:
-    the part of the forces. precision: "double" or "float", that of ``stewart.h``. pose: R (3, 3) and t (3,),
-    m, that the inputs have until they are set, a pose with forces, so that the unit runs before anything is
-    connected; rates, accelerations and loads start at zero.
+    The GUID of the unit is a digest of all these texts.
 
-    The unit's GUID is a digest of all of these texts. Raises ValueError naming a number that is not finite.
+    Parameters
+    ----------
+    machine : Machine
+        Robot. Its payload M, R_0, I_p and gravity g are tunable parameters, unless the kernel is baked.
+    sources : mapping
+        File name -> text of each .h and .c file of the kernel, including the robot unless it is baked.
+    kernel : Part
+        Part of the forces.
+    precision : str
+        "double" or "float", as in ``stewart.h``.
+    pose : mapping
+        R (3, 3) and t (3,) (m) as start values of the inputs. The pose must have forces, so that the unit
+        runs before its inputs are connected. Velocities, accelerations, and loads start at zero.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite.
     """
     (forces,) = kernel.functions
     variables = _variables(pose, machine.numbers if forces.subject else None)
@@ -81,9 +104,9 @@ def unit(
 
 
 def model_identifier(symbol: str) -> str:
-    """The unit's identifier, which is also the name of its binary: the symbol, shortened if it is long.
+    """Return the identifier of the unit, which is also the name of its binary.
 
-    Simulink takes names of up to 63 letters.
+    It is the symbol, shortened if necessary, because Simulink accepts names of up to 63 letters.
     """
     if len(symbol) <= _LONGEST_IDENTIFIER:
         return symbol
@@ -95,9 +118,9 @@ def model_identifier(symbol: str) -> str:
 
 
 def _variables(pose: Numbers, payload: Numbers | None) -> list[Variable]:
-    """The reals by value reference: inputs, forces, parameters."""
+    """Return the real variables in the order of their value references: inputs, forces, parameters."""
     (force,) = CALLS["forces"].outputs
-    # An input that nobody connects keeps its start value, and must add nothing to the forces.
+    # An unconnected input keeps its start value, which must not affect the forces.
     start = {q.name: [0.0] * 3 for q in n.MOTION if q not in (n.R, n.t)} | {
         q.name: pose[q.name] for q in (n.R, n.t) if q.name in pose
     }
@@ -125,7 +148,7 @@ def _variable_name(quantity: Quantity, key: tuple[int, ...]) -> str:
 
 
 def _dimension(unit: str) -> dict[str, int]:
-    """Exponents of the base units of ``kg.m2`` or ``m/s2``."""
+    """Return the exponents of the base units of ``kg.m2`` or ``m/s2``."""
     above, _, below = unit.partition("/")
     found: dict[str, int] = {}
     for factors, sign in ((above, 1), (below, -1)):
@@ -201,7 +224,7 @@ def _page(precision: str, variables: Sequence[Variable], common: Mapping[str, st
 
 
 def _guid(texts: Mapping[str, str]) -> str:
-    """``{8-4-4-4-12}`` hexadecimal digits of a digest of all paths and texts."""
+    """Return a digest of all paths and texts as ``{8-4-4-4-12}`` hexadecimal digits."""
     parts = hashlib.sha256()
     for path, text in sorted(texts.items()):
         for part in (path.encode(), text.encode()):
@@ -240,12 +263,12 @@ def _unit_header(
 
 
 def _continued(lines: Iterable[str]) -> str:
-    """Lines of a macro."""
+    """Join lines of a macro."""
     return " \\\n".join(f"    {line}" for line in lines)
 
 
 def _taken(quantities: Iterable[Quantity], owner: str, place: int) -> tuple[list[str], int]:
-    """Lines that fill a structure of stewart.h from the unit's values, and the place after them."""
+    """Return lines that fill a structure of stewart.h from the unit's values, and the next index."""
     lines = []
     for quantity in quantities:
         count = len(quantity.keys)

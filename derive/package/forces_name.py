@@ -1,4 +1,4 @@
-"""Header of a kit that gives the forces one name, with and without the robot's numbers folded in."""
+"""Header of a kit that gives the forces one name, with and without baked constants."""
 
 from .functions import MODEL, Function
 from .robot import HEADER, Machine
@@ -9,14 +9,14 @@ FORCES_HEADER = "stewart_kit.h"
 
 
 def forces_header(machine: Machine, function: Function) -> dict[str, str]:
-    """Return the header of the forces by its file name; ``function``: the forces of the kit."""
+    """Return the header of the forces by its file name; ``function`` is the function of the forces."""
     of_model = function.subject == MODEL
     own = ('#include "stewart.h"', f'#include "{HEADER}"', f'#include "{function.header}"')
     words = {
         "name": in_comment(machine.name),
         "version": machine.version,
         "includes": "\n".join(own if of_model else (own[0], own[2])),
-        "unused": "" if of_model else ", which are in the kernel: nothing is read",
+        "unused": "" if of_model else ", which are in the kernel; the model is empty",
         "model": f"{function.prefix}_model" if of_model else "struct { char unused; }",
         "prepare": f"return {function.prefix}_prepare(&{machine.symbol}, model);"
         if of_model

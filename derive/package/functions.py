@@ -1,4 +1,4 @@
-"""The functions of a kit, their test vectors, and its parts, each a header and source with some functions."""
+"""Functions of a kit, their test vectors, and the parts of a kit, each a header and a source."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -14,11 +14,25 @@ ROBOT, MODEL, DRIVES, NOTHING = "robot", "model", "drives", ""
 
 @dataclass(frozen=True)
 class Function:
-    """A function of a kit: its stem in ``interface.CALLS``, C name, header, what its first argument is.
+    """Function of a kit.
 
-    subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``), DRIVES or NOTHING.
-    operations: their number per pose, in words. plain: of a kernel with a robot's numbers folded in, the C
-    name of the same function without them. one_pose: whether the kernel computes one pose at a time.
+    Attributes
+    ----------
+    stem : str
+        Key in ``interface.CALLS``.
+    symbol, header : str
+        Name in C, and file name of the header.
+    subject : str
+        Type of the first argument: ROBOT, MODEL (``prefix`` + ``_model``, filled by ``prefix`` +
+        ``_prepare``), DRIVES, or NOTHING.
+    prefix : str
+        Prefix of the model and its preparation.
+    operations : str
+        Number of operations per pose, as text.
+    plain : str
+        For a baked kernel, the C name of the same function without baked constants.
+    one_pose : bool
+        True if the kernel computes one pose at a time.
     """
 
     stem: str
@@ -37,7 +51,7 @@ class Function:
 
     @property
     def batch(self) -> bool:
-        """Whether there is ``<symbol>_batch`` as well."""
+        """True if there is also a function ``<symbol>_batch``."""
         return self.call.has_batch and not self.one_pose
 
     @property
@@ -48,18 +62,29 @@ class Function:
         return self.call.prototypes(self.symbol, subject, self.batch)
 
     def subject_argument(self, of_robot: str, of_model: str, of_drives: str) -> str:
-        """The first argument of a call, given those of a robot, model and drives, with the comma after it."""
+        """Return the first argument of a call and a comma, out of the texts for robot, model, and drives."""
         subjects = {ROBOT: f"{of_robot}, ", MODEL: f"{of_model}, ", DRIVES: f"{of_drives}, ", NOTHING: ""}
         return subjects[self.subject]
 
 
 @dataclass(frozen=True)
 class Part:
-    """One header and source of a kit.
+    """Header and source of a kit.
 
-    name: of both, without the ending. files: file name -> text. kinds: some of ``deviations.KINDS``, by which
-    deviations from MISRA C are listed. says: a line for the README. shared: headers that its source shares
-    with others.
+    Attributes
+    ----------
+    name : str
+        File name of both without the extension.
+    files : mapping
+        File name -> text.
+    functions : tuple of Function
+        Functions.
+    kinds : tuple of str
+        Some of ``misra_deviations.KINDS``, which select the listed deviations from MISRA C.
+    says : str
+        Line for the README.
+    shared : tuple of str
+        Headers that the source shares with other sources.
     """
 
     name: str
@@ -82,15 +107,25 @@ class Part:
 
 @dataclass(frozen=True)
 class Vector:
-    """One call of one function: inputs, answers, how far from them rounding may take the C.
+    """Test vector: one call of one function with inputs, expected results, and error bounds.
 
-    function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
-    R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
-    needs them F, axial, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot,
-    theta_ddot (3,), e, e_dot, e_ddot (4,). answers: flat arrays by member of the
-    C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
-    largest error by rounding in rounding units: to be multiplied by the epsilon of the precision. ordinary:
-    whether its motion is one that a machine may make. status: other than 0 without answers.
+    Attributes
+    ----------
+    function : str
+        Name of the function without prefix.
+    inputs : dict
+        Flat arrays by name, exactly representable in the precision. R (9,), t, omega, v, alpha, a, F_ext,
+        M_ext (3,) are the fields of ``stewart_motion``. Some functions also have F, axial, L, L_dot, bearing
+        (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot, theta_ddot (3,), or e, e_dot, e_ddot (4,).
+    answers : dict
+        Flat arrays by member of the C struct, in its order: results with 50 digits, rounded to the nearest
+        double. Empty for a status other than 0.
+    bounds : dict
+        Bounds of the rounding errors of ``answers``, > 0, in units of the epsilon of the precision.
+    ordinary : bool
+        True if a machine may perform the motion.
+    status : int
+        Expected status.
     """
 
     function: str
@@ -102,7 +137,10 @@ class Vector:
 
     @property
     def motion(self) -> Numbers | None:
-        """Fields of a ``stewart_motion``, R as (3, 3), what is not read at rest; None where none is read."""
+        """Fields of a ``stewart_motion`` with R as (3, 3), or None if the function reads no motion.
+
+        Fields that are not read are zero.
+        """
         if not CALLS[self.function].motion:
             return None
         fields = {q.name: list(map(float, self.inputs.get(q.name, (0.0,) * 3))) for q in n.MOTION}
@@ -110,16 +148,16 @@ class Vector:
 
 
 def flat(arrays: Numbers, members: Iterable[Member]) -> list[float]:
-    """Numbers of a vector in the order of a call."""
+    """Return the numbers of a vector in the order of a call."""
     return [float(number) for each in members for number in arrays[each.name]]
 
 
 def reads_robot(functions: Iterable[Function]) -> bool:
-    """Whether some function takes the robot, its model or its drives."""
+    """Return True if a function takes the robot, its model, or its drives."""
     return any(function.subject != NOTHING for function in functions)
 
 
 def includes(functions: Sequence[Function]) -> str:
-    """Lines of C that include what callers of the functions need."""
+    """Return C lines that include the headers of the functions."""
     headers = [*([HEADER] if reads_robot(functions) else []), *(function.header for function in functions)]
     return "".join(f'#include "{header}"\n' for header in dict.fromkeys(headers))

@@ -1,7 +1,7 @@
-"""The terms under which generated code may be used: free of any condition."""
+"""License of generated code: use without any condition."""
 
 from .text_format import template
 
-SAYS = "Generated code: use, change and pass it on without any condition; no warranty (SPDX: 0BSD)."
+SAYS = "Generated code: use, change, and pass it on without any condition; no warranty (SPDX: 0BSD)."
 
 TEXT = template("kit/LICENSE")

@@ -1,4 +1,4 @@
-"""``README.md`` of a kit: inputs, outputs, operations, stack and error bounds of every function."""
+"""README of a kit: inputs, outputs, operations, stack, and error bounds of each function."""
 
 import math
 import textwrap
@@ -18,11 +18,15 @@ from .text_format import in_markdown, table, template
 
 @dataclass(frozen=True)
 class Figures:
-    """What a README says of one function.
+    """Measured figures of one function for a README.
 
-    error, worst: relative error bounds of its ordinary test vectors, median and largest; of each vector the
-    largest bound over the largest answer of the same array counts; nan without vectors. stack, batch_stack:
-    bytes, None where they were not measured or there is no batch.
+    Attributes
+    ----------
+    error, worst : float
+        Median and largest relative error bound of the ordinary test vectors. The error bound of a vector is
+        its largest bound divided by the largest answer in the same array; nan without vectors.
+    stack, batch_stack : int, optional
+        Stack (bytes); None if not measured, or without a batch.
     """
 
     error: float
@@ -33,12 +37,29 @@ class Figures:
 
 @dataclass(frozen=True)
 class Kit:
-    """What a README is about.
+    """Contents of a README.
 
-    figures: by the functions' stems. options: as the command line takes them. precision: "double" or "float".
-    stack_by: with what the stack was measured. unit: file name of an FMI unit, "" without one. changed:
-    relative error of a constant that the test vectors are made to detect; hidden: names of the constants
-    folded into the forces for which no test vector detects it; None where none are folded in.
+    Attributes
+    ----------
+    machine : Machine
+        Robot.
+    parts : sequence of Part
+        Parts of the kit.
+    figures : mapping
+        Figures by the stems of the functions.
+    options : str
+        Command-line options.
+    precision : str
+        "double" or "float".
+    stack_by : str
+        Compiler and options of the stack measurement.
+    unit : str
+        File name of an FMI unit; empty without one.
+    changed : float
+        Relative error of a constant that the test vectors must detect.
+    hidden : sequence of str, optional
+        Names of the baked constants for which no test vector detects this error; None without baked
+        constants.
     """
 
     machine: Machine
@@ -53,20 +74,20 @@ class Kit:
 
     @property
     def functions(self) -> list[Function]:
-        """Those of all parts."""
+        """Functions of all parts."""
         return [function for part in self.parts for function in part.functions]
 
     @property
     def has_robot(self) -> bool:
-        """Whether stewart_robot.h is among the files."""
+        """True if the kit contains stewart_robot.h."""
         return reads_robot(self.functions)
 
 
 def readme(kit: Kit) -> str:
-    """The text."""
+    """Return the text of the README."""
     functions = kit.functions
     kinds = {kind for part in kit.parts for kind in part.kinds} | ({"robot"} if kit.has_robot else set())
-    robot_says = "" if kit.has_robot else "The numbers are in the kernel. "
+    robot_says = "" if kit.has_robot else "The constants are in the kernel. "
     values = {
         "title": in_markdown(kit.machine.name),
         "symbol": kit.machine.symbol,
@@ -101,7 +122,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
         [
             (
                 "stewart_robot.h`, `stewart_robot.c",
-                f"this robot's constants, `{symbol}`, and limits, `{symbol}_limits`{_drives(kit)}",
+                f"constants `{symbol}` and limits `{symbol}_limits` of this robot{_drives(kit)}",
             )
         ]
         if kit.has_robot
@@ -109,29 +130,32 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
     )
     shared = dict.fromkeys(name for part in kit.parts for name in part.shared)
     unit = [(kit.unit, "co-simulation unit, FMI 2.0")] if kit.unit else []
-    named = "`stewart_kit_forces`: the forces by one name, with and without `--bake`"
+    named = "`stewart_kit_forces`: one name for the forces, with and without `--bake`"
     one_name = [(FORCES_HEADER, named)] if any(each.stem == "forces" for each in kit.functions) else []
     return [
         ("stewart.h", "types and status codes"),
-        ("`, `".join(shared), "arithmetic and functions that the sources share; callers include none of it"),
+        ("`, `".join(shared), "arithmetic and functions that the sources share; do not include them"),
         *((f"{part.header}`, `{part.source}", _stems(part) or part.says) for part in kit.parts),
         *one_name,
         *robot,
-        ("test/selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),
-        ("example/main.c", "an example: every function once"),
+        ("test/selftest.c", "compares every function with answers that were computed with 50 digits"),
+        ("example/main.c", "example that calls every function once"),
         ("stewart.hpp", "the same functions for C++17"),
-        ("CMakeLists.txt`, `Config.cmake.in`, `Makefile", "builds library, self-test and example"),
-        ("robot.toml", "the robot file, all defaults and units written out"),
-        ("LICENSE", "terms of use: any use, without conditions (0BSD)"),
-        ("manifest.json", "options, digests of robot and files, version"),
+        (
+            "CMakeLists.txt`, `Config.cmake.in`, `Makefile",
+            "build the library, the self-test, and the example",
+        ),
+        ("robot.toml", "robot file with all defaults and units"),
+        ("LICENSE", "license: any use, without conditions (0BSD)"),
+        ("manifest.json", "options, version, and digests of the robot and the files"),
         *unit,
     ]
 
 
 def _drives(kit: Kit) -> str:
-    """What a kit with torques says of the constants that they take."""
+    """Describe the constants of the drives in a kit with torques."""
     of_drives = any(function.subject == DRIVES for function in kit.functions)
-    return f", and the constants of its drives, `{kit.machine.symbol}_drives`" if of_drives else ""
+    return f", and constants `{kit.machine.symbol}_drives` of its drives" if of_drives else ""
 
 
 def _stems(part: Part) -> str:
@@ -142,7 +166,7 @@ def _summary(function: Function, figures: Figures) -> str:
     stack = "" if figures.stack is None else f"{figures.stack:,}"
     stack += "" if figures.batch_stack is None else f", batch {figures.batch_stack:,}"
     error = (
-        "not tested: no pose settles it |"
+        "not tested: no pose determines it |"
         if math.isnan(figures.error)
         else f"{figures.error:.0e} | {figures.worst:.0e}"
     )
@@ -168,28 +192,28 @@ def _function(function: Function) -> str:
 
 
 def _hidden(kit: Kit) -> str:
-    """Which wrong constants the self-test finds, and which it does not."""
+    """Describe the wrong constants that the self-test detects, and those that it does not."""
     says = []
     if kit.has_robot:
         says.append(
-            "It compares every number of `stewart_robot.c`, limits too, with the one that the kit was "
-            "generated from, to the bit."
+            "The self-test compares every number of `stewart_robot.c`, including limits, with the generated "
+            "number, to the bit."
         )
     if kit.hidden is not None:
-        folded = f"It fails where a constant folded into the forces is wrong by {kit.changed:g} of itself"
+        folded = f"The self-test detects a relative error of {kit.changed:g} in each baked constant"
         if kit.hidden:
             folded += (
-                ", but for those that no motion was found to show, as rounding errors of other terms are "
+                ", except in these constants, because in all test motions rounding errors of others are "
                 f"larger: {_by_leg(kit.hidden)}"
             )
         says.append(f"{folded}.")
         if kit.hidden:
-            says.append("What each is, comments in the forces' source say.")
+            says.append("Comments in the source of the forces describe them.")
     return textwrap.fill(" ".join(says), 108, break_long_words=False, break_on_hyphens=False) + "\n"
 
 
 def _by_leg(names: Sequence[str]) -> str:
-    """Constants, those of several legs together: ``C_p of legs 1, 2``."""
+    """Combine constants of several legs: ``C_p of legs 1, 2``."""
     legs: dict[str, list[str]] = {}
     for name in names:
         constant, _, leg = name.partition(" of leg ")
@@ -202,13 +226,13 @@ def _by_leg(names: Sequence[str]) -> str:
 
 
 _ARITHMETIC = {
-    "double": "Arithmetic is `double`; the self-test's bounds are those of `double`.",
-    "float": "Arithmetic is `float`; no `double` is in the object code.",
+    "double": "The arithmetic is `double`, and so are the bounds of the self-test.",
+    "float": "The arithmetic is `float`; the object code contains no `double`.",
 }
 
-_ONE_NAME = """`stewart_kit.h` gives the forces one name in every kit, with `--bake` or without. A program
-that calls `stewart_kit_prepare(&model)` once and `stewart_kit_forces(&model, &motion, F)` at each pose
-compiles with either kit; `model` is a `stewart_kit_model`, which is empty in a kit with `--bake`.
+_ONE_NAME = """`stewart_kit.h` gives the forces one name in every kit, with or without `--bake`. A program
+that calls `stewart_kit_prepare(&model)` once and `stewart_kit_forces(&model, &motion, F)` for each pose
+compiles with both kits. `model` is a `stewart_kit_model`, which is empty in a kit with `--bake`.
 
 """
-_STACK_BAKED = ", with the numbers folded in as much as without"
+_STACK_BAKED = ", the same with and without baked constants"

@@ -1,4 +1,4 @@
-"""``stewart_robot.h`` and ``.c``, the constants and limits of one machine as C source."""
+"""Constants and limits of one robot as C source, ``stewart_robot.h`` and ``stewart_robot.c``."""
 
 import hashlib
 from collections.abc import Mapping, Sequence
@@ -9,16 +9,25 @@ from ..mechanics import quantities as n
 from .text_format import Numbers, braces, in_comment, literals_of_legs, member, robot_symbol, stored, template
 
 HEADER, SOURCE = "stewart_robot.h", "stewart_robot.c"
-"""File names of the constants: not the commonplace robot.h."""
+"""File names of the constants; robot.h would be too common."""
 
 
 @dataclass(frozen=True)
 class Machine:
-    """One machine's numbers, for a kit of it.
+    """Numbers of one robot for its kit.
 
-    numbers: fields of ``stewart_robot``, those of the legs with six rows, inertias (3, 3). limits: members of
-    ``stewart_limits``, six numbers each, infinite where there is none. drives: those of ``stewart_drives``,
-    None for a kit without torques. version: of the generator.
+    Attributes
+    ----------
+    name : str
+        Name of the robot.
+    numbers : mapping
+        Fields of ``stewart_robot``; fields of the legs have six rows, inertias (3, 3).
+    limits : mapping
+        Members of ``stewart_limits``, six numbers each, infinite without a limit.
+    drives : mapping, optional
+        Members of ``stewart_drives``; None for a kit without torques.
+    version : str
+        Version of the generator.
     """
 
     name: str
@@ -34,15 +43,18 @@ class Machine:
 
     @property
     def digest(self) -> str:
-        """SHA-256 of name and constants, as hexadecimal digits; errors as of ``robot_files``."""
+        """SHA-256 of name and constants as hexadecimal digits; errors as in ``robot_files``."""
         of_drives = "" if self.drives is None else f"\n{_six(self.drives, 'drives')}"
         return hashlib.sha256(f"{self.name}\n{_initializer(self.numbers)}{of_drives}".encode()).hexdigest()
 
 
 def robot_files(machine: Machine) -> dict[str, str]:
-    """``stewart_robot.h`` and ``stewart_robot.c``: file name -> text.
+    """Return ``stewart_robot.h`` and ``stewart_robot.c``, file name -> text.
 
-    Raises ValueError naming the field that is not finite.
+    Raises
+    ------
+    ValueError
+        If a field is not finite.
     """
     values = {
         "name": in_comment(machine.name),

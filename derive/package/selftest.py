@@ -1,7 +1,4 @@
-"""``selftest.c``: a kit's proof of itself on its target, by answers that were computed at 50 digits.
-
-Takes the functions of a kit and their test vectors.
-"""
+"""Self-test of a kit on its target, ``selftest.c``, with expected results of 50 digits."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -14,7 +11,7 @@ from .text_format import Numbers, in_comment, literal, literals_of_legs, motion_
 
 PER_LINE = 4
 _ZERO = {q.name: [[0.0] * 3] * 3 if len(q.shape) == 2 else [0.0] * 3 for q in n.MOTION}
-"""The motion in a self-test whose functions read none."""
+"""Motion in a self-test whose functions read none."""
 
 
 def selftest(
@@ -23,11 +20,19 @@ def selftest(
     vectors: Mapping[str, Sequence[Vector]],
     rejected: Sequence[Vector],
 ) -> str:
-    """``selftest.c``.
+    """Return ``selftest.c``.
 
-    vectors: by the functions' stems. rejected: without forces, where these are among the functions.
+    Parameters
+    ----------
+    vectors : mapping
+        Test vectors by the stems of the functions.
+    rejected : sequence of Vector
+        Motions without forces, used if the kit computes forces.
 
-    Raises ValueError naming what is not a finite number.
+    Raises
+    ------
+    ValueError
+        If a number is not finite.
     """
     motions, table = _motions([vector for function in functions for vector in vectors[function.stem]])
     parts = {
@@ -56,7 +61,7 @@ def selftest(
 
 
 def _motions(vectors: Sequence[Vector]) -> tuple[list[Numbers], dict[int, int]]:
-    """Every motion once, and where that of a vector stands, by the vector's identity."""
+    """Return each different motion once, and the index of each vector's motion by the vector's identity."""
     found: list[Numbers] = []
     table = {}
     for vector in vectors:
@@ -82,7 +87,7 @@ def _models(functions: Sequence[Function]) -> str:
 
 
 def _constants(machine: Machine) -> str:
-    """The numbers of each struct of ``stewart_robot.c``."""
+    """Return the numbers of each struct of ``stewart_robot.c``."""
     of_legs = {"limits": machine.limits} | ({} if machine.drives is None else {"drives": machine.drives})
     legs = [(q, leg) for leg in range(6) for q in n.of_leg(machine.numbers)]
     parts = [*legs, *((q, None) for q in n.PLATFORM)]
@@ -101,7 +106,7 @@ def _numbers(struct: str, symbol: str, literals: Sequence[str]) -> str:
 
 
 def _called(function: Function, suffix: str, declared: Iterable[str], body: Iterable[str]) -> str:
-    """A function of the self-test that calls one of the kit."""
+    """Return a function of the self-test that calls a function of the kit."""
     lines = "".join(f"    {line}\n" for line in (*declared, *body))
     values = {"stem": function.stem, "suffix": suffix, "body": lines}
     return template("kit/selftest_call.c", values)
@@ -112,7 +117,7 @@ def _subject(function: Function) -> str:
 
 
 def _call(function: Function) -> str:
-    """One pose: structs begin with the numbers in ``in`` and ``out``, and end in ``out``."""
+    """Return the call for one pose, which copies structs from ``in`` and ``out`` and to ``out``."""
     call = function.call
     given, found = _places("in", call.inputs), _places("out", call.outputs)
     declared, before, after, handed = [], [], [], []
@@ -152,7 +157,7 @@ def _copied(to: str, source: str, sized_by_source: bool = False) -> str:
 
 
 def _places(array: str, members: Iterable[Member]) -> dict[Member, str]:
-    """Where the numbers of each stand in ``in`` or ``out``."""
+    """Return the location of each member's numbers in ``in`` or ``out``."""
     found, start = {}, 0
     for member in members:
         found[member] = f"{array} + {start}" if start else array
@@ -161,7 +166,7 @@ def _places(array: str, members: Iterable[Member]) -> dict[Member, str]:
 
 
 def _batch(function: Function) -> str:
-    """A call of the function's batches with one pose; their code is not that of the function itself."""
+    """Return a call of the function's batches with one pose; their code is not the code for one pose."""
     if not function.batch:
         return ""
     call = function.call
@@ -183,7 +188,7 @@ def _batch(function: Function) -> str:
 
 
 def _columns(function: Function) -> list[str]:
-    """With one pose, columns and rows hold the same numbers, and both batches must give the same results."""
+    """Return a comparison of both batches: with one pose, columns and rows contain the same numbers."""
     again = f"{function.symbol}_columns({_subject(function)}1, 1, &poses, again, NULL)"
     return [
         "(void)memcpy(again, out, sizeof again);",

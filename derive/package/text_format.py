@@ -1,4 +1,4 @@
-"""How a kit's texts write numbers, names, lists and tables, and how its templates are filled."""
+"""Format of numbers, names, lists, and tables in the texts of a kit, and its templates."""
 
 import hashlib
 import math
@@ -18,20 +18,21 @@ Numbers = Mapping[str, Any]
 """Quantity name -> number or nested lists of numbers."""
 
 LONGEST = 48
-"""Characters of a robot's name in a C identifier."""
+"""Largest length of a robot's name in a C identifier, in characters."""
 
 
 def template(name: str, values: Mapping[str, str] | None = None) -> str:
-    """A file of ``templates``, its name without ``.in``, with each ``$word`` replaced."""
+    """Return a file of ``templates`` with each ``$word`` replaced; ``name`` is without ``.in``."""
     return filled_from(__package__, name, values or {})
 
 
 def robot_symbol(name: str) -> str:
-    """C identifier of a robot: ``stewart_robot_`` and the ASCII letters and digits of its name.
+    """Return the C identifier of a robot: ``stewart_robot_`` and the ASCII letters and digits of its name.
 
-    Accents are dropped; a name without any such letter or digit gives way to its digest. A name of more than
-    LONGEST characters is cut and ends in eight digits of its digest, so that names with the same beginning
-    remain different: files and libraries are named after it, with endings, and systems take 255 bytes.
+    Accents are removed. A name without any such letter or digit is replaced by its digest. A name of more
+    than LONGEST characters is shortened and ends in eight digits of its digest, so that long names with the
+    same beginning remain different. Names of files and libraries contain the symbol, and file systems allow
+    255 bytes.
     """
     plain = unicodedata.normalize("NFKD", name.casefold())
     letters = "".join(char for char in plain if not unicodedata.combining(char))
@@ -44,25 +45,30 @@ def robot_symbol(name: str) -> str:
 
 
 def in_comment(name: str) -> str:
-    """A name that may stand in a C comment."""
+    """Escape a name for a C comment."""
     return name.replace("*/", "* /").replace("/*", "/ *")
 
 
 def in_markdown(name: str) -> str:
-    """A name that Markdown takes as it is."""
+    """Escape a name for Markdown."""
     return re.sub(r"([\\`*_{}\[\]<>#|&])", r"\\\1", name)
 
 
 def literal(number: Any, where: str) -> str:
-    """A number to all its digits, in the arithmetic of the kernel: no double is left in a float build.
+    """Return a number with all digits in the arithmetic of the kernel.
 
-    Raises ValueError naming ``where`` for what is not a finite number.
+    A float build thus contains no double.
+
+    Raises
+    ------
+    ValueError
+        If the number is not finite; the message begins with ``where``.
     """
     return f"REAL({_finite(number, where)!r})"
 
 
 def literals_of_legs(numbers: Numbers, struct: str) -> dict[str, list[str]]:
-    """Members of a struct of six numbers each, those that are infinite as the largest number."""
+    """Return the members of a struct with six numbers each; infinite numbers become the largest number."""
     return {
         each.name: ["STEWART_MAX" if math.isinf(x) else literal(x, each.name) for x in numbers[each.name]]
         for each in STRUCTS[struct]
@@ -76,16 +82,19 @@ def _finite(number: Any, where: str) -> float:
 
 
 def stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = None) -> list[float]:
-    """The components that ``stewart.h`` stores, in its order.
+    """Return the components that ``stewart.h`` stores, in its order.
 
-    Raises ValueError naming owner and quantity that is not finite.
+    Raises
+    ------
+    ValueError
+        If the quantity of the owner is not finite.
     """
     value = numbers[quantity.name] if leg is None else numbers[quantity.name][leg]
     return [_finite(reduce(getitem, key, value), f"{owner}: {quantity.name}") for key in quantity.keys]
 
 
 def member(quantity: Quantity, numbers: Sequence[float], indent: str) -> str:
-    """One member of an initializer, with what it is."""
+    """Return one member of an initializer, with its name, unit, and meaning."""
     order = ", order xx xy xz yy yz zz" if quantity.symmetric else ""
     literals = [literal(number, quantity.name) for number in numbers]
     value = braces(literals, indent) if quantity.shape else literals[0]
@@ -93,16 +102,16 @@ def member(quantity: Quantity, numbers: Sequence[float], indent: str) -> str:
 
 
 def braces(literals: Sequence[str], indent: str) -> str:
-    """A braced list, three numbers on a line."""
+    """Return a braced list with three numbers per line."""
     rows = [", ".join(literals[i : i + 3]) for i in range(0, len(literals), 3)]
     return "{" + f",\n{indent} ".join(rows) + "}"
 
 
 def motion_members(motion: Numbers, indent: str) -> str:
-    """Initializer of a ``stewart_motion``, without its braces; R is (3, 3), the rest (3,)."""
+    """Return the initializer of a ``stewart_motion`` without braces; R is (3, 3), other fields are (3,)."""
     return "\n".join(member(q, stored(motion, q, "motion"), indent) for q in n.MOTION)
 
 
 def table(rows: Iterable[Sequence[str]]) -> str:
-    """Rows of a Markdown table; the first cell is code."""
+    """Return the rows of a Markdown table; the first cell is code."""
     return "\n".join(f"| `{first}` | {' | '.join(rest)} |" for first, *rest in rows)

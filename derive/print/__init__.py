@@ -1,1 +1,1 @@
-"""Printers: one module for each language that a kernel tree can be spelled in. They decide nothing."""
+"""Printers: one module for each language of a kernel tree. They make no decisions about the program."""

@@ -1,4 +1,4 @@
-"""C99: structures by pointer, arrays with their dimensions, names with the prefix ``STEWART_``."""
+"""C99 printer: structures by pointer, arrays with dimensions, names with the prefix ``STEWART_``."""
 
 import textwrap
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -18,18 +18,33 @@ _BUILT_IN = {
 _PLAIN = {name: name for name in ("NULL", "LANES", "POSES")}
 _NAMES = {t.Real: "stewart_real", t.Integer: "int", t.Count: "size_t", t.Truth: "int"}
 PREPARATION = ("prepare_leg", "prepare_platform")
-"""Functions that are run once, and give the constants that Python folds into a machine's own kernel."""
+"""Functions that run once, and compute the constants that Python bakes into a kernel for one robot."""
 _ALIGNED = {False: "", True: "STEWART_ALIGNED "}
 
 
 class C(Printer):
-    """Spells functions, structures and tables.
+    """Printer of functions, structures, and tables.
 
-    functions: those that are called, for how their arguments are passed. sizes: names of dimensions, such as
-    ``{8: "LANES"}``. brackets: around every operand that is an operation of another kind, as MISRA C advises.
-    records: names of structures in C, where those are others. structures: those that variables have. static:
-    before functions that are not of the interface. unread: arguments that macros may leave unread. fused:
-    whether products that feed sums are ``STEWART_FMA``; apart: functions in which they are not.
+    Attributes
+    ----------
+    functions_by_name : dict
+        Functions that are called; they determine how arguments are passed.
+    sizes : dict
+        Names of dimensions, such as ``{8: "LANES"}``.
+    brackets : bool
+        True for parentheses around each operand that is another kind of operation, as MISRA C recommends.
+    records : dict
+        Names of structures in C, if they differ.
+    structures : dict
+        Structures of variables by name.
+    static : str
+        Prefix of functions that are not in the interface.
+    unread : collection of str
+        Arguments that macros may not read.
+    fused : bool
+        True to print products that feed sums as ``STEWART_FMA``.
+    apart : collection of str
+        Functions without ``STEWART_FMA``.
     """
 
     def __init__(
@@ -55,7 +70,7 @@ class C(Printer):
         self.numbers: set[str] = set()
 
     def source(self, *parts: str | t.Structure | t.Table | t.Function) -> str:
-        """Texts, structures, tables and functions, one after the other with an empty line between them."""
+        """Print texts, structures, tables, and functions, separated by empty lines."""
         functions = (each for each in parts if isinstance(each, t.Function))
         self.functions_by_name |= {each.name: each for each in functions}
         self.empty |= {each.name for each in parts if isinstance(each, t.Structure) and not each.members}
@@ -68,7 +83,7 @@ class C(Printer):
     # ------------------------------------------------------------ comments
 
     def remark(self, text: str, before: str = "") -> list[str]:
-        """A comment; an empty line in it begins another paragraph."""
+        """Print a comment; an empty line in the text begins a new paragraph."""
         if not text:
             return []
         first, *others = remark(text, WIDTH - len(before) - 6)
@@ -78,7 +93,7 @@ class C(Printer):
     # ------------------------------------------------------------ types
 
     def declared(self, kind: t.Type, name: str) -> str:
-        """A type and the name that has it."""
+        """Print a type with a name."""
         match kind:
             case t.Array(item, dims):
                 return self.declared(item, name + self._dims(dims))
@@ -92,7 +107,7 @@ class C(Printer):
         return "".join(f"[{self.sizes.get(count, count)}]" for count in dims)
 
     def structure(self, structure: t.Structure) -> list[str]:
-        """A structure as a type."""
+        """Print a structure as a type."""
         members = [line for each in structure.members for line in self._member(each)]
         members = members or ["    int none; /* C has no structure without members */"]
         name = _ALIGNED[structure.aligned] + self.records.get(structure.name, structure.name)
@@ -104,7 +119,7 @@ class C(Printer):
         return [line] if len(line) <= WIDTH + 40 else [*self.remark(field.meaning, "    "), declared]
 
     def table(self, table: t.Table) -> list[str]:
-        """Constant structures and their type."""
+        """Print constant structures with their type."""
         many = len(table.rows) > 1
         rows = [line for row in table.rows for line in self._row(table.structure, row, many)]
         return [
@@ -167,7 +182,7 @@ class C(Printer):
         inner = value.operator if isinstance(value, t.Binary) else ""
         level, _, _ = LEVELS[operator]
         if level > COMPARE:
-            # A factor with a sign of its own stands in parentheses.
+            # A signed factor needs parentheses.
             signed = level + more >= PRODUCT and isinstance(value, t.Negative)
             level, apart = (ATOM if signed else level + more), inner not in ("", operator)
         elif level == COMPARE:
@@ -206,7 +221,7 @@ class C(Printer):
     # ------------------------------------------------------------ statements
 
     def body(self, statements: Iterable[t.Statement], depth: int = 1) -> list[str]:
-        """Statements as lines; constants that are loaded from one array are declared together."""
+        """Print statements as lines; constants from one array are declared together."""
         lines: list[str] = []
         statements = _called_apart(statements) if self.brackets else statements
         for owner, run in groupby(statements, _loaded_from):
@@ -234,13 +249,13 @@ class C(Printer):
         if node.value is not None:
             return f"{declared} = {self.text(node.value)};"
         if node.blank:
-            # Compilers warn where a function is given what nobody set, read or not.
+            # Compilers warn if a function receives an uninitialized structure, even if it does not read it.
             empty = isinstance(node.type, t.Record) and node.type.name in self.empty
             return f"{declared}{' = {0}' if empty else ''};"
         return f"{declared} = {'REAL(0)' if node.type == t.Real() else self.zero(node.type)};"
 
     def zero(self, kind: t.Type) -> str:
-        """Zeros of a type, each of its own: compilers of C++ warn of fewer."""
+        """Print zeros of a type, one for each member, because C++ compilers warn of missing initializers."""
         match kind:
             case t.Array(item, (count, *others)):
                 inner = t.Array(item, tuple(others)) if others else item
@@ -279,7 +294,7 @@ class C(Printer):
     # ------------------------------------------------------------ functions
 
     def function(self, function: t.Function) -> list[str]:
-        """A definition; those of the interface have their comments where they are declared."""
+        """Print a definition; functions of the interface have their comments at the declaration."""
         self._enter(function)
         if self.fused and function.name not in self.apart:
             function = fused(function)
@@ -298,18 +313,18 @@ class C(Printer):
         ]
 
     def interface(self, *parts: t.Structure | t.Function) -> str:
-        """Structures, and the functions that are public, as a header has them."""
+        """Print structures and declarations of public functions for a header."""
         found = [self.structure(each) for each in parts if isinstance(each, t.Structure)]
         found += [self.declaration(each) for each in parts if isinstance(each, t.Function) and each.public]
         return "\n".join("\n".join([*lines, ""]) for lines in found)
 
     def declaration(self, function: t.Function) -> list[str]:
-        """A function of the interface with its comment, as a header has it."""
+        """Print the declaration of a public function with its comment for a header."""
         checked = "" if function.result is None else "STEWART_NODISCARD "
         return [*self.remark(function.meaning), *self.head(checked, function, ";")]
 
     def _enter(self, function: t.Function) -> None:
-        """Sets which names are addresses."""
+        """Record the names that are addresses in a function."""
         self.functions_by_name[function.name] = function
         arguments = function.arguments
         self.pointers = {each.name for each in arguments if isinstance(each.type, t.Record)}
@@ -320,13 +335,13 @@ class C(Printer):
         }
 
     def head(self, before: str, function: t.Function, end: str) -> list[str]:
-        """The name, the arguments and the result of a function, between two texts."""
+        """Print name, arguments, and result of a function between two texts."""
         result = "void" if function.result is None else self.declared(function.result, "").strip()
         arguments = ", ".join(map(self.argument, function.arguments)) or "void"
         return wrapped(f"{before}{result} {function.name}({arguments}){end}")
 
     def argument(self, argument: t.Argument) -> str:
-        """An argument as it is declared."""
+        """Print the declaration of an argument."""
         name, kind = argument.name, argument.type
         const = "" if argument.changed else "const "
         alone = "STEWART_RESTRICT " if argument.alone else ""
@@ -357,7 +372,7 @@ class C(Printer):
 
 
 def wrapped(declaration: str) -> list[str]:
-    """The lines of a function's declaration, broken after a comma where it is too long for one."""
+    """Break a long declaration of a function after commas."""
     if len(declaration) <= WIDTH:
         return [declaration]
     name, bracket, rest = declaration.partition("(")
@@ -368,7 +383,9 @@ def wrapped(declaration: str) -> list[str]:
 
 
 def _called_apart(statements: Iterable[t.Statement]) -> Iterator[t.Statement]:
-    """Structures that functions return assigned: initialized, MISRA C's checker takes them for parts."""
+    """Assign returned structures instead of initializing with them, because a MISRA C checker mistakes them
+    for parts.
+    """
     for node in statements:
         match node:
             case t.Let(value=t.Call(), type=t.Record()) | t.Variable(value=t.Call(), type=t.Record()):
@@ -380,7 +397,7 @@ def _called_apart(statements: Iterable[t.Statement]) -> Iterator[t.Statement]:
 
 
 def _loaded_from(node: t.Statement) -> tuple[type, t.Expression] | None:
-    """The array of which a constant, or a variable at first, is one element."""
+    """Return the array of which a constant, or the initial value of a variable, is an element."""
     if isinstance(node, t.Let | t.Variable) and isinstance(node.value, t.Element):
         return type(node), node.value.array
     return None

@@ -1,4 +1,4 @@
-"""MATLAB and Octave: a package of functions, arguments that a function changes are handed back."""
+"""MATLAB and Octave printer: a package of functions that return the arguments they change."""
 
 import math
 import textwrap
@@ -9,7 +9,7 @@ from .spelling import Printer
 
 
 class Matlab(Printer):
-    """Spells one program as the files of the package ``+stewart``; structures are of double and int32."""
+    """Printer of one program as files of the package ``+stewart``; structures contain double and int32."""
 
     unequal = "~="
     opening, closing = "", "end"
@@ -23,7 +23,7 @@ class Matlab(Printer):
         self.result = ""
 
     def files(self) -> dict[str, str]:
-        """The text of each file by its name."""
+        """Return the text of each file by name."""
         of_functions = {each.name: self.function(each) for each in self.program.functions}
         of_structures = {f"zero_{snake(each.name)}": self.structure(each) for each in self.program.structures}
         checks = {f"checked_{snake(each.name)}": self.check(each) for each in self._given()}
@@ -33,7 +33,7 @@ class Matlab(Printer):
         }
 
     def _given(self) -> list[t.Structure]:
-        """Structures that callers fill: those that public functions take, but for what has a status."""
+        """Return the structures that callers fill: arguments of public functions without a status."""
         names = [
             each.type.name
             for function in self.program.functions
@@ -50,7 +50,7 @@ class Matlab(Printer):
         return list(found.values())
 
     def check(self, structure: t.Structure) -> list[str]:
-        """A function that hands a structure on with every number as double, or says what is not one."""
+        """Print a function that converts all numbers of a structure to double, or raises an error."""
         name = f"checked_{snake(structure.name)}"
         lines = [line for each in structure.members for line in self._checked_member(each)]
         return [
@@ -82,7 +82,7 @@ class Matlab(Printer):
         return f"stewart.numbers({value}, {count}, '{name}')"
 
     def structure(self, structure: t.Structure) -> list[str]:
-        """A function that makes a structure of zeros."""
+        """Print a function that returns a structure of zeros."""
         members = [
             f"    made.{each.name} = {self.zero(each.type)};{f' % {each.meaning}' if each.meaning else ''}"
             for each in structure.members
@@ -96,7 +96,7 @@ class Matlab(Printer):
         ]
 
     def zero(self, kind: t.Type) -> str:
-        """Zeros of a type."""
+        """Print zeros of a type."""
         match kind:
             case t.Array(t.Record(name), dims):
                 return f"repmat(stewart.zero_{snake(name)}(), {dims[0]}, 1)"
@@ -134,7 +134,7 @@ class Matlab(Printer):
     # ------------------------------------------------------------ statements
 
     def _results(self, value: t.Expression, first: list[str]) -> str:
-        """The left side of an assignment of what a call returns and of what it changes."""
+        """Print the left-hand side of an assignment for the results and the changed arguments of a call."""
         if not isinstance(value, t.Call) or value.function not in self.functions_by_name:
             return first[0]
         function = self.functions_by_name[value.function]
@@ -210,12 +210,12 @@ class Matlab(Printer):
 
 
 def _together(names: list[str]) -> str:
-    """The left side of an assignment to one name or several."""
+    """Print the left-hand side of an assignment to one or several names."""
     return names[0] if len(names) == 1 else f"[{', '.join(names)}]"
 
 
 def _plus(text: str, more: int) -> str:
-    """``text`` with a whole number added, as short as it can be."""
+    """Add an integer to ``text`` in the shortest form."""
     if text.removeprefix("-").isdigit():
         return str(int(text) + more)
     before, sign, number = text.rpartition(" + ")

@@ -1,4 +1,4 @@
-"""Python on arrays of the array API: every number may be an array of one value for each pose."""
+"""Python printer for the array API: each number may be an array with one value per pose."""
 
 from collections.abc import Collection, Iterable, Mapping
 from itertools import groupby
@@ -10,7 +10,7 @@ from .spelling import ATOM, WIDTH, Printer, remark
 
 
 class Python(Printer):
-    """Spells one program; ``on`` is the arithmetic: selections, square roots and constants."""
+    """Printer of one program; ``on`` is the arithmetic: selections, square roots, and constants."""
 
     end = ""
     both, either = "&", "|"
@@ -23,7 +23,7 @@ class Python(Printer):
         self.program = program
 
     def source(self, without: Collection[str] = ()) -> str:
-        """Structures and functions, but those of some names."""
+        """Print structures and functions, except the names in ``without``."""
         parts: list[list[str]] = [
             self.structure(each) for each in self.program.structures if each.name not in without
         ]
@@ -31,7 +31,7 @@ class Python(Printer):
         return "\n".join([*(line for part in parts for line in ("", "", *part)), ""])
 
     def structure(self, structure: t.Structure) -> list[str]:
-        """A class whose members are zero at first."""
+        """Print a class whose members are initially zero."""
         members = [line for each in structure.members for line in self._member(each)]
         return [
             f"class {structure.name}:",
@@ -47,7 +47,7 @@ class Python(Printer):
         return [line + said] if len(line + said) <= WIDTH else [f"        {said.strip()}", line]
 
     def zero(self, kind: t.Type) -> str:
-        """Zeros of a type."""
+        """Print zeros of a type."""
         match kind:
             case t.Array(t.Record() as item, (count,)):
                 return f"[{self.zero(item)} for _ in range({count})]"
@@ -75,7 +75,7 @@ class Python(Printer):
         return super()._text(node)
 
     def varies(self, node: t.Element) -> bool:
-        """Whether poses differ in the element that is meant: an index that is no loop's, nor handed in."""
+        """Return True if poses use different elements: the index is neither a loop index nor an argument."""
         return not all(each.name in self.fixed for each in t.names_in(node.index))
 
     fixed: frozenset[str] = frozenset()
@@ -99,7 +99,7 @@ class Python(Printer):
     # ------------------------------------------------------------ statements
 
     def body(self, statements: Iterable[t.Statement], depth: int = 1) -> list[str]:
-        """Statements as lines; elements of one array that are loaded, or stored, in turn on one of them."""
+        """Print statements as lines; successive loads or stores of elements of one array share a line."""
         lines: list[str] = []
         for array, run in groupby(statements, _array):
             found = list(run)
@@ -108,7 +108,7 @@ class Python(Printer):
         return lines
 
     def _together(self, before: str, array: t.Expression | None, found: list[t.Statement]) -> list[str]:
-        """Elements that are loaded or stored by one statement; none where they cannot be."""
+        """Print loads or stores of elements as one statement; return no lines if this is impossible."""
         whole = array is not None and self._is_whole(array, [_element(each) for each in found])
         values = [each.value for each in found if isinstance(each, t.Let | t.Assign)]
         text = ", ".join(map(self.text, values))
@@ -127,7 +127,7 @@ class Python(Printer):
         return [f"{before}{self.text(array)} = [", *parts, f"{before}]"]
 
     def _is_whole(self, array: t.Expression, elements: list[t.Element | None]) -> bool:
-        """Whether these are all elements of a structure's member, in their order."""
+        """Return True if the elements are all elements of a structure's member in order."""
         if not isinstance(array, t.Member) or not isinstance(array.owner, t.Name):
             return False
         dims = [
@@ -177,7 +177,7 @@ class Python(Printer):
         ]
 
     def lines(self, before: str, text: str) -> list[str]:
-        """In parentheses where an assignment needs more than one line."""
+        """Add parentheses to an assignment that needs more than one line."""
         left, sign, right = text.partition(" = ")
         if len(before) + len(text) <= WIDTH or not sign or text.startswith("def "):
             return [before + text]
@@ -191,7 +191,7 @@ def _docstring(meaning: str) -> list[str]:
 
 
 def _element(node: t.Statement) -> t.Element | None:
-    """The element that is loaded as a constant, or stored."""
+    """Return the element that a constant loads or an assignment stores."""
     value = node.value if isinstance(node, t.Let) else node.target if isinstance(node, t.Assign) else None
     return value if isinstance(value, t.Element) else None
 

@@ -1,4 +1,4 @@
-"""Rust without its standard library: structures that are copied, functions that borrow."""
+"""Rust printer for ``no_std``: structures that are copied, functions that borrow."""
 
 from functools import reduce
 
@@ -7,7 +7,7 @@ from .spelling import SUM, WIDTH, Printer, remark
 
 
 class Rust(Printer):
-    """Spells one program; ``Real`` is ``f64``, or ``f32`` in kits of single precision."""
+    """Printer of one program; ``Real`` is ``f64``, or ``f32`` in kits of single precision."""
 
     comment = "// ", ""
 
@@ -16,14 +16,14 @@ class Rust(Printer):
         super().__init__(program.functions)
 
     def source(self) -> str:
-        """Structures and functions, without the constants that they read."""
+        """Print structures and functions, without the constants that they read."""
         parts = [*map(self.structure, self.program.structures), *map(self.function, self.program.functions)]
         return "\n".join([*(line for part in parts for line in ("", *part)), ""])
 
     # ------------------------------------------------------------ types
 
     def type(self, kind: t.Type) -> str:
-        """A type's name."""
+        """Print the name of a type."""
         match kind:
             case t.Array(item, dims):
                 return _nested(self.type(item), dims)
@@ -32,7 +32,7 @@ class Rust(Printer):
         return {t.Real: "Real", t.Integer: "usize", t.Count: "usize", t.Truth: "bool"}[type(kind)]
 
     def zero(self, kind: t.Type) -> str:
-        """Zeros of a type."""
+        """Print zeros of a type."""
         match kind:
             case t.Array(item, dims):
                 return _nested(self.zero(item), dims)
@@ -41,7 +41,7 @@ class Rust(Printer):
         return {t.Real: "0.0", t.Integer: "0", t.Count: "0", t.Truth: "false"}[type(kind)]
 
     def structure(self, structure: t.Structure) -> list[str]:
-        """A structure and its zero."""
+        """Print a structure and its zero."""
         name = structure.name
         members = [
             line
@@ -140,5 +140,5 @@ def _by_value(kind: t.Type) -> bool:
 
 
 def _nested(text: str, dims: tuple[int, ...]) -> str:
-    """Of arrays in arrays."""
+    """Print an array type or value with nested dimensions."""
     return reduce(lambda inner, count: f"[{inner}; {count}]", reversed(dims), text)

@@ -1,4 +1,4 @@
-"""What printers of languages with infix operators share: precedence, lines, indentation."""
+"""Base class of the printers: operator precedence, line breaks, and indentation."""
 
 import textwrap
 from abc import ABC, abstractmethod
@@ -15,11 +15,11 @@ LEVELS = {
     "&": (AND, SIGN, SIGN),
     "|": (OR, SIGN, SIGN),
 }
-"""How an operation binds, and how its operands must at least."""
+"""Precedence of an operation, and the least precedence of its left and right operand."""
 
 
 class Printer(ABC):
-    """Spells a program in one language; subclasses say how each thing that differs is written."""
+    """Printer of a program in one language; subclasses define all language-specific text."""
 
     indent = "    "
     end = ";"
@@ -32,47 +32,47 @@ class Printer(ABC):
     select_level = SELECT
 
     def __init__(self, functions: Iterable[t.Function]) -> None:
-        """functions: those that are called, for how their arguments are passed."""
+        """Set the functions that are called; they determine how arguments are passed."""
         self.functions_by_name = {each.name: each for each in functions}
 
-    # ------------------------------------------------------------ what differs
+    # ------------------------------------------------------------ language-specific
 
     @abstractmethod
     def number(self, value: int | float) -> str:
-        """A literal."""
+        """Print a literal."""
 
     @abstractmethod
     def constant(self, name: str) -> str:
-        """A constant of the arithmetic or a status."""
+        """Print a constant of the arithmetic or a status."""
 
     @abstractmethod
     def select(self, node: t.Select) -> str:
-        """A selection as an expression."""
+        """Print a selection as an expression."""
 
     @abstractmethod
     def call(self, node: t.Call) -> str:
-        """A call as an expression."""
+        """Print a call as an expression."""
 
     @abstractmethod
     def let(self, node: t.Let) -> str:
-        """A constant with its value."""
+        """Print a constant with its value."""
 
     @abstractmethod
     def variable(self, node: t.Variable) -> str:
-        """A variable with its first value, or zeros."""
+        """Print a variable with its initial value, or zeros."""
 
     @abstractmethod
     def loop(self, node: t.For) -> str:
-        """The head of a loop."""
+        """Print the head of a loop."""
 
     @abstractmethod
     def function(self, function: t.Function) -> list[str]:
-        """A function."""
+        """Print a function."""
 
     # ------------------------------------------------------------ expressions
 
     def text(self, node: t.Expression, least: int = SELECT) -> str:
-        """An expression, in parentheses where it binds less than ``least``."""
+        """Print an expression, in parentheses if its precedence is below ``least``."""
         text, level = self._text(node)
         return f"({text})" if level < least else text
 
@@ -102,17 +102,17 @@ class Printer(ABC):
         raise AssertionError(node)
 
     def sign(self, operator: str) -> str:
-        """An operator."""
+        """Print an operator."""
         return {"&": self.both, "|": self.either, "!=": self.unequal}.get(operator, operator)
 
     def element(self, array: str, index: list[str]) -> str:
-        """An element of an array, counted from zero."""
+        """Print an element of an array with zero-based index."""
         return array + "".join(f"[{each}]" for each in index)
 
     # ------------------------------------------------------------ statements
 
     def body(self, statements: Iterable[t.Statement], depth: int = 1) -> list[str]:
-        """Statements as lines."""
+        """Print statements as lines."""
         before = self.indent * depth
         lines: list[str] = []
         for node in statements:
@@ -140,7 +140,7 @@ class Printer(ABC):
         return lines
 
     def conditional(self, before: str, node: t.If, depth: int) -> list[str]:
-        """A condition and what is done otherwise."""
+        """Print a condition with its alternative."""
         lines = self.nested(before, self.condition(self.text(node.test)), node.body, depth)
         if not node.otherwise:
             return lines
@@ -149,28 +149,28 @@ class Printer(ABC):
         return [*lines[: len(lines) - closing], before + self.alternative, *others]
 
     def condition(self, test: str) -> str:
-        """The head of a condition."""
+        """Print the head of a condition."""
         return f"if {test}"
 
     def nested(self, before: str, head: str, body: Iterable[t.Statement], depth: int) -> list[str]:
-        """A loop or a condition."""
+        """Print a loop or a condition."""
         closing = [before + self.closing] if self.closing else []
         return [*self.lines(before, head + self.opening), *self.body(body, depth + 1), *closing]
 
     def assign(self, before: str, target: t.Expression, value: t.Expression) -> list[str]:
-        """``target = value``."""
+        """Print ``target = value``."""
         return self.lines(before, f"{self.text(target)} = {self.text(value)}{self.end}")
 
     def do(self, call: t.Call) -> str:
-        """A call as a statement."""
+        """Print a call as a statement."""
         return self.call(call)
 
     def returned(self, value: t.Expression | None) -> str:
-        """The function's result."""
+        """Print the return statement of a function."""
         return f"return{'' if value is None else f' {self.text(value)}'}{self.end}"
 
     def lines(self, before: str, text: str) -> list[str]:
-        """One line, or several where it is too long: broken before an operator, or after a comma."""
+        """Break a long line before an operator or after a comma."""
         lines, line = [], before
         more = before + self.indent
         for word in text.split(" "):
@@ -182,7 +182,7 @@ class Printer(ABC):
         return [*lines, line]
 
     continued = ""
-    """What stands at the end of a line that goes on."""
+    """Text at the end of a line that is continued."""
 
 
 def _level(node: t.Expression) -> int:
@@ -194,7 +194,7 @@ def _breaks(line: str, word: str) -> bool:
 
 
 def remark(meaning: str, width: int) -> list[str]:
-    """What a function is for, as lines; an empty one before each further paragraph."""
+    """Wrap the description of a function to lines, with an empty line between paragraphs."""
     paragraphs = [
         textwrap.wrap(each, width, break_long_words=False, break_on_hyphens=False)
         for each in meaning.split("\n\n")

@@ -1,4 +1,4 @@
-"""Files of a package's folder ``templates``: text that never varies, and words in it that do."""
+"""Templates: files in the folder ``templates`` of a package, with fixed text and variable words."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -12,10 +12,10 @@ def _template(package: str, name: str) -> Template:
 
 
 def filled_from(package: str, name: str, words: Mapping[str, object]) -> str:
-    """A file of ``templates`` of a package, its name without ``.in``, with each ``$word`` replaced."""
+    """Return a file of ``templates`` of a package with each ``$word`` replaced; omit ``.in`` in ``name``."""
     return _template(package, name).substitute({key: str(word) for key, word in words.items()})
 
 
 def filled(name: str, /, **words: object) -> str:
-    """The same of this package."""
+    """Return a template of this package with each ``$word`` replaced."""
     return filled_from(__package__, name, words)

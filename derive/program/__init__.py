@@ -1,1 +1,1 @@
-"""Blocks, straight-line programs with named steps, and what rewrites them; no mechanics."""
+"""Blocks, which are straight-line programs with named steps, and their transformations; no mechanics."""

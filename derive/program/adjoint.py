@@ -1,6 +1,6 @@
-"""Reverse differentiation of a block: derivatives of a weighted sum of its outputs by every step and input.
+"""Reverse-mode differentiation of a weighted sum of the outputs of a block by each step and input.
 
-The result is a block again, to be run after the block itself, all of whose quantities it may read.
+The result is a block that runs after the original one and may read all of its quantities.
 """
 
 from collections.abc import Iterable, Mapping
@@ -18,11 +18,15 @@ _SLOPE = "_bar"
 
 @dataclass(frozen=True)
 class Adjoint:
-    """The slopes along a block's steps and inputs.
+    """Derivatives by the steps and inputs of a block.
 
-    block: the program that finds them, from everything in the block and from the weights. slopes: of each
-    step and wanted input by name, a name of that program, or a negated one; those on which nothing depends
-    are left out.
+    Attributes
+    ----------
+    block : Block
+        Program that computes the derivatives from all quantities of the original block and the weights.
+    slopes : mapping
+        Derivative by each step and requested input, by name: a name of ``block``, possibly negated.
+        Quantities without influence are omitted.
     """
 
     block: Block
@@ -36,9 +40,18 @@ def adjoint(
     wanted: Iterable[str],
     more: Mapping[str, sp.Expr] | None = None,
 ) -> Adjoint:
-    """Slopes of the sum of weights times outputs; weights: of some outputs, of the quantities ``given``.
+    """Differentiate the sum of weights times outputs of a block.
 
-    wanted: names of the input components whose slopes are asked for. more: what other programs add to these.
+    Parameters
+    ----------
+    weights : mapping
+        Weights of some outputs, as expressions of the quantities ``given``.
+    given : iterable of Quantity
+        Quantities in the weights.
+    wanted : iterable of str
+        Names of the input components by which to differentiate.
+    more : mapping, optional
+        Terms that other programs add to these derivatives.
     """
     build = Builder()
     terms: dict[str, list[sp.Expr]] = {name: [expr] for name, expr in (more or {}).items()}
@@ -68,7 +81,7 @@ def adjoint(
 
 
 def _entries(build: Builder, quantity: Quantity, weights: Weights) -> list[sp.Expr]:
-    """The weights of a quantity's components, each by a name."""
+    """Name the weights of a quantity's components."""
     values = weights[quantity]
     entries = list(values) if isinstance(values, sp.MatrixBase) else [values]
     return [
@@ -78,7 +91,7 @@ def _entries(build: Builder, quantity: Quantity, weights: Weights) -> list[sp.Ex
 
 
 def _spread(expr: sp.Expr, slope: sp.Expr, terms: dict[str, list[sp.Expr]]) -> None:
-    """Hand a slope along a polynomial down to its symbols."""
+    """Distribute the derivative by a polynomial to its symbols."""
     for name in sorted(symbol.name for symbol in sp.sympify(expr).free_symbols):
         along = sp.diff(expr, sp.Symbol(name, real=True))
         terms.setdefault(name, []).append(slope * along)
@@ -87,7 +100,7 @@ def _spread(expr: sp.Expr, slope: sp.Expr, terms: dict[str, list[sp.Expr]]) -> N
 def _through(
     step: Step, slope: sp.Expr, roots: Mapping[sp.Expr, sp.Symbol], terms: dict[str, list[sp.Expr]]
 ) -> None:
-    """Hand the slope along a step down to what the step is made of."""
+    """Distribute the derivative by a step to the symbols of the step."""
     expr = step.expr
     if _is_reciprocal(expr):
         _spread(expr.base, -slope * step.symbol**2, terms)

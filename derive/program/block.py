@@ -1,8 +1,8 @@
-"""Blocks: the unit that travels through ``derive``, and the count of its operations.
+"""Blocks, the common data structure of ``derive``, and the count of their operations.
 
-A block is a named straight-line program: quantities come in, ordered steps ``name = expression`` follow,
-quantities go out. The derivation makes blocks, ``cse`` rewrites them, the emitters print them, the
-notebook shows them. A block depends neither on the Stewart platform nor on a target language.
+A block is a named straight-line program: inputs, ordered steps ``name = expression``, and outputs. The
+derivation creates blocks, ``cse`` transforms them, the emitters print them, and the notebook displays them. A
+block depends neither on the Stewart platform nor on a target language.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -20,9 +20,18 @@ _Runner = Callable[[Mapping[str, Any], Callable[[Any], Any]], Any]
 
 @dataclass(frozen=True)
 class Quantity:
-    """A named scalar, 3-vector, 3x3 matrix or symmetric 3x3 tensor with its unit and meaning.
+    """Named scalar, 3-vector, 3x3 matrix, or symmetric 3x3 tensor with unit and meaning.
 
-    shape: ``()``, ``(3,)`` or ``(3, 3)``; a symmetric tensor keeps six symbols (xx, xy, xz, yy, yz, zz).
+    Attributes
+    ----------
+    name : str
+        Name.
+    shape : tuple of int
+        ``()``, ``(3,)``, or ``(3, 3)``.
+    unit, meaning : str
+        Unit, and description with the frame.
+    symmetric : bool
+        True for a symmetric tensor, which has six symbols (xx, xy, xz, yy, yz, zz).
     """
 
     name: str
@@ -33,7 +42,7 @@ class Quantity:
 
     @property
     def keys(self) -> tuple[tuple[int, ...], ...]:
-        """Index of each component, in the order in which the components are stored."""
+        """Index of each component, in storage order."""
         if self.shape == ():
             return ((),)
         if self.shape == (3,):
@@ -42,7 +51,7 @@ class Quantity:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Name of each component: ``m``, ``p_x``, ``R_xy``."""
+        """Name of each component, such as ``m``, ``p_x``, or ``R_xy``."""
         return tuple(component_name(self.name, key) for key in self.keys)
 
     @property
@@ -52,18 +61,18 @@ class Quantity:
 
     @property
     def value(self) -> sp.Expr | sp.Matrix:
-        """The quantity as it stands in equations: a symbol, a 3x1 matrix or a 3x3 matrix."""
+        """Quantity as used in equations: a symbol, a 3x1 matrix, or a 3x3 matrix."""
         return as_value(self, self.symbols)
 
 
 def component_name(name: str, key: Sequence[int]) -> str:
-    """Name of one component: ``component_name("R", (0, 1))`` is ``R_xy``."""
+    """Return the name of one component: ``component_name("R", (0, 1))`` is ``R_xy``."""
     return name + ("_" + "".join(AXES[i] for i in key) if key else "")
 
 
 @dataclass(frozen=True)
 class Step:
-    """One assignment; ``equation`` cites the paper, ``meaning`` says what the name stands for."""
+    """Assignment of an expression to a name, with its equation number in the paper and its meaning."""
 
     name: str
     expr: sp.Expr
@@ -72,13 +81,13 @@ class Step:
 
     @property
     def symbol(self) -> sp.Symbol:
-        """The symbol by which later steps refer to this one."""
+        """Symbol by which later steps refer to this step."""
         return sp.Symbol(self.name, real=True)
 
 
 @dataclass(frozen=True)
 class Output:
-    """One quantity that leaves a block, with the expression of each of its components."""
+    """Quantity that a block returns, with an expression for each component."""
 
     quantity: Quantity
     exprs: tuple[sp.Expr, ...]
@@ -86,7 +95,7 @@ class Output:
 
 @dataclass(frozen=True)
 class Operations:
-    """Count of arithmetic operations; negation, copies and absolute values are free."""
+    """Count of arithmetic operations. Negations, copies, and absolute values are not counted."""
 
     mul: int = 0
     add: int = 0
@@ -95,30 +104,38 @@ class Operations:
 
     @property
     def total(self) -> int:
-        """All operations, one each."""
+        """Total number of operations."""
         return self.mul + self.add + self.div + self.sqrt
 
     def __add__(self, other: "Operations") -> "Operations":
-        """Count of two programs, one after the other."""
+        """Return the count of two successive programs."""
         return Operations(
             self.mul + other.mul, self.add + other.add, self.div + other.div, self.sqrt + other.sqrt
         )
 
     def __rmul__(self, times: int) -> "Operations":
-        """Count of a program run ``times`` times."""
+        """Return the count of a program that is run ``times`` times."""
         return Operations(times * self.mul, times * self.add, times * self.div, times * self.sqrt)
 
     def __str__(self) -> str:
-        """Total, then each kind."""
+        """Return the total and the count of each kind."""
         return f"{self.total} ({self.mul} mul, {self.add} add, {self.div} div, {self.sqrt} sqrt)"
 
 
 @dataclass(frozen=True)
 class Block:
-    """A straight-line program with named steps.
+    """Straight-line program with named steps.
 
-    inputs: quantities that must be given; steps: in order, each using inputs and earlier steps only;
-    outputs: what leaves the block.
+    Attributes
+    ----------
+    name, meaning : str
+        Name, and description.
+    inputs : tuple of Quantity
+        Inputs.
+    steps : tuple of Step
+        Ordered steps; each one uses inputs and earlier steps only.
+    outputs : tuple of Output
+        Outputs.
     """
 
     name: str
@@ -129,32 +146,41 @@ class Block:
 
     @property
     def made(self) -> tuple[Quantity, ...]:
-        """The quantities that leave the block."""
+        """Quantities that the block returns."""
         return tuple(out.quantity for out in self.outputs)
 
     @property
     def exprs(self) -> dict[Quantity, tuple[sp.Expr, ...]]:
-        """Components of each of them."""
+        """Components of each output by quantity."""
         return {out.quantity: out.exprs for out in self.outputs}
 
     def operations(self) -> Operations:
-        """Operations of the steps and of whatever the outputs still compute."""
+        """Count the operations of the steps and of the expressions in outputs."""
         return count(self.expressions())
 
     def expressions(self) -> list[sp.Expr]:
-        """Right sides of all steps, then of all outputs."""
+        """Return the right-hand sides of all steps, followed by the expressions of all outputs."""
         return [step.expr for step in self.steps] + [e for out in self.outputs for e in out.exprs]
 
     def used_inputs(self) -> tuple[Quantity, ...]:
-        """Inputs of which at least one component occurs in the block."""
+        """Return the inputs of which at least one component occurs in the block."""
         used = set().union(*(expr.free_symbols for expr in self.expressions()))
         return tuple(q for q in self.inputs if used.intersection(q.symbols))
 
     def run(self, values: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> dict[str, tuple[Any, ...]]:
-        """Run the block in any arithmetic, such as mpmath's.
+        """Run the block in any arithmetic, such as mpmath.
 
-        values: a number for each input component, by name; sqrt: the square root of such numbers. Returns the
-        components of each output by name; constants are integers.
+        Parameters
+        ----------
+        values : mapping
+            Number for each input component, by name.
+        sqrt : callable
+            Square root of such numbers.
+
+        Returns
+        -------
+        dict
+            Components of each output by name; constants are integers.
         """
         known, (steps, outputs) = dict(values), self._runners
         for name, runner in steps:
@@ -163,14 +189,14 @@ class Block:
 
     @cached_property
     def _runners(self) -> tuple[list[tuple[str, _Runner]], list[tuple[str, list[_Runner]]]]:
-        """Names and expressions of the steps, and names and components of the outputs."""
+        """Names and functions of the steps, and names and component functions of the outputs."""
         return (
             [(step.name, _runner(step.expr)) for step in self.steps],
             [(out.quantity.name, [_runner(sp.sympify(e)) for e in out.exprs]) for out in self.outputs],
         )
 
     def formula(self, name: str) -> tuple[sp.Expr, ...]:
-        """Output ``name`` as expressions of the inputs alone, all steps substituted back."""
+        """Return the output ``name`` as expressions of the inputs, with all steps substituted."""
         back = substitution(self.steps)
         out = next(o for o in self.outputs if o.quantity.name == name)
         return tuple(sp.sympify(e).xreplace(back) for e in out.exprs)
@@ -178,21 +204,24 @@ class Block:
 
 @dataclass
 class Builder:
-    """Collects steps in the order in which a derivation names its quantities."""
+    """Collection of steps, in the order in which a derivation names its quantities."""
 
     steps: list[Step] = field(default_factory=list)
 
     def scalar(self, name: str, expr: sp.Expr, equation: str = "", meaning: str = "") -> sp.Expr:
-        """Name ``expr``; a number or a symbol needs no name and is handed back as it is.
+        """Name ``expr``; a number or a symbol is returned without a name.
 
-        Raises ValueError if the name stands for another expression already.
+        Raises
+        ------
+        ValueError
+            If the name already belongs to another expression.
         """
         expr = sp.sympify(expr)
         if expr.is_Atom or (-expr).is_Atom:
             return expr
         for step in self.steps:
             if step.name == name and step.expr != expr:
-                raise ValueError(f"{name}: expected a name of its own, it stands for {step.expr}")
+                raise ValueError(f"{name}: expected an unused name, it already belongs to {step.expr}")
             if step.name == name:
                 return step.symbol
         self.steps.append(Step(name, expr, equation, meaning))
@@ -220,7 +249,7 @@ class Builder:
         return sp.Matrix(3, 3, lambda i, j: named[min(i, j), max(i, j)])
 
     def substitution(self) -> dict[sp.Symbol, sp.Expr]:
-        """Each named quantity as an expression of what the program was given."""
+        """Return each named quantity as an expression of the inputs."""
         return substitution(self.steps)
 
     def block(
@@ -230,7 +259,7 @@ class Builder:
         inputs: Iterable[Quantity],
         outputs: Iterable[tuple[Quantity, sp.Expr | sp.Matrix]],
     ) -> Block:
-        """Close the program: unused inputs and steps that no output needs are left out."""
+        """Create the block without unused inputs and steps."""
         listed = tuple(Output(q, _components(q, value)) for q, value in outputs)
         block = Block(name, meaning, tuple(inputs), tuple(self.steps), listed)
         block = replace(block, steps=_needed(block))
@@ -238,7 +267,7 @@ class Builder:
 
 
 def substitution(steps: Iterable[Step]) -> dict[sp.Symbol, sp.Expr]:
-    """Each step's symbol with all earlier steps substituted back into its expression."""
+    """Return the expression of each step's symbol with all earlier steps substituted."""
     back: dict[sp.Symbol, sp.Expr] = {}
     for step in steps:
         back[step.symbol] = step.expr.xreplace(back)
@@ -246,7 +275,7 @@ def substitution(steps: Iterable[Step]) -> dict[sp.Symbol, sp.Expr]:
 
 
 def as_value(quantity: Quantity, exprs: Sequence[sp.Expr]) -> sp.Expr | sp.Matrix:
-    """Components in storage order as they stand in equations: the reverse of what an output stores."""
+    """Arrange components in storage order as a value for equations: the inverse of the storage."""
     if not quantity.shape:
         return exprs[0]
     if quantity.shape == (3,):
@@ -258,7 +287,7 @@ def as_value(quantity: Quantity, exprs: Sequence[sp.Expr]) -> sp.Expr | sp.Matri
 def rebuilt(
     block: Block, steps: Iterable[Step], outputs: Iterable[Output], inputs: Iterable[Quantity]
 ) -> Block:
-    """The block with other steps and outputs, without what they do not need."""
+    """Return the block with other steps and outputs, without unneeded steps and inputs."""
     return Builder(list(steps)).block(
         block.name,
         block.meaning,
@@ -268,7 +297,7 @@ def rebuilt(
 
 
 def part_of(block: Block, *quantities: Quantity) -> Block:
-    """What a block does to make some of its outputs."""
+    """Return the part of a block that computes some of its outputs."""
     kept = [out for out in block.outputs if out.quantity in quantities]
     return rebuilt(block, block.steps, kept, block.inputs)
 
@@ -290,12 +319,12 @@ def _needed(block: Block) -> tuple[Step, ...]:
 
 
 def run(expr: sp.Expr, known: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> Any:
-    """Value of one expression in the arithmetic of the numbers in ``known``."""
+    """Evaluate one expression in the arithmetic of the numbers in ``known``."""
     return _runner(expr)(known, sqrt)
 
 
 def _runner(expr: sp.Expr) -> _Runner:
-    """What runs an expression; made once, it is many times as fast as a walk over SymPy's tree."""
+    """Compile an expression to a function, which is much faster than a walk over SymPy's tree."""
     if expr.is_Symbol:
         name = expr.name
         return lambda known, sqrt: known[name]
@@ -318,16 +347,16 @@ def _runner(expr: sp.Expr) -> _Runner:
 
 
 def count(exprs: Iterable[sp.Expr]) -> Operations:
-    """Operations of a list of expressions, as the emitters print them."""
+    """Count the operations of expressions in the form in which the emitters print them."""
     return sum((_count(sp.sympify(expr)) for expr in exprs), Operations())
 
 
 @cache
 def common_factor(expr: sp.Add) -> sp.Integer:
-    """The whole number by which all terms of a sum are multiplied, and programs the sum.
+    """Return the common integer factor of all terms of a sum, which programs apply to the sum.
 
-    J_xx + J_yy - J_zz of a rod is zero to the last digit, and so is three times that, which the sum of three
-    products need not be.
+    Example: J_xx + J_yy - J_zz of a rod is exactly zero, and so is three times this sum. A sum of three
+    separate products may have a rounding error.
     """
     found = expr.as_content_primitive()[0]
     return found if found.is_Integer else sp.S.One

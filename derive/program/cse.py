@@ -1,8 +1,7 @@
-"""Reduction: rewriting a block into an equal one that computes less.
+"""Transformations of a block into an equal one with fewer operations.
 
-``share`` finds common subexpressions between the named steps and places each right before the first group
-of steps that needs it; the named steps stay, so that a line of the result can be traced to a line of the
-paper.
+``share`` eliminates common subexpressions. Each one is placed before the first group of steps that requires
+it. The named steps remain, so each line of the result can be traced to an equation of the paper.
 """
 
 from collections.abc import Iterable, Mapping
@@ -15,9 +14,14 @@ from .block import Block, Builder, Output, Quantity, Step, count, rebuilt
 
 
 def specialized(block: Block, values: Mapping[sp.Symbol, sp.Expr], new: Iterable[Quantity] = ()) -> Block:
-    """The block with some inputs replaced; steps that become a number or a symbol disappear.
+    """Replace some inputs of a block; steps that become a number or a symbol are removed.
 
-    values: input symbol -> a number or an expression of inputs, of the block's or the ``new`` ones.
+    Parameters
+    ----------
+    values : mapping
+        Number or expression for each replaced input symbol, in terms of the block's or the ``new`` inputs.
+    new : iterable of Quantity
+        Additional inputs.
     """
     known = dict(values)
     build = Builder()
@@ -30,7 +34,7 @@ def specialized(block: Block, values: Mapping[sp.Symbol, sp.Expr], new: Iterable
 
 
 def share(block: Block) -> Block:
-    """The block with every subexpression that occurs twice computed once."""
+    """Eliminate common subexpressions of a block."""
     names = sp.numbered_symbols("c", real=True, start=1)
     taken = {step.name for step in block.steps} | {name for q in block.inputs for name in q.names}
     fresh = (symbol for symbol in names if symbol.name not in taken)
@@ -51,7 +55,7 @@ _Kernel = TypeVar("_Kernel", bound=_Dataclass)
 
 
 def shared_blocks(kernel: _Kernel) -> _Kernel:
-    """The dataclass with ``share`` of each block that it holds."""
+    """Apply ``share`` to each block of a dataclass."""
     members = {each.name: getattr(kernel, each.name) for each in fields(kernel)}
     return replace(
         kernel, **{name: share(block) for name, block in members.items() if isinstance(block, Block)}
@@ -61,7 +65,7 @@ def shared_blocks(kernel: _Kernel) -> _Kernel:
 def _without_free(
     shared: list[tuple[sp.Symbol, sp.Expr]], reduced: list[sp.Expr]
 ) -> tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]]:
-    """Put back shared subexpressions that cost nothing, such as a negation."""
+    """Substitute shared subexpressions that need no operation, such as a negation."""
     free: dict[sp.Symbol, sp.Expr] = {}
     kept = []
     for symbol, expr in shared:
@@ -76,10 +80,10 @@ def _without_free(
 def _placed(
     shared: list[tuple[sp.Symbol, sp.Expr]], steps: list[Step], outputs: tuple[Output, ...]
 ) -> tuple[Step, ...]:
-    """The steps with each shared subexpression before the first group of steps that needs it.
+    """Insert each shared subexpression before the first group of steps that requires it.
 
-    A group is a run of steps with one meaning, such as the components of a vector, in which no component uses
-    another one.
+    A group is a sequence of steps with one meaning, such as the components of a vector, in which no component
+    uses another one.
     """
     waiting = dict(shared)
     program: list[Step] = []
@@ -102,7 +106,7 @@ def _placed(
 
 
 def _groups(steps: list[Step], shared: dict[sp.Symbol, sp.Expr]) -> list[list[Step]]:
-    """Runs of steps that share equation and meaning and do not need each other's results."""
+    """Group successive steps with equal equation and meaning that do not use each other's results."""
     reach: dict[sp.Symbol, set[sp.Symbol]] = {}
     for symbol, expr in shared.items():
         reach[symbol] = set().union(expr.free_symbols, *(reach.get(s, set()) for s in expr.free_symbols))

@@ -1,7 +1,8 @@
-"""The order of a sum's terms: terms that are ready first are added first, so that a processor waits least.
+"""Order of the terms of a sum, which reduces waiting times in the processor.
 
-Times are counted in additions; a block's inputs are ready at once. Of terms that are ready at the same time,
-positive ones come first. A processor with few registers gains nothing by this order.
+Terms that are available first are added first. Times are counted in additions, and the inputs of a block are
+available at time 0. Among terms that are available at the same time, positive terms are first. A processor
+with few registers does not benefit from this order.
 """
 
 from collections.abc import Iterable, Mapping
@@ -13,18 +14,18 @@ import sympy as sp
 from .block import Step
 
 ROOT, QUOTIENT = 5, 4
-"""How long a square root and a division take, in additions."""
+"""Duration of a square root and of a division, in additions."""
 
 Ready = Mapping[str, int]
-"""When named steps are ready."""
+"""Times at which named steps are available."""
 NOTHING: Ready = MappingProxyType({})
-"""Nothing has to be waited for."""
+"""All quantities are available at time 0."""
 AS_DERIVED: Ready = MappingProxyType({"": 0})
-"""Positive terms before negative ones, else in SymPy's order."""
+"""Positive terms before negative ones, otherwise in SymPy's order."""
 
 
 def ready_in(steps: Iterable[Step]) -> dict[str, int]:
-    """When each of the steps of a block is ready."""
+    """Compute the time at which each step of a block is available."""
     found: dict[str, int] = {}
     for step in steps:
         found[step.name] = ready_when(step.expr, found)
@@ -37,7 +38,7 @@ def _ordered(expr: sp.Add) -> tuple[sp.Expr, ...]:
 
 
 def terms_in_order(expr: sp.Add, ready: Ready) -> tuple[sp.Expr, ...]:
-    """The terms of a sum in the order in which programs add them up; the first is positive where one is."""
+    """Return the terms of a sum in the order of addition; the first term is positive if there is one."""
     terms = list(_ordered(expr))
     terms.sort(
         key=lambda term: (
@@ -50,7 +51,7 @@ def terms_in_order(expr: sp.Add, ready: Ready) -> tuple[sp.Expr, ...]:
 
 
 def ready_when(expr: sp.Expr, ready: Ready) -> int:
-    """When the value of an expression is known."""
+    """Compute the time at which the value of an expression is available."""
     if expr.is_Symbol:
         return ready.get(expr.name, 0)
     if not expr.args:
@@ -63,6 +64,6 @@ def ready_when(expr: sp.Expr, ready: Ready) -> int:
         return at
     if expr.is_Mul:
         return times[-1] + len(times) - 1
-    # Powers count from the start, as if their base were read: counted from their base, terms that wait for
-    # roots come later, chains are shorter but more numbers are kept, and a batch took 1 to 2 % longer.
+    # Powers count from time 0, as if their base were an input. If they counted from their base, terms
+    # with roots would be added later. Measured: shorter chains, more live numbers, batches 1 to 2 % slower.
     return times[0] + {sp.Rational(1, 2): ROOT, sp.Integer(-1): QUOTIENT}.get(expr.exp, 1)

@@ -1,15 +1,15 @@
-"""Rounding: every step of a block with a bound of the rounding error it carries, by running error analysis.
+"""Bounds of the rounding error of each step of a block, by running error analysis.
 
-A step x = f(y, z, ...) is run in floating point on y, z, ... that carry errors themselves. With y_err >=
-the error of y and y_max = |y| + y_err, which neither y nor its true value exceeds in size,
+A step x = f(y, z, ...) is evaluated in floating point with inputs y, z, ... that have errors. Let y_err be a
+bound of the error of y, and y_max = |y| + y_err a bound of |y| and of its true value. Then
 
-    x_err = sum over y of |df/dy| y_err + u (sum of the sizes of all intermediate results + |x|),
+    x_err = sum over y of |df/dy| y_err + u (sum of the magnitudes of all intermediate results + |x|).
 
-where |df/dy| and the intermediate results are bounded by taking every term positive and at its y_max. By
-the mean value theorem the first sum bounds what the errors of y, z, ... do to f in all orders; the second
-one counts each operation once, in the order in which sums are printed and added up (Wilkinson; Higham,
-Accuracy and Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, barring
-underflow. A few units u of relative error in x_err itself are left to whoever chooses u.
+Bounds of |df/dy| and of the intermediate results follow from positive terms with all symbols at y_max. By the
+mean value theorem the first sum bounds the effect of the errors of y, z, ... to all orders. The second sum
+counts each operation once, in the order in which sums are printed and added (Wilkinson; Higham, Accuracy and
+Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, except for underflow.
+The rounding error of x_err itself, a few units u, must be covered by the choice of u.
 """
 
 from collections.abc import Iterable, Mapping
@@ -26,11 +26,20 @@ PLAIN, ROOT, RECIPROCAL = "plain", "root", "reciprocal"
 
 @dataclass(frozen=True)
 class RoundedStep:
-    """A step and what bounds its error.
+    """Step with the terms of its error bound.
 
-    kind: PLAIN; or ROOT or RECIPROCAL of an argument, then ``carried`` and ``rounded`` are the argument's.
-    carried: what the errors of the inputs come to; rounded: sizes of intermediate results, each rounded once.
-    own: whether the last operation rounds, by u |x|.
+    Attributes
+    ----------
+    step : Step
+        Step.
+    kind : str
+        PLAIN, or ROOT or RECIPROCAL of an argument; ``carried`` and ``rounded`` then belong to the argument.
+    carried : Expr
+        Effect of the errors of the inputs.
+    rounded : Expr
+        Sum of the magnitudes of intermediate results that are rounded.
+    own : bool
+        True if the last operation rounds, with an error of u |x|.
     """
 
     step: Step
@@ -41,21 +50,31 @@ class RoundedStep:
 
     @property
     def rounds(self) -> bool:
-        """Whether the step adds an error to those that it is given."""
+        """True if the step adds a rounding error to the errors of its inputs."""
         return self.own or self.rounded != 0
 
     @property
     def exact(self) -> bool:
-        """Whether the step's value has no error at all."""
+        """True if the value of the step has no error."""
         return not self.rounds and self.carried == 0
 
 
 @dataclass(frozen=True)
 class RoundedBlock:
-    """A block whose steps bound their errors.
+    """Block whose steps compute bounds of their errors.
 
-    block: the same program; every output is a name or a negated one. errors: of every input and step, a
-    symbol or zero. limits: names of inputs and steps whose largest size some error needs.
+    Attributes
+    ----------
+    block : Block
+        The same program, in which each output is a name or a negated name.
+    steps : tuple of RoundedStep
+        Steps with their error bounds.
+    errors : mapping
+        Error of each input and step: a symbol or zero.
+    limits : frozenset of str
+        Names of inputs and steps whose largest magnitude some error requires.
+    ready : mapping
+        Times at which the steps are available.
     """
 
     block: Block
@@ -65,23 +84,31 @@ class RoundedBlock:
     ready: Ready
 
     def order_of(self, step: Step) -> Ready:
-        """What orders the terms of a step; components of outputs are computed where they are stored."""
+        """Return the times that order the terms of a step, or NOTHING for components of outputs.
+
+        Components of outputs are computed at the place of storage.
+        """
         return self.ready if step.name in self.ready else NOTHING
 
     def output_error(self, expr: sp.Expr) -> sp.Expr:
-        """Error of a component that leaves the block."""
+        """Return the error of an output component."""
         return self.errors[next(iter(expr.free_symbols)).name] if expr.free_symbols else sp.S.Zero
 
     def inexact(self, quantity: Quantity) -> bool:
-        """Whether some component of an output has an error."""
+        """Return True if a component of an output has an error."""
         out = next(out for out in self.block.outputs if out.quantity == quantity)
         return any(self.output_error(expr) != 0 for expr in out.exprs)
 
 
 def rounded(block: Block, errors: Mapping[str, sp.Expr], ready: Ready | None = None) -> RoundedBlock:
-    """The block with its error bounds; errors: of input components by name, those left out are exact.
+    """Derive the error bounds of a block.
 
-    ready: when its steps are, where the block is made of several.
+    Parameters
+    ----------
+    errors : mapping
+        Errors of input components by name; omitted components are exact.
+    ready : mapping, optional
+        Times at which the steps are available, required if the block consists of several.
     """
     named = _outputs_named(block)
     known = {name: errors.get(name, sp.S.Zero) for quantity in named.inputs for name in quantity.names}
@@ -104,22 +131,22 @@ _ERROR, _MAX = "_err", "_max"
 
 
 def error_symbol(name: str) -> sp.Symbol:
-    """``q_x_err``: bound of the error of ``q_x``."""
+    """Return ``q_x_err``, the bound of the error of ``q_x``."""
     return sp.Symbol(name + _ERROR, real=True)
 
 
 def limit_symbol(name: str) -> sp.Symbol:
-    """``q_x_max``: what neither the computed nor the true ``q_x`` exceeds in size."""
+    """Return ``q_x_max``, the bound of the magnitude of the computed and the true ``q_x``."""
     return sp.Symbol(name + _MAX, real=True)
 
 
 def component_errors(quantities: Iterable[Quantity]) -> dict[str, sp.Expr]:
-    """An error of its own for every component of the quantities."""
+    """Return a separate error symbol for each component of the quantities."""
     return {name: error_symbol(name) for quantity in quantities for name in quantity.names}
 
 
 def _outputs_named(block: Block) -> Block:
-    """The block with a step for every output component that is still computed."""
+    """Add a step for each output component that is an expression."""
     steps, outputs = list(block.steps), []
     taken = {step.name for step in steps} | {name for q in block.inputs for name in q.names}
     for out in block.outputs:
@@ -130,7 +157,7 @@ def _outputs_named(block: Block) -> Block:
                 continue
             step = Step(component_name(out.quantity.name, key), expr, "", out.quantity.meaning)
             if step.name in taken:
-                raise ValueError(f"{step.name}: expected an output with a name of its own")
+                raise ValueError(f"{step.name}: expected an output with an unused name")
             steps.append(step)
             names.append(step.symbol)
         outputs.append(Output(out.quantity, tuple(names)))
@@ -149,7 +176,7 @@ def _rounded_step(step: Step, errors: Mapping[str, sp.Expr], ready: Ready) -> Ro
 
 
 def _carried(expr: sp.Expr, errors: Mapping[str, sp.Expr]) -> sp.Expr:
-    """What the errors of the symbols come to, by the largest slope along each."""
+    """Bound the effect of the errors of the symbols by the largest derivative by each."""
     size = _size(expr)
     shares: dict[sp.Expr, sp.Expr] = {}
     for name in sorted(symbol.name for symbol in expr.free_symbols):
@@ -160,7 +187,7 @@ def _carried(expr: sp.Expr, errors: Mapping[str, sp.Expr]) -> sp.Expr:
 
 
 def _size(expr: sp.Expr) -> sp.Expr:
-    """The expression with every term positive and every symbol at its limit."""
+    """Return the expression with positive terms and each symbol at its bound."""
     if expr.is_Symbol:
         return limit_symbol(expr.name)
     if expr.is_Rational:
@@ -171,23 +198,23 @@ def _size(expr: sp.Expr) -> sp.Expr:
         return sp.Mul(*map(_size, expr.args))
     if expr.is_Pow and expr.exp.is_Integer and expr.exp > 1:
         return _size(expr.base) ** expr.exp
-    raise ValueError(f"no error bound for {type(expr).__name__} in {expr}: it needs a name")
+    raise ValueError(f"no error bound for {type(expr).__name__} in {expr}: name it as a step")
 
 
 def _roundings(expr: sp.Expr, ready: Ready) -> sp.Expr:
-    """Sum of the sizes of all results that are rounded on the way to ``expr``, itself the last."""
+    """Sum the magnitudes of all rounded results of an expression, including the last one."""
     inner, own = _inner_roundings(expr, ready)
     return inner + _size(expr) if own else inner
 
 
 def _inner_roundings(expr: sp.Expr, ready: Ready) -> tuple[sp.Expr, bool]:
-    """The same without the last operation, and whether that one rounds."""
+    """Sum the magnitudes of the rounded results before the last operation, and return whether it rounds."""
     if expr.is_Atom:
         return sp.S.Zero, False
     if expr.is_Add:
         terms = terms_in_order(expr, ready)
         below = sum((_roundings(term, ready) for term in terms), sp.S.Zero)
-        # The first term is in every sum on the way, the second one too, each later one in one less.
+        # The first and the second term are in every partial sum, each later term in one fewer.
         on_the_way = ((len(terms) - max(i, 2)) * _size(term) for i, term in enumerate(terms, start=1))
         return below + sum(on_the_way, sp.S.Zero), True
     coefficient, rest = expr.as_coeff_Mul()
@@ -205,7 +232,7 @@ def _inner_roundings(expr: sp.Expr, ready: Ready) -> tuple[sp.Expr, bool]:
 
 
 def _repeated(factor: sp.Expr) -> list[sp.Expr]:
-    """The factors of an integer power."""
+    """Return the factors of an integer power."""
     if factor.is_Pow and factor.exp.is_Integer and factor.exp > 1:
         return [factor.base] * int(factor.exp)
     return [factor]

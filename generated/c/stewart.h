@@ -1,27 +1,27 @@
-/* stewart.h: arithmetic, status codes and data types of the stewart-sym kernels.
+/* stewart.h: arithmetic, status codes, and data types of the stewart-sym kernels.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * Lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
- * unless said otherwise. Equation numbers are those of Dasgupta and Mruthyunjaya, Mechanism and Machine
- * Theory 33 (1998) 1135-1152.
+ * Units: lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
+ * unless noted otherwise. Equation numbers refer to Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998)
+ * 1135-1152.
  */
 #ifndef STEWART_H
 #define STEWART_H
 
 #include <stddef.h>
 
-#define STEWART_SYM_VERSION "0.1.0" /* of the generator */
+#define STEWART_SYM_VERSION "0.1.0" /* version of the generator */
 
-/* Compilers that take every number for finite remove the checks of inputs and results, and a bad input then
- * gives STEWART_OK. -DSTEWART_ALLOW_FAST_MATH: the caller checks all inputs and results. */
+/* Compilers that assume finite numbers remove the checks of inputs and results, and wrong inputs then give
+ * STEWART_OK. With -DSTEWART_ALLOW_FAST_MATH the caller must check all inputs and results. */
 #if (defined(__FAST_MATH__) || defined(_M_FP_FAST) || \
      (defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ != 0))) && !defined(STEWART_ALLOW_FAST_MATH)
 #error "compile without -ffast-math and -ffinite-math-only, or define STEWART_ALLOW_FAST_MATH (see stewart.h)"
 #endif
 
-/* Before functions that return a status: compilers that can warn where it is ignored. */
+/* Prefix of functions that return a status: compilers warn if it is ignored. */
 #if !defined(STEWART_NODISCARD)
 #if (defined(__cplusplus) && (__cplusplus >= 201703L)) || \
     (defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 202311L))
@@ -33,8 +33,8 @@
 #endif
 #endif
 
-/* Arithmetic: double; float with -DSTEWART_FLOAT. For another type define STEWART_REAL and, with it,
- * STEWART_SQRT(x), STEWART_FABS(x), STEWART_EPSILON and STEWART_MAX. */
+/* Arithmetic: double, or float with -DSTEWART_FLOAT. For another type define STEWART_REAL, STEWART_SQRT(x),
+ * STEWART_FABS(x), STEWART_EPSILON, and STEWART_MAX. */
 #if defined(STEWART_REAL)
 typedef STEWART_REAL stewart_real;
 #elif defined(STEWART_FLOAT)
@@ -43,10 +43,10 @@ typedef float stewart_real;
 typedef double stewart_real;
 #endif
 
-/* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were.
+/* Status codes. If the status of a pose is not STEWART_OK, its outputs are unchanged.
  *
- * Functions of one pose write their outputs last: an output may overlap the motion and every other input but
- * robot and model, and no other output. Batches: no output may overlap an input or another output. */
+ * Functions of one pose write their outputs last. An output may overlap the motion and other inputs, but not the robot,
+ * the model, or another output. In a batch no output may overlap an input or another output. */
 #define STEWART_OK 0 /* solved */
 #define STEWART_NOT_FINITE 1 /* an input is not finite, or a result overflows */
 #define STEWART_ZERO_LENGTH 2 /* a leg has length zero */
@@ -56,15 +56,15 @@ typedef double stewart_real;
 #define STEWART_MASS_MATRIX_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
 #define STEWART_NOT_CONVERGED 7 /* no pose with these leg lengths was found */
 
-/* Where a status begins, and the worst error seen on this side of it among 10^6
- * random poses near failure, in rounding units times the condition number of the problem itself, at
- * which distance from the failure (`stewart-sym stability`):
- * STEWART_ZERO_LENGTH: within 16 rounding units of the vectors it is the sum of; 7, at 2.2e-01
- * STEWART_JOINT_SINGULAR: sine below 4096 rounding units; 10, at 5.9e-02
- * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; 10, at 1.6e-10 */
+/* Threshold of each status; largest error of STEWART_OK in 10^6 random poses
+ * near failure, in rounding units times the condition number of the problem, with the distance from
+ * the failure (`stewart-sym stability`):
+ * STEWART_ZERO_LENGTH: leg shorter than 16 rounding units of the vectors in its sum; error 7 at 2.2e-01
+ * STEWART_JOINT_SINGULAR: sine below 4096 rounding units; error 10 at 5.9e-02
+ * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; error 10 at 1.6e-10 */
 
-/* One leg. Frame D has its origin at the base point, frame U at the platform point; both have x along the
- * leg and y along the rotating axis of the universal joint. */
+/* One leg. The origin of frame D is the base point, and the origin of frame U the platform point. In both
+ * frames x is along the leg and y along the moving axis of the universal joint. */
 typedef struct {
     stewart_real b[3]; /* m: base point, base frame */
     stewart_real p[3]; /* m: platform point, platform frame */
@@ -78,13 +78,13 @@ typedef struct {
     stewart_real C_u; /* N m s: viscous friction of the universal joint */
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
-#if defined(STEWART_ROTORS) /* for kernels named `drive`, in every source */
-    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
+#if defined(STEWART_ROTORS) /* required by kernels named `drive`, in every source */
+    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m */
     stewart_real j_r; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
 #endif
 } stewart_leg;
 
-/* The machine. */
+/* Robot. */
 typedef struct {
     stewart_leg leg[6];
     stewart_real M; /* kg: mass of the platform with its payload */
@@ -93,7 +93,7 @@ typedef struct {
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
 } stewart_robot;
 
-/* Limits of the robot file, which no function checks; 0 and the largest number where it states none. */
+/* Limits of the robot file, which the functions do not check. Without a limit: 0 or the largest number. */
 typedef struct {
     stewart_real shortest[6]; /* m: shortest leg */
     stewart_real longest[6]; /* m: longest leg */
@@ -101,7 +101,7 @@ typedef struct {
     stewart_real speed[6]; /* m/s: largest magnitude of the sliding velocity */
 } stewart_limits;
 
-/* Motion of the platform and its load at one instant. */
+/* Motion of the platform, and its load. */
 typedef struct {
     stewart_real R[9]; /* 1: orientation of the platform, platform frame to base frame, row-major */
     stewart_real t[3]; /* m: position of the platform's reference point, base frame */
@@ -113,7 +113,7 @@ typedef struct {
     stewart_real M_ext[3]; /* N m: external moment about the reference point, platform frame */
 } stewart_motion;
 
-/* Motions of `count` poses. F_ext and M_ext may be null: no load. */
+/* Motions of `count` poses. F_ext and M_ext may be null for zero load. */
 typedef struct {
     const stewart_real *R; /* [count][9] */
     const stewart_real *t; /* [count][3] */
@@ -135,7 +135,7 @@ typedef struct {
     stewart_real c[6]; /* N and N m: wrench that x must balance, base frame, (36) */
 } stewart_forces;
 
-/* Inverse dynamics of `count` poses. Any pointer may be null: not wanted. */
+/* Inverse dynamics of `count` poses. A pointer may be null if its output is not needed. */
 typedef struct {
     stewart_real *F; /* [count][6] */
     stewart_real *D; /* [count][6] */
@@ -155,7 +155,7 @@ typedef struct {
     stewart_real M_u[6]; /* N m: constraint moment on the leg at the universal joint, along k x y, y the moving axis; in `paper` along s */
 } stewart_reactions;
 
-/* Joint reactions of `count` poses. Any pointer may be null: not wanted. */
+/* Joint reactions of `count` poses. A pointer may be null if its output is not needed. */
 typedef struct {
     stewart_real *F_s; /* [count][6][3] */
     stewart_real *F_u; /* [count][6][3] */

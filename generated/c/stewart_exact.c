@@ -109,7 +109,7 @@ static void leg_dynamics(
     const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
     /* (10) k = (k1, 0, k3) in the leg frame */
     const stewart_real k1 = STEWART_FMA(k_z, s_z, STEWART_FMA(k_y, s_y, k_x*s_x));
-    /* spin of the leg about s for each turn about z */
+    /* spin of the leg about s per rotation about z */
     const stewart_real kappa = inv_k3*k1;
     /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
     const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
@@ -138,7 +138,7 @@ static void leg_dynamics(
     const stewart_real c3 = REAL(2)*u_x;
     const stewart_real c4 = W_z*c3;
     const stewart_real c5 = W_y*c3;
-    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    /* (9) angular acceleration of the leg without the spin terms, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
     const stewart_real A_y_own = inv_L*(-e_z - c5);
     const stewart_real c6 = W_y*W_z;
@@ -194,7 +194,7 @@ static void leg_dynamics(
     const stewart_real E_z = STEWART_FMA(A_x, I_xz, STEWART_FMA(A_z_own, I_zz, STEWART_FMA(I_yz, c10,
         STEWART_FMA(-I_xz, c6, STEWART_FMA(c7, I_yy - I_xx - I_zz, STEWART_FMA(A_y_own, I_yz,
         STEWART_FMA(-I_xy, c1, I_xy*c11)))))));
-    /* (20) moment that the joints' forces must make */
+    /* (20) moment that the joint forces must balance */
     const stewart_real C_x = STEWART_FMA(-N_u_y, r_u0_z, STEWART_FMA(-N_d_y, r_d0_z, STEWART_FMA(N_u_z,
         r_u0_y, STEWART_FMA(N_d_z, r_d0_y, STEWART_FMA(C_u, W_x, f_leg_x) + E_x))));
     const stewart_real C_y = STEWART_FMA(-N_u_z, r_u_x, STEWART_FMA(-N_d_z, r_d0_x, STEWART_FMA(N_u_x,
@@ -316,7 +316,7 @@ static void leg_reactions(
     const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
     /* (10) k = (k1, 0, k3) in the leg frame */
     const stewart_real k1 = STEWART_FMA(k_z, s_z, STEWART_FMA(k_y, s_y, k_x*s_x));
-    /* spin of the leg about s for each turn about z */
+    /* spin of the leg about s per rotation about z */
     const stewart_real kappa = inv_k3*k1;
     /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
     const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
@@ -345,7 +345,7 @@ static void leg_reactions(
     const stewart_real c3 = REAL(2)*u_x;
     const stewart_real c4 = W_z*c3;
     const stewart_real c5 = W_y*c3;
-    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    /* (9) angular acceleration of the leg without the spin terms, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
     const stewart_real A_y_own = inv_L*(-e_z - c5);
     const stewart_real c6 = W_y*W_z;
@@ -414,7 +414,7 @@ static void leg_reactions(
     const stewart_real c17 = STEWART_FMA(-N_d_y, r_d0_z, STEWART_FMA(N_d_z, r_d0_y, C_u*W_x));
     const stewart_real c18 = STEWART_FMA(-N_d_z, r_d0_x, STEWART_FMA(N_d_x, r_d0_z, C_u*W_y));
     const stewart_real c19 = STEWART_FMA(N_d_y, r_d0_x, STEWART_FMA(-N_d_x, r_d0_y, C_u*W_z));
-    /* (20) moment that the joints' forces must make */
+    /* (20) moment that the joint forces must balance */
     const stewart_real C_x = STEWART_FMA(-N_u_y, r_u0_z, STEWART_FMA(N_u_z, r_u0_y, f_leg_x + E_x)) + c17;
     const stewart_real C_y = STEWART_FMA(-N_u_z, r_u_x, STEWART_FMA(N_u_x, r_u0_z, f_leg_y + E_y)) + c18;
     const stewart_real C_z = STEWART_FMA(N_u_y, r_u_x, STEWART_FMA(-N_u_x, r_u0_y, f_leg_z + E_z)) + c19;

@@ -1,21 +1,22 @@
-/* stewart_exact.h: inverse dynamics and joint reactions of the Stewart platform.
+/* stewart_exact.h: inverse dynamics and joint reactions of a Gough-Stewart platform.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * Formulation `exact`: the elimination with joint and inertias treated correctly.
+ * Formulation `exact`: corrected equations.
  * Base joint: universal, fixed axis k.
  *
- * Reads of each leg: b[3] m, p[3] m, k[3] 1, m_d kg, r_d0[3] m, I_d0[6] kg m^2, m_u kg, r_u0[3] m,
+ * Inputs from each leg: b[3] m, p[3] m, k[3] 1, m_d kg, r_d0[3] m, I_d0[6] kg m^2, m_u kg, r_u0[3] m,
  *     I_u0[6] kg m^2, C_u N m s, C_p N s/m, C_s N m s.
- * Reads of the machine: M kg, R_0[3] m, I_p[6] kg m^2, g[3] m/s^2.
- * Reads of the motion: R[9] 1, t[3] m, omega[3] rad/s, v[3] m/s, alpha[3] rad/s^2, a[3] m/s^2,
+ * Inputs from the robot: M kg, R_0[3] m, I_p[6] kg m^2, g[3] m/s^2.
+ * Inputs from the motion: R[9] 1, t[3] m, omega[3] rad/s, v[3] m/s, alpha[3] rad/s^2, a[3] m/s^2,
  *     F_ext[3] N, M_ext[3] N m.
- * Writes forces: F[6] N, D[6] N, x[6] N, K[6][3] N, H[6][6] 1 and m, c[6] N and N m.
- * Writes reactions: F_s[6][3] N, F_u[6][3] N, F_p[6][3] N, F_c[6][3] N, M_p[6][3] N m, M_u[6] N m.
- * Meanings, frames and storage order: stewart.h.
+ * Outputs in forces: F[6] N, D[6] N, x[6] N, K[6][3] N, H[6][6] 1 and m, c[6] N and N m.
+ * Outputs in reactions: F_s[6][3] N, F_u[6][3] N, F_p[6][3] N, F_c[6][3] N, M_p[6][3] N m,
+ *     M_u[6] N m.
+ * Meanings, frames, and storage order: see stewart.h.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
+ * Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
  *          with friction                             without friction
  * leg      414 (229 mul, 181 add, 2 div, 2 sqrt)     364 (204 mul, 156 add, 2 div, 2 sqrt)
  * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)

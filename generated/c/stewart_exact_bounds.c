@@ -3,14 +3,14 @@
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * Of each quantity x the code below may keep
- *     x_err, which bounds its error;
- *     x_own, which bounds what of it comes from computing x, the errors of what x is made of apart;
- *     x_max = |x| + x_err, which bounds the size of x and of its true value;
- *     x_bar, the slope of an actuator force along x, with all that is made of x.
- * Forward goes x_err, which has to be taken for the worst at every step; it is coarse, and it serves to bound
- * the slopes. Backward go these, and the force errs by no more than all x_own, each times its slope at its
- * largest: the mean value theorem, over the segment from the computed to the exact values.
+ * For a quantity x the code may contain
+ *     x_err: bound of the error of x;
+ *     x_own: bound of the error of the operations that compute x, without the errors of their inputs;
+ *     x_max = |x| + x_err: bound of the magnitude of x and of its true value;
+ *     x_bar: derivative of an actuator force by x, including all quantities that depend on x.
+ * The forward pass computes x_err from the worst case at every step. It is coarse and bounds the derivatives. The
+ * backward pass computes the derivatives. By the mean value theorem on the segment between the computed and the exact
+ * values, the error of a force is at most the sum of all x_own times the largest magnitude of their derivatives.
  */
 #include "stewart_exact_bounds.h"
 
@@ -20,8 +20,8 @@
 
 #define STEWART_INFINITY ((stewart_real)INFINITY)
 
-/* Half an epsilon is the largest relative error of an operation. A 64th more makes up for what the bounds
- * lose by their own roundings and by sizes that are rounded themselves, a few thousand operations deep. */
+/* The largest relative error of an operation is half an epsilon. The additional 1/64 covers the rounding
+ * errors of the bounds and of the magnitudes in them, for a depth of a few thousand operations. */
 #define STEWART_UNIT (STEWART_EPSILON * (stewart_real)0.5078125)
 #define STEWART_SLACK ((stewart_real)1.015625)
 
@@ -355,10 +355,10 @@ static void prepare_leg(
     /* C_u + C_s */
     const stewart_real C_us = C_s + C_u;
     const stewart_real C_us_err = STEWART_UNIT*STEWART_FABS(C_us);
-    /* its first moment about platform point 1, platform frame */
+    /* first moment of this mass about platform point 1, platform frame */
     const stewart_real h_add_z = arm_z*m_u;
     const stewart_real h_add_z_err = arm_z_err*m_u_max + STEWART_UNIT*STEWART_FABS(h_add_z);
-    /* its inertia about platform point 1, platform frame */
+    /* inertia of this mass about platform point 1, platform frame */
     const stewart_real J_add_xx = m_u*(c13 + c14);
     const stewart_real J_add_xx_err = c13_err*m_u_max + c14_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max + c14_max)
         + STEWART_FABS(J_add_xx));
@@ -501,7 +501,7 @@ static void prepare_platform(
     const stewart_real J_add_zz_max = STEWART_FABS(J_add_zz) + J_add_zz_err;
     const stewart_real M_P = M + M_add;
     const stewart_real M_P_err = M_add_err + STEWART_UNIT*STEWART_FABS(M_P);
-    /* the platform's own center of mass from platform point 1 */
+    /* center of mass of the platform without the upper parts, from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_x_err = STEWART_UNIT*STEWART_FABS(arm_x);
     const stewart_real arm_x_max = STEWART_FABS(arm_x) + arm_x_err;
@@ -511,7 +511,7 @@ static void prepare_platform(
     const stewart_real arm_z = R_0_z - p_1_z;
     const stewart_real arm_z_err = STEWART_UNIT*STEWART_FABS(arm_z);
     const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
-    /* first moment of what is lumped with it about that center */
+    /* first moment of the lumped masses about this center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_x_err = h_add_x_err + M_add_err*arm_x_max + M_add_max*arm_x_err + STEWART_UNIT*(M_add_max*arm_x_max
         + STEWART_FABS(e_x));
@@ -886,14 +886,14 @@ static void leg_of_pose(
     const stewart_real S_x = t_b_x + q_x;
     const stewart_real S_y = t_b_y + q_y;
     const stewart_real S_z = t_b_z + q_z;
-    /* (10) leg vector along the fixed axis, and normal to both */
+    /* (10) component of the leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
     const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
     const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
     const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
     const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y, k_cross_S_y,
         k_cross_S_x*k_cross_S_x));
-    /* (2) leg length, and distance of its tip from the fixed axis */
+    /* (2) leg length, and distance of the tip from the fixed axis */
     const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
     const stewart_real rho = STEWART_SQRT(rho2);
     const stewart_real inv_L = REAL(1)/L;
@@ -956,15 +956,15 @@ static void leg_of_pose(
     const stewart_real M_theta = J_yy + L_h2;
     const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
     const stewart_real k3_h = h_y*k3;
-    /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+    /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
     const stewart_real M_phi_theta = STEWART_FMA(a1, k13, a2*(STEWART_HALF - k33));
     const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
     const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
     const stewart_real bend = L_dot*theta_dot;
-    /* gravity along k x y and along y */
+    /* components of gravity along k x y and along y */
     const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
     const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-    /* first moment along k and against k x y */
+    /* components of the first moment along k and along -k x y */
     const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
     const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
     /* (20) generalized forces about y and about k */
@@ -977,14 +977,14 @@ static void leg_of_pose(
         L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
         STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
         k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
-    /* (21) K = Q_k k + Q_y y, up to a part along s */
+    /* (21) K = Q_k k + Q_y y, with a component along s */
     const stewart_real Q_k = -inv_rho*tau_y;
     const stewart_real Q_y = inv_rho*tau_k;
     /* (21) force at the spherical joint, base frame */
     const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
     const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
     const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
-    /* (24) known part of the actuator force, to match */
+    /* (24) known part of the actuator force for this K */
     const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
         STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot)))));
     const stewart_real c1 = C_s*phi_dot;
@@ -1088,12 +1088,12 @@ static void leg_of_pose_near_singularity(
     const stewart_real S_x = t_b_x + q_x;
     const stewart_real S_y = t_b_y + q_y;
     const stewart_real S_z = t_b_z + q_z;
-    /* (10) leg vector along the fixed axis, and normal to both */
+    /* (10) component of the leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
     const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
     const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
     const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-    /* (2) leg length, and distance of its tip from the fixed axis */
+    /* (2) leg length, and distance of the tip from the fixed axis */
     const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
@@ -1104,7 +1104,7 @@ static void leg_of_pose_near_singularity(
     const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
     const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
     const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-    /* (10) leg length, and distance of its tip from the fixed axis */
+    /* (10) leg length, and distance of the tip from the fixed axis */
     const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
         STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
     const stewart_real inv_rho = REAL(1)/rho;
@@ -1147,7 +1147,7 @@ static void leg_of_pose_near_singularity(
     /* (8) accelerations of the joint coordinates */
     const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_x,
         s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-    /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+    /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
     const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
         -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
     const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z, y_z,
@@ -1168,14 +1168,14 @@ static void leg_of_pose_near_singularity(
     const stewart_real M_theta = J_yy + L_h2;
     const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
     const stewart_real k3_h = h_y*k3;
-    /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+    /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
     const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
     const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
     const stewart_real bend = L_dot*theta_dot;
-    /* gravity along k x y and along y */
+    /* components of gravity along k x y and along y */
     const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
     const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-    /* first moment along k and against k x y */
+    /* components of the first moment along k and along -k x y */
     const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
     const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
     /* (20) generalized forces about y and about k */
@@ -1196,7 +1196,7 @@ static void leg_of_pose_near_singularity(
     const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
     const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
     const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
-    /* (24) known part of the actuator force, to match */
+    /* (24) known part of the actuator force for this K */
     const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot, STEWART_FMA(-M_phi_L,
         phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
     const stewart_real c4 = C_s*phi_dot;
@@ -2354,7 +2354,7 @@ static void leg_errors(
     const stewart_real S_z_own = STEWART_UNIT*STEWART_FABS(S_z);
     const stewart_real S_z_err = q_z_err + t_b_z_err + S_z_own;
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
-    /* (10) leg vector along the fixed axis, and normal to both */
+    /* (10) component of the leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
     const stewart_real zeta_own = STEWART_UNIT*(S_z_max*k_z_max + REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max
         + STEWART_FABS(zeta));
@@ -2382,7 +2382,7 @@ static void leg_errors(
     const stewart_real rho2_err = REAL(2)*(k_cross_S_x_err*k_cross_S_x_max + k_cross_S_y_err*k_cross_S_y_max
         + k_cross_S_z_err*k_cross_S_z_max) + rho2_own;
     const stewart_real rho2_max = STEWART_FABS(rho2) + rho2_err;
-    /* (2) leg length, and distance of its tip from the fixed axis */
+    /* (2) leg length, and distance of the tip from the fixed axis */
     const stewart_real L = STEWART_SQRT(zeta*zeta + rho2);
     const stewart_real L_own = root_error(L, STEWART_UNIT*(rho2_max + REAL(2)*zeta_max*zeta_max));
     const stewart_real L_err = root_error(L, rho2_err + REAL(2)*zeta_err*zeta_max + STEWART_UNIT*(rho2_max + REAL(2)*zeta_max*zeta_max));
@@ -2592,7 +2592,7 @@ static void leg_errors(
     const stewart_real k3_h_own = STEWART_UNIT*STEWART_FABS(k3_h);
     const stewart_real k3_h_err = h_y_err*k3_max + h_y_max*k3_err + k3_h_own;
     const stewart_real k3_h_max = STEWART_FABS(k3_h) + k3_h_err;
-    /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+    /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
     const stewart_real M_phi_theta = a2*(STEWART_HALF - k33) + a1*k13;
     const stewart_real M_phi_theta_own = STEWART_UNIT*(a1_max*k13_max + REAL(2)*a2_max*(k33_max + STEWART_HALF)
         + STEWART_FABS(M_phi_theta));
@@ -2612,7 +2612,7 @@ static void leg_errors(
     const stewart_real bend_own = STEWART_UNIT*STEWART_FABS(bend);
     const stewart_real bend_err = L_dot_err*theta_dot_max + L_dot_max*theta_dot_err + bend_own;
     const stewart_real bend_max = STEWART_FABS(bend) + bend_err;
-    /* gravity along k x y and along y */
+    /* components of gravity along k x y and along y */
     const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
     const stewart_real gamma_n_own = STEWART_UNIT*(g_x_k_z_max*y_z_max + REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
         + STEWART_FABS(gamma_n));
@@ -2624,7 +2624,7 @@ static void leg_errors(
         + STEWART_FABS(gamma_y));
     const stewart_real gamma_y_err = g_x_max*y_x_err + g_y_max*y_y_err + g_z_max*y_z_err + gamma_y_own;
     const stewart_real gamma_y_max = STEWART_FABS(gamma_y) + gamma_y_err;
-    /* first moment along k and against k x y */
+    /* components of the first moment along k and along -k x y */
     const stewart_real w_k = k3*w_z + k1*w_x;
     const stewart_real w_k_own = STEWART_UNIT*(k1_max*w_x_max + k3_max*w_z_max + STEWART_FABS(w_k));
     const stewart_real w_k_err = k1_err*w_x_max + k1_max*w_x_err + k3_err*w_z_max + k3_max*w_z_err + w_k_own;
@@ -2665,7 +2665,7 @@ static void leg_errors(
         + bend_max*h2_y_max*k1_err + two_phi_dot_err*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
         + tau_k_own;
     const stewart_real tau_k_max = STEWART_FABS(tau_k) + tau_k_err;
-    /* (21) K = Q_k k + Q_y y, up to a part along s */
+    /* (21) K = Q_k k + Q_y y, with a component along s */
     const stewart_real Q_k = -inv_rho*tau_y;
     const stewart_real Q_k_own = STEWART_UNIT*STEWART_FABS(Q_k);
     const stewart_real Q_k_err = inv_rho_err*tau_y_max + inv_rho_max*tau_y_err + Q_k_own;
@@ -2684,7 +2684,7 @@ static void leg_errors(
     const stewart_real K_z = Q_y*y_z + Q_k*k_z;
     const stewart_real K_z_own = STEWART_UNIT*(Q_k_max*k_z_max + Q_y_max*y_z_max + STEWART_FABS(K_z));
     const stewart_real K_z_err = Q_k_err*k_z_max + Q_k_max*k_z_err + Q_y_err*y_z_max + Q_y_max*y_z_err + K_z_own;
-    /* (24) known part of the actuator force, to match */
+    /* (24) known part of the actuator force for this K */
     const stewart_real D = C_p*L_dot - h_x*theta_dot2 - M_phi_L*phi_dot2 + h_z*theta_ddot - k3_h*phi_ddot - Q_k*k1;
     const stewart_real D_own = STEWART_UNIT*(Q_k_max*k1_max + REAL(5)*C_p_max*L_dot_max + REAL(4)*M_phi_L_max*phi_dot2_max
         + REAL(5)*h_x_max*theta_dot2_max + REAL(3)*h_z_max*theta_ddot_max + REAL(2)*k3_h_max*phi_ddot_max + STEWART_FABS(D));
@@ -3608,7 +3608,7 @@ static void leg_errors_near_singularity(
     const stewart_real S_z_own = STEWART_UNIT*STEWART_FABS(S_z);
     const stewart_real S_z_err = q_z_err + t_b_z_err + S_z_own;
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
-    /* (10) leg vector along the fixed axis, and normal to both */
+    /* (10) component of the leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
     const stewart_real zeta_own = STEWART_UNIT*(S_z_max*k_z_max + REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max
         + STEWART_FABS(zeta));
@@ -3630,7 +3630,7 @@ static void leg_errors_near_singularity(
     const stewart_real k_cross_S_z_err = S_x_err*k_y_max + S_x_max*k_y_err + S_y_err*k_x_max + S_y_max*k_x_err
         + k_cross_S_z_own;
     const stewart_real k_cross_S_z_max = STEWART_FABS(k_cross_S_z) + k_cross_S_z_err;
-    /* (2) leg length, and distance of its tip from the fixed axis */
+    /* (2) leg length, and distance of the tip from the fixed axis */
     const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
     const stewart_real L_own = root_error(L, STEWART_UNIT*(REAL(3)*S_x_max*S_x_max + REAL(3)*S_y_max*S_y_max
         + REAL(2)*S_z_max*S_z_max));
@@ -3673,7 +3673,7 @@ static void leg_errors_near_singularity(
     const stewart_real s_cross_normal_z_err = k_cross_S_x_err*s_y_max + k_cross_S_x_max*s_y_err + k_cross_S_y_err*s_x_max
         + k_cross_S_y_max*s_x_err + s_cross_normal_z_own;
     const stewart_real s_cross_normal_z_max = STEWART_FABS(s_cross_normal_z) + s_cross_normal_z_err;
-    /* (10) leg length, and distance of its tip from the fixed axis */
+    /* (10) leg length, and distance of the tip from the fixed axis */
     const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
         + s_cross_normal_z*s_cross_normal_z);
     const stewart_real rho_own = root_error(rho,
@@ -3817,7 +3817,7 @@ static void leg_errors_near_singularity(
         + S_ddot_y_max*s_y_err + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_max*k33_err*phi_dot2_max + L_max*k33_max*phi_dot2_err
         + L_err*(theta_dot2_max + k33_max*phi_dot2_max) + L_ddot_own;
     const stewart_real L_ddot_max = STEWART_FABS(L_ddot) + L_ddot_err;
-    /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+    /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
     const stewart_real own_theta_ddot = -inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z) - REAL(2)*L_share*theta_dot;
     const stewart_real own_theta_ddot_own = STEWART_UNIT*(REAL(2)*L_share_max*theta_dot_max + inv_L_max*(S_ddot_x_max*z_x_max
         + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max) + inv_L_max*(REAL(3)*S_ddot_x_max*z_x_max + REAL(3)*S_ddot_y_max*z_y_max
@@ -3893,7 +3893,7 @@ static void leg_errors_near_singularity(
     const stewart_real k3_h_own = STEWART_UNIT*STEWART_FABS(k3_h);
     const stewart_real k3_h_err = h_y_err*k3_max + h_y_max*k3_err + k3_h_own;
     const stewart_real k3_h_max = STEWART_FABS(k3_h) + k3_h_err;
-    /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+    /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
     const stewart_real M_phi_L = h_x*k33 - h_z*k13;
     const stewart_real M_phi_L_own = STEWART_UNIT*(h_x_max*k33_max + h_z_max*k13_max + STEWART_FABS(M_phi_L));
     const stewart_real M_phi_L_err = h_x_err*k33_max + h_x_max*k33_err + h_z_err*k13_max + h_z_max*k13_err + M_phi_L_own;
@@ -3907,7 +3907,7 @@ static void leg_errors_near_singularity(
     const stewart_real bend_own = STEWART_UNIT*STEWART_FABS(bend);
     const stewart_real bend_err = L_dot_err*theta_dot_max + L_dot_max*theta_dot_err + bend_own;
     const stewart_real bend_max = STEWART_FABS(bend) + bend_err;
-    /* gravity along k x y and along y */
+    /* components of gravity along k x y and along y */
     const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
     const stewart_real gamma_n_own = STEWART_UNIT*(g_x_k_z_max*y_z_max + REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
         + STEWART_FABS(gamma_n));
@@ -3919,7 +3919,7 @@ static void leg_errors_near_singularity(
         + STEWART_FABS(gamma_y));
     const stewart_real gamma_y_err = g_x_max*y_x_err + g_y_max*y_y_err + g_z_max*y_z_err + gamma_y_own;
     const stewart_real gamma_y_max = STEWART_FABS(gamma_y) + gamma_y_err;
-    /* first moment along k and against k x y */
+    /* components of the first moment along k and along -k x y */
     const stewart_real w_k = k3*w_z + k1*w_x;
     const stewart_real w_k_own = STEWART_UNIT*(k1_max*w_x_max + k3_max*w_z_max + STEWART_FABS(w_k));
     const stewart_real w_k_err = k1_err*w_x_max + k1_max*w_x_err + k3_err*w_z_max + k3_max*w_z_err + w_k_own;
@@ -3987,7 +3987,7 @@ static void leg_errors_near_singularity(
     const stewart_real K_z = Q_y*y_z + Q_z*z_z;
     const stewart_real K_z_own = STEWART_UNIT*(Q_y_max*y_z_max + Q_z_max*z_z_max + STEWART_FABS(K_z));
     const stewart_real K_z_err = Q_y_err*y_z_max + Q_y_max*y_z_err + Q_z_err*z_z_max + Q_z_max*z_z_err + K_z_own;
-    /* (24) known part of the actuator force, to match */
+    /* (24) known part of the actuator force for this K */
     const stewart_real D = C_p*L_dot - h_x*theta_dot2 - M_phi_L*phi_dot2 + h_z*theta_ddot - k3_h*phi_ddot;
     const stewart_real D_own = STEWART_UNIT*(k3_h_max*phi_ddot_max + REAL(4)*C_p_max*L_dot_max + REAL(3)*M_phi_L_max*phi_dot2_max
         + REAL(4)*h_x_max*theta_dot2_max + REAL(2)*h_z_max*theta_ddot_max + STEWART_FABS(D));

@@ -13,7 +13,7 @@ typedef struct {
     stewart_real L; /* m: length of the leg */
     stewart_real k3; /* 1: |k x s|, sine of the angle between the leg and the fixed axis */
     stewart_real L_dot; /* m/s: rate of the leg's length, positive when it extends */
-    stewart_real F_rotor; /* N: part of the actuator force that turns the leg's rotor */
+    stewart_real F_rotor; /* N: part of the actuator force that accelerates the leg's rotor */
 } rotor_terms;
 
 /* Axial forces of six legs. */
@@ -23,7 +23,7 @@ typedef struct {
     int status; /* 0, or what is wrong */
 } axial_loads;
 
-/* One leg's rate of length and the force that turns its rotor, (5), (8), (9): 157 (92 mul, 61 add, 2
+/* Length rate of one leg and the force that accelerates its rotor, (5), (8), (9): 157 (92 mul, 61 add, 2
  * div, 2 sqrt). */
 static rotor_terms axial_terms(const stewart_leg *leg, const stewart_motion *motion)
 {
@@ -88,7 +88,7 @@ static rotor_terms axial_terms(const stewart_leg *leg, const stewart_motion *mot
     const stewart_real y_z = (s_y*z_x) - (s_x*z_y);
     /* (10) k = (k1, 0, k3) in the leg frame */
     const stewart_real k1 = (k_x*s_x) + (k_y*s_y) + (k_z*s_z);
-    /* spin of the leg about s for each turn about z */
+    /* spin of the leg about s per rotation about z */
     const stewart_real kappa = inv_k3*k1;
     /* (4), (5) velocity of the platform point, leg frame */
     const stewart_real u_x = (S_dot_x*s_x) + (S_dot_y*s_y) + (S_dot_z*s_z);
@@ -103,7 +103,7 @@ static rotor_terms axial_terms(const stewart_leg *leg, const stewart_motion *mot
     const stewart_real W_x = W_z*kappa;
     /* (8) sliding acceleration */
     const stewart_real L_ddot = (L*W_y*W_y) + (L*W_z*W_z) + e_x;
-    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    /* (9) angular acceleration of the leg without the spin terms, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - (REAL(2)*W_z*u_x));
     /* (9) angular acceleration of the leg, leg frame */
     const stewart_real A_x = (kappa*(A_z_own - (REAL(2)*W_x*W_y))) - (W_y*W_z);

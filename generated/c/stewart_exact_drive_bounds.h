@@ -1,15 +1,15 @@
-/* stewart_exact_drive_bounds.h: the actuator forces with a bound of their rounding error.
+/* stewart_exact_drive_bounds.h: actuator forces with bounds of their rounding errors.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * The forces are those of stewart_exact_drive_forces.h, operation for operation: the same to the last bit with
- * -ffp-contract=off. The bound is rigorous: the rounding of every operation is counted, in all orders, and so
- * are the bound's own. It holds for arithmetic that rounds to nearest, or fuses products into sums, short of
- * overflow and underflow; not with -ffast-math. It takes far longer than the forces.
+ * The forces are computed by the same operations as in stewart_exact_drive_forces.h and are identical to the last bit with
+ * -ffp-contract=off. The bound is rigorous: it includes the rounding error of every operation to all orders, also the
+ * operations of the bound. It is valid for arithmetic that rounds to nearest or fuses products into sums, without
+ * overflow and underflow, but not with -ffast-math. It takes far longer than the forces.
  *
- * What is bounded is the distance of F from the exact forces of the given numbers, where R stands for the
- * rotation nearest to it: how far R is from being one counts, no other doubt about the inputs does.
+ * The bounded error is the distance of F from the exact forces for the given numbers, with R replaced by the nearest
+ * rotation. So the deviation of R from a rotation is included. Errors of the other inputs are not included.
  */
 #ifndef STEWART_EXACT_DRIVE_BOUNDS_H
 #define STEWART_EXACT_DRIVE_BOUNDS_H
@@ -31,7 +31,7 @@ typedef struct {
     stewart_real k_err[3];
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
-    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
+    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m */
     stewart_real j_r; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
     stewart_real h[3]; /* kg m: first moment of the upper part about the platform point, leg frame */
     stewart_real h_err[3];
@@ -61,9 +61,9 @@ typedef struct {
 typedef struct {
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real M_P_err;
-    stewart_real r_C[3]; /* m: its center of mass, platform frame */
+    stewart_real r_C[3]; /* m: center of mass of the platform with the upper parts, platform frame */
     stewart_real r_C_err[3];
-    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
+    stewart_real J_C[6]; /* kg m^2: inertia of this mass about r_C, platform frame */
     stewart_real J_C_err[6];
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real dJ_C_err[3];
@@ -84,23 +84,24 @@ typedef struct {
     stewart_real arm_cube; /* cube of the largest arm over that length: what determinants of moments are beside */
 } stewart_exact_drive_bounds_model;
 
-/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
- * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
- * STEWART_OK. */
+/* Prepares the constants; k may have any length except zero. Returns a status: STEWART_NOT_FINITE if a
+ * number of the robot is not finite or too large, or if k is zero. The model is written only if the status
+ * is STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_drive_bounds_prepare(
     const stewart_robot *robot, stewart_exact_drive_bounds_model *model);
 
-/* Actuator forces F, N, of one pose, (37), with `bound`, N: no force is farther from the exact one. A bound
- * is infinite where H is so near to singular that none can be had in this arithmetic. `rcond`: reciprocal
- * condition of H, 1/(|H| |1/H|) in the norm of largest column sums, moments about the reference point over
- * the model's length; 1 is best, near STEWART_EPSILON nothing is left of the digits. `bound` and `rcond` may
- * be null: not wanted. Returns a status; the outputs are written only if it is STEWART_OK. */
+/* Computes the actuator forces F (N) of one pose, (37), with bounds of their errors, `bound` (N). A bound is
+ * infinite if H is so close to singular that no bound can be found in this arithmetic. `rcond` is the
+ * reciprocal condition number of H, 1/(|H| |1/H|), in the norm of the largest column sum, with moments about
+ * the reference point divided by the length of the model. 1 is best; near STEWART_EPSILON no digit is
+ * correct. `bound` and `rcond` may be null. Returns a status; the outputs are written only if it is
+ * STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_drive_forces_bounded(
     const stewart_exact_drive_bounds_model *model, const stewart_motion *motion, stewart_real F[6],
     stewart_real bound[6], stewart_real *rcond);
 
-/* The same for `count` poses: F[count][6], bound[count][6], rcond[count]. `status` takes one code for each
- * pose; null: not wanted. Returns the first code other than STEWART_OK, or STEWART_OK. */
+/* Computes the same for `count` poses: F[count][6], bound[count][6], rcond[count]. `status` receives one
+ * code for each pose and may be null. Returns the first code other than STEWART_OK, or STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_drive_forces_bounded_batch(
     const stewart_exact_drive_bounds_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
     stewart_real *bound, stewart_real *rcond, int *status);

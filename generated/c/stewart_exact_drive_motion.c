@@ -7,27 +7,29 @@
 
 #include "stewart_lanes.h"
 
-/* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
+/* Smallest fraction of a diagonal entry of M after elimination; below it, the result loses digits of the
+ * robot. */
 #define STEWART_KEPT ((stewart_real)0.0625)
 
-/* Below this sine of the angle between a leg and its fixed axis the shorter formulas of C and derivatives
- * lose digits. */
+/* Sine of the angle between a leg and its fixed axis below which the shorter formulas of C and the
+ * derivatives are inaccurate. */
 #define STEWART_LEANING ((stewart_real)0.125)
 
-/* What serves one pose and eight has a loop of one turn in the first case: each place has its own copy. */
+/* Functions for one or eight poses contain a loop that runs only once for one pose, so each caller has its
+ * own copy. */
 #if defined(__GNUC__)
 #define STEWART_INLINE inline __attribute__((always_inline))
 #else
 #define STEWART_INLINE
 #endif
 
-/* Vectors of eight lanes are one register of AVX-512, which GCC does not use by itself. */
+/* Vectors of eight lanes are one register of AVX-512, which GCC does not use by default. */
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8 && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #endif
 
-/* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
- * where it can see the solve as well. */
+/* Adds the six legs to the platform's part. Never inlined, because GCC 12 vectorizes the sums incorrectly if
+ * it sees the solver too. */
 STEWART_APART static void add_legs(
     stewart_real (*STEWART_RESTRICT lanes)[LANES], int count, stewart_real *STEWART_RESTRICT sum)
 {
@@ -48,8 +50,8 @@ typedef struct {
 typedef struct {
     stewart_real F; /* N: actuator force of the leg */
     stewart_real net[3]; /* N, N m: generalized forces of the leg less the actuator's, along L, theta, phi */
-    stewart_real turned[3]; /* m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone */
-    stewart_real axial; /* 1: 0 of a leaning leg with little inertia about its own axis, else 1 */
+    stewart_real turned[3]; /* m/s^2, 1/s^2: accelerations of L, theta, phi caused by the platform's accelerations only */
+    stewart_real axial; /* 1: 0 for a leg near its joint singularity with little inertia about its own axis, else 1 */
 } leg_inputs;
 
 /* M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform. */
@@ -120,7 +122,7 @@ static void load_pose(const stewart_motions *motions, size_t pose, stewart_motio
     }
 }
 
-/* What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0. */
+/* Quantities that determine the status of a leg; bad: 1 if it cannot be computed, else 0. */
 typedef struct {
     stewart_real L[LANES];
     stewart_real reach[LANES];
@@ -343,12 +345,12 @@ STEWART_APART static void forward_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -359,7 +361,7 @@ STEWART_APART static void forward_of_leg(
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x)));
         const stewart_real inv_rho = REAL(1)/rho;
-        /* share of the normal along s: rounding */
+        /* relative component of the normal along s: rounding */
         const stewart_real n_along_s = inv_rho*STEWART_FMA(k_cross_S_z, s_z, STEWART_FMA(k_cross_S_y, s_y,
             k_cross_S_x*s_x));
         /* one over |s x normal| */
@@ -410,7 +412,7 @@ STEWART_APART static void forward_of_leg(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -431,15 +433,15 @@ STEWART_APART static void forward_of_leg(
         const stewart_real M_theta = J_yy + L_h2;
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real c4 = L_dot*theta_dot;
         const stewart_real bend = c4;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c5 = j_r*k3;
@@ -464,7 +466,7 @@ STEWART_APART static void forward_of_leg(
         const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
         const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(c7, phi_ddot, STEWART_FMA(-c6, theta_dot, STEWART_FMA(h_z,
             theta_ddot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(L_ddot, m_r, STEWART_FMA(-h_x,
             theta_dot2, C_p*L_dot))))));
@@ -766,7 +768,7 @@ static void accelerations_of(
     }
 }
 
-/* Says where a number of a result is not finite. */
+/* Sets the status if a number of a result is not finite. */
 static void check_forward_dynamics(forward_dynamics_found *out)
 {
     int i;
@@ -963,12 +965,12 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -979,7 +981,7 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -1029,7 +1031,7 @@ STEWART_APART static void joint_rows_of_leg(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -1050,15 +1052,15 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real M_theta = J_yy + L_h2;
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real c8 = L_dot*theta_dot;
         const stewart_real bend = c8;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c9 = j_r*k3;
@@ -1076,7 +1078,7 @@ STEWART_APART static void joint_rows_of_leg(
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(-c8, c9, STEWART_FMA(C_us,
             phi_dot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
             STEWART_FMA(k_y, omega_y, k_x*omega_x)), L_ddot*c11))))))))));
-        /* of the platform point, from free fall */
+        /* acceleration of the platform point relative to free fall, a = alpha = 0 */
         const stewart_real fall_x = c1 - g_x;
         const stewart_real fall_y = c2 - g_y;
         const stewart_real fall_z = c3 - g_z;
@@ -1921,12 +1923,12 @@ STEWART_APART static void equations_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -2112,15 +2114,15 @@ STEWART_APART static void equations_of_leg(
         const stewart_real c29 = C_tip_zx*q_y;
         const stewart_real c30 = -C_tip_zy*q_x;
         const stewart_real C_q_zz = -c19 - c25 - c29 - c30;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c31 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
         const stewart_real c32 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
-        /* against gravity */
+        /* force at the tip that balances gravity */
         const stewart_real held_x = STEWART_FMA(-c31, z_x, c32*inv_rho*y_x);
         const stewart_real held_y = STEWART_FMA(-c31, z_y, c32*inv_rho*y_y);
         const stewart_real held_z = STEWART_FMA(-c31, z_z, c32*inv_rho*y_z);
@@ -2131,11 +2133,11 @@ STEWART_APART static void equations_of_leg(
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real c36 = L_dot*s_y;
         const stewart_real c37 = L_dot*s_z;
-        /* against friction */
+        /* force at the tip that balances friction */
         const stewart_real resistance_x = STEWART_FMA(-c35, z_x, STEWART_FMA(c34, y_x, C_p*c33));
         const stewart_real resistance_y = STEWART_FMA(-c35, z_y, STEWART_FMA(c34, y_y, C_p*c36));
         const stewart_real resistance_z = STEWART_FMA(-c35, z_z, STEWART_FMA(c34, y_z, C_p*c37));
-        /* (3) rate of s */
+        /* (3) derivative of s */
         const stewart_real s_dot_x = inv_L*(S_dot_x - c33);
         const stewart_real s_dot_y = inv_L*(S_dot_y - c36);
         const stewart_real s_dot_z = inv_L*(S_dot_z - c37);
@@ -2302,12 +2304,12 @@ STEWART_APART static void equations_of_near(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -2318,7 +2320,7 @@ STEWART_APART static void equations_of_near(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -2385,7 +2387,7 @@ STEWART_APART static void equations_of_near(
         const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
         const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
         const stewart_real inv_k3 = L*inv_rho;
-        /* (6) leg's turning about z */
+        /* (6) angular velocity of the leg about z */
         const stewart_real W_z = c1*inv_L;
         const stewart_real c5 = c3*theta_dot;
         const stewart_real c6 = W_z*inv_L;
@@ -2502,15 +2504,15 @@ STEWART_APART static void equations_of_near(
         const stewart_real c57 = C_tip_zx*q_y;
         const stewart_real c58 = -C_tip_zy*q_x;
         const stewart_real C_q_zz = -c47 - c53 - c57 - c58;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c59 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
         const stewart_real c60 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
-        /* against gravity */
+        /* force at the tip that balances gravity */
         const stewart_real held_x = STEWART_FMA(-c59, z_x, c60*inv_rho*y_x);
         const stewart_real held_y = STEWART_FMA(-c59, z_y, c60*inv_rho*y_y);
         const stewart_real held_z = STEWART_FMA(-c59, z_z, c60*inv_rho*y_z);
@@ -2521,11 +2523,11 @@ STEWART_APART static void equations_of_near(
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real c64 = L_dot*s_y;
         const stewart_real c65 = L_dot*s_z;
-        /* against friction */
+        /* force at the tip that balances friction */
         const stewart_real resistance_x = STEWART_FMA(-c63, z_x, STEWART_FMA(c62, y_x, C_p*c61));
         const stewart_real resistance_y = STEWART_FMA(-c63, z_y, STEWART_FMA(c62, y_y, C_p*c64));
         const stewart_real resistance_z = STEWART_FMA(-c63, z_z, STEWART_FMA(c62, y_z, C_p*c65));
-        /* (3) rate of s */
+        /* (3) derivative of s */
         const stewart_real s_dot_x = inv_L*(S_dot_x - c61);
         const stewart_real s_dot_y = inv_L*(S_dot_y - c64);
         const stewart_real s_dot_z = inv_L*(S_dot_z - c65);
@@ -2798,7 +2800,7 @@ static int solve_pivoted_12(stewart_real A[72])
     return suspect;
 }
 
-/* Says where a number of a result is not finite. */
+/* Sets the status if a number of a result is not finite. */
 static void check_joint_inertia(joint_inertia_found *out)
 {
     int i;
@@ -3218,12 +3220,12 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -3290,7 +3292,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         const stewart_real c7 = REAL(2)*theta_dot;
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(-L_share, c7, -inv_L*STEWART_FMA(S_ddot_z, z_z,
             STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -3339,7 +3341,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
         const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
         const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
@@ -3644,7 +3646,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zz, z_x, A_1_T_zs*s_x));
         const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zz, z_y, A_1_T_zs*s_y));
         const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zz, z_z, A_1_T_zs*s_z));
-        /* force by rotation about the tip */
+        /* derivative of the force by rotation about the tip */
         const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
             STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
         const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
@@ -3712,7 +3714,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
             STEWART_FMA(m_xz, w_q_z, -f_S_dot_yz))));
         const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, c101 - f_S_dot_zz - c100));
-        /* moment by rotation about the tip */
+        /* derivative of the moment by rotation about the tip */
         const stewart_real Q_xx = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx + c93 - c98;
         const stewart_real Q_xy = STEWART_FMA(-X_zy, q_y, STEWART_FMA(-f_S_dot_xx, omega_z,
             f_S_dot_xz*omega_x) + f_S_xy - R_tip_z + c92);
@@ -3917,12 +3919,12 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -3933,7 +3935,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -3972,7 +3974,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real theta_dot2 = c3;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real inv_k3 = L*inv_rho;
-        /* (6) leg's turning about z */
+        /* (6) angular velocity of the leg about z */
         const stewart_real W_z = c1*inv_L;
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
@@ -3986,7 +3988,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(c4, phi_dot2, theta_dot2))));
         const stewart_real c5 = REAL(2)*L_share;
-        /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
+        /* (9) angular accelerations of the leg about y and z without the rotation of the frame about s */
         const stewart_real own_y = STEWART_FMA(-c5, theta_dot, -inv_L*STEWART_FMA(S_ddot_z, z_z,
             STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_z = STEWART_FMA(-W_z, c5, inv_L*STEWART_FMA(S_ddot_z, y_z,
@@ -4030,7 +4032,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
         const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
         const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
@@ -4531,7 +4533,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zz, z_x, A_1_T_zs*s_x));
         const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zz, z_y, A_1_T_zs*s_y));
         const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zz, z_z, A_1_T_zs*s_z));
-        /* force by rotation about the tip */
+        /* derivative of the force by rotation about the tip */
         const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
             STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
         const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
@@ -4599,7 +4601,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
             STEWART_FMA(m_xz, w_q_z, -f_S_dot_yz))));
         const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, c300 - f_S_dot_zz - c299));
-        /* moment by rotation about the tip */
+        /* derivative of the moment by rotation about the tip */
         const stewart_real Q_xx = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx + c292 - c297;
         const stewart_real Q_xy = STEWART_FMA(-X_zy, q_y, STEWART_FMA(-f_S_dot_xx, omega_z,
             f_S_dot_xz*omega_x) + f_S_xy - R_tip_z + c291);
@@ -4929,7 +4931,7 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
     return status;
 }
 
-/* Says where a number of a result is not finite. */
+/* Sets the status if a number of a result is not finite. */
 static void check_linearization(linearization_found *out)
 {
     int i;
@@ -5266,12 +5268,12 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -5282,7 +5284,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -5322,7 +5324,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real c4 = L*inv_rho;
         const stewart_real inv_k3 = c4;
-        /* (6) leg's turning about z */
+        /* (6) angular velocity of the leg about z */
         const stewart_real W_z = c1*inv_L;
         const stewart_real c5 = omega_z*w_q_y;
         const stewart_real c6 = STEWART_FMA(-omega_z, w_q_x, omega_x*w_q_z);
@@ -5337,12 +5339,12 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(S_ddot_x, s_x, STEWART_FMA(L, STEWART_FMA(c8, phi_dot2, theta_dot2), turned_x))));
         const stewart_real c9 = REAL(2)*L_share;
         const stewart_real c10 = k3*turned_z;
-        /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
+        /* (9) angular accelerations of the leg about y and z without the rotation of the frame about s */
         const stewart_real own_y = STEWART_FMA(-c9, theta_dot, STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z,
             z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), turned_y));
         const stewart_real own_z = STEWART_FMA(-W_z, c9, STEWART_FMA(inv_L, STEWART_FMA(S_ddot_z, y_z,
             STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)), c10));
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
@@ -5363,7 +5365,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real fall_x = STEWART_FMA(omega_y, w_q_z, -g_x) - c5;
         const stewart_real fall_y = -g_y - c6;
         const stewart_real fall_z = STEWART_FMA(omega_x, w_q_y, -g_z) - c7;
-        /* acceleration of the platform point from free fall, leg frame */
+        /* m_u times the acceleration of the platform point relative to free fall, leg frame */
         const stewart_real fall_T_x = STEWART_FMA(fall_y, s_y, STEWART_FMA(fall_z, s_z, STEWART_FMA(fall_x,
             s_x, turned_x)));
         const stewart_real fall_T_y = STEWART_FMA(fall_z, y_z, STEWART_FMA(fall_y, y_y, STEWART_FMA(fall_x,
@@ -5666,7 +5668,7 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(c126, k3, STEWART_FMA(c185, c196, STEWART_FMA(-c149, c28, STEWART_FMA(c207, c3,
             STEWART_FMA(c158, c28, STEWART_FMA(-c191, c66, STEWART_FMA(-c141, k3, STEWART_FMA(c185, c3,
             c127*c205))) - c157))) + c142)))) + c154))) - c125)))))))))) - c128 - c146))))))))));
-        /* generalized forces by the tip's motion */
+        /* derivatives of the generalized forces by the tip's motion */
         const stewart_real tau_S_xx = STEWART_FMA(tau_S_leg_12, y_x, STEWART_FMA(tau_S_leg_13, z_x,
             s_x*tau_S_leg_11));
         const stewart_real tau_S_xy = STEWART_FMA(tau_S_leg_12, y_y, STEWART_FMA(tau_S_leg_13, z_y,
@@ -5719,7 +5721,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_dot_leg_33 = STEWART_FMA(c181, c219, STEWART_FMA(W_z*c117, c209,
             STEWART_FMA(-c18, c44, STEWART_FMA(c17, c210, STEWART_FMA(c169, c191, c185*c2) + c218 - c217))))
             - c184;
-        /* generalized forces by the tip's motion */
+        /* derivatives of the generalized forces by the tip's motion */
         const stewart_real tau_S_dot_xx = STEWART_FMA(tau_S_dot_leg_13, z_x, STEWART_FMA(tau_S_dot_leg_12,
             y_x, s_x*tau_S_dot_leg_11));
         const stewart_real tau_S_dot_xy = STEWART_FMA(tau_S_dot_leg_13, z_y, STEWART_FMA(tau_S_dot_leg_12,
@@ -5749,7 +5751,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_ddot_leg_32 = STEWART_FMA(-c104, c203, STEWART_FMA(c220, k3, c175) + c180)
             + c182 - c202;
         const stewart_real tau_S_ddot_leg_33 = STEWART_FMA(h_y, k1, -c183) - c109;
-        /* generalized forces by the tip's motion */
+        /* derivatives of the generalized forces by the tip's motion */
         const stewart_real tau_S_ddot_xx = STEWART_FMA(tau_S_ddot_leg_12, y_x,
             STEWART_FMA(tau_S_ddot_leg_13, z_x, s_x*tau_S_ddot_leg_11));
         const stewart_real tau_S_ddot_xy = STEWART_FMA(tau_S_ddot_leg_12, y_y,
@@ -5799,7 +5801,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c230 = inv_rho*k3;
         const stewart_real bent_leg_32 = L*k3*STEWART_FMA(c227*c47, inv_rho, c230*net_x);
         const stewart_real bent_leg_33 = c229*kappa;
-        /* generalized forces by the tip's place, as the rows turn */
+        /* derivative of the generalized forces by the tip's position, with the rotation of the rows */
         const stewart_real tau_place_xx = STEWART_FMA(bent_leg_12, y_x, STEWART_FMA(bent_leg_13, z_x,
             tau_S_xx));
         const stewart_real tau_place_xy = STEWART_FMA(bent_leg_12, y_y, STEWART_FMA(bent_leg_13, z_y,
@@ -6462,12 +6464,12 @@ STEWART_APART static void bias_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -6478,7 +6480,7 @@ STEWART_APART static void bias_of_leg(
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x)));
         const stewart_real inv_rho = REAL(1)/rho;
-        /* share of the normal along s: rounding */
+        /* relative component of the normal along s: rounding */
         const stewart_real n_along_s = inv_rho*STEWART_FMA(k_cross_S_z, s_z, STEWART_FMA(k_cross_S_y, s_y,
             k_cross_S_x*s_x));
         /* one over |s x normal| */
@@ -6529,7 +6531,7 @@ STEWART_APART static void bias_of_leg(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -6550,15 +6552,15 @@ STEWART_APART static void bias_of_leg(
         const stewart_real M_theta = J_yy + L_h2;
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real c4 = L_dot*theta_dot;
         const stewart_real bend = c4;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c5 = j_r*k3;
@@ -6583,7 +6585,7 @@ STEWART_APART static void bias_of_leg(
         const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
         const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(c7, phi_ddot, STEWART_FMA(-c6, theta_dot, STEWART_FMA(h_z,
             theta_ddot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(L_ddot, m_r, STEWART_FMA(-h_x,
             theta_dot2, C_p*L_dot))))));
@@ -7012,7 +7014,7 @@ int stewart_exact_drive_derivatives(
     return slopes(model->per_length, number, F, out);
 }
 
-/* The constants of one leg in every lane. */
+/* Constants of one leg in every lane. */
 typedef struct {
     stewart_exact_drive_model model;
 } STEWART_ALIGNED leg_in_lanes;
@@ -7140,7 +7142,7 @@ static int any_of(const stewart_real bad[LANES])
 /* Numbers of eight poses. */
 typedef struct {
     stewart_real number[1344];
-    stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
+    stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED equations_block;
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
@@ -7296,7 +7298,7 @@ int stewart_exact_drive_equations_batch(
 /* Numbers of eight poses. */
 typedef struct {
     stewart_real number[1032];
-    stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
+    stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED derivatives_block;
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
@@ -7455,7 +7457,7 @@ int stewart_exact_drive_linearization_batch(
 /* Numbers of eight poses. */
 typedef struct {
     stewart_real number[48];
-    stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
+    stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED bias_block;
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
@@ -7559,7 +7561,7 @@ int stewart_exact_drive_bias_and_friction_batch(
 /* Numbers of eight poses. */
 typedef struct {
     stewart_real number[216];
-    stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
+    stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED forward_block;
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */

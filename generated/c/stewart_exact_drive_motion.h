@@ -1,17 +1,17 @@
-/* stewart_exact_drive_motion.h: the closed form of the equations of motion and what follows from it.
+/* stewart_exact_drive_motion.h: closed form of the equations of motion, forward dynamics, and derivatives.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  *     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]
  *
- * Wrenches [force; moment] and twists [v; omega] in base axes about the platform's reference point. M is
- * symmetric and, with physical inertias, positive definite; its rate less 2 C is skew. bias is
- * C [v; omega] + g. Matrices are row-major. Poses move by [dt; dphi], R becoming exp([dphi]x) R.
- * Link with stewart_exact_drive_forces.c, whose prepared model is used; accelerations in the motion are read by
- * `derivatives` alone.
+ * Wrenches [force; moment] and twists [v; omega] are in the base frame at the platform's reference point. M is
+ * symmetric and, with physical inertias, positive definite. M_dot - 2 C is skew-symmetric. bias is C [v; omega] + g.
+ * Matrices are row-major. A pose changes by [dt; dphi], where R becomes exp([dphi]x) R.
+ * Link with stewart_exact_drive_forces.c, whose prepared model is used. Accelerations in the motion are read only
+ * by `derivatives`.
  *
- * Operations per pose before any solve
+ * Operations per pose without linear solver
  * equations         4760 (2691 mul, 2045 add, 12 div, 12 sqrt)
  * bias              2163 (1281 mul, 858 add, 12 div, 12 sqrt)
  * forward_dynamics  3081 (1779 mul, 1278 add, 12 div, 12 sqrt)
@@ -29,7 +29,7 @@
 extern "C" {
 #endif
 
-/* H_dot: rate of H; the others as above. */
+/* Terms of the equations of motion; H_dot: derivative of H by time. */
 typedef struct {
     stewart_real M[36];
     stewart_real C[36];
@@ -41,7 +41,7 @@ typedef struct {
     stewart_real H_dot[36];
 } stewart_equations;
 
-/* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
+/* Actuator forces of inverse dynamics, and their derivatives by [dt; dphi], [v; omega], and [a; alpha]. */
 typedef struct {
     stewart_real F[6];
     stewart_real by_pose[36];
@@ -56,7 +56,7 @@ typedef struct {
     stewart_real B[72];
 } stewart_linearization;
 
-/* The same of `count` poses. Any pointer may be null: not wanted. */
+/* Results of `count` poses. A pointer may be null if its output is not needed. */
 typedef struct {
     stewart_real *M; /* [count][36] */
     stewart_real *C; /* [count][36] */
@@ -81,7 +81,7 @@ typedef struct {
     stewart_real *B; /* [count][72] */
 } stewart_linearization_arrays;
 
-/* One pose. All return a status; outputs are written only if it is STEWART_OK. */
+/* Functions for one pose. They return a status; outputs are written only if it is STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_drive_equations(
     const stewart_exact_drive_model *model, const stewart_motion *motion, stewart_equations *out);
 STEWART_NODISCARD int stewart_exact_drive_bias_and_friction(
@@ -99,9 +99,9 @@ STEWART_NODISCARD int stewart_exact_drive_linearization(
     const stewart_exact_drive_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_linearization *out);
 
-/* `count` poses; F is [count][6]. Of the motions, F_ext and M_ext may be null, alpha and a where they are not
- * read. `status` takes one code for each pose; null: not wanted. Return the first
- * code other than STEWART_OK, or STEWART_OK. */
+/* Functions for `count` poses. F is [count][6]. F_ext and M_ext of the motions may be null, and alpha and a if
+ * they are not read. `status` receives one code for each pose and may be null. The functions return the first code
+ * other than STEWART_OK, or STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_drive_equations_batch(
     const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions,
     const stewart_equations_arrays *out, int *status);

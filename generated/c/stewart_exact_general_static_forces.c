@@ -5,14 +5,14 @@
  */
 #include "stewart_exact_general_static_forces.h"
 
-/* Poses of a block: as many as one register of AVX-512 holds. */
+/* Number of poses of a block: one register of AVX-512. */
 #if defined(STEWART_FLOAT)
 #define POSES 16
 #else
 #define POSES 8
 #endif
-/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
- * which is slower with few of them. */
+/* By default gcc uses half the width of AVX-512 and does not schedule instructions before register allocation,
+ * which is slower with few registers. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #pragma GCC optimize("schedule-insns")
@@ -28,7 +28,7 @@ typedef struct {
     stewart_real M_ext[3][POSES];
 } STEWART_ALIGNED motion_lanes;
 
-/* What a pose has for all legs. */
+/* Terms of a pose that are common to all legs. */
 typedef struct {
     stewart_real c_force[3];
     stewart_real c_moment[3];
@@ -36,12 +36,12 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
+    stewart_real least_L[POSES]; /* m: length below which a leg must be checked */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
+    stewart_real A[6][LANES]; /* H, one column for each leg */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
     stewart_real c_force[3][LANES];
@@ -49,7 +49,7 @@ typedef struct {
     stewart_real L[LANES];
     stewart_real reach[LANES];
     stewart_real k3[LANES];
-    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
 } leg_lanes;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -231,7 +231,7 @@ static void shared_of_pose(
         STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx))));
 }
 
-/* The legs of one pose side by side: 88 (53 mul, 31 add, 2 div, 2 sqrt) operations each. */
+/* Computes the legs of one pose in lanes: 88 (53 mul, 31 add, 2 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_general_static_model *STEWART_RESTRICT model,
     const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
@@ -262,14 +262,14 @@ static void legs_of_pose(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x));
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
@@ -285,23 +285,23 @@ static void legs_of_pose(
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(gamma_n, w_k, g_k*w_n);
         const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
-        /* (21) K = Q_k k + Q_y y, up to a part along s */
+        /* (21) K = Q_k k + Q_y y, with a component along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
         const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_k*k_x);
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_k*k_y);
         const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_k*k_z);
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = -Q_k*k1;
         out->D[l] = D;
         out->A[0][l] = s_x;
@@ -332,8 +332,8 @@ static void legs_of_pose(
     }
 }
 
-/* The same for a pose in which a leg is near its joint singularity: 108 (66 mul, 38 add, 2 div, 2 sqrt)
- * operations each. */
+/* Computes the legs of a pose in which a leg is near its joint singularity: 108 (66 mul, 38 add, 2 div,
+ * 2 sqrt) operations each. */
 static void legs_near_singular(
     const stewart_exact_general_static_model *STEWART_RESTRICT model,
     const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
@@ -364,12 +364,12 @@ static void legs_near_singular(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -380,7 +380,7 @@ static void legs_near_singular(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -395,10 +395,10 @@ static void legs_near_singular(
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalized forces about y and about k */
@@ -503,21 +503,21 @@ int stewart_exact_general_static_forces(
     return STEWART_OK;
 }
 
-/* A block of poses on its way. */
+/* Intermediate results of a block of poses. */
 typedef struct {
     stewart_real column[7][6][POSES]; /* [H | c], column by column */
     stewart_real D[6][POSES];
     stewart_real F[6][POSES];
-    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+    stewart_real bad[POSES]; /* 1 if a leg, a pivot, or a force must be checked, else 0 */
 } STEWART_ALIGNED block;
 
-/* What a leg hands to the moments. */
+/* Terms of a leg that the moments require. */
 typedef struct {
     stewart_real q[3][POSES];
     stewart_real c_force[3][POSES];
 } STEWART_ALIGNED leg_block;
 
-/* A leg of the poses of a block as far as its roots. */
+/* A leg of the poses of a block up to its square roots. */
 typedef struct {
     stewart_real q_x[POSES];
     stewart_real q_y[POSES];
@@ -604,14 +604,14 @@ static void roots_of_leg(
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
         const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x));
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
@@ -633,8 +633,9 @@ static void roots_of_leg(
     }
 }
 
-/* The leg from there on, 42 (31 mul, 11 add, 0 div, 0 sqrt) operations each: its column of H, its D and
- * its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if less. */
+/* Computes the rest of a leg, 42 (31 mul, 11 add, 0 div, 0 sqrt) operations each: its column of H, its D
+ * and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
+ * less. */
 static void leg_of_block(
     const stewart_exact_general_static_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -668,18 +669,18 @@ static void leg_of_block(
         const stewart_real k3 = inv_L*rho;
         const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
         const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real g_k = model->g_k[leg];
         /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(gamma_n, w_k, g_k*w_n);
         const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
-        /* (21) K = Q_k k + Q_y y, up to a part along s */
+        /* (21) K = Q_k k + Q_y y, with a component along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
@@ -687,7 +688,7 @@ static void leg_of_block(
         const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_k*k_x);
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_k*k_y);
         const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_k*k_z);
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = -Q_k*k1;
         const stewart_real q_x = roots->q_x[l];
         const stewart_real q_y = roots->q_y[l];

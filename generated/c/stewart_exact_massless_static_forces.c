@@ -5,14 +5,14 @@
  */
 #include "stewart_exact_massless_static_forces.h"
 
-/* Poses of a block: as many as one register of AVX-512 holds. */
+/* Number of poses of a block: one register of AVX-512. */
 #if defined(STEWART_FLOAT)
 #define POSES 16
 #else
 #define POSES 8
 #endif
-/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
- * which is slower with few of them. */
+/* By default gcc uses half the width of AVX-512 and does not schedule instructions before register allocation,
+ * which is slower with few registers. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #pragma GCC optimize("schedule-insns")
@@ -29,7 +29,7 @@ typedef struct {
     stewart_real M_ext[3][POSES];
 } STEWART_ALIGNED motion_lanes;
 
-/* What a pose has for all legs. */
+/* Terms of a pose that are common to all legs. */
 typedef struct {
     stewart_real c_force[3];
     stewart_real c_moment[3];
@@ -37,16 +37,16 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
+    stewart_real least_L[POSES]; /* m: length below which a leg must be checked */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
+    stewart_real A[6][LANES]; /* H, one column for each leg */
     stewart_real q[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
-    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
 } leg_lanes;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -186,7 +186,7 @@ static void shared_of_pose(
         STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx))));
 }
 
-/* The legs of one pose side by side: 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each. */
+/* Computes the legs of one pose in lanes: 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_massless_static_model *STEWART_RESTRICT model,
     const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
@@ -297,14 +297,14 @@ int stewart_exact_massless_static_forces(
     return STEWART_OK;
 }
 
-/* A block of poses on its way. */
+/* Intermediate results of a block of poses. */
 typedef struct {
     stewart_real column[7][6][POSES]; /* [H | c], column by column */
     stewart_real F[6][POSES];
-    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+    stewart_real bad[POSES]; /* 1 if a leg, a pivot, or a force must be checked, else 0 */
 } STEWART_ALIGNED block;
 
-/* What a leg hands to the moments. */
+/* Terms of a leg that the moments require. */
 typedef struct {
     stewart_real q[3][POSES];
 } STEWART_ALIGNED leg_block;
@@ -348,9 +348,9 @@ static void shared_of_block(
     }
 }
 
-/* A leg of the poses of a block, 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each: its column of H,
- * its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well,
- * if less. */
+/* Computes a leg of the poses of a block, 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each: its column
+ * of H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
+ * well, if less. */
 static void leg_of_block(
     const stewart_exact_massless_static_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,

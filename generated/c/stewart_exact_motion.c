@@ -7,27 +7,29 @@
 
 #include "stewart_lanes.h"
 
-/* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
+/* Smallest fraction of a diagonal entry of M after elimination; below it, the result loses digits of the
+ * robot. */
 #define STEWART_KEPT ((stewart_real)0.0625)
 
-/* Below this sine of the angle between a leg and its fixed axis the shorter formulas of C and derivatives
- * lose digits. */
+/* Sine of the angle between a leg and its fixed axis below which the shorter formulas of C and the
+ * derivatives are inaccurate. */
 #define STEWART_LEANING ((stewart_real)0.125)
 
-/* What serves one pose and eight has a loop of one turn in the first case: each place has its own copy. */
+/* Functions for one or eight poses contain a loop that runs only once for one pose, so each caller has its
+ * own copy. */
 #if defined(__GNUC__)
 #define STEWART_INLINE inline __attribute__((always_inline))
 #else
 #define STEWART_INLINE
 #endif
 
-/* Vectors of eight lanes are one register of AVX-512, which GCC does not use by itself. */
+/* Vectors of eight lanes are one register of AVX-512, which GCC does not use by default. */
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8 && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #endif
 
-/* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
- * where it can see the solve as well. */
+/* Adds the six legs to the platform's part. Never inlined, because GCC 12 vectorizes the sums incorrectly if
+ * it sees the solver too. */
 STEWART_APART static void add_legs(
     stewart_real (*STEWART_RESTRICT lanes)[LANES], int count, stewart_real *STEWART_RESTRICT sum)
 {
@@ -48,8 +50,8 @@ typedef struct {
 typedef struct {
     stewart_real F; /* N: actuator force of the leg */
     stewart_real net[3]; /* N, N m: generalized forces of the leg less the actuator's, along L, theta, phi */
-    stewart_real turned[3]; /* m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone */
-    stewart_real axial; /* 1: 0 of a leaning leg with little inertia about its own axis, else 1 */
+    stewart_real turned[3]; /* m/s^2, 1/s^2: accelerations of L, theta, phi caused by the platform's accelerations only */
+    stewart_real axial; /* 1: 0 for a leg near its joint singularity with little inertia about its own axis, else 1 */
 } leg_inputs;
 
 /* M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform. */
@@ -120,7 +122,7 @@ static void load_pose(const stewart_motions *motions, size_t pose, stewart_motio
     }
 }
 
-/* What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0. */
+/* Quantities that determine the status of a leg; bad: 1 if it cannot be computed, else 0. */
 typedef struct {
     stewart_real L[LANES];
     stewart_real reach[LANES];
@@ -341,12 +343,12 @@ STEWART_APART static void forward_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -357,7 +359,7 @@ STEWART_APART static void forward_of_leg(
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x)));
         const stewart_real inv_rho = REAL(1)/rho;
-        /* share of the normal along s: rounding */
+        /* relative component of the normal along s: rounding */
         const stewart_real n_along_s = inv_rho*STEWART_FMA(k_cross_S_z, s_z, STEWART_FMA(k_cross_S_y, s_y,
             k_cross_S_x*s_x));
         /* one over |s x normal| */
@@ -408,7 +410,7 @@ STEWART_APART static void forward_of_leg(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -429,14 +431,14 @@ STEWART_APART static void forward_of_leg(
         const stewart_real M_theta = J_yy + L_h2;
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real bend = L_dot*theta_dot;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalized forces about y and about k */
@@ -458,7 +460,7 @@ STEWART_APART static void forward_of_leg(
         const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
         const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
             STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
         const stewart_real c4 = F - D;
@@ -759,7 +761,7 @@ static void accelerations_of(
     }
 }
 
-/* Says where a number of a result is not finite. */
+/* Sets the status if a number of a result is not finite. */
 static void check_forward_dynamics(forward_dynamics_found *out)
 {
     int i;
@@ -954,12 +956,12 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -970,7 +972,7 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -1020,7 +1022,7 @@ STEWART_APART static void joint_rows_of_leg(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -1041,14 +1043,14 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real M_theta = J_yy + L_h2;
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real bend = L_dot*theta_dot;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalized forces about y and about k */
@@ -1063,7 +1065,7 @@ STEWART_APART static void joint_rows_of_leg(
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
             STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
             k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
-        /* of the platform point, from free fall */
+        /* acceleration of the platform point relative to free fall, a = alpha = 0 */
         const stewart_real fall_x = c1 - g_x;
         const stewart_real fall_y = c2 - g_y;
         const stewart_real fall_z = c3 - g_z;
@@ -1905,12 +1907,12 @@ STEWART_APART static void equations_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -2093,15 +2095,15 @@ STEWART_APART static void equations_of_leg(
         const stewart_real c26 = C_tip_zx*q_y;
         const stewart_real c27 = -C_tip_zy*q_x;
         const stewart_real C_q_zz = -c16 - c22 - c26 - c27;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c28 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
         const stewart_real c29 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
-        /* against gravity */
+        /* force at the tip that balances gravity */
         const stewart_real held_x = STEWART_FMA(-c28, z_x, c29*inv_rho*y_x);
         const stewart_real held_y = STEWART_FMA(-c28, z_y, c29*inv_rho*y_y);
         const stewart_real held_z = STEWART_FMA(-c28, z_z, c29*inv_rho*y_z);
@@ -2112,11 +2114,11 @@ STEWART_APART static void equations_of_leg(
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real c33 = L_dot*s_y;
         const stewart_real c34 = L_dot*s_z;
-        /* against friction */
+        /* force at the tip that balances friction */
         const stewart_real resistance_x = STEWART_FMA(-c32, z_x, STEWART_FMA(c31, y_x, C_p*c30));
         const stewart_real resistance_y = STEWART_FMA(-c32, z_y, STEWART_FMA(c31, y_y, C_p*c33));
         const stewart_real resistance_z = STEWART_FMA(-c32, z_z, STEWART_FMA(c31, y_z, C_p*c34));
-        /* (3) rate of s */
+        /* (3) derivative of s */
         const stewart_real s_dot_x = inv_L*(S_dot_x - c30);
         const stewart_real s_dot_y = inv_L*(S_dot_y - c33);
         const stewart_real s_dot_z = inv_L*(S_dot_z - c34);
@@ -2281,12 +2283,12 @@ STEWART_APART static void equations_of_near(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -2297,7 +2299,7 @@ STEWART_APART static void equations_of_near(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -2363,7 +2365,7 @@ STEWART_APART static void equations_of_near(
         const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
         const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
         const stewart_real inv_k3 = L*inv_rho;
-        /* (6) leg's turning about z */
+        /* (6) angular velocity of the leg about z */
         const stewart_real W_z = c1*inv_L;
         const stewart_real c4 = W_z*inv_L;
         const stewart_real c5 = c4*h_y;
@@ -2473,15 +2475,15 @@ STEWART_APART static void equations_of_near(
         const stewart_real c50 = C_tip_zx*q_y;
         const stewart_real c51 = -C_tip_zy*q_x;
         const stewart_real C_q_zz = -c40 - c46 - c50 - c51;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c52 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
         const stewart_real c53 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
-        /* against gravity */
+        /* force at the tip that balances gravity */
         const stewart_real held_x = STEWART_FMA(-c52, z_x, c53*inv_rho*y_x);
         const stewart_real held_y = STEWART_FMA(-c52, z_y, c53*inv_rho*y_y);
         const stewart_real held_z = STEWART_FMA(-c52, z_z, c53*inv_rho*y_z);
@@ -2492,11 +2494,11 @@ STEWART_APART static void equations_of_near(
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real c57 = L_dot*s_y;
         const stewart_real c58 = L_dot*s_z;
-        /* against friction */
+        /* force at the tip that balances friction */
         const stewart_real resistance_x = STEWART_FMA(-c56, z_x, STEWART_FMA(c55, y_x, C_p*c54));
         const stewart_real resistance_y = STEWART_FMA(-c56, z_y, STEWART_FMA(c55, y_y, C_p*c57));
         const stewart_real resistance_z = STEWART_FMA(-c56, z_z, STEWART_FMA(c55, y_z, C_p*c58));
-        /* (3) rate of s */
+        /* (3) derivative of s */
         const stewart_real s_dot_x = inv_L*(S_dot_x - c54);
         const stewart_real s_dot_y = inv_L*(S_dot_y - c57);
         const stewart_real s_dot_z = inv_L*(S_dot_z - c58);
@@ -2769,7 +2771,7 @@ static int solve_pivoted_12(stewart_real A[72])
     return suspect;
 }
 
-/* Says where a number of a result is not finite. */
+/* Sets the status if a number of a result is not finite. */
 static void check_joint_inertia(joint_inertia_found *out)
 {
     int i;
@@ -3187,12 +3189,12 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -3259,7 +3261,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         const stewart_real c7 = REAL(2)*theta_dot;
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(-L_share, c7, -inv_L*STEWART_FMA(S_ddot_z, z_z,
             STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -3306,7 +3308,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
         const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
         const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
@@ -3596,7 +3598,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zs, s_x, A_1_T_zz*z_x));
         const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zs, s_y, A_1_T_zz*z_y));
         const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zs, s_z, A_1_T_zz*z_z));
-        /* force by rotation about the tip */
+        /* derivative of the force by rotation about the tip */
         const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
             STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
         const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
@@ -3664,7 +3666,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
             STEWART_FMA(m_xz, w_q_z, -f_S_dot_yz))));
         const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, c91 - f_S_dot_zz - c90));
-        /* moment by rotation about the tip */
+        /* derivative of the moment by rotation about the tip */
         const stewart_real Q_xx = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx + c83 - c88;
         const stewart_real Q_xy = STEWART_FMA(-X_zy, q_y, STEWART_FMA(-f_S_dot_xx, omega_z,
             f_S_dot_xz*omega_x) + f_S_xy - R_tip_z + c82);
@@ -3867,12 +3869,12 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -3883,7 +3885,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -3922,7 +3924,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real theta_dot2 = c3;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real inv_k3 = L*inv_rho;
-        /* (6) leg's turning about z */
+        /* (6) angular velocity of the leg about z */
         const stewart_real W_z = c1*inv_L;
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
@@ -3936,7 +3938,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(c4, phi_dot2, theta_dot2))));
         const stewart_real c5 = REAL(2)*L_share;
-        /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
+        /* (9) angular accelerations of the leg about y and z without the rotation of the frame about s */
         const stewart_real own_y = STEWART_FMA(-c5, theta_dot, -inv_L*STEWART_FMA(S_ddot_z, z_z,
             STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_z = STEWART_FMA(-W_z, c5, inv_L*STEWART_FMA(S_ddot_z, y_z,
@@ -3979,7 +3981,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
         const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
         const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
@@ -4443,7 +4445,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zz, z_x, A_1_T_zs*s_x));
         const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zz, z_y, A_1_T_zs*s_y));
         const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zz, z_z, A_1_T_zs*s_z));
-        /* force by rotation about the tip */
+        /* derivative of the force by rotation about the tip */
         const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
             STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
         const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
@@ -4511,7 +4513,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
             STEWART_FMA(m_xz, w_q_z, -f_S_dot_yz))));
         const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, c269 - f_S_dot_zz - c268));
-        /* moment by rotation about the tip */
+        /* derivative of the moment by rotation about the tip */
         const stewart_real Q_xx = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx + c261 - c266;
         const stewart_real Q_xy = STEWART_FMA(-X_zy, q_y, STEWART_FMA(-f_S_dot_xx, omega_z,
             f_S_dot_xz*omega_x) + f_S_xy - R_tip_z + c260);
@@ -4841,7 +4843,7 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
     return status;
 }
 
-/* Says where a number of a result is not finite. */
+/* Sets the status if a number of a result is not finite. */
 static void check_linearization(linearization_found *out)
 {
     int i;
@@ -5176,12 +5178,12 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -5192,7 +5194,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -5232,7 +5234,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real c4 = L*inv_rho;
         const stewart_real inv_k3 = c4;
-        /* (6) leg's turning about z */
+        /* (6) angular velocity of the leg about z */
         const stewart_real W_z = c1*inv_L;
         const stewart_real c5 = omega_z*w_q_y;
         const stewart_real c6 = STEWART_FMA(-omega_z, w_q_x, omega_x*w_q_z);
@@ -5247,12 +5249,12 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(S_ddot_x, s_x, STEWART_FMA(L, STEWART_FMA(c8, phi_dot2, theta_dot2), turned_x))));
         const stewart_real c9 = REAL(2)*L_share;
         const stewart_real c10 = k3*turned_z;
-        /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
+        /* (9) angular accelerations of the leg about y and z without the rotation of the frame about s */
         const stewart_real own_y = STEWART_FMA(-c9, theta_dot, STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z,
             z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), turned_y));
         const stewart_real own_z = STEWART_FMA(-W_z, c9, STEWART_FMA(inv_L, STEWART_FMA(S_ddot_z, y_z,
             STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)), c10));
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
@@ -5273,7 +5275,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real fall_x = STEWART_FMA(omega_y, w_q_z, -g_x) - c5;
         const stewart_real fall_y = -g_y - c6;
         const stewart_real fall_z = STEWART_FMA(omega_x, w_q_y, -g_z) - c7;
-        /* acceleration of the platform point from free fall, leg frame */
+        /* m_u times the acceleration of the platform point relative to free fall, leg frame */
         const stewart_real fall_T_x = STEWART_FMA(fall_y, s_y, STEWART_FMA(fall_z, s_z, STEWART_FMA(fall_x,
             s_x, turned_x)));
         const stewart_real fall_T_y = STEWART_FMA(fall_z, y_z, STEWART_FMA(fall_y, y_y, STEWART_FMA(fall_x,
@@ -5550,7 +5552,7 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(c148, c56, STEWART_FMA(c133, gamma_y, STEWART_FMA(c121, k3, STEWART_FMA(-c201, c54,
             STEWART_FMA(c152, c3, STEWART_FMA(c201, c99, STEWART_FMA(-c200, c48, c122*c177)))) - c151 + c135))))))
             - c120))))))))) - c124 - c140)) + c196)))))));
-        /* generalized forces by the tip's motion */
+        /* derivatives of the generalized forces by the tip's motion */
         const stewart_real tau_S_xx = STEWART_FMA(tau_S_leg_12, y_x, STEWART_FMA(tau_S_leg_13, z_x,
             s_x*tau_S_leg_11));
         const stewart_real tau_S_xy = STEWART_FMA(tau_S_leg_12, y_y, STEWART_FMA(tau_S_leg_13, z_y,
@@ -5595,7 +5597,7 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(-c166, c2, STEWART_FMA(L_dot*c15*c150, k3, C_us*inv_L*inv_k3))))))))))));
         const stewart_real tau_S_dot_leg_33 = STEWART_FMA(c199, inv_L, STEWART_FMA(c113*c157, c40,
             STEWART_FMA(REAL(2)*c198, c88, STEWART_FMA(c16, c200, c111) - c205))) - c174;
-        /* generalized forces by the tip's motion */
+        /* derivatives of the generalized forces by the tip's motion */
         const stewart_real tau_S_dot_xx = STEWART_FMA(tau_S_dot_leg_12, y_x, STEWART_FMA(tau_S_dot_leg_13,
             z_x, s_x*tau_S_dot_leg_11));
         const stewart_real tau_S_dot_xy = STEWART_FMA(tau_S_dot_leg_12, y_y, STEWART_FMA(tau_S_dot_leg_13,
@@ -5624,7 +5626,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_ddot_leg_32 = STEWART_FMA(c172, c40, STEWART_FMA(-c194, c91,
             STEWART_FMA(c207, k3, c166) + c171)) - c193;
         const stewart_real tau_S_ddot_leg_33 = STEWART_FMA(h_y, k1, -c173) - c99;
-        /* generalized forces by the tip's motion */
+        /* derivatives of the generalized forces by the tip's motion */
         const stewart_real tau_S_ddot_xx = STEWART_FMA(tau_S_ddot_leg_12, y_x,
             STEWART_FMA(tau_S_ddot_leg_13, z_x, m_u*s_x));
         const stewart_real tau_S_ddot_xy = STEWART_FMA(tau_S_ddot_leg_12, y_y,
@@ -5672,7 +5674,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c217 = inv_rho*k3;
         const stewart_real bent_leg_32 = L*k3*STEWART_FMA(c214*c40, inv_rho, c217*net_x);
         const stewart_real bent_leg_33 = c216*kappa;
-        /* generalized forces by the tip's place, as the rows turn */
+        /* derivative of the generalized forces by the tip's position, with the rotation of the rows */
         const stewart_real tau_place_xx = STEWART_FMA(bent_leg_12, y_x, STEWART_FMA(bent_leg_13, z_x,
             tau_S_xx));
         const stewart_real tau_place_xy = STEWART_FMA(bent_leg_12, y_y, STEWART_FMA(bent_leg_13, z_y,
@@ -6333,12 +6335,12 @@ STEWART_APART static void bias_of_leg(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -6349,7 +6351,7 @@ STEWART_APART static void bias_of_leg(
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x)));
         const stewart_real inv_rho = REAL(1)/rho;
-        /* share of the normal along s: rounding */
+        /* relative component of the normal along s: rounding */
         const stewart_real n_along_s = inv_rho*STEWART_FMA(k_cross_S_z, s_z, STEWART_FMA(k_cross_S_y, s_y,
             k_cross_S_x*s_x));
         /* one over |s x normal| */
@@ -6400,7 +6402,7 @@ STEWART_APART static void bias_of_leg(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -6421,14 +6423,14 @@ STEWART_APART static void bias_of_leg(
         const stewart_real M_theta = J_yy + L_h2;
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real bend = L_dot*theta_dot;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalized forces about y and about k */
@@ -6450,7 +6452,7 @@ STEWART_APART static void bias_of_leg(
         const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
         const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
             STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
         /* force at the tip */
@@ -6877,7 +6879,7 @@ int stewart_exact_derivatives(
     return slopes(model->per_length, number, F, out);
 }
 
-/* The constants of one leg in every lane. */
+/* Constants of one leg in every lane. */
 typedef struct {
     stewart_exact_model model;
 } STEWART_ALIGNED leg_in_lanes;
@@ -7002,7 +7004,7 @@ static int any_of(const stewart_real bad[LANES])
 /* Numbers of eight poses. */
 typedef struct {
     stewart_real number[1344];
-    stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
+    stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED equations_block;
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
@@ -7157,7 +7159,7 @@ int stewart_exact_equations_batch(
 /* Numbers of eight poses. */
 typedef struct {
     stewart_real number[1032];
-    stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
+    stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED derivatives_block;
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
@@ -7315,7 +7317,7 @@ int stewart_exact_linearization_batch(
 /* Numbers of eight poses. */
 typedef struct {
     stewart_real number[48];
-    stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
+    stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED bias_block;
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
@@ -7418,7 +7420,7 @@ int stewart_exact_bias_and_friction_batch(
 /* Numbers of eight poses. */
 typedef struct {
     stewart_real number[216];
-    stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
+    stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED forward_block;
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */

@@ -5,14 +5,14 @@
  */
 #include "stewart_exact_offset_forces.h"
 
-/* Poses of a block: as many as one register of AVX-512 holds. */
+/* Number of poses of a block: one register of AVX-512. */
 #if defined(STEWART_FLOAT)
 #define POSES 16
 #else
 #define POSES 8
 #endif
-/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
- * which is slower with few of them. */
+/* By default gcc uses half the width of AVX-512 and does not schedule instructions before register allocation,
+ * which is slower with few registers. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #pragma GCC optimize("schedule-insns")
@@ -32,7 +32,7 @@ typedef struct {
     stewart_real M_ext[3][POSES];
 } STEWART_ALIGNED motion_lanes;
 
-/* What a pose has for all legs. */
+/* Terms of a pose that are common to all legs. */
 typedef struct {
     stewart_real B[9];
     stewart_real c_force[3];
@@ -42,12 +42,12 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][POSES];
-    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
+    stewart_real least_L[POSES]; /* m: length below which a leg must be checked */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
+    stewart_real A[6][LANES]; /* H, one column for each leg */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
     stewart_real c_force[3][LANES];
@@ -56,7 +56,7 @@ typedef struct {
     stewart_real L[LANES];
     stewart_real reach[LANES];
     stewart_real k3[LANES];
-    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
 } leg_lanes;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -123,12 +123,12 @@ static void prepare_leg(
     const stewart_real arm_y = p_y - p_1_y;
     const stewart_real arm_z = p_z - p_1_z;
     const stewart_real c11 = REAL(2)*h_y;
-    /* inertia about k of what turns about it alone */
+    /* inertia about k of the bodies that rotate about k only */
     const stewart_real I_k = cross_inertia + m_d*cross*cross + along*c11 + cross_mass*(cross_center_x*cross_center_x
         + cross_center_y*cross_center_y);
     const stewart_real c12 = REAL(2)*h_z;
     const stewart_real c13 = across*c12;
-    /* with what offsets and cross add */
+    /* with the terms of the offsets and of the body between the axes */
     const stewart_real J_xx = c13 + I_k + own_J_xx;
     const stewart_real J_xz = own_J_xz - across*h_x;
     const stewart_real J_yy = c13 + own_J_yy;
@@ -211,11 +211,11 @@ static void prepare_platform(
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real M_P = M + M_add;
-    /* the platform's own center of mass from platform point 1 */
+    /* center of mass of the platform without the upper parts, from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that center */
+    /* first moment of the lumped masses about this center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -412,7 +412,7 @@ static void shared_of_pose(
         STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
 }
 
-/* The legs of one pose side by side: 379 (222 mul, 151 add, 4 div, 2 sqrt) operations each. */
+/* Computes the legs of one pose in lanes: 379 (222 mul, 151 add, 4 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_offset_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -465,7 +465,7 @@ static void legs_of_pose(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, normal to both, and across the fixed axis */
+        /* (10) leg vector: component along the fixed axis, normal to both, and part across the fixed axis */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
@@ -488,7 +488,7 @@ static void legs_of_pose(
         const stewart_real o_x = STEWART_FMA(-k_y, y_z, k_z*y_y);
         const stewart_real o_y = STEWART_FMA(-k_z, y_x, k_x*y_z);
         const stewart_real o_z = STEWART_FMA(-k_x, y_y, k_y*y_x);
-        /* tip from the moving axis: along o, and squared */
+        /* distance of the tip from the moving axis: along o, and squared */
         const stewart_real r_out = r - cross;
         const stewart_real reach2 = STEWART_FMA(zeta, zeta, r_out*r_out);
         /* (2) leg length */
@@ -509,11 +509,11 @@ static void legs_of_pose(
         const stewart_real z_z = STEWART_FMA(-k1, o_z, k3*k_z);
         const stewart_real column_of_z = across*inv_L;
         const stewart_real column_of_y = along*inv_r*STEWART_FMA(-column_of_z, k1, k3);
-        /* (22) direction in which the tip moves as L alone grows least: the leg's column of H */
+        /* (22) gradient of L by the tip: the leg's column of H */
         const stewart_real column_x = STEWART_FMA(column_of_z, z_x, STEWART_FMA(column_of_y, y_x, s_x));
         const stewart_real column_y = STEWART_FMA(column_of_z, z_y, STEWART_FMA(column_of_y, y_y, s_y));
         const stewart_real column_z = STEWART_FMA(column_of_z, z_z, STEWART_FMA(column_of_y, y_z, s_z));
-        /* (10) share of r in L; near the least distance the square of r is known to rounding, not r itself */
+        /* (10) r / L, scaled by (r / rho)^2 because the rounding error of r grows near the least distance */
         const stewart_real sine = inv_L*r_share*r*r;
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
@@ -544,7 +544,7 @@ static void legs_of_pose(
         /* (9) accelerations of the joint coordinates */
         const stewart_real phi_ddot = inv_r*STEWART_FMA(-r_dot, two_phi_dot, STEWART_FMA(S_ddot_z, y_z,
             STEWART_FMA(S_ddot_y, y_y, STEWART_FMA(S_ddot_x, y_x, along*phi_dot2))));
-        /* r_ddot by phi alone */
+        /* part of r_ddot by phi only */
         const stewart_real turning = STEWART_FMA(along, phi_ddot, phi_dot2*r);
         const stewart_real c1 = L_dot*theta_dot;
         /* (9) accelerations of the joint coordinates */
@@ -566,7 +566,7 @@ static void legs_of_pose(
         const stewart_real M_theta = J_yy + L_h2;
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_theta = STEWART_FMA(a1, k13, a2*(STEWART_HALF - k33));
         const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
@@ -580,7 +580,7 @@ static void legs_of_pose(
         const stewart_real M_mixed_theta_offset = STEWART_FMA(along, h_n, M_mixed_theta);
         const stewart_real bend = c1;
         const stewart_real c2 = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = c2;
         const stewart_real c3 = j_r*k3;
@@ -704,22 +704,22 @@ int stewart_exact_offset_forces(
     return STEWART_OK;
 }
 
-/* A block of poses on its way. */
+/* Intermediate results of a block of poses. */
 typedef struct {
     stewart_real column[7][6][POSES]; /* [H | c], column by column */
     stewart_real D[6][POSES];
     stewart_real F[6][POSES];
-    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+    stewart_real bad[POSES]; /* 1 if a leg, a pivot, or a force must be checked, else 0 */
 } STEWART_ALIGNED block;
 
-/* What a leg hands to the moments. */
+/* Terms of a leg that the moments require. */
 typedef struct {
     stewart_real q[3][POSES];
     stewart_real c_force[3][POSES];
     stewart_real c_moment[3][POSES];
 } STEWART_ALIGNED leg_block;
 
-/* A leg of the poses of a block as far as its roots. */
+/* A leg of the poses of a block up to its square roots. */
 typedef struct {
     stewart_real q_x[POSES];
     stewart_real q_y[POSES];
@@ -876,7 +876,7 @@ static void roots_of_leg(
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
         const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
-        /* (10) leg vector along the fixed axis, normal to both, and across the fixed axis */
+        /* (10) leg vector: component along the fixed axis, normal to both, and part across the fixed axis */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
@@ -888,7 +888,7 @@ static void roots_of_leg(
         const stewart_real r = STEWART_SQRT(rho2 - along2);
         const stewart_real inv_rho2 = REAL(1)/rho2;
         const stewart_real cross = model->cross[leg];
-        /* tip from the moving axis: along o, and squared */
+        /* distance of the tip from the moving axis: along o, and squared */
         const stewart_real r_out = r - cross;
         const stewart_real reach2 = STEWART_FMA(zeta, zeta, r_out*r_out);
         const stewart_real across2 = model->across2[leg];
@@ -917,9 +917,9 @@ static void roots_of_leg(
     }
 }
 
-/* The leg from there on, 327 (199 mul, 128 add, 0 div, 0 sqrt) operations each: its column of H, its D
- * and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
- * less. */
+/* Computes the rest of a leg, 327 (199 mul, 128 add, 0 div, 0 sqrt) operations each: its column of H,
+ * its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well,
+ * if less. */
 static void leg_of_block(
     const stewart_exact_offset_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -937,7 +937,7 @@ static void leg_of_block(
         const stewart_real inv_rho2 = roots->inv_rho2[l];
         const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
         const stewart_real along = model->along[leg];
-        /* (10) leg vector along the fixed axis, normal to both, and across the fixed axis */
+        /* (10) leg vector: component along the fixed axis, normal to both, and part across the fixed axis */
         const stewart_real S_across_x = STEWART_FMA(k_x, -zeta, S_x);
         const stewart_real S_across_y = STEWART_FMA(k_y, -zeta, S_y);
         const stewart_real S_across_z = STEWART_FMA(k_z, -zeta, S_z);
@@ -973,11 +973,11 @@ static void leg_of_block(
         const stewart_real z_z = STEWART_FMA(-k1, o_z, k3*k_z);
         const stewart_real column_of_z = across*inv_L;
         const stewart_real column_of_y = along*inv_r*STEWART_FMA(-column_of_z, k1, k3);
-        /* (22) direction in which the tip moves as L alone grows least: the leg's column of H */
+        /* (22) gradient of L by the tip: the leg's column of H */
         const stewart_real column_x = STEWART_FMA(column_of_z, z_x, STEWART_FMA(column_of_y, y_x, s_x));
         const stewart_real column_y = STEWART_FMA(column_of_z, z_y, STEWART_FMA(column_of_y, y_y, s_y));
         const stewart_real column_z = STEWART_FMA(column_of_z, z_z, STEWART_FMA(column_of_y, y_z, s_z));
-        /* (10) share of r in L; near the least distance the square of r is known to rounding, not r itself */
+        /* (10) r / L, scaled by (r / rho)^2 because the rounding error of r grows near the least distance */
         const stewart_real sine = inv_L*r_share*r*r;
         const stewart_real q_x = roots->q_x[l];
         const stewart_real q_y = roots->q_y[l];
@@ -1017,7 +1017,7 @@ static void leg_of_block(
         /* (9) accelerations of the joint coordinates */
         const stewart_real phi_ddot = inv_r*STEWART_FMA(-r_dot, two_phi_dot, STEWART_FMA(S_ddot_z, y_z,
             STEWART_FMA(S_ddot_y, y_y, STEWART_FMA(S_ddot_x, y_x, along*phi_dot2))));
-        /* r_ddot by phi alone */
+        /* part of r_ddot by phi only */
         const stewart_real turning = STEWART_FMA(along, phi_ddot, phi_dot2*r);
         const stewart_real c1 = L_dot*theta_dot;
         /* (9) accelerations of the joint coordinates */
@@ -1049,7 +1049,7 @@ static void leg_of_block(
         const stewart_real cross = model->cross[leg];
         const stewart_real cross2 = model->cross2[leg];
         const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_theta = STEWART_FMA(a1, k13, a2*(STEWART_HALF - k33));
         const stewart_real M_phi_L = STEWART_FMA(h_z, -k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
@@ -1065,7 +1065,7 @@ static void leg_of_block(
         const stewart_real c2 = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         const stewart_real j_r = model->j_r[leg];
         const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = c2;
         const stewart_real c3 = j_r*k3;

@@ -1,15 +1,15 @@
-/* stewart_exact_offset_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
+/* stewart_exact_offset_forces.h: actuator forces from prepared constants, optimized for speed.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * One pose puts its six legs into lanes of eight, a batch eight poses, or sixteen in float; compilers make
- * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
- * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
+ * A single pose uses six of eight lanes for its legs. A batch uses eight lanes, or sixteen in float, for poses.
+ * Compilers vectorize the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno and -march for your
+ * processor). With -ffp-contract=off one pose and a batch agree to the last bit.
  *
- * Fidelity: offset joints; STEWART_NOT_FINITE also where a platform point lies where no leg with its offsets ends.
+ * Fidelity: offset joints; also STEWART_NOT_FINITE if a leg with its offsets cannot reach its platform point.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
+ * Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
  * leg      379 (222 mul, 151 add, 4 div, 2 sqrt)
  * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    2890 (1649 mul, 1203 add, 26 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1856.
+ * With fused multiply-add instructions: 1856.
  */
 #ifndef STEWART_EXACT_OFFSET_FORCES_H
 #define STEWART_EXACT_OFFSET_FORCES_H
@@ -42,14 +42,14 @@ typedef struct {
     stewart_real C_u; /* N m s: viscous friction of the universal joint */
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
-    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
+    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m */
     stewart_real j_r; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
-    stewart_real cross; /* m: from the fixed to the moving axis, along o = y x k */
-    stewart_real along; /* m: from where o meets the moving axis to the line of sliding, along y */
-    stewart_real across; /* m: the same along z = s x y */
+    stewart_real cross; /* m: offset from the fixed to the moving axis, along o = y x k */
+    stewart_real along; /* m: offset along y from o to the line of sliding */
+    stewart_real across; /* m: offset from the moving axis to the line of sliding, along z = s x y */
     stewart_real cross_mass; /* kg: mass of the body between fixed and moving axis */
-    stewart_real cross_center[3]; /* m: its center of mass from the base point, along o, y and k */
-    stewart_real cross_inertia; /* kg m^2: its inertia about k through its center of mass */
+    stewart_real cross_center[3]; /* m: center of mass of this body from the base point, along o, y, and k */
+    stewart_real cross_inertia; /* kg m^2: inertia of this body about its center of mass, axis k */
 } stewart_offset_leg;
 
 /* The machine. */
@@ -61,14 +61,14 @@ typedef struct {
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
 } stewart_offset_robot;
 
-/* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
+/* Prepared constants of a robot, legs in lanes; the last two lanes repeat leg 6. */
 typedef struct {
     stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
-    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
+    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m */
     stewart_real j_r[8]; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
     stewart_real h[3][8]; /* kg m: first moment of the upper part about the platform point, leg frame */
     stewart_real h2_x[8]; /* kg m: 2 h_x */
@@ -81,16 +81,16 @@ typedef struct {
     stewart_real g_k[8]; /* m/s^2: gravity along the fixed axis */
     stewart_real g_x_k[3][8]; /* m/s^2: g x k, base frame */
     stewart_real C_us[8]; /* N m s: C_u + C_s */
-    stewart_real cross[8]; /* m: from the fixed to the moving axis, along o = y x k */
-    stewart_real along[8]; /* m: from where o meets the moving axis to the line of sliding, along y */
-    stewart_real across[8]; /* m: the same along z = s x y */
+    stewart_real cross[8]; /* m: offset from the fixed to the moving axis, along o = y x k */
+    stewart_real along[8]; /* m: offset along y from o to the line of sliding */
+    stewart_real across[8]; /* m: offset from the moving axis to the line of sliding, along z = s x y */
     stewart_real across2[8]; /* m^2: across^2 */
     stewart_real along2[8]; /* m^2: along^2 */
     stewart_real cross2[8]; /* m: 2 cross */
-    stewart_real w_o[8]; /* kg m: first moment along o of what turns about k alone */
+    stewart_real w_o[8]; /* kg m: first moment along o of the bodies that rotate about k only */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
-    stewart_real r_C[3]; /* m: its center of mass, platform frame */
-    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
+    stewart_real r_C[3]; /* m: center of mass of the platform with the upper parts, platform frame */
+    stewart_real J_C[6]; /* kg m^2: inertia of this mass about r_C, platform frame */
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */

@@ -5,14 +5,14 @@
  */
 #include "stewart_exact_point_masses_friction_forces.h"
 
-/* Poses of a block: as many as one register of AVX-512 holds. */
+/* Number of poses of a block: one register of AVX-512. */
 #if defined(STEWART_FLOAT)
 #define POSES 16
 #else
 #define POSES 8
 #endif
-/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
- * which is slower with few of them. */
+/* By default gcc uses half the width of AVX-512 and does not schedule instructions before register allocation,
+ * which is slower with few registers. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #pragma GCC optimize("schedule-insns")
@@ -32,7 +32,7 @@ typedef struct {
     stewart_real M_ext[3][POSES];
 } STEWART_ALIGNED motion_lanes;
 
-/* What a pose has for all legs. */
+/* Terms of a pose that are common to all legs. */
 typedef struct {
     stewart_real B[9];
     stewart_real c_force[3];
@@ -42,12 +42,12 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][POSES];
-    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
+    stewart_real least_L[POSES]; /* m: length below which a leg must be checked */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
+    stewart_real A[6][LANES]; /* H, one column for each leg */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
     stewart_real c_force[3][LANES];
@@ -56,7 +56,7 @@ typedef struct {
     stewart_real L[LANES];
     stewart_real reach[LANES];
     stewart_real k3[LANES];
-    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
 } leg_lanes;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -143,11 +143,11 @@ static void prepare_platform(
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real M_P = M + M_add;
-    /* the platform's own center of mass from platform point 1 */
+    /* center of mass of the platform without the upper parts, from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that center */
+    /* first moment of the lumped masses about this center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -345,7 +345,7 @@ static void shared_of_pose(
         STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
 }
 
-/* The legs of one pose side by side: 223 (135 mul, 84 add, 2 div, 2 sqrt) operations each. */
+/* Computes the legs of one pose in lanes: 223 (135 mul, 84 add, 2 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_point_masses_friction_model *STEWART_RESTRICT model,
     const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
@@ -385,14 +385,14 @@ static void legs_of_pose(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x));
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
@@ -454,14 +454,14 @@ static void legs_of_pose(
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = a1*k33;
         const stewart_real M_theta = c2;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_theta = a1*k13;
         const stewart_real M_phi_L = h_s*k33;
         const stewart_real bend = L_dot*theta_dot;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalized forces about y and about k */
@@ -471,14 +471,14 @@ static void legs_of_pose(
         const stewart_real tau_k = STEWART_FMA(M_phi, phi_ddot, STEWART_FMA(two_phi_dot,
             STEWART_FMA(M_phi_theta, theta_dot, L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s,
             STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), C_us*phi_dot))));
-        /* (21) K = Q_k k + Q_y y, up to a part along s */
+        /* (21) K = Q_k k + Q_y y, with a component along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
         const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
         const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s,
             theta_dot2, C_p*L_dot)));
         const stewart_real c3 = C_s*phi_dot;
@@ -515,8 +515,8 @@ static void legs_of_pose(
     }
 }
 
-/* The same for a pose in which a leg is near its joint singularity: 220 (136 mul, 80 add, 2 div, 2 sqrt)
- * operations each. */
+/* Computes the legs of a pose in which a leg is near its joint singularity: 220 (136 mul, 80 add, 2 div,
+ * 2 sqrt) operations each. */
 static void legs_near_singular(
     const stewart_exact_point_masses_friction_model *STEWART_RESTRICT model,
     const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
@@ -556,12 +556,12 @@ static void legs_near_singular(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -572,7 +572,7 @@ static void legs_near_singular(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -611,7 +611,7 @@ static void legs_near_singular(
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = REAL(2)*phi_dot;
         const stewart_real k33 = k3*k3;
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -623,13 +623,13 @@ static void legs_near_singular(
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = a1*k33;
         const stewart_real M_theta = c2;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_L = h_s*k33;
         const stewart_real bend = L_dot*theta_dot;
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalized forces about y and about k */
@@ -646,7 +646,7 @@ static void legs_near_singular(
         const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
         const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s, theta_dot2, C_p*L_dot));
         const stewart_real c3 = C_s*phi_dot;
         const stewart_real c4 = C_s*theta_dot;
@@ -746,22 +746,22 @@ int stewart_exact_point_masses_friction_forces(
     return STEWART_OK;
 }
 
-/* A block of poses on its way. */
+/* Intermediate results of a block of poses. */
 typedef struct {
     stewart_real column[7][6][POSES]; /* [H | c], column by column */
     stewart_real D[6][POSES];
     stewart_real F[6][POSES];
-    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+    stewart_real bad[POSES]; /* 1 if a leg, a pivot, or a force must be checked, else 0 */
 } STEWART_ALIGNED block;
 
-/* What a leg hands to the moments. */
+/* Terms of a leg that the moments require. */
 typedef struct {
     stewart_real q[3][POSES];
     stewart_real c_force[3][POSES];
     stewart_real c_moment[3][POSES];
 } STEWART_ALIGNED leg_block;
 
-/* A leg of the poses of a block as far as its roots. */
+/* A leg of the poses of a block up to its square roots. */
 typedef struct {
     stewart_real q_x[POSES];
     stewart_real q_y[POSES];
@@ -916,14 +916,14 @@ static void roots_of_leg(
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
         const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x));
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
@@ -945,8 +945,8 @@ static void roots_of_leg(
     }
 }
 
-/* The leg from there on, 177 (113 mul, 64 add, 0 div, 0 sqrt) operations each: its column of H, its D
- * and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
+/* Computes the rest of a leg, 177 (113 mul, 64 add, 0 div, 0 sqrt) operations each: its column of H, its
+ * D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
  * less. */
 static void leg_of_block(
     const stewart_exact_point_masses_friction_model *STEWART_RESTRICT model, int leg,
@@ -1037,17 +1037,17 @@ static void leg_of_block(
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = a1*k33;
         const stewart_real M_theta = c2;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
         const stewart_real M_phi_theta = a1*k13;
         const stewart_real M_phi_L = h_s*k33;
         const stewart_real bend = L_dot*theta_dot;
         const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
         const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         const stewart_real w_s = model->w_s[leg];
-        /* first moment along k and against k x y */
+        /* components of the first moment along k and along -k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         const stewart_real C_s = model->C_s[leg];
@@ -1060,7 +1060,7 @@ static void leg_of_block(
         const stewart_real tau_k = STEWART_FMA(M_phi, phi_ddot, STEWART_FMA(two_phi_dot,
             STEWART_FMA(M_phi_theta, theta_dot, L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n, STEWART_FMA(C_s,
             -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), C_us*phi_dot))));
-        /* (21) K = Q_k k + Q_y y, up to a part along s */
+        /* (21) K = Q_k k + Q_y y, with a component along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
@@ -1068,7 +1068,7 @@ static void leg_of_block(
         const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
         const stewart_real C_p = model->C_p[leg];
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_s,
             -theta_dot2, C_p*L_dot)));
         const stewart_real c3 = C_s*phi_dot;

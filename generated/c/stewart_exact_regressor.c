@@ -7,7 +7,7 @@
 
 #include "stewart_solve.h"
 
-/* What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0. */
+/* Quantities that determine the status of a leg; bad: 1 if it cannot be computed, else 0. */
 typedef struct {
     stewart_real L[LANES];
     stewart_real reach[LANES];
@@ -15,8 +15,7 @@ typedef struct {
     stewart_real bad[LANES];
 } leg_checks;
 
-/* Columns of a pose, their rows first; what the legs are given, and lost: 1 where a number is not
- * finite. */
+/* Columns of a pose with the row as first index, and inputs of the legs; lost: 1 if not finite. */
 typedef struct {
     stewart_real of_legs[6][23][LANES];
     stewart_real b[3][LANES];
@@ -77,12 +76,12 @@ STEWART_APART static void columns_of_legs(
         const stewart_real S_x = t_x - b_x + q_x;
         const stewart_real S_y = t_y - b_y + q_y;
         const stewart_real S_z = t_z - b_z + q_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        /* (2) leg length, and distance of its tip from the fixed axis */
+        /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -93,7 +92,7 @@ STEWART_APART static void columns_of_legs(
         const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
         const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
         const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
-        /* (10) leg length, and distance of its tip from the fixed axis */
+        /* (10) leg length, and distance of the tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
@@ -147,7 +146,7 @@ STEWART_APART static void columns_of_legs(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         const stewart_real c5 = REAL(2)*theta_dot;
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
         const stewart_real own_theta_ddot = STEWART_FMA(-L_share, c5, -inv_L*STEWART_FMA(S_ddot_z, z_z,
             STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
@@ -162,7 +161,7 @@ STEWART_APART static void columns_of_legs(
         const stewart_real g_x_k_x = STEWART_FMA(g_z, -k_y, g_y*k_z);
         const stewart_real g_x_k_y = STEWART_FMA(g_x, -k_z, g_z*k_x);
         const stewart_real g_x_k_z = STEWART_FMA(g_y, -k_x, g_x*k_y);
-        /* gravity along k x y and along y */
+        /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* omega along k x y, y and k */

@@ -1,19 +1,19 @@
-/* stewart_exact_regressor.h: the regressor, the equations of motion as a matrix times the parameters.
+/* stewart_exact_regressor.h: regressor, the matrix Y of the equations of motion that are linear in the parameters.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  *     H F + [R F_ext; R M_ext] = Y pi
  *
- * pi has 148 parameters, 23 of each leg: mass m_d, first moment h_d[3] and inertia J_d[6] (xx xy xz yy yz zz)
- * of the lower part about the base point, frame D; m_u, h_u[3] and J_u[6] of the upper part about the platform
- * point, frame U; C_u, C_p, C_s. Then 10 of the platform: M, h_P[3] and J_P[6] about its reference point,
- * platform frame. Y is row-major: three rows of forces, N, three of moments about the reference point, N m,
- * base frame, each over the unit of its parameter. Of the robot, b, p, k and g are read and nothing else; of
- * the motion, all but the load.
+ * pi has 148 parameters. Each leg has 23: mass m_d, first moment h_d[3], and inertia J_d[6] (xx xy xz yy yz zz)
+ * of the lower part about the base point, frame D; m_u, h_u[3], and J_u[6] of the upper part about the platform point,
+ * frame U; C_u, C_p, C_s. The platform has 10: M, h_P[3], and J_P[6] about its reference point, platform frame. Y is
+ * row-major: three rows of forces (N) and three rows of moments (N m) about the reference point, base frame, each
+ * divided by the unit of its parameter. Of the robot only b, p, k, and g are read; of the motion everything except the
+ * load.
  *
- * The forces depend on fewer combinations of the parameters, the base parameters. `base_parameters` of the
- * Python package finds them for a machine, and the columns of Y that are theirs: `kept`.
+ * The forces depend on fewer combinations of the parameters, the base parameters. `base_parameters` of the Python
+ * package computes them for a robot, with their columns of Y: `independent_columns`.
  *
  * Operations per pose: 3963 (2574 mul, 1365 add, 12 div, 12 sqrt).
  */

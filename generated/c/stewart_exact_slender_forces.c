@@ -5,14 +5,14 @@
  */
 #include "stewart_exact_slender_forces.h"
 
-/* Poses of a block: as many as one register of AVX-512 holds. */
+/* Number of poses of a block: one register of AVX-512. */
 #if defined(STEWART_FLOAT)
 #define POSES 16
 #else
 #define POSES 8
 #endif
-/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
- * which is slower with few of them. */
+/* By default gcc uses half the width of AVX-512 and does not schedule instructions before register allocation,
+ * which is slower with few registers. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #pragma GCC optimize("schedule-insns")
@@ -32,7 +32,7 @@ typedef struct {
     stewart_real M_ext[3][POSES];
 } STEWART_ALIGNED motion_lanes;
 
-/* What a pose has for all legs. */
+/* Terms of a pose that are common to all legs. */
 typedef struct {
     stewart_real B[9];
     stewart_real c_force[3];
@@ -42,19 +42,19 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][POSES];
-    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
+    stewart_real least_L[POSES]; /* m: length below which a leg must be checked */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
+    stewart_real A[6][LANES]; /* H, one column for each leg */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
     stewart_real c_force[3][LANES];
     stewart_real arm_c[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
-    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
 } leg_lanes;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -123,11 +123,11 @@ static void prepare_platform(
     const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real M_P = M + M_add;
-    /* the platform's own center of mass from platform point 1 */
+    /* center of mass of the platform without the upper parts, from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that center */
+    /* first moment of the lumped masses about this center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -322,7 +322,7 @@ static void shared_of_pose(
         STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx))));
 }
 
-/* The legs of one pose side by side: 107 (60 mul, 45 add, 1 div, 1 sqrt) operations each. */
+/* Computes the legs of one pose in lanes: 107 (60 mul, 45 add, 1 div, 1 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_slender_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -376,11 +376,11 @@ static void legs_of_pose(
         const stewart_real inv_L2 = inv_L*inv_L;
         /* (5) rate of the length */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
-        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s */
+        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, with a component along s */
         const stewart_real K_a = inv_L2*STEWART_FMA(REAL(2)*L, h_s, J_t);
         /* 2 L_dot / L */
         const stewart_real L_share = REAL(2)*L_dot*inv_L;
-        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s */
+        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, with a component along s */
         const stewart_real K_v = L_share*STEWART_FMA(h_s, inv_L, -K_a);
         const stewart_real K_g = inv_L*w_s;
         /* (21) force at the spherical joint, base frame */
@@ -390,7 +390,7 @@ static void legs_of_pose(
         /* (6) |s_dot|^2 */
         const stewart_real turning = inv_L2*STEWART_FMA(-L_dot, L_dot, STEWART_FMA(S_dot_z, S_dot_z,
             STEWART_FMA(S_dot_y, S_dot_y, S_dot_x*S_dot_x)));
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-K_z, s_z, STEWART_FMA(-K_y, s_y, STEWART_FMA(-K_x, s_x,
             -h_s*turning)));
         out->D[l] = D;
@@ -479,21 +479,21 @@ int stewart_exact_slender_forces(
     return STEWART_OK;
 }
 
-/* A block of poses on its way. */
+/* Intermediate results of a block of poses. */
 typedef struct {
     stewart_real column[7][6][POSES]; /* [H | c], column by column */
     stewart_real D[6][POSES];
     stewart_real F[6][POSES];
-    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+    stewart_real bad[POSES]; /* 1 if a leg, a pivot, or a force must be checked, else 0 */
 } STEWART_ALIGNED block;
 
-/* What a leg hands to the moments. */
+/* Terms of a leg that the moments require. */
 typedef struct {
     stewart_real q[3][POSES];
     stewart_real c_force[3][POSES];
 } STEWART_ALIGNED leg_block;
 
-/* A leg of the poses of a block as far as its roots. */
+/* A leg of the poses of a block up to its square roots. */
 typedef struct {
     stewart_real q_x[POSES];
     stewart_real q_y[POSES];
@@ -653,8 +653,9 @@ static void roots_of_leg(
     }
 }
 
-/* The leg from there on, 79 (48 mul, 31 add, 0 div, 0 sqrt) operations each: its column of H, its D and
- * its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if less. */
+/* Computes the rest of a leg, 79 (48 mul, 31 add, 0 div, 0 sqrt) operations each: its column of H, its D
+ * and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
+ * less. */
 static void leg_of_block(
     const stewart_exact_slender_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -698,12 +699,12 @@ static void leg_of_block(
         const stewart_real L = roots->L[l];
         const stewart_real h_s = model->h_s[leg];
         const stewart_real J_t = model->J_t[leg];
-        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s */
+        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, with a component along s */
         const stewart_real K_a = inv_L2*STEWART_FMA(REAL(2)*L, h_s, J_t);
         /* 2 L_dot / L */
         const stewart_real L_share = REAL(2)*L_dot*inv_L;
         const stewart_real w_s = model->w_s[leg];
-        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s */
+        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, with a component along s */
         const stewart_real K_v = L_share*STEWART_FMA(h_s, inv_L, -K_a);
         const stewart_real K_g = inv_L*w_s;
         const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
@@ -714,7 +715,7 @@ static void leg_of_block(
         /* (6) |s_dot|^2 */
         const stewart_real turning = inv_L2*STEWART_FMA(-L_dot, L_dot, STEWART_FMA(S_dot_z, S_dot_z,
             STEWART_FMA(S_dot_y, S_dot_y, S_dot_x*S_dot_x)));
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-K_z, s_z, STEWART_FMA(-K_y, s_y, STEWART_FMA(-K_x, s_x,
             -h_s*turning)));
         column[0][l] = s_x;

@@ -5,14 +5,14 @@
  */
 #include "stewart_exact_slender_static_forces.h"
 
-/* Poses of a block: as many as one register of AVX-512 holds. */
+/* Number of poses of a block: one register of AVX-512. */
 #if defined(STEWART_FLOAT)
 #define POSES 16
 #else
 #define POSES 8
 #endif
-/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
- * which is slower with few of them. */
+/* By default gcc uses half the width of AVX-512 and does not schedule instructions before register allocation,
+ * which is slower with few registers. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #pragma GCC optimize("schedule-insns")
@@ -28,7 +28,7 @@ typedef struct {
     stewart_real M_ext[3][POSES];
 } STEWART_ALIGNED motion_lanes;
 
-/* What a pose has for all legs. */
+/* Terms of a pose that are common to all legs. */
 typedef struct {
     stewart_real c_force[3];
     stewart_real c_moment[3];
@@ -36,19 +36,19 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
+    stewart_real least_L[POSES]; /* m: length below which a leg must be checked */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
+    stewart_real A[6][LANES]; /* H, one column for each leg */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
     stewart_real c_force[3][LANES];
     stewart_real arm_c[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
-    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
 } leg_lanes;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -207,7 +207,7 @@ static void shared_of_pose(
         STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx))));
 }
 
-/* The legs of one pose side by side: 40 (22 mul, 16 add, 1 div, 1 sqrt) operations each. */
+/* Computes the legs of one pose in lanes: 40 (22 mul, 16 add, 1 div, 1 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_slender_static_model *STEWART_RESTRICT model,
     const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
@@ -242,13 +242,13 @@ static void legs_of_pose(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s */
+        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, with a component along s */
         const stewart_real K_g = inv_L*w_s;
         /* (21) force at the spherical joint, base frame */
         const stewart_real K_x = -K_g*g_x;
         const stewart_real K_y = -K_g*g_y;
         const stewart_real K_z = -K_g*g_z;
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-K_z, s_z, STEWART_FMA(-K_y, s_y, -K_x*s_x));
         out->D[l] = D;
         out->A[0][l] = s_x;
@@ -336,15 +336,15 @@ int stewart_exact_slender_static_forces(
     return STEWART_OK;
 }
 
-/* A block of poses on its way. */
+/* Intermediate results of a block of poses. */
 typedef struct {
     stewart_real column[7][6][POSES]; /* [H | c], column by column */
     stewart_real D[6][POSES];
     stewart_real F[6][POSES];
-    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+    stewart_real bad[POSES]; /* 1 if a leg, a pivot, or a force must be checked, else 0 */
 } STEWART_ALIGNED block;
 
-/* What a leg hands to the moments. */
+/* Terms of a leg that the moments require. */
 typedef struct {
     stewart_real q[3][POSES];
     stewart_real c_force[3][POSES];
@@ -389,9 +389,9 @@ static void shared_of_block(
     }
 }
 
-/* A leg of the poses of a block, 40 (22 mul, 16 add, 1 div, 1 sqrt) operations each: its column of H,
- * its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well,
- * if less. */
+/* Computes a leg of the poses of a block, 40 (22 mul, 16 add, 1 div, 1 sqrt) operations each: its column
+ * of H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
+ * well, if less. */
 static void leg_of_block(
     const stewart_exact_slender_static_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -425,14 +425,14 @@ static void leg_of_block(
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         const stewart_real w_s = model->w_s[leg];
-        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s */
+        /* (21) K = K_a S_ddot + K_v S_dot - K_g g, with a component along s */
         const stewart_real K_g = inv_L*w_s;
         const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
         /* (21) force at the spherical joint, base frame */
         const stewart_real K_x = -K_g*g_x;
         const stewart_real K_y = -K_g*g_y;
         const stewart_real K_z = -K_g*g_z;
-        /* (24) known part of the actuator force, to match */
+        /* (24) known part of the actuator force for this K */
         const stewart_real D = STEWART_FMA(-K_z, s_z, STEWART_FMA(-K_y, s_y, -K_x*s_x));
         column[0][l] = s_x;
         column[1][l] = s_y;

@@ -1,15 +1,15 @@
-/* stewart_exact_slender_static_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
+/* stewart_exact_slender_static_forces.h: actuator forces from prepared constants, optimized for speed.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * One pose puts its six legs into lanes of eight, a batch eight poses, or sixteen in float; compilers make
- * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
- * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
+ * A single pose uses six of eight lanes for its legs. A batch uses eight lanes, or sixteen in float, for poses.
+ * Compilers vectorize the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno and -march for your
+ * processor). With -ffp-contract=off one pose and a batch agree to the last bit.
  *
  * Fidelity: at rest, centers of mass on the legs' axes.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
+ * Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
  * leg      40 (22 mul, 16 add, 1 div, 1 sqrt)
  * platform 72 (39 mul, 33 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    718 (389 mul, 315 add, 8 div, 6 sqrt)
- * With products and the sums that they feed in one instruction 495.
+ * With fused multiply-add instructions: 495.
  */
 #ifndef STEWART_EXACT_SLENDER_STATIC_FORCES_H
 #define STEWART_EXACT_SLENDER_STATIC_FORCES_H
@@ -28,12 +28,12 @@
 extern "C" {
 #endif
 
-/* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
+/* Prepared constants of a robot, legs in lanes; the last two lanes repeat leg 6. */
 typedef struct {
     stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real w_s[8]; /* kg m: first moments of both parts, along the leg */
-    stewart_real r_C[3]; /* m: its center of mass, platform frame */
+    stewart_real r_C[3]; /* m: center of mass of the platform with the upper parts, platform frame */
     stewart_real W_P[3]; /* N: weight of the platform with the upper parts, base frame */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for

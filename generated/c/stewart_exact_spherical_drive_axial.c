@@ -13,7 +13,7 @@ typedef struct {
     stewart_real L; /* m: length of the leg */
     stewart_real k3; /* 1: |k x s|, sine of the angle between the leg and the fixed axis */
     stewart_real L_dot; /* m/s: rate of the leg's length, positive when it extends */
-    stewart_real F_rotor; /* N: part of the actuator force that turns the leg's rotor */
+    stewart_real F_rotor; /* N: part of the actuator force that accelerates the leg's rotor */
 } rotor_terms;
 
 /* Axial forces of six legs. */
@@ -23,8 +23,8 @@ typedef struct {
     int status; /* 0, or what is wrong */
 } axial_loads;
 
-/* One leg's rate of length and the force that turns its rotor, (5), (8), (9): 91 (47 mul, 42 add, 1 div,
- * 1 sqrt). */
+/* Length rate of one leg and the force that accelerates its rotor, (5), (8), (9): 91 (47 mul, 42 add, 1
+ * div, 1 sqrt). */
 static rotor_terms axial_terms(const stewart_leg *leg, const stewart_motion *motion)
 {
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];

@@ -1,9 +1,10 @@
-/* stewart_exact_spherical_drive_axial.h: forces that pass through the screws of legs with rotors.
+/* stewart_exact_spherical_drive_axial.h: axial forces in the screws of legs with rotors.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * One pose at a time, for a controller: what stewart_motor_torques takes. Of the robot, b, p and m_r are read.
+ * The function computes one pose, for a controller. Its results are inputs of stewart_motor_torques. It reads b, p, and m_r
+ * of the robot.
  *
  * Operations, six legs: 552 (282 mul, 258 add, 6 div, 6 sqrt).
  */
@@ -19,10 +20,10 @@
 extern "C" {
 #endif
 
-/* Axial forces, N, between the parts of the legs: F, N, of an inverse dynamics with rotors, less
- * m_r L_ddot that turns these; and rates of the lengths, m/s, (5), which may be null. F_ext and
- * M_ext of the motion are not read. Returns a status, and writes only if it is STEWART_OK:
- * STEWART_NOT_FINITE, STEWART_ZERO_LENGTH. */
+/* Computes the axial forces (N) between the parts of the legs and the length rates L_dot (m/s), (5). The axial
+ * force is F (N) of an inverse dynamics with rotors less m_r L_ddot, which accelerates the
+ * rotors. L_dot may be null. F_ext and M_ext of the motion are not read. Returns a status, and writes only if it is
+ * STEWART_OK: STEWART_NOT_FINITE, STEWART_ZERO_LENGTH. */
 STEWART_NODISCARD int stewart_exact_spherical_drive_axial_forces(
     const stewart_robot *robot, const stewart_motion *motion, const stewart_real F[6], stewart_real axial[6],
     stewart_real L_dot[6]);

@@ -27,7 +27,7 @@ typedef struct {
 
 /* A rotation. */
 typedef struct {
-    stewart_real Q[9]; /* 1: rotation by which the platform is turned, base frame */
+    stewart_real Q[9]; /* 1: rotation matrix of this rotation, base frame */
 } small_turn;
 
 /* Lengths of six legs and their rates. */
@@ -87,7 +87,8 @@ static leg_vectors vectors_of(const stewart_leg *leg, const stewart_pose *pose)
     return out;
 }
 
-/* The row [s, q x s] of J, by which [v; omega] moves the leg, (5): 13 (9 mul, 3 add, 1 div, 0 sqrt). */
+/* Row [s, q x s] of the inverse Jacobian H^T, which maps [v; omega] to the length rate, (5): 13 (9 mul,
+ * 3 add, 1 div, 0 sqrt). */
 static leg_row row_of(const leg_vectors *leg)
 {
     const stewart_real q_x = leg->q[0], q_y = leg->q[1], q_z = leg->q[2];
@@ -133,12 +134,11 @@ static leg_rate rate_of(const leg_vectors *leg, const stewart_motion *motion)
     return out;
 }
 
-/* Cayley's rotation, which needs no sine: exp([turn]x) to third order: 34 (18 mul, 15 add, 1 div, 0
- * sqrt). */
+/* Cayley's rotation, without sines: exp([turn]x) to third order: 34 (18 mul, 15 add, 1 div, 0 sqrt). */
 static small_turn turned_by(const stewart_real turn[3])
 {
     const stewart_real turn_x = turn[0], turn_y = turn[1], turn_z = turn[2];
-    /* half the turn */
+    /* half of the rotation vector */
     const stewart_real w_x = STEWART_HALF*turn_x;
     const stewart_real w_y = STEWART_HALF*turn_y;
     const stewart_real w_z = STEWART_HALF*turn_z;
@@ -146,7 +146,7 @@ static small_turn turned_by(const stewart_real turn[3])
     const stewart_real c2 = w_y*w_y;
     const stewart_real c3 = w_z*w_z;
     const stewart_real share = REAL(2)/(REAL(1) + c1 + c2 + c3);
-    /* products of the half turn */
+    /* products of the components of w */
     const stewart_real W_xx = c1;
     const stewart_real W_xy = w_x*w_y;
     const stewart_real W_xz = w_x*w_z;

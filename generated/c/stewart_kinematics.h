@@ -1,10 +1,10 @@
-/* stewart_kinematics.h: lengths and rates of the legs, and the platform's pose and velocity from them.
+/* stewart_kinematics.h: inverse and forward kinematics: leg lengths and rates, and the platform's pose and twist.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * One pose at a time, for a controller. Of the robot, the points b and p are read and nothing else. The spin
- * of a leg about its own axis has no part in this: it serves both formulations and either base joint.
+ * Each function computes one pose, for a controller. Of the robot only the points b and p are read. The spin of a leg
+ * about its own axis has no effect, so the functions are valid for both formulations and both base joints.
  *
  * Operations, six legs
  * lengths         162 (72 mul, 84 add, 0 div, 6 sqrt)
@@ -12,11 +12,11 @@
  * search          1161 (606 mul, 519 add, 22 div, 14 sqrt)
  * step            975 (516 mul, 426 add, 20 div, 13 sqrt)
  * velocity        969 (509 mul, 421 add, 26 div, 13 sqrt)
- * A search takes the operations of `search` once and the operations of `step` for each step. Steps from
- * guesses within 0.001, 0.05 and 0.3 rad of the pose, and as many lengths of the longest leg: in 99 of 100
- * poses of random machines no more than 3, 4 and 6 (double) and 2, 3 and 5 (float). A second and a third
- * search follow unless a bound proves that the first result is the nearest to the guess, as it mostly does
- * within 0.02 (m and rad) of a pose that is not near a singular one. STEWART_MAX_SEARCHES 1 omits them.
+ * A search takes the operations of `search` once and the operations of `step` for each step. From guesses within
+ * 0.001, 0.05, and 0.3 rad of the pose, and as many lengths of the longest leg, 99 of 100 poses of random robots
+ * require at most 3, 4, and 6 (double) and 2, 3, and 5 (float) steps. A second and a third search follow unless a
+ * bound proves that the first result is the nearest one to the guess. The proof mostly succeeds within 0.02 (m and rad)
+ * of a pose that is not near a singular one. STEWART_MAX_SEARCHES 1 omits these searches.
  */
 #ifndef STEWART_KINEMATICS_H
 #define STEWART_KINEMATICS_H
@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-/* Steps after which a search of a pose gives up, and number of searches: their product bounds the time. */
+/* Largest number of steps of a search, and number of searches; their product bounds the time. */
 #if !defined(STEWART_MAX_STEPS)
 #define STEWART_MAX_STEPS 30
 #endif
@@ -41,35 +41,34 @@ typedef struct {
     stewart_real t[3]; /* m: position of the platform's reference point, base frame */
 } stewart_pose;
 
-/* Lengths L of the legs, m, (2), and their rates L_dot, m/s, (5), at R, t, v and omega of a motion;
- * nothing else of it is read. L_dot may be null: then neither v nor omega is read. Returns a status:
- * STEWART_ZERO_LENGTH if a leg is no longer than the rounding of the terms of S = q + t - b,
- * STEWART_NOT_FINITE. */
+/* Computes the leg lengths L (m), (2), and length rates L_dot (m/s), (5), from R, t, v, and omega of a motion.
+ * L_dot may be null; then v and omega are not read. Returns a status: STEWART_ZERO_LENGTH if a leg is not longer
+ * than the rounding error of the terms of S = q + t - b, or STEWART_NOT_FINITE. */
 STEWART_NODISCARD int stewart_inverse_kinematics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6]);
 
-/* Pose in which the legs have the lengths L, m, > 0, from a guess: `pose` in. Up to three searches by
- * Newton's steps on (2), none longer than a quarter of a radian and of the longest leg: from the guess; from
- * the guess with four damped steps first; and from behind the singular pose next to the result.
+/* Computes the pose for the leg lengths L (m), > 0, by up to three Newton searches on (2). On entry `pose` is the
+ * guess. The searches begin at the guess; at the guess, with four damped steps; and beyond the singular pose next to
+ * the result. No step is longer than a quarter of a radian and of the longest leg.
  * Returns a status, and writes the pose only if it is STEWART_OK:
- * STEWART_OK: the lengths are those asked for to within 16 rounding units of the largest component of the
- *     terms of S = q + t - b, and R is a rotation to rounding. Six lengths belong to up to forty poses: of
- *     the poses found, this one is the nearest to the guess, by the root of the sum of squares in m and rad.
- *     From a guess farther than 0.05 (m and rad) compare it with the guess.
- * STEWART_NOT_CONVERGED: none of the searches found such a pose in STEWART_MAX_STEPS steps; or the guess's R
- *     is no rotation: det R < 0, or an entry of R^T R farther than 1/16 from that of E.
- * STEWART_SINGULAR: the lengths are met where H is so near to singular that lengths known to rounding leave
- *     the pose open: its condition number, by Frobenius norms and with moments over the root mean square
- *     distance of the platform points from the reference point, exceeds 1 / (16 sqrt(eps)). That number is no
- *     less than the one by largest and smallest singular value, and no more than six times it.
+ * STEWART_OK: the lengths are L to within 16 rounding units of the largest component of the terms of
+ *     S = q + t - b, and R is a rotation to rounding. Six lengths belong to up to forty poses. The result is the
+ *     nearest one to the guess of the poses found, by the root of the sum of squares in m and rad. If the guess may
+ *     be farther away than 0.05 (m and rad), compare the result with it.
+ * STEWART_NOT_CONVERGED: no search found such a pose in STEWART_MAX_STEPS steps. Or R of the guess is not a
+ *     rotation: det R < 0, or an entry of R^T R differs by more than 1/16 from the unit matrix.
+ * STEWART_SINGULAR: H is so close to singular at the result that lengths with rounding errors do not determine the
+ *     pose. The condition number of H exceeds 1 / (16 sqrt(eps)). It is computed with Frobenius norms and with
+ *     moments over the root mean square distance of the platform points from the reference point; it is one to six
+ *     times the ratio of the largest and the smallest singular value.
  * STEWART_ZERO_LENGTH: a length is not > 0, or a leg has length zero at the guess.
  * STEWART_NOT_FINITE: an input is not finite, or the lengths at the guess overflow. */
 STEWART_NODISCARD int stewart_forward_kinematics(
     const stewart_robot *robot, const stewart_real L[6], stewart_pose *pose);
 
-/* Velocity v, m/s, of the reference point and angular velocity omega, rad/s, of the platform, base frame,
- * from the rates of the legs, m/s, at a pose: L_dot = H^T [v; omega], (5). Returns a status:
- * STEWART_SINGULAR as above, STEWART_ZERO_LENGTH and STEWART_NOT_FINITE. */
+/* Computes the velocity v (m/s) of the reference point and the angular velocity omega (rad/s) of the platform in
+ * the base frame from the length rates (m/s) at a pose: L_dot = H^T [v; omega], (5). Returns a status:
+ * STEWART_SINGULAR as above, STEWART_ZERO_LENGTH, or STEWART_NOT_FINITE. */
 STEWART_NODISCARD int stewart_forward_velocity(
     const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6], stewart_real v[3],
     stewart_real omega[3]);

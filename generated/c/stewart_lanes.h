@@ -1,5 +1,5 @@
-/* stewart_lanes.h: moments about platform point 1 and the solve, of one pose and of a block of poses side
- * by side, for the sources to include.
+/* stewart_lanes.h: moments about platform point 1 and the linear solver, for one pose and for a block of poses in
+ * lanes, included by the sources of kernels.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -9,8 +9,8 @@
 
 #include "stewart_solve.h"
 
-/* Force of a leg, (37); sources of kernels whose legs have no D define it as -x, and gcc would then make a copy
- * of the solve without D that keeps fewer numbers in registers. */
+/* Force of a leg, (37). Sources of kernels whose legs have no D define it as -x. gcc would then create a
+ * copy of the solver without D that keeps fewer numbers in registers; STEWART_NO_COPY prevents this. */
 #if !defined(STEWART_FORCE)
 #define STEWART_FORCE(D, x) ((D) - (x))
 #endif
@@ -1047,7 +1047,8 @@ STEWART_SHARED STEWART_NO_COPY void solve_block(
     }
 }
 
-/* Where `width` numbers of each pose of a whole block begin. Asks for those of the block after the next. */
+/* Returns the address of `width` numbers of each pose of a complete block, and prefetches the block after
+ * the next. */
 STEWART_SHARED const stewart_real *block_at(
     const stewart_real *from, size_t width, size_t first, size_t count)
 {
@@ -1061,7 +1062,7 @@ STEWART_SHARED const stewart_real *block_at(
     return found;
 }
 
-/* The same of any block; past the end, the last pose again. */
+/* Returns the address of the numbers of any block; an incomplete block is padded with the last pose. */
 STEWART_SHARED const stewart_real *whole(
     const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
 {
@@ -1078,7 +1079,7 @@ STEWART_SHARED const stewart_real *whole(
     return padded;
 }
 
-/* Vectors, matrices and zeros, component by component. */
+/* Store vectors, matrices, and zeros component by component. */
 STEWART_SHARED void spread_vector(
     const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[POSES])
 {
@@ -1111,7 +1112,7 @@ STEWART_SHARED void clear(stewart_real (*to)[POSES])
     }
 }
 
-/* The same of columns, `stride` numbers from one to the next. */
+/* Copies columns that are `stride` numbers apart. */
 STEWART_SHARED void take_columns(
     const stewart_real *from, int width, size_t stride, size_t first, size_t count,
     stewart_real (*STEWART_RESTRICT to)[POSES])
@@ -1139,8 +1140,8 @@ STEWART_SHARED void take_columns(
     }
 }
 
-/* Vectors, zeros where there are none, and matrices of the poses of a block, component by component: of one pose
- * after the other where stride is 0, else of columns. */
+/* Load vectors (zeros if null) and matrices of the poses of a block, component by component: from successive
+ * poses if stride is 0, else from columns. */
 STEWART_SHARED void load_vector(
     const stewart_real *from, size_t stride, size_t first, size_t count, stewart_real (*to)[POSES])
 {
@@ -1165,7 +1166,7 @@ STEWART_SHARED void load_matrix(
     }
 }
 
-/* Forces of those poses of a block that are not bad to where they belong. */
+/* Stores the forces of the poses of a block that are not bad. */
 STEWART_SHARED void store_forces(
     stewart_real (*STEWART_RESTRICT F)[POSES], const stewart_real *STEWART_RESTRICT bad, size_t stride,
     size_t first, size_t count, stewart_real *STEWART_RESTRICT to)

@@ -27,8 +27,8 @@ typedef struct {
     int status; /* 0, or what is wrong */
 } leg_motions;
 
-/* Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8): 90 (46
- * mul, 42 add, 1 div, 1 sqrt). */
+/* Length of one leg with its first and second derivative, unit vector s, S, and q, (1)-(5), (7), (8): 90
+ * (46 mul, 42 add, 1 div, 1 sqrt). */
 static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motion)
 {
     const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],

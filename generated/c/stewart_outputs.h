@@ -1,5 +1,5 @@
-/* stewart_outputs.h: the platform's part of c, the solve of kernels with every output, and poses of their
- * batches, for the sources to include.
+/* stewart_outputs.h: platform's part of c, linear solver, and batches of the complete inverse dynamics, included by
+ * the sources of kernels.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -14,7 +14,7 @@ typedef struct {
     stewart_real c_moment[3]; /* N m: part of c, moment rows, base frame */
 } platform_terms;
 
-/* The platform's own part of c, (33)-(35). Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt). */
+/* Part of c that belongs to the platform, (33)-(35). Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt). */
 STEWART_SHARED void platform_wrench(
     const stewart_robot *robot, const stewart_motions *at, platform_terms *out)
 {

@@ -133,7 +133,7 @@ static void leg_dynamics(
     const stewart_real c3 = REAL(2)*u_x;
     const stewart_real c4 = W_z*c3;
     const stewart_real c5 = W_y*c3;
-    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    /* (9) angular acceleration of the leg without the spin terms, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
     const stewart_real A_y_own = inv_L*(-e_z - c5);
     /* (12) center of mass of the upper part from the base point */
@@ -174,7 +174,7 @@ static void leg_dynamics(
         I_xz*c2)));
     const stewart_real E_z = STEWART_FMA(A_z_own, I_zz, STEWART_FMA(-I_xz, c6, STEWART_FMA(-I_xy, c1,
         A_y_own*I_yz)));
-    /* (20) moment that the joints' forces must make */
+    /* (20) moment that the joint forces must balance */
     const stewart_real C_y = STEWART_FMA(N_u_x, r_u0_z, STEWART_FMA(N_d_x, r_d0_z, STEWART_FMA(-N_u_z,
         r_u_x, STEWART_FMA(-N_d_z, r_d0_x, STEWART_FMA(C_u, W_y, f_leg_y) + E_y))));
     const stewart_real C_z = STEWART_FMA(-N_u_x, r_u0_y, STEWART_FMA(-N_d_x, r_d0_y, STEWART_FMA(N_u_y,
@@ -318,7 +318,7 @@ static void leg_reactions(
     const stewart_real c3 = REAL(2)*u_x;
     const stewart_real c4 = W_z*c3;
     const stewart_real c5 = W_y*c3;
-    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    /* (9) angular acceleration of the leg without the spin terms, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
     const stewart_real A_y_own = inv_L*(-e_z - c5);
     /* (12) center of mass of the upper part from the base point */
@@ -372,7 +372,7 @@ static void leg_reactions(
     const stewart_real c12 = N_d_y*r_d0_z;
     const stewart_real c13 = STEWART_FMA(N_d_x, r_d0_z, STEWART_FMA(-N_d_z, r_d0_x, C_u*W_y));
     const stewart_real c14 = STEWART_FMA(-N_d_x, r_d0_y, STEWART_FMA(N_d_y, r_d0_x, C_u*W_z));
-    /* (20) moment that the joints' forces must make */
+    /* (20) moment that the joint forces must balance */
     const stewart_real C_x = STEWART_FMA(-N_u_y, r_u0_z, STEWART_FMA(N_u_z, r_u0_y, f_leg_x + E_x) + c11) - c12;
     const stewart_real C_y = STEWART_FMA(N_u_x, r_u0_z, STEWART_FMA(-N_u_z, r_u_x, f_leg_y + E_y)) + c13;
     const stewart_real C_z = STEWART_FMA(-N_u_x, r_u0_y, STEWART_FMA(N_u_y, r_u_x, f_leg_z + E_z)) + c14;

@@ -5,14 +5,14 @@
  */
 #include "stewart_paper_forces.h"
 
-/* Poses of a block: as many as one register of AVX-512 holds. */
+/* Number of poses of a block: one register of AVX-512. */
 #if defined(STEWART_FLOAT)
 #define POSES 16
 #else
 #define POSES 8
 #endif
-/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
- * which is slower with few of them. */
+/* By default gcc uses half the width of AVX-512 and does not schedule instructions before register allocation,
+ * which is slower with few registers. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
 #pragma GCC optimize("schedule-insns")
@@ -32,7 +32,7 @@ typedef struct {
     stewart_real M_ext[3][POSES];
 } STEWART_ALIGNED motion_lanes;
 
-/* What a pose has for all legs. */
+/* Terms of a pose that are common to all legs. */
 typedef struct {
     stewart_real B[9];
     stewart_real c_force[3];
@@ -42,12 +42,12 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][POSES];
-    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
+    stewart_real least_L[POSES]; /* m: length below which a leg must be checked */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
+    stewart_real A[6][LANES]; /* H, one column for each leg */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
     stewart_real c_force[3][LANES];
@@ -56,7 +56,7 @@ typedef struct {
     stewart_real L[LANES];
     stewart_real reach[LANES];
     stewart_real k3[LANES];
-    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
 } leg_lanes;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -171,11 +171,11 @@ static void prepare_platform(const stewart_robot *robot, const lumped_terms *sum
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real M_P = M + M_add;
-    /* the platform's own center of mass from platform point 1 */
+    /* center of mass of the platform without the upper parts, from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that center */
+    /* first moment of the lumped masses about this center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -371,7 +371,7 @@ static void shared_of_pose(const stewart_paper_model *model, const stewart_motio
         STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
 }
 
-/* The legs of one pose side by side: 243 (142 mul, 97 add, 2 div, 2 sqrt) operations each. */
+/* Computes the legs of one pose in lanes: 243 (142 mul, 97 add, 2 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_paper_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -466,13 +466,13 @@ static void legs_of_pose(
         const stewart_real W_yy = W_y*W_y;
         const stewart_real W_zz = W_z*W_z;
         const stewart_real W_yz = W_y*W_z;
-        /* (14) force that moves the upper part about the platform point, leg frame */
+        /* (14) force that accelerates the upper part about the platform point, leg frame */
         const stewart_real N_x = STEWART_FMA(-A_z, h_y, STEWART_FMA(-h_x, W_yy + W_zz, A_y*h_z));
         const stewart_real N_y = STEWART_FMA(W_yz, h_z, STEWART_FMA(-W_zz, h_y, A_z*h_x));
         const stewart_real N_z = STEWART_FMA(-A_y, h_x, STEWART_FMA(-W_yy, h_z, W_yz*h_y));
         /* (16) m_u L^2, counted twice */
         const stewart_real m_L2_twice = m_L2*L*L;
-        /* (20) moment that the joints' forces must make */
+        /* (20) moment that the joint forces must balance */
         const stewart_real C_y = STEWART_FMA(A_y, m_L2_twice, STEWART_FMA(A_y, J_yy, STEWART_FMA(J_xy, W_yz,
             STEWART_FMA(C_us, W_y, STEWART_FMA(-e_z, h_x, STEWART_FMA(A_z, J_yz, STEWART_FMA(gamma_z, w_x,
             STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
@@ -524,8 +524,8 @@ static void legs_of_pose(
     }
 }
 
-/* The same for a pose in which a leg is near its joint singularity: 252 (148 mul, 100 add, 2 div, 2
- * sqrt) operations each. */
+/* Computes the legs of a pose in which a leg is near its joint singularity: 252 (148 mul, 100 add, 2
+ * div, 2 sqrt) operations each. */
 static void legs_near_singular(
     const stewart_paper_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -624,13 +624,13 @@ static void legs_near_singular(
         const stewart_real W_yy = W_y*W_y;
         const stewart_real W_zz = W_z*W_z;
         const stewart_real W_yz = W_y*W_z;
-        /* (14) force that moves the upper part about the platform point, leg frame */
+        /* (14) force that accelerates the upper part about the platform point, leg frame */
         const stewart_real N_x = STEWART_FMA(-A_z, h_y, STEWART_FMA(-h_x, W_yy + W_zz, A_y*h_z));
         const stewart_real N_y = STEWART_FMA(A_z, h_x, STEWART_FMA(-W_zz, h_y, W_yz*h_z));
         const stewart_real N_z = STEWART_FMA(-A_y, h_x, STEWART_FMA(-W_yy, h_z, W_yz*h_y));
         /* (16) m_u L^2, counted twice */
         const stewart_real m_L2_twice = m_L2*L*L;
-        /* (20) moment that the joints' forces must make */
+        /* (20) moment that the joint forces must balance */
         const stewart_real C_y = STEWART_FMA(A_z, J_yz, STEWART_FMA(J_xy, W_yz, STEWART_FMA(A_y, m_L2_twice,
             STEWART_FMA(A_y, J_yy, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), STEWART_FMA(C_us, W_y, STEWART_FMA(-e_z, h_x, STEWART_FMA(gamma_z, w_x,
@@ -745,22 +745,22 @@ int stewart_paper_forces(const stewart_paper_model *model, const stewart_motion 
     return STEWART_OK;
 }
 
-/* A block of poses on its way. */
+/* Intermediate results of a block of poses. */
 typedef struct {
     stewart_real column[7][6][POSES]; /* [H | c], column by column */
     stewart_real D[6][POSES];
     stewart_real F[6][POSES];
-    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+    stewart_real bad[POSES]; /* 1 if a leg, a pivot, or a force must be checked, else 0 */
 } STEWART_ALIGNED block;
 
-/* What a leg hands to the moments. */
+/* Terms of a leg that the moments require. */
 typedef struct {
     stewart_real q[3][POSES];
     stewart_real c_force[3][POSES];
     stewart_real c_moment[3][POSES];
 } STEWART_ALIGNED leg_block;
 
-/* A leg of the poses of a block as far as its roots. */
+/* A leg of the poses of a block up to its square roots. */
 typedef struct {
     stewart_real q_x[POSES];
     stewart_real q_y[POSES];
@@ -944,8 +944,8 @@ static void roots_of_leg(
     }
 }
 
-/* The leg from there on, 196 (118 mul, 78 add, 0 div, 0 sqrt) operations each: its column of H, its D
- * and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
+/* Computes the rest of a leg, 196 (118 mul, 78 add, 0 div, 0 sqrt) operations each: its column of H, its
+ * D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
  * less. */
 static void leg_of_block(
     const stewart_paper_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT at,
@@ -1015,7 +1015,7 @@ static void leg_of_block(
         const stewart_real W_zz = W_z*W_z;
         const stewart_real W_yz = W_y*W_z;
         const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
-        /* (14) force that moves the upper part about the platform point, leg frame */
+        /* (14) force that accelerates the upper part about the platform point, leg frame */
         const stewart_real N_x = STEWART_FMA(-A_z, h_y, STEWART_FMA(h_x, -(W_yy + W_zz), A_y*h_z));
         const stewart_real N_y = STEWART_FMA(W_yz, h_z, STEWART_FMA(-W_zz, h_y, A_z*h_x));
         const stewart_real N_z = STEWART_FMA(-A_y, h_x, STEWART_FMA(-W_yy, h_z, W_yz*h_y));
@@ -1028,7 +1028,7 @@ static void leg_of_block(
         const stewart_real J_xy = model->J[1][leg], J_xz = model->J[2][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg],
             J_zz = model->J[5][leg];
         const stewart_real C_us = model->C_us[leg];
-        /* (20) moment that the joints' forces must make */
+        /* (20) moment that the joint forces must balance */
         const stewart_real C_y = STEWART_FMA(A_y, m_L2_twice, STEWART_FMA(A_y, J_yy, STEWART_FMA(J_xy, W_yz,
             STEWART_FMA(C_us, W_y, STEWART_FMA(-e_z, h_x, STEWART_FMA(A_z, J_yz, STEWART_FMA(gamma_z, w_x,
             STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),

@@ -1,13 +1,13 @@
-/* stewart_paper_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
+/* stewart_paper_forces.h: actuator forces from prepared constants, optimized for speed.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * One pose puts its six legs into lanes of eight, a batch eight poses, or sixteen in float; compilers make
- * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
- * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
+ * A single pose uses six of eight lanes for its legs. A batch uses eight lanes, or sixteen in float, for poses.
+ * Compilers vectorize the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno and -march for your
+ * processor). With -ffp-contract=off one pose and a batch agree to the last bit.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
+ * Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
  *          with friction                             without friction
  * leg      243 (142 mul, 97 add, 2 div, 2 sqrt)      212 (123 mul, 85 add, 2 div, 2 sqrt)
  * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
@@ -16,7 +16,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)     262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    2074 (1169 mul, 879 add, 14 div, 12 sqrt) 1864 (1052 mul, 786 add, 14 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1328 and 1193.
+ * With fused multiply-add instructions: 1328 and 1193.
  */
 #ifndef STEWART_PAPER_FORCES_H
 #define STEWART_PAPER_FORCES_H
@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-/* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
+/* Prepared constants of a robot, legs in lanes; the last two lanes repeat leg 6. */
 typedef struct {
     stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
@@ -40,8 +40,8 @@ typedef struct {
     stewart_real C_us[8]; /* N m s: C_u + C_s */
     stewart_real m_L2[8]; /* kg: m_u, which (16) counts twice */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
-    stewart_real r_C[3]; /* m: its center of mass, platform frame */
-    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
+    stewart_real r_C[3]; /* m: center of mass of the platform with the upper parts, platform frame */
+    stewart_real J_C[6]; /* kg m^2: inertia of this mass about r_C, platform frame */
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */

@@ -14,7 +14,8 @@ typedef struct {
     stewart_real alpha[3]; /* rad/s^2: angular acceleration of the platform, base frame */
 } orientation;
 
-/* Orientation and its rates from roll, pitch and yaw, (38): 45 (29 mul, 16 add, 0 div, 0 sqrt). */
+/* Orientation, angular velocity, and angular acceleration from roll, pitch, and yaw, (38): 45 (29 mul,
+ * 16 add, 0 div, 0 sqrt). */
 static orientation turned_by_angles(
     const stewart_real sine[3], const stewart_real cosine[3], const stewart_real theta_dot[3],
     const stewart_real theta_ddot[3])
@@ -56,7 +57,8 @@ static orientation turned_by_angles(
     return out;
 }
 
-/* Orientation and its rates from a quaternion and its rates: 107 (68 mul, 38 add, 1 div, 0 sqrt). */
+/* Orientation, angular velocity, and angular acceleration from a quaternion and its derivatives: 107 (68
+ * mul, 38 add, 1 div, 0 sqrt). */
 static orientation turned_by_quaternion(
     const stewart_real e[4], const stewart_real e_dot[4], const stewart_real e_ddot[4])
 {
@@ -67,7 +69,7 @@ static orientation turned_by_quaternion(
     const stewart_real c2 = e_y*e_y;
     const stewart_real c3 = e_z*e_z;
     const stewart_real c4 = c2 + c3;
-    /* one over the square of the length */
+    /* 1 / |e|^2 */
     const stewart_real inv_square = REAL(1)/(c1 + (e_w*e_w) + c4);
     const stewart_real growth = inv_square*((e_dot_w*e_w) + (e_dot_x*e_x) + (e_dot_y*e_y) + (e_dot_z*e_z));
     /* half the angular velocity */
@@ -116,7 +118,7 @@ static int orientation_status(const orientation *found)
     return status;
 }
 
-/* Takes what was found over into the motion, if it is finite. */
+/* Copies the orientation to the motion if it is finite. */
 static int taken(const orientation *found, stewart_motion *motion)
 {
     const int status = orientation_status(found);

@@ -1,5 +1,5 @@
-/* stewart_solve.h: what kernels do about the platform's six equations H x = c, for the sources to include: what
- * legs add to the platform, by what moments and axes are multiplied, and whether H is singular to rounding.
+/* stewart_solve.h: common functions for the platform's six equations H x = c, included by the sources of kernels:
+ * contributions of the legs, scaling of moments and axes, and the test for a singular H.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD

@@ -1,20 +1,19 @@
-/* stewart_torque.h: torques and currents of the motors, from the forces of the legs.
+/* stewart_torque.h: motor torques and currents from the forces of the legs.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * One pose at a time, for a controller. Friction and efficiency act between the force of a leg and its motor:
- * the kernels of the forces have neither. From the rate of length L_dot and the axial force that passes
- * through the screw, for each leg:
+ * The function computes one pose, for a controller. Friction and efficiency act between the force of a leg and its
+ * motor; the force kernels contain neither. With the length rate L_dot and the axial force in the screw, for each leg:
  *     friction = sgn(L_dot) (coulomb + stribeck exp(-(L_dot / stribeck_speed)^2) + mu |axial|) + viscous L_dot
  *     torque   = (F + friction) / turns
  *     current  = torque / torque_constant
- * mu is `driving` where the motor drives the leg, axial L_dot > 0, else `driven`. Within `smoothing` of zero,
- * x = L_dot / smoothing, sgn is x (3 - x^2) / 2; with smoothing <= 0 it has a step, and is 0 at rest. With
- * stribeck_speed = 0 there is no Stribeck friction; with torque_constant <= 0, not known, a current is 0.
+ * mu is `driving` if the motor drives the leg, axial L_dot > 0, else `driven`. For |L_dot| < smoothing, sgn is
+ * x (3 - x^2) / 2 with x = L_dot / smoothing. With smoothing <= 0, sgn is a step function and 0 at rest. With
+ * stribeck_speed = 0 there is no Stribeck friction. With torque_constant <= 0, unknown, the current is 0.
  *
  * Operations, six legs
- * with Stribeck's friction  352 (180 mul, 150 add, 22 div, 0 sqrt)
+ * with Stribeck friction    352 (180 mul, 150 add, 22 div, 0 sqrt)
  * without                   82 (42 mul, 24 add, 16 div, 0 sqrt)
  */
 #ifndef STEWART_TORQUE_H
@@ -26,7 +25,7 @@
 extern "C" {
 #endif
 
-/* Constants of six drives; of a right-handed screw `turns` is > 0. */
+/* Constants of six drives; `turns` > 0 for a right-handed screw. */
 typedef struct {
     stewart_real turns[6]; /* rad/m: the motor's turn per length: 2 pi gear / lead or gear / radius, not 0 */
     stewart_real driving[6]; /* 1: friction per axial force where the motor drives: 1 / efficiency - 1 */
@@ -39,12 +38,13 @@ typedef struct {
     stewart_real torque_constant[6]; /* N m/A: torque per current, 0 where it is not known */
 } stewart_drives;
 
-/* Torques, N m, and currents, A, of the motors. F, N: actuator forces of an inverse dynamics. axial, N: of
- * stewart_..._axial_forces where F turns rotors; null where legs have none, or F is of a fidelity that leaves
- * them out: then it is F, and the torques lack what turns the rotors. L_dot, m/s: rates of the lengths,
- * computed or measured. current may be null. Returns a status, and writes only if it is STEWART_OK:
- * STEWART_BAD_ARGUMENT if another pointer is null, STEWART_NOT_FINITE if an input, a constant of the drives, a
- * torque or a current, handed out or not, is not finite, as with turns = 0. */
+/* Computes motor torques (N m) and currents (A). F (N): actuator forces of an inverse dynamics. axial (N):
+ * axial forces of stewart_..._axial_forces if F accelerates rotors. axial may be null if the legs have no
+ * rotors, or if F belongs to a fidelity level without rotors; then it is F, and the torques do not include
+ * the acceleration of the rotors. L_dot (m/s): length rates, computed or measured. current may be null.
+ * Returns a status, and writes only if it is STEWART_OK. STEWART_BAD_ARGUMENT: another pointer is null.
+ * STEWART_NOT_FINITE: an input, a constant of the drives, a torque, or a current is not finite, also with
+ * turns = 0. */
 STEWART_NODISCARD int stewart_motor_torques(
     const stewart_drives *drives, const stewart_real F[6], const stewart_real axial[6],
     const stewart_real L_dot[6], stewart_real torque[6], stewart_real current[6]);

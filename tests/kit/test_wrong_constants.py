@@ -149,7 +149,7 @@ def test_the_readme_of_a_kit_names_the_constants_that_rounding_hides() -> None:
     robot = MACHINES["dasgupta"]
     text = " ".join(kit(robot, Choice(bake=True, precision="float")).files["README.md"].decode().split())
     hidden = selection(Numbered.of(robot), "exact", "general", "float").hidden
-    assert "wrong by 0.001 of itself" in text
+    assert "a relative error of 0.001" in text
     assert hidden
     assert all(f"`{name.partition(' of leg ')[0]}`" in text for name in hidden)
 
@@ -167,8 +167,8 @@ def test_the_self_test_sees_the_last_bit_of_every_number_that_is_not_folded_in(p
     for name in mutants.addresses:
         assert mutants.selftest(name, float(np.nextafter(real(mutants.value(name)), real(-np.inf)))), name
     text = " ".join(kit(robot, choice).files["README.md"].decode().split())
-    assert "compares every number of `stewart_robot.c`, limits too, with the one that the kit was" in text
-    assert "but for those" not in text
+    assert "compares every number of `stewart_robot.c`, including limits, with the generated" in text
+    assert "except in these" not in text
 
 
 def random_motions(robot: Robot, count: int, seed: int) -> dict[str, np.ndarray]:

@@ -1,4 +1,4 @@
-"""Derivatives of the wrench by pose, twist and acceleration, as blocks."""
+"""Derivatives of the wrench by pose, twist, and acceleration, as blocks."""
 
 from dataclasses import dataclass
 
@@ -17,12 +17,13 @@ from .terms import AXIAL, BY_POSE, BY_TWIST, F_LEG, INERTIA, NET, TAU_BY, TURNED
 
 
 def derivatives_kernel(rotor: Rotor) -> SumKernel:
-    """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
+    """Derive the derivatives of the wrench by pose, twist, and acceleration; the last one is M."""
     summed = (*INERTIA, *BY_POSE, *BY_TWIST)
     return SumKernel("derivatives", summed, _derivatives_of_platform(), derivatives_of_leg(False, rotor))
 
 
 def _derivatives_of_platform(name: str = "derivatives", alone: bool = False) -> Block:
+    """Derive the platform's part of the derivatives."""
     build = Builder()
     at = parts.platform_of(build, alone)
     omega, alpha = n.omega.value, n.alpha.value
@@ -58,7 +59,17 @@ def _derivatives_of_platform(name: str = "derivatives", alone: bool = False) -> 
 
 @dataclass(frozen=True)
 class _Slopes:
-    """Derivatives of the tip's force by S, S_dot, S_ddot and omega, and of f by S and S_dot; base frame."""
+    """Derivatives of the force at the tip and of the friction moment f, base frame.
+
+    Attributes
+    ----------
+    S, S_dot, S_ddot, omega : Matrix, shape (3, 3)
+        Derivatives of the force by S, S_dot, S_ddot, and omega.
+    f_S, f_S_dot : Matrix, shape (3, 3)
+        Derivatives of f by S and S_dot.
+    force : Matrix, shape (3, 1)
+        Force at the tip less the actuator force (N).
+    """
 
     S: sp.Matrix
     S_dot: sp.Matrix
@@ -70,7 +81,7 @@ class _Slopes:
 
 
 def derivatives_of_leg(near: bool, rotor: Rotor) -> Block:
-    """One leg's part; near: written for legs near their joint singularity."""
+    """Derive one leg's part; ``near`` selects the form for legs near their joint singularity."""
     build = Builder()
     leg = parts.leg_of(build, early=not near, leaning=False, rotor=rotor)
     q, turn = leg.at.q, skew(leg.at.q)
@@ -78,14 +89,20 @@ def derivatives_of_leg(near: bool, rotor: Rotor) -> Block:
     W = skew(n.omega.value)
     w_q = leg.w_q
     reach = build.matrix(
-        "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "", "force by rotation about the tip"
+        "X",
+        by.S + by.S_dot * W + by.S_ddot * p.B.value,
+        "",
+        "derivative of the force by rotation about the tip",
     )
     pace = build.matrix("Y", by.S_dot + by.S_ddot * W)
     fr = build.matrix("Z", -reach * turn)
     fw = build.matrix("V", -pace * turn - by.S_ddot * skew(w_q) + by.omega)
     mw, mt, mv = turn * fw, turn * by.S, turn * by.S_dot
     moment = skew(by.force) + by.f_S + by.f_S_dot * W - turn * reach
-    mt, mr = mt - by.f_S, build.matrix("Q", moment, "", "moment by rotation about the tip") * turn
+    mt, mr = (
+        mt - by.f_S,
+        build.matrix("Q", moment, "", "derivative of the moment by rotation about the tip") * turn,
+    )
     mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
     return build.block(
         "derivatives_of_leg_near" if near else "derivatives_of_leg",
@@ -103,10 +120,20 @@ def derivatives_of_leg(near: bool, rotor: Rotor) -> Block:
 
 @dataclass(frozen=True)
 class _TorqueSlopes:
-    """Derivatives of the leg's generalized forces, 3x3, leg frame: by S, S_dot and S_ddot.
+    """Derivatives of the leg's generalized forces, leg frame.
 
-    inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi;
-    force: Gamma^T net, base frame; normal: k x y.
+    Attributes
+    ----------
+    S, S_dot : Matrix, shape (3, 3)
+        Derivatives by S and S_dot.
+    bend : Matrix, shape (3, 3)
+        Sum of the net forces times the Hessians of L, theta, phi.
+    inertia : Matrix, shape (3, 3)
+        Mass matrix M of the joint coordinates, the derivative by their accelerations.
+    force : Matrix, shape (3, 1)
+        Gamma^T net, base frame (N).
+    normal : Matrix, shape (3, 1)
+        k x y, base frame.
     """
 
     S: sp.Matrix
@@ -118,9 +145,14 @@ class _TorqueSlopes:
 
 
 def _torque_slopes(build: Builder, leg: parts.Leg, near: bool, net: sp.Matrix | None = None) -> _TorqueSlopes:
-    """See ``tip`` for the formulas. near: everything in the symbols of ``tip.gathered``, and without names.
+    """Derive the derivatives of the generalized forces by the formulas in ``tip``.
 
-    net: generalized forces less the actuator's, where they are given.
+    Parameters
+    ----------
+    near : bool
+        True to use the symbols of ``tip.gathered`` and no names.
+    net : Matrix, shape (3, 1), optional
+        Generalized forces less the actuator force. If None, they are computed.
     """
     rotor = leg.at.rotor
     inner, raw, M = tip.gradients(), tip.torques(True, rotor), tip.inertia(rotor)
@@ -157,16 +189,16 @@ def _torque_slopes(build: Builder, leg: parts.Leg, near: bool, net: sp.Matrix | 
 
 
 def _bend(net: sp.Matrix) -> sp.Matrix:
-    """Sum of the net forces times the Hessians of L, theta, phi, whatever the forces are made of."""
+    """Compute the sum of the net forces times the Hessians of L, theta, phi."""
     names = sp.Matrix(sp.symbols("net_L net_theta net_phi", real=True))
     return tip.hessian(names).xreplace(dict(zip(names, net, strict=True)))
 
 
 def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
-    """Names what ``tip.gathered`` takes as given of the leg, its rates and accelerations.
+    """Name the symbols of the leg, its rates, and its accelerations that ``tip.gathered`` uses.
 
-    turned: what the platform's accelerations add is given by the joint coordinates, where rounding of the
-    platform's would be large beside it.
+    ``turned`` reads the effect of the platform's accelerations in joint coordinates, because rounding errors
+    of the platform's accelerations would be relatively large.
     """
     at, rates = leg.at, joint_rates(build, leg.at, leg.S_dot)
     parts.name_finite_rates(build, leg)
@@ -178,7 +210,7 @@ def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
     S_ddot = build.vector("S_ddot", S_ddot, "(7)", "acceleration of the platform point")
     along += at.s.dot(S_ddot) + at.L * (rates.theta2 + at.k3**2 * rates.phi2)
     build.scalar(tip.accelerations[0].name, along, "(8)", "acceleration of the length")
-    meaning = "turning accelerations of the leg about y and z but for the turning of the frame about s"
+    meaning = "angular accelerations of the leg about y and z without the rotation of the frame about s"
     about_y += -at.inv_L * leg.z.dot(S_ddot) - 2 * rates.theta * rates.L_share
     about_z = at.k3 * about_k + at.inv_L * at.y.dot(S_ddot) - 2 * tip.W_z * rates.L_share
     build.scalar(tip.OWN_Y.name, about_y, "(9)", meaning)
@@ -186,9 +218,9 @@ def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
 
 
 def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
-    """Derivatives of f = C_s (phi_dot k + theta_dot y - omega) by S and S_dot, base frame.
+    """Derive the derivatives of f = C_s (phi_dot k + theta_dot y - omega) by S and S_dot, base frame.
 
-    normal: k x y, by which y moves with phi.
+    ``normal`` is k x y, the derivative of y by phi.
     """
     at, k, C_s = leg.at, n.k.value, n.C_s.value
     rate = parts.local_matrix(build, "G_dot", tip.gradients().rate)
@@ -207,7 +239,10 @@ def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix) -> tuple
 
 
 def _tip_slopes(build: Builder, leg: parts.Leg, near: bool) -> _Slopes:
-    """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
+    """Derive the derivatives at the tip by the formulas in ``tip``.
+
+    The actuator force enters through the second derivative of L.
+    """
     if near:
         _name_finite_motion(build, leg, turned=False)
     else:
@@ -227,7 +262,7 @@ def _tip_slopes(build: Builder, leg: parts.Leg, near: bool) -> _Slopes:
             build, "A_1", T, parts.local_matrix(build, "A_1_leg", A_1), "force at the tip by S_dot"
         ),
         S_ddot=m,
-        # The force that turns against f does so by omega as f by S_dot.
+        # Friction is symmetric: the force depends on omega as f depends on S_dot, with opposite sign.
         omega=-f_S_dot.T,
         f_S=f_S,
         f_S_dot=f_S_dot,
@@ -236,9 +271,10 @@ def _tip_slopes(build: Builder, leg: parts.Leg, near: bool) -> _Slopes:
 
 
 def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
-    """Derivatives of the wrench, and apart from them those that act along the rows of ``joint_rows_kernel``.
+    """Derive the derivatives of the wrench, with those along the rows of ``joint_rows_kernel`` separate.
 
-    The derivative of the wrench is the sum of what is summed and of [row_v row_w]^T tau_by over the legs.
+    The derivative of the wrench is the sum of the ``summed`` outputs and of [row_v row_w]^T tau_by over the
+    legs.
     """
     build = Builder()
     leg = parts.leg_of(build, rotor=rotor)
@@ -250,7 +286,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
         "fall_T",
         fall + parts.by_joints(leg.at) * TURNED.value,
         "",
-        "acceleration of the platform point from free fall, leg frame",
+        "m_u times the acceleration of the platform point relative to free fall, leg frame",
     )
     turning, bend = _turning_with_leg(fall, NET.value, tip.torques(True, rotor))
     S, S_dot, S_ddot = (
@@ -258,7 +294,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
             name,
             parts.local_matrix(build, f"{name}_leg", tip.gathered(value)) * T.T,
             "",
-            "generalized forces by the tip's motion",
+            "derivatives of the generalized forces by the tip's motion",
         )
         for name, value in (
             ("tau_S", by.S + turning),
@@ -266,10 +302,13 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
             ("tau_S_ddot", by.inertia * tip.gradients().value + n.m_u.value * tip.of_tip().T),
         )
     )
-    # Not gathered with the rest of S: what AXIAL = 1 takes out of it would stay as rounding.
+    # Separate from the other terms of S: a term that cancels for AXIAL = 1 would leave a rounding error.
     bent = parts.local_matrix(build, "bent_leg", parts.by_joints(leg.at).T * bend)
     S = build.matrix(
-        "tau_place", S + bent * T.T, "", "generalized forces by the tip's place, as the rows turn"
+        "tau_place",
+        S + bent * T.T,
+        "",
+        "derivative of the generalized forces by the tip's position, with the rotation of the rows",
     )
     W, w_q = skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
     reach = build.matrix("X", S + S_dot * W + S_ddot * p.B.value)
@@ -297,12 +336,22 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
 
 
 def _turning_with_leg(fall: sp.Matrix, net: sp.Matrix, forces: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
-    """What turning adds to the derivatives by S: of the generalized forces by a mass at the tip, of the rows.
+    """Derive two effects of the leg's rotation on the derivatives by S.
 
-    Near the joint singularity the leg frame turns fast about the leg. Both parts are then large, and what
-    a thin rod's forces across the leg add to them cancels: with AXIAL = 0 it is in neither. Of a leg with
-    inertia about its own axis it stays in both, as ``net`` is small where what it is the sum of is not.
-    fall: mass at the tip times its acceleration from free fall, leg frame. forces: ``tip.torques``.
+    The first effect is the rotation of the generalized forces of a mass at the tip, the second the rotation
+    of the rows. Near the joint singularity the leg frame rotates fast about the leg, so both are large. The
+    transverse forces of a thin rod contribute equal and opposite parts. AXIAL = 0 omits these parts. AXIAL =
+    1, for a leg with inertia about its own axis, keeps them, because ``net`` is then small although its terms
+    are not.
+
+    Parameters
+    ----------
+    fall : Matrix, shape (3, 1)
+        Mass at the tip times its acceleration relative to free fall, leg frame (N).
+    net : Matrix, shape (3, 1)
+        Generalized forces less the actuator force.
+    forces : Matrix, shape (3, 1)
+        Result of ``tip.torques``.
     """
     rod = tip.of_rod(forces)
     across = (1 - AXIAL.value) * (tip.gradients().value.T * rod + fall)

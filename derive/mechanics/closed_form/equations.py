@@ -1,4 +1,4 @@
-"""The equations of motion as blocks: M, C, g and friction, the bias, and forward dynamics."""
+"""Equations of motion as blocks: M, C, g and friction; the bias; and forward dynamics."""
 
 import sympy as sp
 
@@ -13,7 +13,7 @@ from . import parts, terms
 
 
 def bias_kernel(rotor: Rotor) -> terms.SumKernel:
-    """C twist + g + friction without C."""
+    """Derive C twist + g + friction without forming C."""
     build = Builder()
     force, moment = parts.platform_bias(parts.platform_of(build))
     pose = build.block(
@@ -37,7 +37,7 @@ def bias_kernel(rotor: Rotor) -> terms.SumKernel:
 
 
 def forward_kernel(rotor: Rotor) -> terms.SumKernel:
-    """M, and the right side H F + external wrench - bias."""
+    """Derive M, and the right-hand side H F + external wrench - bias."""
     pose = _forward_of_platform("forward_of_platform")
     build = Builder()
     leg = parts.leg_of(build, early=True, rotor=rotor)
@@ -61,6 +61,7 @@ def forward_kernel(rotor: Rotor) -> terms.SumKernel:
 
 
 def _forward_of_platform(name: str, alone: bool = False) -> Block:
+    """Derive the platform's part of M and of the right-hand side."""
     build = Builder()
     at = parts.platform_of(build, alone)
     bias, load = parts.platform_bias(at), parts.external()
@@ -77,17 +78,21 @@ def _forward_of_platform(name: str, alone: bool = False) -> Block:
 
 
 def joint_rows_kernel(rotor: Rotor) -> terms.SumKernel:
-    """The same without the legs in M: what they have of it by the joint coordinates, which M would add up.
+    """Derive forward dynamics with the inertia of the legs in joint coordinates instead of in M.
 
-    M = M_platform + sum of G^T M_xi G with G = [row_v row_w], and the right side lacks G^T tau. An upper part
-    stays with its leg: lumped with the platform, a heavy one's mass would cost digits.
+    M = M_platform + sum of G^T M_xi G with G = [row_v row_w]. The right-hand side lacks G^T tau. The upper
+    part belongs to its leg: if a heavy upper part were lumped with the platform, the result would lose
+    accuracy.
     """
     build = Builder()
     leg = parts.leg_of(build, rotor=rotor)
     at = leg.at
     tau, f = parts.tip_bias(build, leg)
     fall = build.vector(
-        "fall", terms.B_0.value * at.q - n.g.value, "", "of the platform point, from free fall"
+        "fall",
+        terms.B_0.value * at.q - n.g.value,
+        "",
+        "acceleration of the platform point relative to free fall, a = alpha = 0",
     )
     m_u, to_tip = n.m_u.value, parts.by_joints(at)
     own = to_tip.T * m_u * build.vector("fall_T", leg.T.T * fall)
@@ -112,7 +117,7 @@ def joint_rows_kernel(rotor: Rotor) -> terms.SumKernel:
 
 
 def equations_kernel(rotor: Rotor) -> terms.SumKernel:
-    """M, C, g and friction apart, H and its rate."""
+    """Derive M, C, g, and friction separately, with H and its time derivative."""
     summed = (*terms.INERTIA, *terms.CORIOLIS, *terms.GRAVITY, *terms.FRICTION)
     return terms.SumKernel(
         "equations", summed, _equations_of_platform(), equations_of_leg(near=False, rotor=rotor)
@@ -141,7 +146,7 @@ def _equations_of_platform() -> Block:
 
 
 def equations_of_leg(near: bool, rotor: Rotor) -> Block:
-    """One leg's part; near: written for legs near their joint singularity."""
+    """Derive one leg's part; ``near`` selects the form for legs near their joint singularity."""
     build = Builder()
     leg = parts.leg_of(build, early=not near, leaning=False, rotor=rotor)
     at, q = leg.at, leg.at.q
@@ -161,7 +166,10 @@ def equations_of_leg(near: bool, rotor: Rotor) -> Block:
     turn = skew(q)
     about_y, about_k = gravity_torques(build, at)
     held = build.vector(
-        "held", parts.from_torques(build, leg, sp.S.Zero, about_y, about_k), "", "against gravity"
+        "held",
+        parts.from_torques(build, leg, sp.S.Zero, about_y, about_k),
+        "",
+        "force at the tip that balances gravity",
     )
     f = friction_moment(at, rates)
     omega, C_s, C_us = n.omega.value, n.C_s.value, p.C_us.value
@@ -175,9 +183,9 @@ def equations_of_leg(near: bool, rotor: Rotor) -> Block:
             C_us * rates.phi - C_s * n.k.value.dot(omega),
         ),
         "",
-        "against friction",
+        "force at the tip that balances friction",
     )
-    s_dot = build.vector("s_dot", at.inv_L * (leg.S_dot - rates.L * at.s), "(3)", "rate of s")
+    s_dot = build.vector("s_dot", at.inv_L * (leg.S_dot - rates.L * at.s), "(3)", "derivative of s")
     return build.block(
         "equations_of_leg_near" if near else "equations_of_leg",
         "one leg's part of M, C, g and friction, its column of H and the column's rate",
@@ -195,7 +203,7 @@ def equations_of_leg(near: bool, rotor: Rotor) -> Block:
 
 
 def _coriolis(build: Builder, M: sp.Matrix, rotor: Rotor) -> sp.Matrix:
-    """Coriolis matrix at the tip, leg frame, from the named M of the joint coordinates."""
+    """Compute the Coriolis matrix at the tip, leg frame, from the named M of the joint coordinates."""
     inner = tip.gradients()
     C = parts.local_matrix(build, "C_xi", tip.christoffel(tip.inertia(rotor)))
     rate = parts.local_matrix(build, "G_dot", inner.rate)
@@ -203,7 +211,7 @@ def _coriolis(build: Builder, M: sp.Matrix, rotor: Rotor) -> sp.Matrix:
 
 
 def _coriolis_near(build: Builder, leg: parts.Leg) -> sp.Matrix:
-    """The same without large parts that cancel near the joint singularity."""
+    """Compute the Coriolis matrix at the tip without large terms that cancel near the joint singularity."""
     inner, M = tip.gradients(), tip.inertia(leg.at.rotor)
     parts.name_finite_rates(build, leg)
     return tip.gathered(inner.value.T * (tip.christoffel(M) * inner.value + M * inner.rate))

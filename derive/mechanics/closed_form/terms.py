@@ -1,4 +1,4 @@
-"""Terms of the closed form: M, C, gravity, friction, bias, derivatives of the wrench, and their sums."""
+"""Terms of the closed form and their sums: M, C, gravity, friction, bias, and derivatives of the wrench."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -50,7 +50,7 @@ BY_TWIST = (
     _matrix("W_mw", "N m s", "moment by omega"),
 )
 
-# What the pose hands to the legs.
+# Terms of the pose that the legs read.
 B_0 = _matrix("B_0", "1/s^2", "[omega]x [omega]x")
 F_LEG = Quantity("F", (), "N", "actuator force of the leg")
 NET = Quantity(
@@ -62,12 +62,17 @@ H_DOT = (
 )
 
 TURNED = Quantity(
-    "turned", (3,), "m/s^2, 1/s^2", "accelerations of L, theta, phi by those of the platform alone"
+    "turned",
+    (3,),
+    "m/s^2, 1/s^2",
+    "accelerations of L, theta, phi caused by the platform's accelerations only",
 )
 
-AXIAL = Quantity("axial", (), "1", "0 of a leaning leg with little inertia about its own axis, else 1")
+AXIAL = Quantity(
+    "axial", (), "1", "0 for a leg near its joint singularity with little inertia about its own axis, else 1"
+)
 
-# A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
+# Inertia of a leg in its joint coordinates: M of (L, theta, phi), the gradients of
 # L, theta, phi by the platform's position and rotation, generalized forces and their derivatives.
 M_XI = _matrix("M_xi", "kg, kg m, kg m^2", "inertia of the joint coordinates, rows L, theta, phi", True)
 ROWS = (
@@ -83,11 +88,20 @@ TAU_BY = tuple(
 
 @dataclass(frozen=True)
 class SumKernel:
-    """A pose's part and one leg's part of sums over the machine.
+    """Blocks of a pose and of one leg whose outputs are summed over the robot.
 
-    summed: quantities that both blocks hand out and that are added up; the leg's block also hands out its
-    column of H where it is needed, and q, L, k3 by which the leg is checked. near: the leg's block for poses
-    in which a leg is near its joint singularity, where the other loses digits.
+    The block of a leg also returns its column of H if required, and q, L, k3, by which the leg is checked.
+
+    Attributes
+    ----------
+    name : str
+        Name of the kernel.
+    summed : tuple of Quantity
+        Outputs of both blocks that are added.
+    pose, leg : Block
+        Block of the pose, and block of one leg.
+    near : Block, optional
+        Block of a leg for poses in which a leg is near its joint singularity, where ``leg`` is inaccurate.
     """
 
     name: str
@@ -97,5 +111,5 @@ class SumKernel:
     near: Block | None = None
 
     def changed(self, change: Callable[[Block], Block]) -> "SumKernel":
-        """The kernel with the blocks of a leg changed."""
+        """Return the kernel with ``change`` applied to the blocks of a leg."""
         return replace(self, leg=change(self.leg), near=None if self.near is None else change(self.near))

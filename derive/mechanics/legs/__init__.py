@@ -1,1 +1,1 @@
-"""One leg: its equations as printed and as they should be, in each of the coordinates that kernels use."""
+"""Equations of motion of one leg, printed and corrected, in each set of coordinates that kernels use."""

@@ -1,9 +1,9 @@
-"""From leg-frame components back to vectors, for legs that are axisymmetric.
+"""Conversion from leg-frame components to base-frame vectors for axisymmetric legs.
 
-A leg held by spherical joints at both ends has no leg frame: any two axes y, z perpendicular to it serve.
-So the solved components of such a leg can depend on transverse vectors v only as c v or as c (s x v), and
-on pairs of them only through their length. This file checks that of SymPy's result, reads off each c, and
-writes the result in base-frame vectors.
+A leg with spherical joints at both ends has no unique leg frame: any axes y, z perpendicular to the leg are
+valid. So its solved components can depend on a transverse vector v only as c v or c (s x v), and on pairs of
+such vectors only through |v|. This module checks this property of SymPy's result, extracts each c, and
+returns base-frame vectors.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ _TURN = sp.Matrix([[0, -1], [1, 0]])
 
 @dataclass(frozen=True)
 class Transverse:
-    """A vector's two transverse components in the leg frame, and its transverse part in the base frame."""
+    """Transverse components y, z of a vector in the leg frame, and its transverse part in the base frame."""
 
     name: str
     y: sp.Symbol
@@ -26,7 +26,13 @@ class Transverse:
 
 
 def scalar_form(expr: sp.Expr, vector: Transverse, square: sp.Expr) -> sp.Expr:
-    """Write v_y^2 + v_z^2 as ``square``; ValueError if ``expr`` depends on v in any other way."""
+    """Replace v_y^2 + v_z^2 by ``square``.
+
+    Raises
+    ------
+    ValueError
+        If ``expr`` depends on v in another way.
+    """
     rewritten = sp.expand(sp.expand(expr).subs(vector.y**2, square - vector.z**2))
     if rewritten.has(vector.y, vector.z):
         raise ValueError(f"not a function of |{vector.name}| alone: {expr}")
@@ -36,9 +42,14 @@ def scalar_form(expr: sp.Expr, vector: Transverse, square: sp.Expr) -> sp.Expr:
 def vector_form(
     build: Builder, name: str, transverse: sp.Matrix, vectors: tuple[Transverse, ...], s: sp.Matrix
 ) -> sp.Matrix:
-    """The base-frame vector whose leg-frame components (y, z) are the 2x1 ``transverse``.
+    """Return the base-frame vector with the leg-frame components (y, z) in the 2x1 ``transverse``.
 
-    Names each coefficient ``<name>_<vector>``. ValueError if a component is not isotropic.
+    Each coefficient is named ``<name>_<vector>``.
+
+    Raises
+    ------
+    ValueError
+        If a component is not isotropic.
     """
     total = sp.zeros(3, 1)
     rest = transverse.applyfunc(sp.expand)

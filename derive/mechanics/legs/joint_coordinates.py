@@ -1,9 +1,11 @@
-"""The ``exact`` leg in the coordinates of its joints, by Lagrange's equations.
+"""Leg of ``exact`` in joint coordinates, by Lagrange's equations.
 
-The coordinates are the length L, phi about the fixed axis k, and theta about y, with k = (k1, 0, k3) = (cos
-theta, 0, sin theta) in the leg frame. Their rates and accelerations are projections of S_dot and S_ddot on
-s, k and y; the leg's inertial constants enter as the sums that ``lumped_constants`` lists; the upper part's
-mass is lumped with the platform.
+The coordinates are the length L, the angle phi about the fixed axis k, and the angle theta about y. In the
+leg frame k = (k1, 0, k3) = (cos theta, 0, sin theta). Rates and accelerations are projections of S_dot and
+S_ddot on s, k, and y. The inertial constants are the sums in ``lumped_constants``. The mass of the upper part
+is lumped with the platform.
+
+The joint singularity is the pose in which the leg is parallel to the fixed axis: k3 = 0.
 """
 
 from dataclasses import dataclass, replace
@@ -21,9 +23,24 @@ HALF = sp.Rational(1, 2)
 
 @dataclass(frozen=True)
 class JointFrame:
-    """Where the leg is: tip q, s, y of its frame, L, 1/L, 1/rho with rho = |k x S|, k1, k3, k1 / k3.
+    """Geometry of a leg with universal base joint, base frame.
 
-    z: third axis of the frame, or None where the fixed axis stands for it. rotor: of the leg's drive.
+    Attributes
+    ----------
+    q : Matrix, shape (3, 1)
+        Platform point (tip) from the reference point (m).
+    s, y : Matrix, shape (3, 1)
+        First and second axis of the leg frame.
+    L, inv_L : Expr
+        Leg length (m), and 1 / L.
+    inv_rho : Expr
+        1 / rho with the distance rho = |k x S| of the tip from the fixed axis.
+    k1, k3, kappa : Expr
+        k = (k1, 0, k3) in the leg frame, and k1 / k3.
+    z : Matrix, shape (3, 1), optional
+        Third axis of the leg frame; None if projections are on the fixed axis instead.
+    rotor : Rotor
+        Rotor of the leg's drive.
     """
 
     q: sp.Matrix
@@ -41,10 +58,20 @@ class JointFrame:
 
 @dataclass(frozen=True)
 class JointRates:
-    """Rates of L, theta and phi, with products of them.
+    """Rates of the joint coordinates L, theta, phi, and products of them.
 
-    theta2, phi2: squares of the angles' rates; phi_twice: twice the rate of phi. L_share: L_dot / L;
-    rho_share: rho_dot / rho; lean: rho_share - L_share.
+    Attributes
+    ----------
+    L, theta, phi : Expr
+        Rates (m/s, rad/s).
+    theta2, phi2 : Expr
+        Squares of the angular rates.
+    phi_twice : Expr
+        2 phi_dot.
+    L_share, rho_share : Expr
+        L_dot / L, and rho_dot / rho (1/s).
+    lean : Expr
+        kappa theta_dot = rho_dot / rho - L_dot / L (1/s).
     """
 
     L: sp.Expr
@@ -60,10 +87,15 @@ class JointRates:
 
 @dataclass(frozen=True)
 class JointAccelerations:
-    """Accelerations of L, theta, phi.
+    """Accelerations of the joint coordinates L, theta, phi.
 
-    own_theta, own_phi: without what the turning of the frame about s adds to them, k1 k3 phi_dot^2 and
-    -2 kappa theta_dot phi_dot; None where nothing is measured along z.
+    Attributes
+    ----------
+    L, theta, phi : Expr
+        Accelerations (m/s^2, rad/s^2).
+    own_theta, own_phi : Expr, optional
+        Accelerations without the effect of the frame's rotation about s, which is k1 k3 phi_dot^2 and -2
+        kappa theta_dot phi_dot; None without projections on z.
     """
 
     L: sp.Expr
@@ -75,10 +107,20 @@ class JointAccelerations:
 
 @dataclass(frozen=True)
 class JointInertia:
-    """Inertia of the joint coordinates, and its slopes.
+    """Mass matrix M of the joint coordinates, and its derivatives.
 
-    L: M_LL, of a rotor alone. theta, phi, mixed: M_theta, M_phi, M_theta_phi; L_theta, L_phi: coupling with
-    L. phi_by_theta, phi_by_L: half the slopes of M_phi; mixed_by_theta: slope of M_theta_phi.
+    Attributes
+    ----------
+    theta, phi, mixed : Expr
+        M_theta, M_phi, and M_theta_phi.
+    L_theta, L_phi : Expr
+        Coupling of L with theta and phi.
+    phi_by_theta, phi_by_L : Expr
+        Half the derivatives of M_phi.
+    mixed_by_theta : Expr
+        Derivative of M_theta_phi.
+    L : Expr
+        M_LL, which only a rotor contributes.
     """
 
     theta: sp.Expr
@@ -92,7 +134,7 @@ class JointInertia:
     L: sp.Expr = sp.S.Zero
 
     def matrix(self) -> sp.Matrix:
-        """M of (L, theta, phi), 3x3."""
+        """Return M of (L, theta, phi), 3x3."""
         return sp.Matrix(
             [
                 [self.L, self.L_theta, self.L_phi],
@@ -104,7 +146,7 @@ class JointInertia:
 
 @dataclass(frozen=True)
 class JointForces:
-    """Generalized forces: along L without the part of theta, about y, about k."""
+    """Generalized forces: along L without the part of theta, about y, and about k."""
 
     along: sp.Expr
     about_y: sp.Expr
@@ -114,18 +156,24 @@ class JointForces:
 def joint_frame(
     build: Builder, with_z: bool = False, early: bool = False, leaning: bool = True, rotor: Rotor = NONE
 ) -> JointFrame:
-    """(1)-(3) and (10), with the fixed axis as the measure of everything.
+    """Name the geometry of a leg, (1)-(3) and (10), with projections on the fixed axis or on z.
 
-    with_z: with the leg's third axis. What is measured along the fixed axis loses digits like k1 / k3 near
-    the joint singularity; what is measured along z does not. early: the distance of the tip from the fixed
-    axis does not wait for s; leaning: legs may be near their joint singularity all the same.
+    Parameters
+    ----------
+    with_z : bool
+        True to name the third axis z. Projections on the fixed axis lose accuracy in proportion to k1 / k3
+        near the joint singularity; projections on z do not.
+    early : bool
+        True to compute rho without waiting for s.
+    leaning : bool
+        True to correct the rounding error of the normal in ``early``, for legs near their joint singularity.
     """
     k = n.k.value
     q, S = tip_vector(build)
-    meaning = "leg vector along the fixed axis, and normal to both"
+    meaning = "component of the leg vector along the fixed axis, and normal to both"
     zeta = build.scalar("zeta", k.dot(S), "(10)", meaning)
     normal = build.vector("k_cross_S", cross(k, S), "(10)", meaning)
-    meaning = "leg length, and distance of its tip from the fixed axis"
+    meaning = "leg length, and distance of the tip from the fixed axis"
     if with_z:
         L = build.scalar("L", sp.sqrt(S.dot(S)), "(2)", meaning)
     else:
@@ -160,17 +208,17 @@ def joint_frame(
 def _early_axes(
     build: Builder, s: sp.Matrix, normal: sp.Matrix, leaning: bool
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:
-    """``leg.axes`` with the length of the normal itself, whose root and reciprocal run beside those of S.
+    """Name the axes as ``leg.axes``, with rho from the normal itself to shorten the dependency chain.
 
-    leaning: what rounding leaves of the normal along s makes it longer than s x normal, by half the square of
-    its share of the length.
+    The component of the normal along s is a rounding error. It makes the normal longer than s x normal by
+    half the square of its fraction of the length. ``leaning`` corrects this.
     """
     rho = build.scalar("rho", sp.sqrt(normal.dot(normal)), "(10)", "distance of the tip from the fixed axis")
     inv_rho = build.scalar("inv_rho", 1 / rho)
     unit = inv_rho
     if leaning:
         share = build.scalar(
-            "n_along_s", normal.dot(s) * inv_rho, "", "share of the normal along s: rounding"
+            "n_along_s", normal.dot(s) * inv_rho, "", "relative component of the normal along s: rounding"
         )
         unit = build.scalar("inv_across", inv_rho + inv_rho * share**2 / 2, "", "one over |s x normal|")
     across = build.vector("s_cross_normal", cross(s, normal), "(10)", "along the third axis of the leg")
@@ -179,7 +227,7 @@ def _early_axes(
 
 
 def joint_rates(build: Builder, at: JointFrame, S_dot: sp.Matrix) -> JointRates:
-    """(5), (6)."""
+    """Name the rates of L, phi, and theta, (5), (6)."""
     meaning = "rates of the joint coordinates: L, phi about k, theta about y"
     L_dot = build.scalar("L_dot", at.s.dot(S_dot), "(5)", meaning)
     phi_dot = build.scalar("phi_dot", at.inv_rho * at.y.dot(S_dot), "(6)", meaning)
@@ -195,7 +243,7 @@ def joint_rates(build: Builder, at: JointFrame, S_dot: sp.Matrix) -> JointRates:
 
 
 def with_products(build: Builder, L_dot: sp.Expr, theta_dot: sp.Expr, phi_dot: sp.Expr) -> JointRates:
-    """Rates with the products of them that the leg's equations need, without shares of L and rho."""
+    """Return the rates with the products that the leg's equations require, without L_share and rho_share."""
     return JointRates(
         L_dot,
         theta_dot,
@@ -209,7 +257,7 @@ def with_products(build: Builder, L_dot: sp.Expr, theta_dot: sp.Expr, phi_dot: s
 def joint_accelerations(
     build: Builder, at: JointFrame, rates: JointRates, S_ddot: sp.Matrix
 ) -> JointAccelerations:
-    """(8), (9)."""
+    """Name the accelerations of L, theta, and phi, (8), (9)."""
     meaning = "accelerations of the joint coordinates"
     k33 = build.scalar("k33", at.k3**2)
     L_ddot = build.scalar(
@@ -221,7 +269,7 @@ def joint_accelerations(
         theta_ddot = build.scalar("theta_ddot", across, "(9)", meaning)
         about_k = at.inv_rho * at.y.dot(S_ddot) - rates.phi_twice * rates.rho_share
         return JointAccelerations(L_ddot, theta_ddot, build.scalar("phi_ddot", about_k, "(9)", meaning))
-    own = "accelerations of the joint coordinates but for the turning of the leg frame about s"
+    own = "accelerations of the joint coordinates without the rotation of the leg frame about s"
     across = -at.inv_L * at.z.dot(S_ddot) - 2 * rates.theta * rates.L_share
     about_k = at.inv_rho * at.y.dot(S_ddot) - rates.phi_twice * rates.L_share
     own_theta = build.scalar("own_theta_ddot", across, "(9)", own)
@@ -233,7 +281,7 @@ def joint_accelerations(
 
 
 def joint_inertia(build: Builder, at: JointFrame) -> JointInertia:
-    """Inertia of the coordinates from J and h, (19)."""
+    """Name the mass matrix of the joint coordinates from J and h, (19)."""
     k1, k3, L = at.k1, at.k3, at.L
     hx, hy, hz = p.h.value
     J = p.J.value
@@ -243,7 +291,7 @@ def joint_inertia(build: Builder, at: JointFrame) -> JointInertia:
     a2 = build.scalar("a2", p.J2_xz.value - L * p.h2_z.value)
     a3 = build.scalar("a3", J[0, 1] - L * hy)
     meaning = "inertia of the joint coordinates"
-    slopes = "slopes of M_phi / 2 along theta and L, of M_mixed along theta"
+    slopes = "derivatives of M_phi / 2 by theta and L, of M_mixed by theta"
     return JointInertia(
         phi=build.scalar("M_phi", J[0, 0] + k33 * a1 + k13 * a2, "(19)", meaning),
         theta=build.scalar("M_theta", J[1, 1] + L_h, "(19)", meaning),
@@ -258,12 +306,12 @@ def joint_inertia(build: Builder, at: JointFrame) -> JointInertia:
 
 
 def gravity_torques(build: Builder, at: JointFrame) -> tuple[sp.Expr, sp.Expr]:
-    """Torques of gravity at the joints about y and about k, from the first moments w."""
-    meaning = "gravity along k x y and along y"
+    """Name the generalized forces of gravity about y and about k, from the first moments w."""
+    meaning = "components of gravity along k x y and along y"
     gamma_n = build.scalar("gamma_n", at.y.dot(p.g_x_k.value), "", meaning)
     gamma_y = build.scalar("gamma_y", at.y.dot(n.g.value), "", meaning)
     wx, wy, wz = p.w.value
-    meaning = "first moment along k and against k x y"
+    meaning = "components of the first moment along k and along -k x y"
     w_k = build.scalar("w_k", at.k1 * wx + at.k3 * wz, "", meaning)
     w_n = build.scalar("w_n", at.k3 * wx - at.k1 * wz, "", meaning)
     return w_n * p.g_k.value + w_k * gamma_n, -wy * gamma_n - w_n * gamma_y
@@ -272,10 +320,11 @@ def gravity_torques(build: Builder, at: JointFrame) -> tuple[sp.Expr, sp.Expr]:
 def _turning(
     build: Builder, at: JointFrame, rates: JointRates, accelerations: JointAccelerations, m: JointInertia
 ) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """M_theta theta_ddot - M_phi,theta phi_dot^2 / 2, M_phi phi_ddot and M_phi,theta theta_dot / 2.
+    """Return three terms of Lagrange's equations that contain M_theta and M_phi.
 
-    Along z without what the turning of the frame about s adds to both terms of each sum, with opposite signs:
-    near the joint singularity it grows like 1 / k3.
+    They are M_theta theta_ddot - M_phi,theta phi_dot^2 / 2, M_phi phi_ddot, and M_phi,theta theta_dot / 2.
+    With z the effect of the frame's rotation about s is omitted: it enters both terms of each sum with
+    opposite signs and is proportional to 1 / k3.
     """
     if accelerations.own_theta is None or accelerations.own_phi is None:
         return (
@@ -301,9 +350,12 @@ def joint_forces(
     friction: bool = True,
     inertia: JointInertia | None = None,
 ) -> JointForces:
-    """Lagrange's equations of the leg with gravity and friction, (17)-(20), (23).
+    """Derive Lagrange's equations of the leg with gravity and friction, (17)-(20), (23).
 
-    inertia: of the coordinates, where it is not ``joint_inertia``.
+    Parameters
+    ----------
+    inertia : JointInertia, optional
+        Mass matrix of the joint coordinates. If None, it is ``joint_inertia``.
     """
     L_ddot, theta_ddot, phi_ddot = accelerations.L, accelerations.theta, accelerations.phi
     hx = p.h.value[0]
@@ -340,26 +392,30 @@ def joint_forces(
 
 
 def tip_force(build: Builder, at: JointFrame, forces: JointForces) -> tuple[sp.Expr, sp.Matrix]:
-    """D and K at the spherical joint, (21), (24).
+    """Name D and K at the spherical joint, (21), (24), base frame.
 
-    K = Q_y y + Q_z z has no part along s; without a z it is Q_k k + Q_y y, and D is to match.
+    With z, K = Q_y y + Q_z z has no component along s. Without z, K = Q_k k + Q_y y has one, and D changes
+    with it.
     """
     if at.z is not None:
         meaning = "K = Q_y y + Q_z z"
         Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
         Q_z = build.scalar("Q_z", -at.inv_L * forces.about_y, "(21)", meaning)
         K = build.vector("K", Q_y * at.y + Q_z * at.z, "(21)", "force at the spherical joint, base frame")
-        return build.scalar("D", forces.along, "(24)", "known part of the actuator force, to match"), K
-    meaning = "K = Q_k k + Q_y y, up to a part along s"
+        return build.scalar("D", forces.along, "(24)", "known part of the actuator force for this K"), K
+    meaning = "K = Q_k k + Q_y y, with a component along s"
     Q_k = build.scalar("Q_k", -at.inv_rho * forces.about_y, "(21)", meaning)
     Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
     K = build.vector("K", Q_k * n.k.value + Q_y * at.y, "(21)", "force at the spherical joint, base frame")
-    D = build.scalar("D", forces.along - at.k1 * Q_k, "(24)", "known part of the actuator force, to match")
+    D = build.scalar("D", forces.along - at.k1 * Q_k, "(24)", "known part of the actuator force for this K")
     return D, K
 
 
 def friction_moment(at: JointFrame, rates: JointRates, friction: bool = True) -> sp.Matrix:
-    """C_s times the leg's angular velocity, the leg's part of f in (18); the platform's part is in C_P."""
+    """Return C_s times the angular velocity of the leg: the leg's part of f in (18), base frame.
+
+    The platform's part is in C_P.
+    """
     if not friction:
         return sp.zeros(3, 1)
     return n.C_s.value * (rates.phi * n.k.value + rates.theta * at.y)

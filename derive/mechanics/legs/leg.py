@@ -1,9 +1,8 @@
-"""One leg: kinematics (1)-(9), frame (10), inertia (11)-(16), the twelve equations of motion, their solution.
+"""Equations of one leg: kinematics (1)-(9), frame (10), inertia (11)-(16), and equations of motion.
 
-The motion of the platform comes in, everything the leg gives to the platform goes out. Vectors of the leg
-are written in the leg frame T = [x y z], where S = (L, 0, 0) and k = (k1, 0, k3): that keeps the closed
-form short. The equations are set up as equations and solved by SymPy; the printed results (21), (24), (27),
-(29) are what the tests compare with.
+Inputs are the platform's motion, outputs the leg's terms in the equations of the platform. Vectors are in the
+leg frame T = [x y z], in which S = (L, 0, 0) and k = (k1, 0, k3) keep the closed form short. SymPy solves the
+twelve equations of motion. The tests compare the solution with the printed results (21), (24), (27), (29).
 """
 
 from dataclasses import dataclass
@@ -21,10 +20,22 @@ Y_AXIS = sp.Matrix([0, 1, 0])
 
 @dataclass(frozen=True)
 class LegFrameMotion:
-    """What the leg frame sees: S = (L, 0, 0), k = (k1, 0, k3), and base-frame vectors by components.
+    """Motion of a leg in the leg frame, in which S = (L, 0, 0) and k = (k1, 0, k3).
 
-    u, e, gamma, w: first and second derivative of S, gravity, and the platform's angular velocity.
-    inv_L, inv_k3, kappa: 1/L, 1/k3 and k1/k3.
+    Attributes
+    ----------
+    L, inv_L : Expr
+        Leg length (m), and 1 / L.
+    k : Matrix, shape (3, 1)
+        Fixed axis of the universal joint.
+    inv_k3, kappa : Expr
+        1 / k3, and k1 / k3.
+    u, e : Matrix, shape (3, 1)
+        Velocity (m/s) and acceleration (m/s^2) of the platform point: the derivatives of S.
+    gamma : Matrix, shape (3, 1)
+        Gravity (m/s^2).
+    w : Matrix, shape (3, 1)
+        Angular velocity of the platform (rad/s).
     """
 
     L: sp.Expr
@@ -40,7 +51,7 @@ class LegFrameMotion:
 
 @dataclass(frozen=True)
 class LegConstants:
-    """Constants of one leg: bodies, friction, rotor, as they enter the equations (some may be zero)."""
+    """Constants of one leg as they enter the equations: bodies, friction, and rotor. Some may be zero."""
 
     m_d: sp.Expr
     r_d0: sp.Matrix
@@ -56,11 +67,22 @@ class LegConstants:
 
 @dataclass(frozen=True)
 class LegDynamics:
-    """The leg's equations solved, all in the leg frame; vectors are 3x1 matrices.
+    """Solution of the equations of one leg, leg frame.
 
-    L_dot, W, A: sliding velocity, angular velocity and acceleration of the leg.
-    D: (24); K: (21), without axial part; f: friction moment at the spherical joint.
-    reactions: F_s, F_u, F_p, F_c, M_p, M_u by name, linear in the axial force x.
+    Attributes
+    ----------
+    L_dot : Expr
+        Sliding velocity (m/s), (5).
+    W, A : Matrix, shape (3, 1)
+        Angular velocity (rad/s) and angular acceleration (rad/s^2) of the leg, (6), (9).
+    D : Expr
+        Known part of the actuator force (N), (24).
+    K : Matrix, shape (3, 1)
+        Transverse force at the spherical joint (N), (21), without axial component.
+    f : Matrix, shape (3, 1)
+        Friction moment at the spherical joint (N m), (18).
+    reactions : dict
+        F_s, F_u, F_p, F_c, M_p, M_u by name, linear in the axial force x.
     """
 
     L_dot: sp.Expr
@@ -73,7 +95,11 @@ class LegDynamics:
 
 
 def constants(friction: bool = True, axisymmetric: bool = False, rotor: Rotor = NONE) -> LegConstants:
-    """The leg's constants as symbols; without friction, or about the axis, those that vanish are zero."""
+    """Return the constants of a leg as symbols, and zero for those that vanish.
+
+    Friction constants vanish without ``friction``. Transverse centers of mass and products of inertia vanish
+    if ``axisymmetric``.
+    """
     C_u, C_p, C_s = (q.value if friction else sp.S.Zero for q in n.FRICTION)
     keep = _about_axis if axisymmetric else lambda value: value
     return LegConstants(
@@ -91,19 +117,19 @@ def constants(friction: bool = True, axisymmetric: bool = False, rotor: Rotor = 
 
 
 def _about_axis(value: sp.Matrix) -> sp.Matrix:
-    """What axial symmetry leaves of a center of mass or of an inertia."""
+    """Reduce a center of mass or an inertia to an axisymmetric body."""
     if value.shape == (3, 1):
         return sp.Matrix([value[0], 0, 0])
     return sp.diag(value[0, 0], value[1, 1], value[1, 1])
 
 
 def cross(p: sp.Matrix, q: sp.Matrix) -> sp.Matrix:
-    """Vector product of two 3x1 matrices."""
+    """Compute the cross product of two 3x1 matrices."""
     return p.cross(q)
 
 
 def skew(w: sp.Matrix) -> sp.Matrix:
-    """[w]x of a 3x1 matrix, so that [w]x v is w x v."""
+    """Return [w]x of a 3x1 matrix, so that [w]x v = w x v."""
     return sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
 
 
@@ -111,14 +137,14 @@ def skew(w: sp.Matrix) -> sp.Matrix:
 
 
 def tip_vector(build: Builder) -> tuple[sp.Matrix, sp.Matrix]:
-    """q and S of (1), base frame."""
+    """Name q and S of (1), base frame."""
     q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
     S = build.vector("S", q + n.t.value - n.b.value, "(1)", "leg vector")
     return q, S
 
 
 def leg_vector(build: Builder) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr, sp.Matrix]:
-    """q, S, L, 1/L and s of (1)-(3), base frame."""
+    """Name q, S, L, 1/L, and s of (1)-(3), base frame."""
     q, S = tip_vector(build)
     L = build.scalar("L", sp.sqrt(S.dot(S)), "(2)", "leg length")
     inv_L = build.scalar("inv_L", 1 / L)
@@ -127,7 +153,7 @@ def leg_vector(build: Builder) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr, 
 
 
 def platform_point_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
-    """First and second time derivative of S, (4) and (7), base frame."""
+    """Name the first and second time derivative of S, (4) and (7), base frame."""
     w_q = build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
     S_dot = build.vector("S_dot", w_q + n.v.value, "(4)", "velocity of the platform point")
     S_ddot = build.vector(
@@ -142,29 +168,30 @@ def platform_point_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.M
 def sliding(
     build: Builder, s: sp.Matrix, inv_L: sp.Expr, S_dot: sp.Matrix, S_ddot: sp.Matrix
 ) -> tuple[sp.Expr, sp.Expr]:
-    """L_dot and L_ddot of (5) and (8), from the motion of the platform point in the base frame."""
+    """Name L_dot (5) and L_ddot (8) from the motion of the platform point in the base frame."""
     rate = build.scalar("rate", s.dot(S_dot), "(5)", "sliding velocity")
     across = build.vector("across", S_dot - rate * s, "", "part of S_dot across the leg, of length L |W|")
     return rate, build.scalar("second", s.dot(S_ddot) + across.dot(across) * inv_L, "(8)")
 
 
 def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:
-    """T = [x y z] of (10), the axis k in it, 1 / k3, and kappa = k1 / k3."""
+    """Name T = [x y z] of (10), k in this frame, 1 / k3, and kappa = k1 / k3."""
     k = n.k.value
     ks = build.vector("k_cross_s", cross(k, s), "(10)", "normal to the fixed axis and the leg")
     y, z, k3, inv_k3 = axes(build, s, ks, "k3", "k = (k1, 0, k3) in the leg frame")
     k1 = build.scalar("k1", k.dot(s), "(10)", "k = (k1, 0, k3) in the leg frame")
-    kappa = build.scalar("kappa", k1 * inv_k3, "", "spin of the leg about s for each turn about z")
+    kappa = build.scalar("kappa", k1 * inv_k3, "", "spin of the leg about s per rotation about z")
     return sp.Matrix.hstack(s, y, z), sp.Matrix([k1, 0, k3]), inv_k3, kappa
 
 
 def axes(
     build: Builder, s: sp.Matrix, normal: sp.Matrix, size: str, meaning: str
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:
-    """y and z of (10) from a normal along k x s, its length, named ``size``, and one over it.
+    """Name y and z of (10), the length of the normal along k x s, called ``size``, and its reciprocal.
 
-    The smaller |k x s|, the more rounding leaves of the normal along s. s x normal has no such part, and z
-    and y made of it are perpendicular to s and to each other to all digits.
+    The component of the normal along s is a rounding error, which is relatively larger for smaller |k x s|.
+    The vector s x normal has no such component. So z and y, which are computed from it, are perpendicular to
+    s and to each other to full precision.
     """
     across = build.vector("s_cross_normal", cross(s, normal), "(10)", "along the third axis of the leg")
     length = build.scalar(size, sp.sqrt(across.dot(across)), "(10)", meaning)
@@ -177,10 +204,10 @@ def axes(
 
 
 def spin_axis(form: Formulation, k: sp.Matrix, W: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
-    """The direction about which the leg cannot turn, and its time derivative.
+    """Return the direction about which the leg cannot rotate, and its time derivative, leg frame.
 
-    Printed: the leg itself, which turns with W. In truth the normal n = k x y to both axes of the universal
-    joint, where k is fixed and y turns with the leg.
+    In the printed equations it is the leg, which rotates with W. In the corrected equations it is n = k x y,
+    the normal to both axes of the universal joint: k is fixed, and y rotates with the leg.
     """
     if form.no_spin or form.base_joint == SPHERICAL:
         return X_AXIS, cross(W, X_AXIS)
@@ -188,7 +215,7 @@ def spin_axis(form: Formulation, k: sp.Matrix, W: sp.Matrix) -> tuple[sp.Matrix,
 
 
 def solve_one(equation: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
-    """The value of ``unknown`` that makes a linear ``equation`` zero."""
+    """Solve a linear equation for one unknown."""
     (solution,) = sp.linsolve([equation], [unknown])
     return solution[0]
 
@@ -196,7 +223,11 @@ def solve_one(equation: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
 def rotation(
     build: Builder, form: Formulation, m: LegFrameMotion
 ) -> tuple[sp.Expr, sp.Matrix, sp.Expr, sp.Matrix]:
-    """L_dot, W, L_ddot and A of the leg, (5)-(9), from the motion of its tip and the joint's condition."""
+    """Derive L_dot, W, L_ddot, and A of the leg (5)-(9), leg frame.
+
+    The unknowns follow from the motion of the platform point and from the condition of the base joint on the
+    spin.
+    """
     W = sp.Matrix(sp.symbols("W_x W_y W_z", real=True))
     A = sp.Matrix(sp.symbols("A_x A_y A_z", real=True))
     L_dot, L_ddot = sp.symbols("L_dot L_ddot", real=True)
@@ -217,8 +248,8 @@ def rotation(
     acceleration = L_ddot * X_AXIS + cross(W, cross(W, S)) + 2 * L_dot * cross(W, X_AXIS) + cross(A, S) - m.e
     L_ddot = build.scalar("L_ddot", solve_one(acceleration[0], L_ddot), "(8)", "sliding acceleration")
     about = "angular acceleration of the leg, leg frame"
-    # What the spin adds to A_y and A_z cancels further on, and is large near the joint singularity: no name.
-    own = "angular acceleration of the leg but for its spin, leg frame"
+    # The spin terms of A_y and A_z have no name, because they cancel later and may be large.
+    own = "angular acceleration of the leg without the spin terms, leg frame"
     turned_z, turned_y = (solve_one(acceleration[i], A[j]) for i, j in ((1, 2), (2, 1)))
     spun_z, spun_y = -W[0] * W[1], W[0] * W[2]
     A_z = build.scalar("A_z_own", _tidy(turned_z - spun_z, m), "(9)", own) + spun_z
@@ -243,10 +274,18 @@ def _tidy(expr: sp.Expr, m: LegFrameMotion) -> sp.Expr:
 
 @dataclass(frozen=True)
 class PartForces:
-    """Newton's and Euler's right-hand sides of the two parts, leg frame.
+    """Right-hand sides of Newton's and Euler's equations for the two parts, leg frame.
 
-    N_d, N_u: m (a - g), N; r_d, r_u: centers of mass from the base point, m;
-    E_d, E_u: I A + W x I W, and the rotor's part, N m; f: friction moment at the spherical joint, N m.
+    Attributes
+    ----------
+    r_d, r_u : Matrix, shape (3, 1)
+        Centers of mass of the lower and upper part from the base point (m).
+    N_d, N_u : Matrix, shape (3, 1)
+        m (a - g) (N).
+    E_d, E_u : Matrix, shape (3, 1)
+        I A + W x I W, with the rotor's term in E_d (N m).
+    f : Matrix, shape (3, 1)
+        Friction moment at the spherical joint (N m).
     """
 
     r_d: sp.Matrix
@@ -259,7 +298,7 @@ class PartForces:
 
 
 def inertias(form: Formulation, c: LegConstants, L: sp.Expr) -> tuple[sp.Matrix, sp.Matrix]:
-    """I_d of (15) and I_u of (16), leg frame."""
+    """Return I_d (15) and I_u (16), leg frame."""
     return c.I_d0, c.I_u0 + (c.m_u * L**2 * sp.diag(0, 1, 1) if form.transport_twice else sp.zeros(3))
 
 
@@ -272,7 +311,7 @@ def center_forces(
     L_ddot: sp.Expr,
     A: sp.Matrix,
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix, sp.Matrix, sp.Matrix]:
-    """r_d, r_u, N_d, N_u and f: (11)-(14), then m (a - g), and the friction of (18)."""
+    """Name r_d, r_u, N_d, N_u, and f: (11)-(14), m (a - g), and the friction in (18), leg frame."""
     r_d = c.r_d0
     r_u = build.vector(
         "r_u", m.L * X_AXIS + c.r_u0, "(12)", "center of mass of the upper part from the base point"
@@ -298,21 +337,32 @@ def center_forces(
 
 
 def euler_term(inertia: sp.Matrix, A: sp.Matrix, W: sp.Matrix) -> sp.Matrix:
-    """I A + W x I W."""
+    """Compute I A + W x I W."""
     return _spin_gathered(inertia * A + cross(W, inertia * W), W)
 
 
 def _spin_gathered(vector: sp.Matrix, W: sp.Matrix) -> sp.Matrix:
-    """The vector with the products of the leg's angular velocity collected, so that what cancels is gone."""
+    """Collect the products of the components of W, so that terms cancel symbolically."""
     products = list(dict.fromkeys(W[i] * W[j] for i in range(3) for j in range(i, 3)))
     return vector.applyfunc(lambda entry: sp.collect(sp.expand(entry), [p for p in products if p != 0]))
 
 
 @dataclass(frozen=True)
 class LegEquations:
-    """The twelve equations of a leg: expressions that vanish, and their twelve unknowns beside x.
+    """Twelve equations of one leg in the leg frame, as expressions that are zero.
 
-    newton_lower (25), euler_lower (17), newton_upper (23), euler_upper (18): 3x1 matrices, leg frame.
+    Attributes
+    ----------
+    newton_lower : Matrix, shape (3, 1)
+        Force balance of the lower part (25).
+    euler_lower : Matrix, shape (3, 1)
+        Moment balance of the lower part (17).
+    newton_upper : Matrix, shape (3, 1)
+        Force balance of the upper part (23).
+    euler_upper : Matrix, shape (3, 1)
+        Moment balance of the upper part (18).
+    unknowns : tuple of Symbol
+        Twelve unknowns in addition to the axial force x; eleven with a spherical base joint.
     """
 
     newton_lower: sp.Matrix
@@ -331,7 +381,7 @@ _M_u = sp.Symbol("M_u", real=True)
 
 
 def moment_axis(form: Formulation, k: sp.Matrix) -> sp.Matrix:
-    """Direction of the constraint moment of the base joint: printed along s, in truth along n = k x y."""
+    """Return the direction of the constraint moment of the base joint: printed s, corrected n = k x y."""
     if form.base_joint == SPHERICAL:
         return sp.zeros(3, 1)
     return X_AXIS if form.moment_along_leg else cross(k, Y_AXIS)
@@ -340,7 +390,7 @@ def moment_axis(form: Formulation, k: sp.Matrix) -> sp.Matrix:
 def leg_equations(
     form: Formulation, c: LegConstants, m: LegFrameMotion, L_dot: sp.Expr, W: sp.Matrix, part: PartForces
 ) -> LegEquations:
-    """Newton's and Euler's equations for the two parts, (17), (18), (23), (25)."""
+    """Set up Newton's and Euler's equations of the two parts, (17), (18), (23), (25), leg frame."""
     r = n.bearing.value * X_AXIS
     slide = c.C_p * L_dot * X_AXIS
     unknowns = (*_F_s[1:], *_F_p, *_F_u, *_M_p) + (() if form.base_joint == SPHERICAL else (_M_u,))
@@ -364,17 +414,17 @@ def leg_equations(
 
 
 def whole_leg(equations: LegEquations) -> tuple[sp.Matrix, sp.Matrix]:
-    """(19), the sum of (17) and (18), and its known part C of (20): M_u n + S x F_s = C."""
+    """Return (19), the sum of (17) and (18), and its known part C of (20): M_u n + S x F_s = C."""
     total = (equations.euler_lower + equations.euler_upper).applyfunc(sp.expand)
     nothing = dict.fromkeys((AXIAL, *equations.unknowns), 0)
     return total, -total.subs(nothing)
 
 
 def eliminate(form: Formulation, equations: LegEquations, C: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
-    """Solve the twelve equations for the twelve unknowns in terms of x; C stands for the known part of (19).
+    """Solve the twelve equations for the twelve unknowns as functions of x.
 
-    With a spherical base joint the sum of the axial moments says how the leg's free spin changes; it is left
-    out, as in the paper, and eleven equations remain for eleven unknowns.
+    C is the known part of (19). With a spherical base joint the axial component of (19) determines the rate
+    of the free spin. It is omitted, as in the paper, so eleven equations remain for eleven unknowns.
     """
     total, known = whole_leg(equations)
     moments = list(total + known - C)
@@ -386,7 +436,7 @@ def eliminate(form: Formulation, equations: LegEquations, C: sp.Matrix) -> dict[
 
 
 def rotor_moment(build: Builder, rotor: Rotor, L_dot: sp.Expr, L_ddot: sp.Expr, W: sp.Matrix) -> sp.Matrix:
-    """Rate of the angular momentum j_r L_dot s, leg frame; zero without a rotor."""
+    """Name the rate of the angular momentum j_r L_dot s, leg frame; zero without a rotor."""
     if rotor.momentum == 0:
         return sp.zeros(3, 1)
     rate = rotor.momentum * (L_ddot * X_AXIS + L_dot * cross(W, X_AXIS))
@@ -396,9 +446,9 @@ def rotor_moment(build: Builder, rotor: Rotor, L_dot: sp.Expr, L_ddot: sp.Expr, 
 def leg_dynamics(
     build: Builder, form: Formulation, c: LegConstants, m: LegFrameMotion, with_reactions: bool
 ) -> LegDynamics:
-    """Set up and solve one leg, naming the paper's quantities on the way.
+    """Set up and solve the equations of one leg, and name the quantities of the paper.
 
-    with_reactions: name E_d by itself, which M_p needs; otherwise I_d + I_u is formed at once, as in (19).
+    ``with_reactions`` names E_d, which M_p requires. Otherwise only I_d + I_u is formed, as in (19).
     """
     L_dot, W, L_ddot, A = rotation(build, form, m)
     r_d, r_u, N_d, N_u, f = center_forces(build, c, m, L_dot, W, L_ddot, A)
@@ -413,7 +463,7 @@ def leg_dynamics(
 
     part = PartForces(r_d, r_u, N_d, N_u, E_d + rotor_moment(build, c.rotor, L_dot, L_ddot, W), E - E_d, f)
     equations = leg_equations(form, c, m, L_dot, W, part)
-    C = build.vector("C", whole_leg(equations)[1], "(20)", "moment that the joints' forces must make")
+    C = build.vector("C", whole_leg(equations)[1], "(20)", "moment that the joint forces must balance")
     solved = {key: _tidy(value, m) for key, value in eliminate(form, equations, C).items()}
 
     F_s, F_p = _F_s.subs(solved), _F_p.subs(solved)

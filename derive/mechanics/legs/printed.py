@@ -1,7 +1,7 @@
-"""The ``paper`` leg with regrouped constants, in its frame: s.W = 0, moment along s.
+"""Leg of ``paper`` with regrouped constants in the leg frame: s.W = 0, and the constraint moment along s.
 
-The printed rotation comes from no coordinates, so that Lagrange's equations do not apply: the sums that
-``lumped_constants`` lists enter the printed equations themselves.
+The printed rotation does not follow from joint coordinates, so Lagrange's equations do not apply. The printed
+equations use the sums of constants in ``lumped_constants``.
 """
 
 import sympy as sp
@@ -16,9 +16,9 @@ from .leg import axes, cross, leg_vector
 def printed_leg(
     build: Builder, form: Formulation, friction: bool, near_singular: bool = False
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr, sp.Expr, sp.Matrix, sp.Matrix]:
-    """q, s, L, k3, D, K and f of the leg, (1)-(24).
+    """Derive q, s, L, k3, D, K, and f of the leg, (1)-(24), base frame.
 
-    near_singular: with y made perpendicular to s once more.
+    ``near_singular`` makes y perpendicular to s again, which is accurate near the joint singularity.
     """
     q, _, L, inv_L, s = leg_vector(build)
     y, z, k3 = _frame(build, s, near_singular)
@@ -40,7 +40,7 @@ def printed_leg(
         D += n.C_p.value * u[0]
         f = C_s * W[0] * y + C_s * W[1] * z
     C_y, C_z = (
-        build.scalar(name, part, "(20)", "moment that the joints' forces must make")
+        build.scalar(name, part, "(20)", "moment that the joint forces must balance")
         for name, part in zip(("C_y", "C_z"), C, strict=True)
     )
     K_y = build.scalar("K_y_leg", N[1] + inv_L * C_z, "(21)", "transverse force, leg frame")
@@ -50,7 +50,7 @@ def printed_leg(
 
 
 def _frame(build: Builder, s: sp.Matrix, near_singular: bool) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
-    """y, z and k3 of (10)."""
+    """Name y, z, and k3 of (10)."""
     normal = build.vector("k_cross_s", cross(n.k.value, s), "(10)", "normal to the fixed axis and the leg")
     if near_singular:
         y, z, k3, _ = axes(build, s, normal, "k3", "|k x s|")
@@ -63,7 +63,7 @@ def _frame(build: Builder, s: sp.Matrix, near_singular: bool) -> tuple[sp.Matrix
 def _rotation(
     build: Builder, inv_L: sp.Expr, u: sp.Matrix, e: sp.Matrix
 ) -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, sp.Expr]]:
-    """(W_y, W_z) and (A_y, A_z), (6), (9)."""
+    """Name (W_y, W_z) of (6) and (A_y, A_z) of (9)."""
     meaning = "angular velocity of the leg, leg frame"
     W_y = build.scalar("W_y", -inv_L * u[2], "(6)", meaning)
     W_z = build.scalar("W_z", inv_L * u[1], "(6)", meaning)
@@ -83,7 +83,7 @@ def _forces(
     e: sp.Matrix,
     gamma: sp.Matrix,
 ) -> tuple[sp.Matrix, list[sp.Expr]]:
-    """Force N that moves the upper part about the platform point, and (C_y, C_z) without friction."""
+    """Name the force N that accelerates the upper part, and return (C_y, C_z) without friction."""
     (W_y, W_z), (A_y, A_z) = W, A
     yy, zz, yz = (
         build.scalar(name, product)
@@ -100,7 +100,7 @@ def _forces(
             ]
         ),
         "(14)",
-        "force that moves the upper part about the platform point, leg frame",
+        "force that accelerates the upper part about the platform point, leg frame",
     )
     turn = cross(p.h.value, e) - cross(p.w.value, gamma)
     J = p.J.value

@@ -1,8 +1,8 @@
-"""The rotor of a leg's drive: what it adds to the leg's equations, by two constants.
+"""Rotor of a leg's drive and its terms in the equations of the leg.
 
-The rotor turns about the leg by N L relative to the lower part, whose inertia includes the rotor's. Its
-kinetic energy beyond that is m_r L_dot^2 / 2 + j_r L_dot (W.s), with m_r = J_r N^2 and j_r = J_r N: a mass
-that moves with the length, and an angular momentum j_r L_dot s that the leg carries round.
+The rotor turns about the leg axis by N L relative to the lower part. The inertia of the lower part includes
+the rotor. The additional kinetic energy is m_r L_dot^2 / 2 + j_r L_dot (W.s) with m_r = J_r N^2 and j_r = J_r
+N: a mass that moves with the leg length, and an angular momentum j_r L_dot s that rotates with the leg.
 """
 
 from dataclasses import dataclass
@@ -15,7 +15,15 @@ from ..formulation import SPHERICAL, Formulation
 
 @dataclass(frozen=True)
 class Rotor:
-    """mass: m_r; momentum: j_r; zero where there is no such term."""
+    """Constants of a rotor; zero for an omitted term.
+
+    Attributes
+    ----------
+    mass : Expr
+        Reflected mass m_r (kg).
+    momentum : Expr
+        Angular momentum per length rate j_r (kg m).
+    """
 
     mass: sp.Expr
     momentum: sp.Expr
@@ -23,15 +31,15 @@ class Rotor:
 
 NONE = Rotor(sp.S.Zero, sp.S.Zero)
 REFLECTED = Rotor(n.m_r.value, sp.S.Zero)
-"""The mass alone."""
+"""Rotor with reflected mass and without angular momentum."""
 FULL = Rotor(n.m_r.value, n.j_r.value)
 
 
 def rotor_of(form: Formulation) -> Rotor:
-    """The rotors of a formulation's legs.
+    """Return the rotor of the legs of a formulation.
 
-    Nothing determines the spin of a leg between two spherical joints, and so its rotor's angular momentum is
-    not defined either: such a leg has the reflected mass alone.
+    The spin of a leg with two spherical joints is undetermined, so the angular momentum of its rotor is
+    undefined too. Such a leg has only the reflected mass.
     """
     if not form.drive:
         return NONE

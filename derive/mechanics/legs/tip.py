@@ -1,15 +1,16 @@
-"""One leg as a mechanism of three degrees of freedom at its tip: inertia, Coriolis matrix, derivatives.
+"""One leg as a mechanism with three degrees of freedom at its tip: mass matrix, Coriolis matrix, derivatives.
 
-The joint coordinates xi = (L, theta, phi) of ``joint_coordinates`` are functions of S. With Gamma the
-gradient of xi, xi_dot = Gamma S_dot and the tip's force is F = Gamma^T tau, so that
+The tip is the platform point of the leg. The joint coordinates xi = (L, theta, phi) of ``joint_coordinates``
+are functions of S. Gamma is the gradient of xi, so xi_dot = Gamma S_dot, and the force at the tip is F =
+Gamma^T tau:
 
     m = Gamma^T M Gamma,   C_tip = Gamma^T (C_xi Gamma + M Gamma_dot),
     dF/dS_ddot = m,   dF/dS_dot = Gamma^T (2 M Gamma_dot + tau_rate Gamma),
-    dF/dS = Gamma^T (M Gamma_ddot + tau_rate Gamma_dot + tau_place Gamma) + sum of tau_a Hess xi_a,
+    dF/dS = Gamma^T (M Gamma_ddot + tau_rate Gamma_dot + tau_place Gamma) + sum of tau_a Hess xi_a.
 
-since dxi_dot/dS = Gamma_dot, dxi_ddot/dS = Gamma_ddot and dxi_ddot/dS_dot = 2 Gamma_dot for any
-coordinates. All matrices are in the leg frame, where Gamma has three entries. C_xi is made of Christoffel's
-symbols, which makes the rate of m less twice C_tip skew.
+These formulas use dxi_dot/dS = Gamma_dot, dxi_ddot/dS = Gamma_ddot, and dxi_ddot/dS_dot = 2 Gamma_dot, which
+are valid for any coordinates. All matrices are in the leg frame, in which Gamma has three nonzero entries.
+C_xi consists of Christoffel symbols, so that m_dot - 2 C_tip is skew-symmetric.
 """
 
 from dataclasses import dataclass
@@ -32,17 +33,21 @@ _SLOPES: tuple[dict[sp.Symbol, sp.Expr], ...] = (
     {k1: -k3, k3: k1, inv_rho: -kappa * inv_rho, kappa: -1 - kappa**2},
     {},
 )
-"""How the leg's geometry changes with L, theta (k1 = cos theta, k3 = sin theta, kappa = k1 / k3) and phi."""
+"""Derivatives of the leg's geometry by L, theta, phi, with k1 = cos theta, k3 = sin theta, kappa = k1 / k3.
+"""
 
 
 def along(expr: sp.Expr | sp.Matrix, coordinate: int) -> sp.Expr | sp.Matrix:
-    """Derivative by L, theta or phi (0, 1, 2)."""
+    """Differentiate by L, theta, or phi (coordinate 0, 1, or 2)."""
     slopes = [expr.diff(symbol) * slope for symbol, slope in _SLOPES[coordinate].items()]
     return sum(slopes[1:], slopes[0]) if slopes else 0 * expr
 
 
 def inertia(rotor: Rotor = NONE) -> sp.Matrix:
-    """M of (L, theta, phi), 3x3, from J and h; the upper part's mass is lumped with the platform."""
+    """Compute the mass matrix M of (L, theta, phi), 3x3, from J and h.
+
+    The mass of the upper part is lumped with the platform.
+    """
     build = Builder()
     nowhere = sp.zeros(3, 1)
     frame = JointFrame(nowhere, nowhere, nowhere, L, inv_L, inv_rho, k1, k3, kappa, rotor=rotor)
@@ -51,7 +56,7 @@ def inertia(rotor: Rotor = NONE) -> sp.Matrix:
 
 
 def christoffel(M: sp.Matrix) -> sp.Matrix:
-    """C_xi, 3x3: C_ij = sum over k of (M_ij,k + M_ik,j - M_jk,i) xi_dot_k / 2."""
+    """Compute C_xi, 3x3: C_ij = sum over k of (M_ij,k + M_ik,j - M_jk,i) xi_dot_k / 2."""
     by = [along(M, coordinate) for coordinate in range(3)]
     half = sp.Rational(1, 2)
     return sp.Matrix(
@@ -62,7 +67,7 @@ def christoffel(M: sp.Matrix) -> sp.Matrix:
 
 
 def gravity() -> sp.Matrix:
-    """Generalized force that holds the leg against gravity, 3x1; gamma as in ``joint_coordinates``."""
+    """Compute the generalized force that balances gravity, 3x1, with gamma as in ``joint_coordinates``."""
     wx, wy, wz = p.w.value
     w_k, w_n = k1 * wx + k3 * wz, k3 * wx - k1 * wz
     return sp.Matrix([0, w_n * p.g_k.value + w_k * GAMMA_N, -wy * GAMMA_N - w_n * GAMMA_Y])
@@ -73,7 +78,10 @@ OMEGA_N, OMEGA_Y, OMEGA_K = sp.symbols("w_n_omega w_y_omega w_k_omega", real=Tru
 
 
 def friction() -> sp.Matrix:
-    """Generalized force of the joints' friction, 3x1; OMEGA_Y, OMEGA_K: omega along y and k."""
+    """Compute the generalized force of the joint friction, 3x1.
+
+    OMEGA_Y and OMEGA_K are the components of omega along y and k.
+    """
     C_s, C_us = n.C_s.value, p.C_us.value
     return sp.Matrix(
         [
@@ -85,17 +93,17 @@ def friction() -> sp.Matrix:
 
 
 def torques(with_friction: bool, rotor: Rotor = NONE) -> sp.Matrix:
-    """Lagrange's generalized forces, 3x1: M xi_ddot + C_xi xi_dot + gravity + friction."""
+    """Compute Lagrange's generalized forces, 3x1: M xi_ddot + C_xi xi_dot + gravity + friction."""
     M = inertia(rotor)
     tau = M * sp.Matrix(accelerations) + christoffel(M) * sp.Matrix(rates) + gravity()
     return tau + friction() if with_friction else tau
 
 
 def place(expr: sp.Matrix) -> sp.Matrix:
-    """Slopes of generalized forces along L, theta, phi at fixed rates and accelerations, 3x3.
+    """Differentiate generalized forces by L, theta, phi at fixed rates and accelerations, 3x3.
 
-    What points in the base frame turns against the leg as phi grows: d gamma_y / d phi = gamma_n and
-    d gamma_n / d phi = -gamma_y, and alike for omega; d gamma / d theta = 0.
+    Vectors that are fixed in the base frame rotate relative to the leg as phi grows: d gamma_y / d phi =
+    gamma_n and d gamma_n / d phi = -gamma_y, and likewise for omega; d gamma / d theta = 0.
     """
     turned = (
         expr.diff(GAMMA_Y) * GAMMA_N
@@ -107,7 +115,7 @@ def place(expr: sp.Matrix) -> sp.Matrix:
 
 
 def of_rod(forces: sp.Matrix) -> sp.Matrix:
-    """The generalized forces of ``torques`` that a thin rod along the leg would have: no friction in them."""
+    """Reduce the generalized forces of ``torques`` to a thin rod along the leg, without friction."""
     (_, hy, hz), (_, wy, wz), J = p.h.value, p.w.value, p.J.value
     others = (hy, hz, wy, wz, J[0, 0], J[0, 1], J[0, 2], J[1, 2], p.C_us.value, n.C_s.value, n.C_p.value)
     return forces.xreplace(dict.fromkeys((*others, n.j_r.value), sp.S.Zero))
@@ -115,7 +123,15 @@ def of_rod(forces: sp.Matrix) -> sp.Matrix:
 
 @dataclass(frozen=True)
 class Gradients:
-    """Gamma, Gamma_dot, Gamma_ddot, 3x3, rows L, theta, phi, columns along s, y, z."""
+    """Gradient of L, theta, phi by S and its time derivatives, leg frame.
+
+    The rows belong to L, theta, phi, the columns to s, y, z.
+
+    Attributes
+    ----------
+    value, rate, second : Matrix, shape (3, 3)
+        Gamma, Gamma_dot, and Gamma_ddot.
+    """
 
     value: sp.Matrix
     rate: sp.Matrix
@@ -123,14 +139,15 @@ class Gradients:
 
 
 def of_tip() -> sp.Matrix:
-    """How the tip moves with L, theta and phi, 3x3, leg frame: Gamma^-1."""
+    """Return Gamma^-1, the derivative of the tip position by L, theta, and phi, 3x3, leg frame."""
     return sp.Matrix([[1, 0, 0], [0, 0, L * k3], [0, -L, 0]])
 
 
 def by_place_of_force(force: sp.Matrix) -> sp.Matrix:
-    """Derivative by S of the generalized forces Gamma^-T force, 3x3, leg frame.
+    """Differentiate the generalized forces Gamma^-T force by S, 3x3, leg frame.
 
-    force: at the tip, fixed in the base frame; Gamma^-1 turns and grows with the leg.
+    ``force`` acts at the tip and is fixed in the base frame. Gamma^-1 rotates with the leg and varies with
+    its length.
     """
     f_s, f_y, f_z = force
     return sp.Matrix(
@@ -143,7 +160,7 @@ def by_place_of_force(force: sp.Matrix) -> sp.Matrix:
 
 
 def gradients() -> Gradients:
-    """Gradients of L, theta, phi and their rates as the leg turns with W = phi_dot k + theta_dot y."""
+    """Compute the gradients of L, theta, phi for a leg that rotates with W = phi_dot k + theta_dot y."""
     W = sp.Matrix([k1 * rates[2], rates[1], k3 * rates[2]])
     value = sp.Matrix([[1, 0, 0], [0, 0, -inv_L], [0, inv_rho, 0]])
     rate = _rate(value) - value * skew(W)
@@ -151,21 +168,22 @@ def gradients() -> Gradients:
 
 
 def _rate(expr: sp.Matrix) -> sp.Matrix:
-    """Time derivative of leg-frame entries."""
+    """Differentiate leg-frame entries by time."""
     by_place = sum((along(expr, i) * rates[i] for i in range(3)), sp.zeros(*expr.shape))
     return by_place + sum((expr.diff(rates[i]) * accelerations[i] for i in range(3)), sp.zeros(*expr.shape))
 
 
-# Rates and accelerations that stay finite where those of theta and phi grow like 1 / k3: the leg's turning
-# about y and z, accelerations without the part that comes from the frame's turning about s.
+# Unlike the rates of theta and phi, these remain finite near the joint singularity: the leg's
+# rotation about y and z, with accelerations that exclude the frame's rotation about s.
 inv_k3, W_z, OWN_Y, OWN_Z = sp.symbols("inv_k3 W_z own_y own_z", real=True)
 
 
 def gathered(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
-    """The same in ``W_z``, ``OWN_Y``, ``OWN_Z`` and powers of 1 / L and 1 / k3, inertial constants collected.
+    """Rewrite an expression in quantities that remain finite near the joint singularity.
 
-    Terms that cancel for all legs are gone, and for axisymmetric legs the constants of each power of 1 / k3
-    cancel among themselves. So near the joint singularity no small result is the difference of large terms.
+    These are ``W_z``, ``OWN_Y``, ``OWN_Z``, and powers of 1 / L and 1 / k3, with inertial constants
+    collected. Terms that cancel for all legs are removed. For axisymmetric legs the constants of each power
+    of 1 / k3 cancel. So near the joint singularity no small result is the difference of large terms.
     """
     if isinstance(expr, sp.MatrixBase):
         return expr.applyfunc(gathered)
@@ -198,7 +216,7 @@ _GEOMETRY = (L, inv_L, k1, k3, inv_k3)
 
 
 def _reduced(powers: tuple[int, ...]) -> list[tuple[tuple[int, ...], int]]:
-    """A monomial of the geometry without L / L, k3 / k3 and k1^2 = 1 - k3^2: monomials and their signs."""
+    """Simplify a monomial by L / L = k3 / k3 = 1 and k1^2 = 1 - k3^2; return monomials and signs."""
     length, per_length, cosine, sine, per_sine, *rest = powers
     if cosine >= 2:
         return [
@@ -211,9 +229,10 @@ def _reduced(powers: tuple[int, ...]) -> list[tuple[tuple[int, ...], int]]:
 
 
 def hessian(tau: sp.Matrix) -> sp.Matrix:
-    """Sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame: Gamma_dot is linear in S_dot.
+    """Compute the sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame.
 
-    tau: 3x1, free of rates, such as names.
+    The rows of Gamma_dot are linear in S_dot, which gives the second derivatives. ``tau``, 3x1, must not
+    contain rates.
     """
     u = sp.Matrix(sp.symbols("u_x u_y u_z", real=True))
     by_tip = dict(zip(rates, gradients().value * u, strict=True))

@@ -1,1 +1,1 @@
-"""Proofs that two derivations of the same force are equal, by normal form."""
+"""Proofs by normal form that independent derivations of the same force are equal."""

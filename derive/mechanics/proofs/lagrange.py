@@ -1,9 +1,9 @@
-"""The ``exact`` leg by Lagrange's equations from the energies of its two bodies.
+"""Leg of ``exact`` by Lagrange's equations from the energies of its two bodies.
 
-The fixed axis k is the third axis of a base frame. T = [s y z] is written out as a function of theta and
-phi; positions follow from it, velocities by differentiation, and W from T^T dT/dt. Taken from nowhere else:
-no angular velocity, acceleration or inertia of ``leg``, ``joint_coordinates``, ``lumped_constants`` or
-``tip``. The upper part's mass is its own here and is not lumped with the platform.
+The fixed axis k is the third axis of a base frame. T = [s y z] is an explicit function of theta and phi.
+Positions follow from T, velocities by differentiation, and W from T^T dT/dt. This derivation is independent:
+it uses no angular velocity, acceleration, or inertia of ``leg``, ``joint_coordinates``, ``lumped_constants``,
+or ``tip``. The mass of the upper part belongs to the leg and is not lumped with the platform.
 """
 
 from dataclasses import dataclass
@@ -26,7 +26,15 @@ def _symbols(suffix: str) -> tuple[sp.Symbol, ...]:
 
 @dataclass(frozen=True)
 class Energies:
-    """Of one leg, functions of time: kinetic and potential energy, and half the power lost to friction."""
+    """Energies of one leg as functions of time.
+
+    Attributes
+    ----------
+    kinetic, potential : Expr
+        Kinetic and potential energy (J).
+    dissipation : Expr
+        Half of the power lost to friction (W).
+    """
 
     kinetic: sp.Expr
     potential: sp.Expr
@@ -34,7 +42,7 @@ class Energies:
 
 
 def leg_frame() -> sp.Matrix:
-    """T = [s y z] of (10) in a base frame whose third axis is k, with k.s = cos theta."""
+    """Return T = [s y z] of (10) in a base frame whose third axis is k, with k.s = cos theta."""
     about_k = sp.rot_ccw_axis3(_phi)
     return about_k * sp.Matrix(
         [[sp.sin(_theta), 0, -sp.cos(_theta)], [0, 1, 0], [sp.cos(_theta), 0, sp.sin(_theta)]]
@@ -42,7 +50,7 @@ def leg_frame() -> sp.Matrix:
 
 
 def energies() -> Energies:
-    """Of the lower and the upper part; gravity and the platform's omega are given in the leg frame."""
+    """Compute the energies of the lower and the upper part."""
     T = leg_frame()
     spin = T.T * T.diff(time)
     W = sp.Matrix([spin[2, 1], spin[0, 2], spin[1, 0]])
@@ -60,9 +68,9 @@ def energies() -> Energies:
 
 
 def torques(gamma: sp.Matrix, omega: sp.Matrix) -> sp.Matrix:
-    """Generalized forces along L, theta, phi, 3x1, in the symbols of ``tip`` and in normal form.
+    """Compute the generalized forces along L, theta, phi, 3x1, in the symbols of ``tip`` and in normal form.
 
-    gamma, omega: gravity and the platform's angular velocity in the leg frame, 3x1.
+    ``gamma`` and ``omega`` are gravity and the angular velocity of the platform in the leg frame, 3x1.
     """
     of = energies()
     return sp.Matrix(
@@ -77,14 +85,14 @@ def torques(gamma: sp.Matrix, omega: sp.Matrix) -> sp.Matrix:
 
 
 def inertia() -> sp.Matrix:
-    """Second derivative of the kinetic energy by the rates of L, theta, phi, 3x3, in normal form."""
+    """Compute the Hessian of the kinetic energy by the rates of L, theta, phi, 3x3, in normal form."""
     rates = [q.diff(time) for q in coordinates]
     kinetic, nothing = energies().kinetic, sp.zeros(3, 1)
     return sp.Matrix(3, 3, lambda i, j: _in_symbols(kinetic.diff(rates[i], rates[j]), nothing, nothing))
 
 
 def _in_symbols(expr: sp.Expr, gamma: sp.Matrix, omega: sp.Matrix) -> sp.Expr:
-    """Functions of time as symbols, highest derivatives first, and base-frame vectors by the leg frame."""
+    """Replace functions of time by symbols, and base-frame vectors by their leg-frame components."""
     derivatives = [
         (q.diff(time, order), symbol)
         for order, suffix in ((2, "_ddot"), (1, "_dot"))

@@ -1,8 +1,9 @@
-"""The normal form of a leg's expressions, by which two of them are shown to be equal.
+"""Normal form of the expressions of a leg, which proves that two of them are equal.
 
-Expressions are polynomials in all symbols and in 1/L and 1/k3; the symbols of the leg's geometry obey k1^2
-+ k3^2 = 1. Division by these relations, which are a Groebner basis, leaves one form for each expression:
-zero is zero, with no search for the simplest form.
+Expressions are polynomials in all symbols and in 1/L and 1/k3. The symbols of the leg's geometry satisfy
+relations such as k1^2 + k3^2 = 1. These relations are a Groebner basis, so the remainder of the division by
+them is unique. Two expressions are equal if the normal form of their difference is zero, without a search for
+the simplest form.
 """
 
 import sympy as sp
@@ -25,10 +26,14 @@ _INVERSES = {tip.L: tip.inv_L, tip.k3: inv_k3}
 
 
 def normal_form(expr: sp.Expr) -> sp.Expr:
-    """The expression in L, k1, k3 and the symbols that are no geometry, k1 to the power 0 or 1, expanded.
+    """Reduce an expression to a polynomial in L, k1, k3 and the other symbols, with k1 to the power 0 or 1.
 
-    kappa, inv_rho, inv_L and inv_k3 are written out. ValueError if the expression is no polynomial in its
-    other symbols.
+    kappa, inv_rho, inv_L, and inv_k3 are replaced by their definitions.
+
+    Raises
+    ------
+    ValueError
+        If the expression is not a polynomial in its other symbols.
     """
     expr = sp.sympify(expr).xreplace(_QUOTIENTS)
     powers = [power for power in expr.atoms(sp.Pow) if power.base in _INVERSES and power.exp.is_negative]
@@ -40,5 +45,5 @@ def normal_form(expr: sp.Expr) -> sp.Expr:
 
 
 def vanishes(expr: sp.Expr | sp.Matrix) -> bool:
-    """Whether the expression, or every entry of the matrix, is zero."""
+    """Return True if the expression, or every entry of the matrix, is zero."""
     return all(normal_form(entry) == 0 for entry in (expr if isinstance(expr, sp.MatrixBase) else [expr]))

@@ -1,4 +1,4 @@
-"""Kits in Python, MATLAB and Rust, a module each."""
+"""Kits in Python, MATLAB, and Rust, one module each."""
 
 from .language import Language
 from .matlab import MatlabKit
@@ -6,4 +6,4 @@ from .python import PythonKit
 from .rust import RustKit
 
 LANGUAGES: dict[str, Language] = {each.name: each for each in (PythonKit(), MatlabKit(), RustKit())}
-"""Languages of kits besides C, by the name that the command line takes."""
+"""Languages of kits other than C, by their command-line names."""

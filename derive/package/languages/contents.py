@@ -1,4 +1,4 @@
-"""What goes into a kit in another language than C: a program, a robot's numbers, calls with their answers."""
+"""Contents of a kit in a language other than C: program, robot, and calls with expected results."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,15 +10,27 @@ from ..functions import Vector
 from ..robot import Machine
 
 Value = Sequence[float] | Mapping[str, Sequence[float]]
-"""What a function is given: numbers, or a structure's members, flat."""
+"""Argument of a function: numbers, or the members of a structure as flat arrays."""
 
 
 @dataclass(frozen=True)
 class Contents:
-    """What goes into a kit.
+    """Contents of a kit.
 
-    outputs: public functions of the program; tests: at least one of each that has any, those with status 0
-    first; precision: "double" or "float"; options: of the command line.
+    Attributes
+    ----------
+    machine : Machine
+        Robot.
+    program : Program
+        Program.
+    outputs : tuple of str
+        Public functions of the program.
+    tests : tuple of Vector
+        Test vectors, with those of status 0 first. Each function that has vectors has at least one here.
+    precision : str
+        "double" or "float".
+    options : str
+        Command-line options.
     """
 
     machine: Machine
@@ -30,29 +42,29 @@ class Contents:
 
     @property
     def says(self) -> str:
-        """The outputs in words."""
+        """Outputs as text."""
         return ", ".join(each.replace("_", " ") for each in self.outputs)
 
     @property
     def prepared(self) -> bool:
-        """Whether there are constants to prepare."""
+        """True if there are constants to prepare."""
         return any(each.name == "prepare" for each in self.program.functions)
 
     @property
     def shown(self) -> dict[str, Vector]:
-        """The first test of each function that has one."""
+        """First test of each function that has one."""
         return {each.function: each for each in reversed(self.tests)}
 
     @property
     def examples(self) -> dict[str, Value]:
-        """An example of each argument of the functions, but robot and model."""
+        """Example of each argument of the functions, except robot and model."""
         found: dict[str, Value] = {}
         for test in self.shown.values():
             found = {**self.given(test), **found}
         return found
 
     def given(self, test: Vector) -> dict[str, Value]:
-        """Inputs by argument, after robot or model; what a vector has no number of is zero."""
+        """Return the inputs by argument after robot or model; missing numbers are zero."""
         found: dict[str, Value] = {}
         for each in self.program.function(test.function).arguments[1:]:
             if isinstance(each.type, Record):
@@ -66,7 +78,7 @@ class Contents:
         return found
 
     def compared(self, test: Vector) -> dict[str, tuple[list[float], list[float]]]:
-        """Answers and bounds by member of the result, as the function of this name has it; maybe none."""
+        """Return expected results and bounds by member of the result; empty without expected results."""
         answers, bounds = (
             {name: list(map(float, numbers)) for name, numbers in arrays.items()}
             for arrays in (test.answers, test.bounds)
@@ -78,7 +90,7 @@ class Contents:
         return {path: (answers[name], bounds[name]) for path, name in names.items()} if answers else {}
 
     def subject(self, function: str) -> str:
-        """``robot`` or ``model``, the first argument of a function."""
+        """Return the name of the first argument of a function, ``robot`` or ``model``."""
         return self.program.function(function).arguments[0].name
 
     @cached_property
@@ -96,12 +108,12 @@ class Contents:
         """Value and meaning of each status that a function may return, by name."""
         possible = {"OK", *self.read} - {"MAX_STEPS", "MAX_SEARCHES"}
         if not self.prepared:
-            possible.discard("JOINT_SINGULAR")  # kinematics alone needs no joint axes
+            possible.discard("JOINT_SINGULAR")  # kinematics does not read the joint axes
         return {name: of for name, of in INTEGERS.items() if name in possible}
 
 
 def compared(program: Program, function: str) -> dict[str, tuple[int, ...]]:
-    """Arrays of a function's result by member, those of structures in it as ``pose.R``, with dimensions."""
+    """Return the arrays of a function's result with their dimensions, by member such as ``pose.R``."""
     result = program.function(function).result
     return {} if result is None else _arrays(program, result, "")
 

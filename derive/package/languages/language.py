@@ -1,4 +1,4 @@
-"""What the kits of all languages share: the README, the calls of the example, tables of constants."""
+"""Common parts of the kits in all languages: README, calls of the example, tables of constants."""
 
 import textwrap
 from abc import ABC, abstractmethod
@@ -11,7 +11,7 @@ from .contents import Contents, Value
 
 
 class Language(ABC):
-    """The files of a kit in one language."""
+    """Generator of the files of a kit in one language."""
 
     name: str
     title: str
@@ -22,24 +22,24 @@ class Language(ABC):
     """File name of the example."""
 
     prepare: str
-    """The call that prepares the constants."""
+    """Statement that prepares the constants."""
     robot: str
-    """The robot as an argument."""
+    """Robot as an argument."""
     notes: str
-    """What is peculiar to the language, for the README."""
+    """Language-specific notes for the README."""
     legs: Sequence[str] = tuple(f"leg[{i}]" for i in range(6))
-    """The legs of a robot."""
+    """Legs of a robot as expressions."""
 
     @abstractmethod
     def files(self, kit: Contents) -> dict[str, str]:
-        """File name -> text, without README."""
+        """Return file name -> text, without README."""
 
     @abstractmethod
     def call(self, function: str, arguments: Sequence[str]) -> str:
-        """Statement that calls a function and names its result ``found``."""
+        """Return a statement that calls a function and assigns the result to ``found``."""
 
     def calls(self, kit: Contents) -> dict[str, str]:
-        """The call of each output that has a test."""
+        """Return the call of each output that has a test."""
         names = {each: each for each in kit.examples} | {"model": "model", "robot": self.robot}
         return {
             output: self.call(
@@ -50,7 +50,7 @@ class Language(ABC):
         }
 
     def readme(self, kit: Contents, program: str) -> str:
-        """The README of a kit; ``program``: text of the example."""
+        """Return the README of a kit; ``program`` is the text of the example."""
         return template(
             "readme.md",
             {
@@ -71,7 +71,7 @@ class Language(ABC):
         )
 
     def filled(self, name: str, kit: Contents, **more: str) -> str:
-        """A template with the words that all take and with more of its own."""
+        """Fill a template with the common words and with additional ones."""
         words = {
             "robot": kit.machine.name,
             "outputs": kit.says,
@@ -81,7 +81,7 @@ class Language(ABC):
         return template(name, words | more)
 
     def statements(self, kit: Contents, statement: str, robot: str) -> str:
-        """One for each quantity of a robot; statement: with its name and its numbers as {}."""
+        """Return one statement for each quantity of a robot; {} in ``statement`` are its name and numbers."""
         made = [(q, f"{robot}.{q.name}", stored(kit.machine.numbers, q, "robot")) for q in n.PLATFORM] + [
             (q, f"{robot}.{leg}.{q.name}", stored(kit.machine.numbers, q, "robot", i))
             for i, leg in enumerate(self.legs)
@@ -93,14 +93,15 @@ class Language(ABC):
 
 
 _GUESS = """
-`forward_kinematics` returns the nearest to its guess of the poses found by up to three searches. The guess's
-R must be near a rotation. From a guess farther than 0.05 (m and rad) compare the result with the guess."""
+`forward_kinematics` performs up to three searches and returns the pose nearest to the guess. R of the guess
+must be close to a rotation. If the guess is off by more than 0.05 (m, rad), compare the result with it."""
 
 
 def spoilt(kit: Contents, test: Vector, given: Mapping[str, Value]) -> Iterator[tuple[str, str, list[str]]]:
-    """Arrays, read by every function, in which the first test of each puts NaN, in a copy called ``wrong``.
+    """Yield tests with NaN in one array that the function reads, in a copy named ``wrong``.
 
-    given: by argument. Argument that is copied, place of the array in the copy, arguments of the call.
+    Each item contains the copied argument, the array within the copy, and the arguments of the call. Only the
+    first test of each function is used. ``given`` are the inputs by argument.
     """
     for name, value in given.items() if test is kit.shown[test.function] else ():
         arguments = ["wrong" if each == name else each for each in given]
@@ -109,5 +110,5 @@ def spoilt(kit: Contents, test: Vector, given: Mapping[str, Value]) -> Iterator[
 
 
 def array(values: Iterable[float]) -> str:
-    """Numbers as a list in brackets."""
+    """Return numbers as a list in brackets."""
     return f"[{', '.join(map(repr, values))}]"

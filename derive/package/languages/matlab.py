@@ -1,4 +1,4 @@
-"""A kit in MATLAB: a package of functions."""
+"""Kit in MATLAB: a package of functions."""
 
 from collections.abc import Mapping, Sequence
 
@@ -12,7 +12,7 @@ from .language import Language, array, spoilt
 
 
 class MatlabKit(Language):
-    """A package of functions."""
+    """Kit that is a package of functions."""
 
     name, title = "matlab", "MATLAB and Octave"
     run = 'octave-cli --eval "assert(self_test() == 0)" && octave-cli one_pose.m'

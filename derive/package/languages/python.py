@@ -1,4 +1,4 @@
-"""A kit in Python: one module on arrays."""
+"""Kit in Python: one module on arrays."""
 
 from collections.abc import Mapping, Sequence
 
@@ -9,7 +9,7 @@ from .language import Language
 
 
 class PythonKit(Language):
-    """One module on arrays."""
+    """Kit that is one module on arrays."""
 
     name, title = "python", "Python, on arrays of NumPy, JAX, PyTorch and others"
     run = "python self_test.py && python example.py"

@@ -1,4 +1,4 @@
-"""A kit in Rust: a crate without dependencies."""
+"""Kit in Rust: a crate without dependencies."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -14,7 +14,7 @@ from .language import Language, array, spoilt
 
 
 class RustKit(Language):
-    """A crate without dependencies."""
+    """Kit that is a crate without dependencies."""
 
     name, title = "rust", "Rust, without its standard library if need be"
     precisions = ("double", "float")
@@ -56,7 +56,7 @@ class RustKit(Language):
         }
 
     def _numbers(self, kit: Contents) -> Iterable[str]:
-        """Statuses and limits."""
+        """Yield the constants of statuses and limits."""
         for name, (code, says) in kit.whole_numbers.items():
             yield f"/// {says if name in ('MAX_STEPS', 'MAX_SEARCHES') else f'Status: {says}'}."
             yield f"pub const {name}: usize = {code};"
