@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, partial
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -120,13 +120,21 @@ class ForceKernel(Frozen):
         """NumPy type of the numbers of the kernel."""
         return np.float64 if self.precision == "double" else np.float32
 
-    def forces(self, motion: Motion, threads: int = 1, on_singular: OnSingular = "raise") -> Array:
+    def forces(
+        self,
+        motion: Motion | Sequence[Array | None],
+        threads: int = 1,
+        on_singular: OnSingular = "raise",
+        out: tuple[Array, NDArray[np.int32]] | None = None,
+    ) -> Array:
         """Compute the actuator forces of every pose of a motion, (37).
 
         Parameters
         ----------
         motion : Motion, shape (...)
             Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
+            With ``out``, it may be a sequence of arrays: R (n, 3, 3) and t, omega, v, alpha, a, F_ext, M_ext
+            (n, 3); F_ext and M_ext may be None.
         threads : int, optional
             Largest number of threads, including the caller. The result does not depend on it, and small
             batches use one thread.
@@ -135,18 +143,33 @@ class ForceKernel(Frozen):
             ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped",
             which requires fidelity "general", F is computed by damped least squares as in
             ``inverse_dynamics``.
+        out : tuple of ndarray, optional
+            Output arrays for forces, (n, 6), and statuses, int32, (n,). No array is copied, and only layouts
+            are checked: all arrays must be C-contiguous and of type ``dtype``. Forces of poses without a
+            solution do not change, and raise no error.
 
         Returns
         -------
         ndarray, shape (..., 6)
-            Actuator forces (N) of type ``dtype``, positive when they extend the leg.
+            Actuator forces (N) of type ``dtype``, positive when they extend the leg; the first array of
+            ``out`` if given.
 
         Raises
         ------
         ValueError
             If an option is unknown, if the motion has no accelerations, or if a pose has no solution and
-            ``on_singular`` is "raise".
+            ``on_singular`` is "raise". With ``out``, if an array has another type or layout, or if an output
+            shares memory with another array.
         """
+        if out is not None:
+            if on_singular != "raise":
+                raise ValueError("on_singular: does not apply with out, whose statuses name unsolvable poses")
+            arrays = [getattr(motion, name) for name in MOTION] if isinstance(motion, Motion) else motion
+            need_rows(arrays, *out, self.dtype)
+            need_apart(arrays, *out)
+            self._shared(out[1].size, threads, partial(self._run, arrays, *out))
+            return out[0]
+        instance(motion, Motion, "motion")
         option(on_singular, ON_SINGULAR, "on_singular")
         if on_singular == "damped" and self.fidelity != "general":
             raise ValueError(f'on_singular: "damped" needs fidelity "general", this one is "{self.fidelity}"')
@@ -191,69 +214,6 @@ class ForceKernel(Frozen):
         """
         return OnePose(self, np.full(6, np.nan, dtype=self.dtype), np.zeros(_NUMBERS, dtype=self.dtype))
 
-    def forces_into(
-        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
-    ) -> None:
-        """Write forces into given arrays, and check only their layout.
-
-        Parameters
-        ----------
-        arrays : sequence of ndarray
-            R (n, 3, 3) and t, omega, v, alpha, a, F_ext, M_ext (n, 3) as in ``Motion``; F_ext and M_ext may
-            be None. All are C-contiguous and of type ``dtype``.
-        F : ndarray, shape (n, 6)
-            Output array for forces (N), C-contiguous and of type ``dtype``. F is unchanged for poses without
-            a solution.
-        status : ndarray of int32, shape (n,)
-            Output array for statuses.
-        threads : int, optional
-            Largest number of threads, as for ``forces``.
-
-        Raises
-        ------
-        ValueError
-            If an array has another type or layout, or if F or status shares memory with another array. The
-            message names the array.
-        """
-        need_rows(arrays, F, status, self.dtype)
-        need_apart(arrays, F, status)
-        self._shared(status.size, threads, lambda *part: self._run(arrays, F, status, *part))
-
-    def columns_into(
-        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
-    ) -> None:
-        """Write forces into given arrays in columns, with consecutive values of each component.
-
-        All arrays except status have the same distance between rows, at least n numbers; column slices of
-        longer arrays are allowed. All are of type ``dtype`` and have any start address. Access is fastest if
-        rows start at multiples of 64 bytes, but not at multiples of 4096 bytes from each other. Results are
-        bit-identical to ``forces_into``.
-
-        Parameters
-        ----------
-        arrays : sequence of ndarray
-            R (9, n), row-major, and t, omega, v, alpha, a, F_ext, M_ext (3, n); F_ext and M_ext may be None.
-        F : ndarray, shape (6, n)
-            Output array for forces (N). F is unchanged for poses without a solution.
-        status : ndarray of int32, shape (n,)
-            Output array for statuses.
-        threads : int, optional
-            Largest number of threads, as for ``forces``.
-
-        Raises
-        ------
-        ValueError
-            If an array has another shape, type, or layout, or if F or status shares memory with another
-            array. The message names the array.
-        """
-        need_status(status)
-        if isinstance(F, np.ndarray) and F.shape[:-1] == (6,) and status.shape != F.shape[-1:]:
-            raise ValueError(f"status: expected an array {F.shape[-1:]} for F {F.shape}, got {status.shape}")
-        count = status.size
-        stride = stride_of(arrays, F, count, self.dtype)
-        need_apart(arrays, F, status)
-        self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
-
     def forces_soa(
         self,
         R: ArrayLike,
@@ -265,11 +225,13 @@ class ForceKernel(Frozen):
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
         threads: int = 1,
+        out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> tuple[Array, NDArray[np.int32]]:
         """Compute the actuator forces of motions in columns, with consecutive values of each component.
 
         Nothing is transposed. Arrays of another type, or with different row distances, are copied. For three
-        motions, rows and columns have the same shape and cannot be distinguished.
+        motions, rows and columns have the same shape and cannot be distinguished. Access is fastest if rows
+        start at multiples of 64 bytes, but not at multiples of 4096 bytes from each other.
 
         Parameters
         ----------
@@ -282,11 +244,17 @@ class ForceKernel(Frozen):
             External forces (N) and moments (N m) at the reference point, platform frame.
         threads : int, optional
             Largest number of threads, as for ``forces``.
+        out : tuple of ndarray, optional
+            Output arrays for F, (6, n), and statuses, int32, (n,). No array is copied: R has the shape (9,
+            n), and all arrays have the type ``dtype``. All arrays except the statuses have the same distance
+            between rows, for example column slices of longer arrays. Forces of poses without a solution do
+            not change.
 
         Returns
         -------
         F : ndarray, shape (6, n)
-            Actuator forces (N), positive when they extend the leg, (37). NaN if the status is not 0.
+            Actuator forces (N), positive when they extend the leg, (37). NaN if the status is not 0, except
+            in ``out``.
         status : ndarray of int32, shape (n,)
             Codes of ``results.STATUS_TEXT``; 1 if a number is not finite, or if a leg with offset joints
             cannot reach its platform point.
@@ -294,16 +262,33 @@ class ForceKernel(Frozen):
         Raises
         ------
         ValueError
-            If an array has another shape; the message names the array.
+            If an array has another shape; the message names the array. With ``out``, also if an array has
+            another type or layout, or if an output shares memory with another array.
         """
-        arrays = as_columns((R, t, omega, v, alpha, a, F_ext, M_ext), self.dtype)
+        given = (R, t, omega, v, alpha, a, F_ext, M_ext)
+        if out is not None:
+            self._columns_into(cast("tuple[Array | None, ...]", given), *out, threads)
+            return out
+        arrays = as_columns(given, self.dtype)
         first = next(array for array in arrays if array is not None)
         count = first.shape[-1]
         stride = max(count, first.strides[0] // first.itemsize)
         F = np.full((6, stride), np.nan, dtype=self.dtype)[:, :count]
         status = np.zeros(count, dtype=np.int32)
-        self.columns_into(arrays, F, status, threads)
+        self._columns_into(arrays, F, status, threads)
         return F, status
+
+    def _columns_into(
+        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int
+    ) -> None:
+        """Write forces, (6, n), and statuses, (n,), of arrays in columns into given arrays."""
+        need_status(status)
+        if isinstance(F, np.ndarray) and F.shape[:-1] == (6,) and status.shape != F.shape[-1:]:
+            raise ValueError(f"status: expected an array {F.shape[-1:]} for F {F.shape}, got {status.shape}")
+        count = status.size
+        stride = stride_of(arrays, F, count, self.dtype)
+        need_apart(arrays, F, status)
+        self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
 
     def _shared(self, count: int, threads: int, run: Callable[[int, int], None]) -> None:
         """Run the parts of a batch on threads; ``run`` takes the first pose and the number of poses."""

@@ -29,7 +29,7 @@ class JointOffsets(Frozen):
     the upper part at the end of the leg. Zeros describe a leg without offsets.
 
     With spherical platform joints, the axes of U and D are identical. With universal platform joints, x_U =
-    s, y_U = (k_P x s) / |k_P x s|, and z_U = x_U x y_U; k_P = R platform_axis.
+    s, z_U = x_U x y_U, and y_U is the unit vector along k_P x s, with k_P = R platform_axis.
 
     Attributes
     ----------
