@@ -55,13 +55,17 @@ WORDS = (
 """Private words and the field's terms in their place; the letters spare most lines the slower search."""
 
 
+LISTS = (Path(__file__).name, "prose.py")
+"""Names of files that contain words to be found."""
+
+
 def files() -> list[Path]:
-    """Texts of the repository that people wrote or read, this one aside."""
+    """Texts of the repository that people wrote or read, those with lists of words aside."""
     inside = [path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.is_file()]
     kept = [
         path for path in inside if path.suffix in TEXTS and not {"__pycache__", "_build"} & set(path.parts)
     ]
-    return [ROOT / "README.md", ROOT / "pyproject.toml", *(path for path in kept if path != Path(__file__))]
+    return [ROOT / "README.md", ROOT / "pyproject.toml", *(path for path in kept if path.name not in LISTS)]
 
 
 def found_in(text: str) -> list[tuple[int, str, str]]:

@@ -172,7 +172,7 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     def progress(text: str, share: float | None = None) -> None:
         shown.append(text)
 
-    options = {"least": "peak_force", "duration": duration, "progress": progress}
+    options = {"minimize": "peak_force", "duration": duration, "progress": progress}
     plan = parameterize_path(robot, path, grid_size=100, **options)
     tries = [text for text in shown if "least peak force, try " in text]
     assert len(set(tries)) > 3
