@@ -53,7 +53,7 @@ def casadi_function(
 
         - "forces": R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3,) to F (N) (6,).
         - "equations": R, t, omega, v to M, C (6, 6), g, friction, bias, bias_and_friction (6,), H, and its
-        rate H_dot (6, 6).
+          rate H_dot (6, 6).
         - "forward_dynamics": R, t, omega, v, F, F_ext, M_ext to a and alpha (3,).
 
     Raises
