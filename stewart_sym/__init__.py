@@ -1,17 +1,34 @@
-"""Dynamics of the Stewart platform: derived by SymPy, emitted as C and NumPy, checked.
+"""Kinematics, dynamics, design, and simulation of Gough-Stewart platforms (6-UPS and 6-SPS).
 
-import stewart_sym as ss
-robot = ss.Robot.from_toml("hexapod.toml")
-motion = ss.Motion.from_rpy(t=t, theta=theta, v=v, theta_dot=theta_dot, a=a, theta_ddot=theta_ddot)
-forces = ss.inverse_dynamics(robot, motion).F
+The equations are derived with SymPy and generated as C99 and NumPy code. All quantities have SI units, and
+motions may have any leading shape.
+
+Examples
+--------
+Load a robot, describe its motion, and compute the actuator forces (N):
+
+>>> import stewart_sym as ss
+>>> robot = ss.robots.load("unal")
+>>> motion = ss.Motion.from_rpy(
+...     t=[0.0, 0.0, 0.7],  # position (m), base frame
+...     theta=[0.1, 0.0, 0.0],  # roll, pitch, and yaw (rad)
+...     v=[0.0, 0.0, 0.2],
+...     theta_dot=[0.0, 0.0, 0.0],
+...     a=[0.0, 0.0, 1.0],
+...     theta_ddot=[0.0, 0.0, 0.0],
+... )
+>>> ss.inverse_dynamics(robot, motion).F.round(2).tolist()
+[7.11, 5.06, 7.37, 7.37, 5.06, 7.11]
+
+For your own machine, load a robot file with ``ss.Robot.from_toml("robot.toml")``.
 """
 
 import os
 from _thread import RLock
 
-# Nothing is imported before a name is used: the command line is soon where an interrupt ends it cleanly.
+# Modules are imported when a name is first used, so that the command line soon handles interrupts cleanly.
 _modules: dict[str, str] = {}
-# A child forked while a thread imports would wait for ever for that thread's locks: the fork waits instead.
+# A fork waits for imports, because its child would wait forever for the locks of an importing thread.
 _importing = RLock()
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(
@@ -20,7 +37,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def _public() -> dict[str, str]:
-    """Module that defines each public name, or is it; read from the stub when first used."""
+    """Return the defining module of each public name; read the stub once."""
     if _modules:
         return _modules
     import ast
@@ -33,7 +50,7 @@ def _public() -> dict[str, str]:
         if isinstance(node, ast.ImportFrom)
         for alias in node.names
     }
-    _modules.update(found)  # at once, as other threads may look
+    _modules.update(found)  # one update, because other threads may read it
     return _modules
 
 
@@ -55,7 +72,7 @@ def _found(name: str) -> object:
     elif name == "__all__":
         found = sorted(_public())
     elif not name.startswith("__") and name in _public():
-        # Their own handlers of forks must not be registered between the two parts of one.
+        # These modules register handlers of forks, which the lock prevents in the middle of a fork.
         import concurrent.futures.thread  # noqa: F401
         import logging  # noqa: F401
 

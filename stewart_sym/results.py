@@ -1,6 +1,6 @@
-"""What the dynamics functions return: plain records of arrays, the same for every backend.
+"""Results of the dynamics functions: records of arrays, identical for every backend.
 
-Their arrays belong to the caller, who may write to them: nothing else refers to them.
+The arrays belong to the caller, who may write to them; no other object refers to them.
 """
 
 from dataclasses import dataclass
@@ -15,35 +15,38 @@ OK, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR, BAD_ARGUMENT, MASS_MATRIX
 OUT_OF_LIMITS, UNREACHABLE = 8, 9
 
 STATUS_TEXT = dict(STATUS.values()) | {
-    OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits",
-    UNREACHABLE: "a platform point lies where no leg with its offsets ends",
+    OUT_OF_LIMITS: "a leg length is outside the robot's length_limits",
+    UNREACHABLE: "a leg with its joint offsets cannot reach its platform point",
 }
-"""Meaning of each status code, 0 to 7 of the kernels, the rest of forward kinematics and offset joints."""
+"""Meaning of each status code: 0 to 7 from kernels, 8 and 9 from forward kinematics and offset joints."""
 
 
 @dataclass(frozen=True, eq=False)
 class InverseDynamicsResult:
-    """Inverse dynamics of one or many poses; a leading shape ``(...)`` is that of the motion.
+    """Actuator forces of inverse dynamics, with the system H x = c that determines them.
+
+    ``(...)`` is the shape of the motion. Equation numbers refer to Dasgupta and Mruthyunjaya (1998).
 
     Attributes
     ----------
-    F : ndarray
-        Actuator forces, N, (..., 6), positive when they extend the leg, (37).
-    D : ndarray
-        Known part of the actuator force, N, (..., 6), (24).
-    x : ndarray
-        Axial force on the leg at its spherical joint, N, (..., 6), (22).
-    K : ndarray
-        Transverse force on the leg at its spherical joint, N, base frame, (..., 6, 3), (21).
-    H : ndarray
-        H x = c, (36); F acts on the platform by H F, x by -H x. (..., 6, 6); rows 0-2 unitless, rows 3-5 m.
-    c : ndarray
-        Wrench that the axial forces must balance, N and N m, base frame, (..., 6), (36).
-    status : ndarray of int
-        0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
-    wrench_error : ndarray, optional
-        c - H x, N and N m, (..., 6): by how much the wrench of F exceeds the one that the motion needs. 0
-        where H x = c was solved, NaN where the pose is unsolvable; None without damping.
+    F : ndarray, shape (..., 6)
+        Actuator forces (N), positive when they extend the leg, (37).
+    D : ndarray, shape (..., 6)
+        Part of the actuator forces (N) that follows from the motion of the leg alone, (24); F = D - x.
+    x : ndarray, shape (..., 6)
+        Axial forces (N) on the legs at their spherical joints, (22).
+    K : ndarray, shape (..., 6, 3)
+        Transverse forces (N) on the legs at their spherical joints, base frame, (21).
+    H : ndarray, shape (..., 6, 6)
+        Matrix of H x = c, (36); rows 0-2 without a unit, rows 3-5 in m. The wrench of F on the platform is H
+        F, the wrench of x is -H x.
+    c : ndarray, shape (..., 6)
+        Wrench (N and N m) that the axial forces must balance, base frame, (36).
+    status : ndarray of int, shape (...)
+        Status of each pose: 0 if it was solved, otherwise a code of ``STATUS_TEXT``.
+    wrench_error : ndarray, shape (..., 6), optional
+        Residual c - H x (N and N m): wrench of F minus the wrench that the motion requires. 0 if H x = c was
+        solved, NaN if the pose has no forces; None without damping.
     """
 
     F: Array
@@ -58,31 +61,33 @@ class InverseDynamicsResult:
 
 @dataclass(frozen=True, eq=False)
 class JointReactionsResult:
-    """Joint reactions of one or many poses, base frame; a leading shape ``(...)`` is that of the motion.
+    """Forces and moments in the joints of the legs, base frame.
+
+    ``(...)`` is the shape of the motion. Equation numbers refer to Dasgupta and Mruthyunjaya (1998).
 
     Attributes
     ----------
-    F_s : ndarray
-        Force on the leg at the spherical joint, N, (..., 6, 3), (21).
-    F_u : ndarray
-        Force on the leg at the universal joint, N, (..., 6, 3), (27).
-    F_p : ndarray
-        Force of the lower part on the upper at the prismatic joint, N, (..., 6, 3), (26); without the viscous
-        friction -C_p L_dot s, which comes to it.
-    F_c : ndarray
-        Its constraint part, (28): F_p less s times the actuator's force on the upper part, which is F less
-        what turns a rotor of the drive, N, (..., 6, 3).
-    M_p : ndarray
-        Moment of the lower part, on which the gyroscopic moment of a rotor acts, on the upper at the
-        prismatic joint, N m, (..., 6, 3), (17).
-    M_u : ndarray
-        Constraint moment on the leg at the universal joint, N m, (..., 6), (29), along k x y, y the moving
-        axis; in `paper` along the leg.
-    status : ndarray of int
-        As in ``InverseDynamicsResult``.
-    M_s : ndarray, optional
-        Constraint moment on the leg at a universal platform joint, about the platform point, N m,
-        (..., 6, 3); None where the joint is spherical.
+    F_s : ndarray, shape (..., 6, 3)
+        Forces (N) on the legs at the spherical joints, (21).
+    F_u : ndarray, shape (..., 6, 3)
+        Forces (N) on the legs at the universal joints, (27).
+    F_p : ndarray, shape (..., 6, 3)
+        Forces (N) of the lower on the upper part at the prismatic joints, (26). The viscous friction -C_p
+        L_dot s is not included.
+    F_c : ndarray, shape (..., 6, 3)
+        Constraint part of F_p (N), (28): F_p minus s times the force of the actuator on the upper part. This
+        force is F minus the part of F that accelerates a rotor of the drive.
+    M_p : ndarray, shape (..., 6, 3)
+        Moments (N m) of the lower on the upper part at the prismatic joints, (17). The gyroscopic moment of a
+        rotor acts on the lower part.
+    M_u : ndarray, shape (..., 6)
+        Constraint moments (N m) on the legs at the universal joints, (29), about k x y, with the moving axis
+        y; in formulation `paper` about the leg.
+    status : ndarray of int, shape (...)
+        Status of each pose, as in ``InverseDynamicsResult``.
+    M_s : ndarray, shape (..., 6, 3), optional
+        Constraint moments (N m) on the legs at universal platform joints, about the platform points; None for
+        spherical joints.
     """
 
     F_s: Array
@@ -97,27 +102,27 @@ class JointReactionsResult:
 
 @dataclass(frozen=True, eq=False)
 class EquationsOfMotionResult:
-    """M [a; alpha] + C [v; omega] + g + friction = H F + W_ext, of one or many poses; (...) is the motion's.
+    """Terms of the equations of motion M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
 
-    Wrenches are [force; moment], twists [v; omega], both at the platform's reference point in base axes;
-    W_ext = [R F_ext; R M_ext].
+    ``(...)`` is the shape of the motion. Wrenches are [force; moment] and twists are [v; omega], both at the
+    reference point in base axes. W_ext = [R F_ext; R M_ext].
 
     Attributes
     ----------
-    M : ndarray
-        Inertia matrix, symmetric, (..., 6, 6): kg, kg m and kg m^2 by blocks.
-    C : ndarray
-        Coriolis matrix, (..., 6, 6): linear in the twist. In `exact` dM/dt = C + C^T.
-    g : ndarray
-        Wrench that holds the weight of the whole machine at rest, N and N m, (..., 6).
-    friction : ndarray
-        Wrench that overcomes the friction of the eighteen joints, N and N m, (..., 6).
-    bias : ndarray
-        C [v; omega] + g, N and N m, (..., 6).
-    bias_and_friction : ndarray
-        C [v; omega] + g + friction, N and N m, (..., 6).
-    status : ndarray of int
-        As in ``InverseDynamicsResult``; all else is NaN where it is not 0.
+    M : ndarray, shape (..., 6, 6)
+        Mass matrix, symmetric (blocks in kg, kg m, and kg m^2).
+    C : ndarray, shape (..., 6, 6)
+        Coriolis matrix, linear in the twist. In formulation `exact`, dM/dt = C + C^T.
+    g : ndarray, shape (..., 6)
+        Gravity term (N and N m): wrench that balances the weight of the whole machine at rest.
+    friction : ndarray, shape (..., 6)
+        Wrench (N and N m) that overcomes the friction of the eighteen joints.
+    bias : ndarray, shape (..., 6)
+        C [v; omega] + g (N and N m).
+    bias_and_friction : ndarray, shape (..., 6)
+        C [v; omega] + g + friction (N and N m).
+    status : ndarray of int, shape (...)
+        Status of each pose, as in ``InverseDynamicsResult``; the other values are NaN if it is not 0.
     """
 
     M: Array
@@ -131,22 +136,24 @@ class EquationsOfMotionResult:
 
 @dataclass(frozen=True, eq=False)
 class ForceDerivativesResult:
-    """Actuator forces of inverse dynamics and their derivatives, of one or many poses; (...) is the motion's.
+    """Actuator forces of inverse dynamics and their derivatives.
 
-    Rows are legs. Poses move by [dt; dphi], m and rad, base axes, R becoming exp([dphi]x) R.
+    ``(...)`` is the shape of the motion. Rows are legs. A pose changes by [dt; dphi] (m and rad, base axes):
+    t becomes t + dt, and R becomes exp([dphi]x) R.
 
     Attributes
     ----------
-    F : ndarray
-        Actuator forces, N, (..., 6).
-    by_pose : ndarray
-        dF by [dt; dphi], N/m and N, (..., 6, 6), at fixed rates, accelerations, F_ext, M_ext.
-    by_twist : ndarray
-        dF by [v; omega], N s/m and N s, (..., 6, 6).
-    by_acceleration : ndarray
-        dF by [a; alpha], kg and kg m, (..., 6, 6): H^-1 M.
-    status : ndarray of int
-        As in ``InverseDynamicsResult``; all else is NaN where it is not 0.
+    F : ndarray, shape (..., 6)
+        Actuator forces (N).
+    by_pose : ndarray, shape (..., 6, 6)
+        Derivatives of F with respect to [dt; dphi] (N/m and N), with constant v, omega, a, alpha, F_ext, and
+        M_ext.
+    by_twist : ndarray, shape (..., 6, 6)
+        Derivatives of F with respect to [v; omega] (N s/m and N s).
+    by_acceleration : ndarray, shape (..., 6, 6)
+        Derivatives of F with respect to [a; alpha] (kg and kg m), H^-1 M.
+    status : ndarray of int, shape (...)
+        Status of each pose, as in ``InverseDynamicsResult``; the other values are NaN if it is not 0.
     """
 
     F: Array
@@ -158,21 +165,21 @@ class ForceDerivativesResult:
 
 @dataclass(frozen=True, eq=False)
 class LinearizationResult:
-    """Forward dynamics and its derivatives, of one or many poses; (...) is the motion's.
+    """Linear state equations dx/dt = A x + B dF about a motion.
 
-    With the state x = [dt; dphi; dv; domega] about the motion, poses moving as in
-    ``ForceDerivativesResult``, dx/dt = A x + B dF.
+    ``(...)`` is the shape of the motion. The state is x = [dt; dphi; dv; domega], the difference from the
+    motion. Poses change as in ``ForceDerivativesResult``.
 
     Attributes
     ----------
-    acceleration : ndarray
-        [a; alpha] under the given forces, m/s^2 and rad/s^2, (..., 6).
-    A : ndarray
-        (..., 12, 12), SI units by blocks.
-    B : ndarray
-        (..., 12, 6).
-    status : ndarray of int
-        As in ``InverseDynamicsResult``; all else is NaN where it is not 0.
+    acceleration : ndarray, shape (..., 6)
+        Acceleration [a; alpha] of the platform under the given forces (m/s^2 and rad/s^2).
+    A : ndarray, shape (..., 12, 12)
+        State matrix, in SI units.
+    B : ndarray, shape (..., 12, 6)
+        Input matrix, in SI units.
+    status : ndarray of int, shape (...)
+        Status of each pose, as in ``InverseDynamicsResult``; the other values are NaN if it is not 0.
     """
 
     acceleration: Array
@@ -182,16 +189,29 @@ class LinearizationResult:
 
 
 class Velocities(NamedTuple):
-    """Velocities of the platform, base frame, (..., 3): v of the reference point, m/s, and omega, rad/s."""
+    """Velocities of the platform, base frame, as a named tuple.
+
+    Attributes
+    ----------
+    v : ndarray, shape (..., 3)
+        Velocity of the reference point (m/s).
+    omega : ndarray, shape (..., 3)
+        Angular velocity (rad/s).
+    """
 
     v: Array
     omega: Array
 
 
 class Accelerations(NamedTuple):
-    """Accelerations of the platform, base frame, (..., 3): a of the reference point, m/s^2; alpha.
+    """Accelerations of the platform, base frame, as a named tuple.
 
-    alpha: rad/s^2.
+    Attributes
+    ----------
+    a : ndarray, shape (..., 3)
+        Acceleration of the reference point (m/s^2).
+    alpha : ndarray, shape (..., 3)
+        Angular acceleration (rad/s^2).
     """
 
     a: Array
@@ -199,7 +219,15 @@ class Accelerations(NamedTuple):
 
 
 class DampedLeastSquaresResult(NamedTuple):
-    """Axial forces x, N, (..., 6), and wrench_error = c - H x, N and N m, (..., 6)."""
+    """Axial forces and residual of a damped least-squares solution, as a named tuple.
+
+    Attributes
+    ----------
+    x : ndarray, shape (..., 6)
+        Axial forces (N).
+    wrench_error : ndarray, shape (..., 6)
+        Residual c - H x (N and N m).
+    """
 
     x: Array
     wrench_error: Array

@@ -1,1 +1,1 @@
-"""Actuator forces, joint reactions and equations of motion of one machine."""
+"""Actuator forces, joint reactions, and equations of motion of one robot."""

@@ -1,6 +1,6 @@
-"""The generated modules on arrays, bound to a robot and to an array library: NumPy, JAX, PyTorch and others.
+"""Generated modules bound to a robot and an array library such as NumPy, JAX, or PyTorch.
 
-Arrays come and go as the library's own; ``jit``, ``vmap`` and ``grad`` work on every method.
+Arguments and results are arrays of the library; ``jit``, ``vmap``, and ``grad`` work with every method.
 """
 
 from dataclasses import dataclass, field
@@ -20,17 +20,18 @@ from .inverse_dynamics import Formulation
 
 
 class ArrayForces(NamedTuple):
-    """F: actuator forces, N, (..., 6), (37); status (...)."""
+    """Actuator forces F (N), shape (..., 6), (37), and status, shape (...)."""
 
     F: Any
     status: Any
 
 
 class ArrayEquations(NamedTuple):
-    """M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext], and status (...).
+    """Terms of the equations of motion, and status, shape (...).
 
-    M, C, H: (..., 6, 6); g, friction, bias = C [v; omega] + g, bias_and_friction: (..., 6). N and N m, base
-    frame.
+    M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]. M, C, and H have the shape (..., 6,
+    6). g, friction, bias = C [v; omega] + g, and bias_and_friction have the shape (..., 6) and are in N and N
+    m, base frame.
     """
 
     M: Any
@@ -44,7 +45,7 @@ class ArrayEquations(NamedTuple):
 
 
 class ArrayAccelerations(NamedTuple):
-    """a, m/s^2, and alpha, rad/s^2, base frame, (..., 3); status (...)."""
+    """Accelerations a (m/s^2) and alpha (rad/s^2), base frame, shape (..., 3), and status, shape (...)."""
 
     a: Any
     alpha: Any
@@ -56,22 +57,30 @@ Result = TypeVar("Result", ArrayForces, ArrayEquations, ArrayAccelerations)
 
 @dataclass(frozen=True, eq=False)
 class ArrayKernel(Frozen):
-    """A robot's constants prepared for one array library.
+    """Robot prepared for one array library.
 
-    What is not given to a method is zero, and leading shapes broadcast. Shapes are checked, and that numbers
-    are real; that R is a rotation is not: ``Motion`` checks it. Where a status, a code of
-    ``results.STATUS_TEXT``, is not 0, the other numbers are NaN.
+    Omitted arguments of the methods are zero, and leading shapes broadcast. The methods check shapes and
+    require real numbers. They do not check that R is a rotation; ``Motion`` does. If a status, a code of
+    ``results.STATUS_TEXT``, is not 0, the other results are NaN.
 
     Attributes
     ----------
     robot : Robot
-        The machine.
-    xp : object
-        The library's namespace.
+        Robot model.
+    xp : module
+        Namespace of the array library, for example ``jax.numpy``.
     formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
+        "exact" for the corrected equations, "paper" for the equations as printed.
     dtype : object, optional
-        Its type of real numbers.
+        Real number type of the library; by default ``xp.float64``.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> kernel = ss.ArrayKernel(ss.robots.load("unal"), xp=np)
+    >>> kernel.forces(np.eye(3), t=[0.0, 0.0, 0.7]).F.round(2).tolist()
+    [5.91, 5.91, 5.91, 5.91, 5.91, 5.91]
     """
 
     robot: Robot
@@ -105,7 +114,7 @@ class ArrayKernel(Frozen):
         self._set({"_source": source, "_on": on, "_model": _converted(model, on), "dtype": on.type})
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Copies and pickles name the library, a module, which neither takes."""
+        """Copy and pickle by the name of the library, because modules cannot be pickled."""
         return _prepared, (self.robot, self.xp.__name__, self.formulation, self.dtype)
 
     def forces(
@@ -119,55 +128,57 @@ class ArrayKernel(Frozen):
         F_ext: Any = None,
         M_ext: Any = None,
     ) -> ArrayForces:
-        """Actuator forces that make the platform follow a motion, (37).
+        """Compute the actuator forces that produce a motion of the platform, (37).
 
         Parameters
         ----------
-        R : array_like
-            Orientation, platform to base, (..., 3, 3).
-        t : array_like
-            Position of the reference point, m, base frame, (..., 3).
-        omega, v : array_like, optional
-            Angular velocity, rad/s, and velocity of the reference point, m/s, base frame, (..., 3).
-        alpha, a : array_like, optional
-            Angular acceleration, rad/s^2, and acceleration of the reference point, m/s^2, base frame,
-            (..., 3).
-        F_ext, M_ext : array_like, optional
-            External force, N, and moment, N m, at the reference point, platform frame, (..., 3).
+        R : array_like, shape (..., 3, 3)
+            Orientation, from the platform frame to the base frame.
+        t : array_like, shape (..., 3)
+            Position of the reference point (m), base frame.
+        omega, v : array_like, shape (..., 3), optional
+            Angular velocity (rad/s) and velocity of the reference point (m/s), base frame; by default 0.
+        alpha, a : array_like, shape (..., 3), optional
+            Angular acceleration (rad/s^2) and acceleration of the reference point (m/s^2), base frame; by
+            default 0.
+        F_ext, M_ext : array_like, shape (..., 3), optional
+            External force (N) and moment (N m) at the reference point, platform frame; by default 0.
 
         Returns
         -------
         ArrayForces
-            Shapes and units are documented there.
+            Named tuple: actuator forces ``F`` (N), shape (..., 6), and ``status``, shape (...).
 
         Raises
         ------
         ValueError
-            Naming the argument that is not of real numbers or of another shape.
+            If an argument is not real or has another shape; the message names the argument.
         """
         given = {"R": R, "t": t, "omega": omega, "v": v, "alpha": alpha, "a": a}
         return self._run("forces", ArrayForces, given | {"F_ext": F_ext, "M_ext": M_ext})
 
     def equations(self, R: Any, t: Any, omega: Any = None, v: Any = None) -> ArrayEquations:
-        """Terms of the equations of motion: M, C, g, friction, bias, bias_and_friction, and H.
+        """Compute the terms of the equations of motion: M, C, g, friction, bias, bias_and_friction, and H.
 
         Parameters
         ----------
-        R, t : array_like
-            Pose, as for ``forces``.
-        omega, v : array_like, optional
-            Its rates, as for ``forces``.
+        R : array_like, shape (..., 3, 3)
+            Orientation, from the platform frame to the base frame.
+        t : array_like, shape (..., 3)
+            Position of the reference point (m), base frame.
+        omega, v : array_like, shape (..., 3), optional
+            Angular velocity (rad/s) and velocity of the reference point (m/s), base frame; by default 0.
 
         Returns
         -------
         ArrayEquations
-            Shapes and units are documented there.
+            Named tuple of the terms and ``status``, shape (...).
 
         Raises
         ------
         ValueError
-            As ``forces``, and unless the formulation is `exact` and the base joints are universal ones
-            without offsets.
+            If an argument is not real or has another shape, the formulation is not "exact", or the base
+            joints are not universal joints without offsets.
         """
         return self._run("equations", ArrayEquations, {"R": R, "t": t, "omega": omega, "v": v})
 
@@ -181,28 +192,32 @@ class ArrayKernel(Frozen):
         F_ext: Any = None,
         M_ext: Any = None,
     ) -> ArrayAccelerations:
-        """Accelerations of the platform under actuator forces.
+        """Compute the accelerations of the platform under actuator forces.
 
         Parameters
         ----------
-        R, t : array_like
-            Pose, as for ``forces``.
-        omega, v : array_like, optional
-            Its rates, as for ``forces``.
-        F : array_like, optional
-            Actuator forces, N, (..., 6).
-        F_ext, M_ext : array_like, optional
-            External load, as for ``forces``.
+        R : array_like, shape (..., 3, 3)
+            Orientation, from the platform frame to the base frame.
+        t : array_like, shape (..., 3)
+            Position of the reference point (m), base frame.
+        omega, v : array_like, shape (..., 3), optional
+            Angular velocity (rad/s) and velocity of the reference point (m/s), base frame; by default 0.
+        F : array_like, shape (..., 6), optional
+            Actuator forces (N), positive when they extend the leg; by default 0.
+        F_ext, M_ext : array_like, shape (..., 3), optional
+            External force (N) and moment (N m) at the reference point, platform frame; by default 0.
 
         Returns
         -------
         ArrayAccelerations
-            Shapes and units are documented there.
+            Named tuple: ``a`` (m/s^2) and ``alpha`` (rad/s^2), base frame, shape (..., 3), and ``status``,
+            shape (...).
 
         Raises
         ------
         ValueError
-            As ``equations``.
+            If an argument is not real or has another shape, the formulation is not "exact", or the base
+            joints are not universal joints without offsets.
         """
         given = {"R": R, "t": t, "omega": omega, "v": v, "F_ext": F_ext, "M_ext": M_ext}
         return self._run("forward_dynamics", ArrayAccelerations, given, F)
@@ -228,7 +243,7 @@ class ArrayKernel(Frozen):
         return kind(*(stacked(self.xp, getattr(found, name), shape) for name in kind._fields))
 
     def _array(self, name: str, value: Any) -> Any:
-        """An argument as the library's array of real numbers, its shape checked."""
+        """Convert an argument to an array of real numbers of the library, and check its shape."""
         try:
             given = getattr(value, "dtype", None) or np.asarray(value).dtype
             kind = str(getattr(given, "name", given)).rpartition(".")[2]
@@ -244,7 +259,7 @@ class ArrayKernel(Frozen):
 
 
 def _shape_of(name: str) -> tuple[int, ...]:
-    """Shape of an argument at one pose."""
+    """Return the shape of an argument at one pose."""
     return {"R": (3, 3), "F": (6,)}.get(name, (3,))
 
 
@@ -253,7 +268,7 @@ def _prepared(robot: Robot, library: str, formulation: Formulation, dtype: Any) 
 
 
 def robot_structure(made: Any, robot: Any) -> Any:
-    """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
+    """Fill a structure of a generated module with the numbers of a robot; symmetric tensors have six."""
     for i, leg in enumerate(made.leg):
         if not hasattr(leg, OFFSETS[0]):
             need_no_offsets(robot)
@@ -266,13 +281,13 @@ def robot_structure(made: Any, robot: Any) -> Any:
 
 
 def _components(value: Any) -> Any:
-    """A quantity of no or one index as it is stored, a number or a list of them."""
+    """Convert a quantity with at most one index to its stored form, a number or a list."""
     components = stored(np.asarray(value))
     return list(components) if components.shape else components[()]
 
 
 def _converted(value: Any, on: Any) -> Any:
-    """Numbers of a model as arrays of another library."""
+    """Convert the numbers of a model to arrays of another library."""
     if isinstance(value, list):
         return [_converted(each, on) for each in value]
     if hasattr(value, "__dict__"):
@@ -284,7 +299,7 @@ def _converted(value: Any, on: Any) -> Any:
 
 
 def stacked(xp: Any, value: Any, shape: tuple[int, ...]) -> Any:
-    """Lists of arrays, one for each component, as one array (*shape, ...)."""
+    """Stack lists of arrays, one per component, into one array (*shape, ...)."""
     dims: tuple[int, ...] = ()
     parts = [value]
     while isinstance(parts[0], list):

@@ -1,7 +1,6 @@
-"""The closed form's kernels bound to a robot: equations of motion, forward dynamics, derivatives; C or NumPy.
+"""Closed-form kernels for one robot, in C or NumPy: equations of motion, forward dynamics, and derivatives.
 
-Takes checked robots and motions, hands arrays to the generated code and its results back. Formulation
-`exact` with universal base joints.
+They accept checked robots and motions with universal base joints, in formulation `exact`.
 """
 
 import ctypes
@@ -35,25 +34,25 @@ OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {
         "linearization",
     )
 }
-"""What the functions hand out that sweeps hold against wider arithmetic, with the shape of a pose's part."""
+"""Outputs that sweeps compare with higher precision, with the shape of each result at one pose."""
 
 
 def c_sources(name: str = "exact") -> dict[str, str]:
-    """File name -> text of the generated C of the closed form and of the force kernel it stands on.
+    """Return the generated C of the closed form and of its force kernel, by file name.
 
-    name: of the kernel, "exact" or "exact_drive".
+    ``name`` is the kernel, "exact" or "exact_drive".
     """
     return c_kernel.c_sources(f"{name}_forces") | c_kernel.c_sources(f"{name}_motion")
 
 
 @functools.cache
 def library(name: str = "exact") -> ctypes.CDLL:
-    """The compiled C. Raises native.CompilerError where there is no working compiler."""
+    """Load the compiled C. Raises native.CompilerError if there is no working compiler."""
     return native.load(f"stewart_{name}_motion", c_sources(name), defines=dict.fromkeys(defines_of(name), 1))
 
 
 class CClosedForm:
-    """The C of the closed form with one robot's prepared constants. Calls release the interpreter lock."""
+    """C closed form with the prepared constants of one robot. Calls release the global interpreter lock."""
 
     def __init__(self, robot: Robot) -> None:
         self._name = robot_kernel(robot, "exact")
@@ -61,9 +60,10 @@ class CClosedForm:
         self._model = ForceKernel(robot, "exact").model
 
     def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
-        """Results by name and status (...), NaN where that is not 0.
+        """Return the results by name, and the status (...); results are NaN if the status is not 0.
 
-        what: an output of ``derive.kernel.outputs.RESULTS`` but "forces". F: (..., 6), of the motion's shape.
+        ``what`` is an output of ``derive.kernel.outputs.RESULTS`` except "forces". F (N) has the shape (...,
+        6) with the shape of the motion.
         """
         forces = [] if F is None else [contiguous(F)]
         code, apart = self._function(f"{what}_batch"), what not in STRUCTS
@@ -73,14 +73,14 @@ class CClosedForm:
         return getattr(library(self._name), f"stewart_{self._name}_{what}")
 
     def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
-        """Forward dynamics of one state at a time, for loops: see ``ForwardDynamics.one_state``."""
+        """Return a function for the forward dynamics of single states; see ``ForwardDynamics.one_state``."""
         arrays = (self._model, np.zeros(30), np.zeros(6), np.empty(6))
         R, t, omega, v, _, _, F_ext, M_ext = np.split(arrays[1], np.arange(9, 30, 3))
         nothing, code = np.zeros(3), self._function("forward_dynamics")
         addresses = [address(array) for array in arrays]
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
-            # Named here, so that the arrays live as long as this function.
+            # This reference keeps the arrays alive as long as the function.
             _, _, forces, x = arrays
             R[:], t[:], omega[:], v[:] = motion.R.ravel(), motion.t, motion.omega, motion.v
             F_ext[:] = nothing if motion.F_ext is None else motion.F_ext
@@ -93,7 +93,7 @@ class CClosedForm:
 
 
 class NumpyClosedForm:
-    """NumPy kernels of the closed form with one robot; they have the bits of C without fused multiply-add."""
+    """NumPy closed form for one robot, bit-identical to C without fused multiply-add."""
 
     def __init__(self, robot: Robot) -> None:
         self._source: Any = module(f"{robot_kernel(robot, 'exact')}_arrays")
@@ -102,7 +102,7 @@ class NumpyClosedForm:
             self._model = self._source.prepare(self._on, robot_structure(self._source.Robot(), robot))
 
     def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
-        """See ``CClosedForm``."""
+        """Return the results by name, as in ``CClosedForm.run``."""
         given = self._source.motion_of(self._on, **vars(loaded(motion)))
         forces = [] if F is None else [[F[..., i] for i in range(6)]]
         with np.errstate(all="ignore"):

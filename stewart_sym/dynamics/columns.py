@@ -1,4 +1,4 @@
-"""Layouts of arrays that C reads: poses one after the other, or columns, the numbers of each component."""
+"""Array layouts for the C code: consecutive poses, or columns with consecutive values of each component."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -14,17 +14,17 @@ Array = NDArray[Any]
 
 NAMES = (*MOTION, "F")
 WIDTHS = (*(math.prod(shape) for shape in MOTION.values()), 6)
-"""Components of each array of ``NAMES``."""
+"""Number of components of each array in ``NAMES``."""
 _OPTIONAL = ("F_ext", "M_ext")
 _EXACTLY: Any = 100_000
-"""Trials until two interleaved arrays are said to share memory."""
+"""Effort limit of ``np.may_share_memory``, after which two interleaved arrays count as overlapping."""
 
 
 def as_columns(values: Sequence[Any], dtype: Any) -> list[Array | None]:
-    """Arrays of a motion as the C takes them: (9, n) and (3, n), None for no load; copied only where needed.
+    """Convert the arrays of a motion for C: (9, n) and (3, n), or None without a load; copy only if required.
 
-    values: in the order of ``MOTION``; R (3, 3, n) or (9, n), the others (3, n).
-    Raises ValueError naming the array of another shape.
+    ``values`` are in the order of ``MOTION``: R has the shape (3, 3, n) or (9, n), the others have (3, n).
+    Raises ValueError that names the array with another shape.
     """
     count: int | None = None
     found: list[Array | None] = []
@@ -47,7 +47,7 @@ def as_columns(values: Sequence[Any], dtype: Any) -> list[Array | None]:
 
 
 def need_rows(arrays: Sequence[Array | None], F: Array, status: Any, dtype: Any) -> None:
-    """Raise ValueError naming the array that is not C-contiguous, with all numbers of a pose side by side."""
+    """Raise ValueError that names an array that is not C-contiguous with all numbers of a pose together."""
     need_status(status)
     for name, width, array in _typed(arrays, F, dtype):
         if not array.flags.c_contiguous:
@@ -59,10 +59,10 @@ def need_rows(arrays: Sequence[Array | None], F: Array, status: Any, dtype: Any)
 
 
 def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) -> int:
-    """Numbers from one column to the next, the same in all arrays, at least ``count``.
+    """Return the distance between columns in numbers, equal for all arrays and at least ``count``.
 
-    arrays: as ``as_columns`` returns them; F (6, count).
-    Raises ValueError naming the array whose shape, type or layout is another.
+    ``arrays`` are results of ``as_columns``, and F has the shape (6, count). Raises ValueError that names the
+    array with another shape, type, or layout.
     """
     given: list[Array] = []
     for name, width, array in _typed(arrays, F, dtype):
@@ -80,7 +80,7 @@ def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) 
 
 
 def _typed(arrays: Sequence[Array | None], F: Array, dtype: Any) -> Iterator[tuple[str, int, Array]]:
-    """Name, components and array of all that are given, of a motion and F; ValueError for another type."""
+    """Yield name, number of components, and array of each given array; ValueError for another type."""
     if len(arrays) != len(MOTION):
         raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
     for name, width, array in zip(NAMES, WIDTHS, (*arrays, F), strict=True):
@@ -94,14 +94,14 @@ def _need_writeable(F: Array) -> None:
 
 
 def need_status(status: Any) -> None:
-    """Raise ValueError for what C cannot write statuses to."""
+    """Raise ValueError if C cannot write statuses to the array."""
     need_type("status", status, np.int32)
     if not status.flags.carray:
         raise ValueError("status: expected a writeable C-contiguous array, got another")
 
 
 def need_type(name: str, array: Any, dtype: Any) -> Array:
-    """The array; raises ValueError for what is none of this type that C can read."""
+    """Return the array; raise ValueError if it does not have this type or C cannot read it."""
     if isinstance(array, np.ndarray) and array.dtype == dtype and array.flags.aligned:
         return array
     wanted = np.dtype(dtype)
@@ -113,20 +113,20 @@ def need_type(name: str, array: Any, dtype: Any) -> Array:
 
 
 def need_apart(arrays: Sequence[Array | None], F: Array, status: Array) -> None:
-    """Raise ValueError where what is written shares memory with another array.
+    """Raise ValueError if an output shares memory with another array.
 
-    arrays: in the order of ``MOTION``.
+    ``arrays`` are in the order of ``MOTION``.
     """
     inputs = [array for array in arrays if array is not None]
     for name, own, others in (("F", F, inputs), ("status", status, [*inputs, F])):
         for array in others:
             if np.may_share_memory(own, array, _EXACTLY):
                 other = next(key for key, given in zip(NAMES, (*arrays, F), strict=True) if given is array)
-                raise ValueError(f"{name}: expected memory of its own, got some of {other}")
+                raise ValueError(f"{name}: expected separate memory, got memory of {other}")
 
 
 def _stride(arrays: Sequence[Array]) -> int | None:
-    """Numbers from one column to the next, None where not all arrays are columns so far apart."""
+    """Return the distance between columns in numbers, or None if the arrays have no common distance."""
     size, count = arrays[0].itemsize, arrays[0].shape[-1]
     stride = arrays[0].strides[0]
     for array in arrays:

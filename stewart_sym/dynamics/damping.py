@@ -1,8 +1,8 @@
-"""Damped least squares: axial forces where H is singular and no x solves H x = c, (36).
+"""Damped least squares for H x = c, (36), if H is singular.
 
-The method is that of Nakamura and Hanafusa, J. Dyn. Sys., Meas., Control 108 (1986) 163-171, damped only in
-the directions that are all but lost, by as much as their singular values need: the numerical filtering
-of Maciejewski and Klein, J. Robotic Systems 5 (1988) 527-552.
+The method is by Nakamura and Hanafusa, J. Dyn. Sys., Meas., Control 108 (1986) 163-171. Only directions with
+small singular values are damped, each by the required amount: numerical filtering by Maciejewski and Klein,
+J. Robotic Systems 5 (1988) 527-552.
 """
 
 from __future__ import annotations
@@ -15,41 +15,66 @@ from ..kinematics.conditioning import moments_over
 from ..results import DampedLeastSquaresResult
 
 SHARE = float(np.finfo(np.float64).eps) ** 0.25
-"""Share of the largest singular value below which one is damped: rounding in a singular value of 0 then moves
-the forces by sqrt(eps) of what the same wrench needs with a well-conditioned H."""
+"""Fraction of the largest singular value below which a singular value is damped.
+
+Rounding in a singular value of 0 then changes the forces by sqrt(eps) of the forces that the same wrench
+requires with a well-conditioned H.
+"""
 
 
 def damped_least_squares(
     H: ArrayLike, c: ArrayLike, length: float, rcond: float = SHARE
 ) -> DampedLeastSquaresResult:
-    """Return x, N, (..., 6), that least violates H x = c with forces kept within bounds, and c - H x.
-
-    With the moment rows of H and c divided by ``length``, m (``characteristic_length``), H = sum s_i u_i
-    v_i^T. x = sum g_i (u_i . c) v_i with g_i = 1/s_i where s_i >= s_0 = share s_1, and g_i = s_i/s_0^2 =
-    s_i/(s_i^2 + lambda_i^2), lambda_i^2 = s_0^2 - s_i^2, below: without a jump, never above 1/s_0, and 0
-    along a motion that is lost. They are returned as a named tuple (x, wrench_error).
+    """Compute axial forces that approximately solve H x = c if H is singular, and the residual.
 
     Parameters
     ----------
-    H : array_like
-        (..., 6, 6).
-    c : array_like
-        N and N m, (..., 6).
+    H : array_like, shape (..., 6, 6)
+        Matrix of H x = c: forces in rows 0-2 (no unit), moments in rows 3-5 (m), as in
+        ``InverseDynamicsResult`` or ``wrench_matrix``.
+    c : array_like, shape (..., 6)
+        Required wrench (N and N m), base frame.
     length : float
-        Characteristic length, m.
+        Characteristic length (m) by which moments are divided, > 0.
     rcond : float, optional
-        Smallest singular value that is not damped, over the largest, > 0 and < 1.
+        Smallest singular value that is not damped, relative to the largest, > 0 and < 1.
 
     Returns
     -------
     DampedLeastSquaresResult
-        Forces x and the residual c - H x, N and N m, (..., 6): the error of the wrench.
-        NaN where H or c is not finite.
+        Named tuple (x, wrench_error): axial forces (N) and the residual c - H x (N and N m), shape (..., 6)
+        each. NaN if H or c is not finite.
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If an argument has another shape or is out of range; the message names the argument.
+
+    See Also
+    --------
+    inverse_dynamics : Apply the method to singular poses with ``on_singular="damped"``.
+    characteristic_length : Compute ``length`` for a robot.
+
+    Notes
+    -----
+    With the moment rows of H and c divided by ``length``, H = sum s_i u_i v_i^T. The solution is x = sum g_i
+    (u_i . c) v_i. The gain is g_i = 1/s_i for s_i >= s_0 = rcond s_1, and otherwise g_i = s_i/s_0^2 =
+    s_i/(s_i^2 + lambda_i^2) with lambda_i^2 = s_0^2 - s_i^2. It is continuous, never exceeds 1/s_0, and is 0
+    along a direction that is lost. The method is by Nakamura and Hanafusa (1986), with the numerical
+    filtering of Maciejewski and Klein (1988).
+
+    Examples
+    --------
+    A wrench with a moment about the z axis, which a singular H cannot produce:
+
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> H = np.diag([1.0, 1.0, 1.0, 1.0, 1.0, 0.0])
+    >>> result = ss.damped_least_squares(H, c=[1.0, 0.0, 2.0, 0.0, 0.0, 3.0], length=1.0)
+    >>> result.x.round(6).tolist()
+    [1.0, 0.0, 2.0, 0.0, 0.0, 0.0]
+    >>> result.wrench_error.round(6).tolist()
+    [0.0, 0.0, 0.0, 0.0, 0.0, 3.0]
     """
     rcond = number_in(rcond, "rcond", "a number > 0 and < 1", high=1.0)
     scaled, wrench = moments_over(H, length), real_array(c, "c", "wrenches of shape (..., 6)")

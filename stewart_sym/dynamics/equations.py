@@ -1,30 +1,22 @@
-"""Equations of motion as users call them: M, C, g, friction, forward dynamics and derivatives.
+"""Equations of motion, forward dynamics, and derivatives of the forces, with checks of the results.
 
-Turns a status into an error, a warning or NaN.
+Each function turns a status into an error, a warning, or NaN.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..backend.kernel import FORMULATIONS
 from ..io.arguments import instance, leading_shape, option, real_array
-from ..io.array_types import Array, Codes, Flags
+from ..io.array_types import Array
 from ..io.error_policy import ON_FAULT, OnFault
-from ..kinematics.inverse_kinematics import leg_vectors, wrench_matrix
+from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
-from ..motion.rotation import cross
-from ..reference import equations_of_motion as reference_equations
-from ..reference import newton_euler, offset_joints
-from ..reference.equations_of_motion import ActuatorWrench, by_linearity, inertia_and_bias
+from ..reference import newton_euler
 from ..results import (
-    MASS_MATRIX_INDEFINITE,
-    NOT_FINITE,
     OK,
     SINGULAR,
     Accelerations,
@@ -34,8 +26,9 @@ from ..results import (
 )
 from ..robot.robot import Robot
 from . import inverse_dynamics
-from .closed_form import CClosedForm, ClosedForm, NumpyClosedForm
-from .forward_from_inverse import ForwardFromInverse
+from .closed_form import ClosedForm
+from .forward_dynamics import TERMS, closed_form_of, terms_from_forces
+from .forward_dynamics import ForwardDynamics as ForwardDynamics
 
 
 def equations_of_motion(
@@ -45,68 +38,132 @@ def equations_of_motion(
     backend: inverse_dynamics.Backend = "c",
     on_singular: OnFault = "raise",
 ) -> EquationsOfMotionResult:
-    """M, C, g and friction of M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
+    """Compute the terms of M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        Poses and rates; accelerations and load don't count.
-    formulation, backend, on_singular : str, optional
-        As for ``inverse_dynamics``. "c" and "numpy" evaluate the closed form in `exact`; of `paper` and of
-        machines with spherical base joints they draw the terms from inverse dynamics, which fails
-        where H is singular.
+        Robot model.
+    motion : Motion, shape (...)
+        Poses and velocities of the platform; accelerations and the external wrench are ignored.
+    formulation : {"exact", "paper"}, optional
+        "exact" for the corrected equations, "paper" for the equations as printed.
+    backend : {"c", "numpy", "reference"}, optional
+        "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
+        NumPy code, "reference" for an independent vector implementation.
+    on_singular : {"raise", "warn", "nan"}, optional
+        Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
 
     Returns
     -------
     EquationsOfMotionResult
-        Shapes and units are documented there.
+        Mass matrix ``M``, Coriolis matrix ``C``, shape (..., 6, 6); ``g``, ``friction``, ``bias``, and
+        ``bias_and_friction`` (N and N m), shape (..., 6); and ``status``, shape (...). Wrenches and twists
+        are at the reference point in base axes.
 
     Raises
     ------
     ValueError
-        For unknown options and for unsolvable poses.
+        If an option is unknown, or if a pose has no solution and ``on_singular`` is "raise".
+
+    See Also
+    --------
+    forward_dynamics : Compute the accelerations from actuator forces.
+    joint_space_inertia : Compute the mass matrix with leg lengths as coordinates.
+    inverse_dynamics : Compute H and the actuator forces.
+
+    Notes
+    -----
+    The closed form that Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998), mentions without
+    deriving it: legs are mechanisms of three degrees of freedom, and C follows from Christoffel symbols. With
+    "exact", dM/dt - 2 C is skew-symmetric. The backends "c" and "numpy" evaluate this closed form for "exact"
+    and universal base joints without offsets. Otherwise they compute the terms from inverse dynamics, which
+    can require that H is regular.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ... )
+    >>> terms = ss.equations_of_motion(robot, motion)
+    >>> terms.M.diagonal().round(2).tolist()
+    [4.43, 4.43, 3.56, 0.02, 0.02, 0.04]
+    >>> terms.g.round(2).tolist()
+    [-0.47, -0.14, 35.09, 0.06, 0.03, 0.0]
     """
     _need(robot, motion, on_singular)
-    closed = _closed_form(robot, formulation, backend)
+    closed = closed_form_of(robot, formulation, backend)
     if closed is None:
-        found = _by_linearity(robot, motion, formulation, backend)
+        found = terms_from_forces(robot, motion, formulation, backend)
     else:
         terms = closed.run("equations", motion)
-        found = EquationsOfMotionResult(**{name: terms[name] for name in _TERMS}, status=terms["status"])
+        found = EquationsOfMotionResult(**{name: terms[name] for name in TERMS}, status=terms["status"])
     inverse_dynamics.report_faults(found.status, robot, motion, on_singular)
     return found
-
-
-_TERMS = ("M", "C", "g", "friction", "bias", "bias_and_friction")
 
 
 def force_derivatives(
     robot: Robot, motion: Motion, backend: Literal["c", "numpy"] = "c", on_singular: OnFault = "raise"
 ) -> ForceDerivativesResult:
-    """Derivatives of the `exact` actuator forces by pose, twist and acceleration.
+    """Compute the derivatives of the actuator forces with respect to pose, twist, and acceleration.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        With accelerations. Other arguments: as for ``inverse_dynamics``. Poses move by [dt; dphi], R becoming
-        exp([dphi]x) R; the load moves with the platform.
-    backend, on_singular : str, optional
-        As for ``inverse_dynamics``: "c" or "numpy"; nothing is damped.
+        Robot model with universal base joints without offsets.
+    motion : Motion, shape (...)
+        Poses, velocities, and accelerations of the platform, with an external wrench if there is one. The
+        wrench is constant in the platform frame.
+    backend : {"c", "numpy"}, optional
+        "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
+        NumPy code.
+    on_singular : {"raise", "warn", "nan"}, optional
+        Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
 
     Returns
     -------
     ForceDerivativesResult
-        Shapes and units are documented there.
+        Forces ``F`` (N), shape (..., 6); derivatives ``by_pose``, ``by_twist``, and ``by_acceleration``,
+        shape (..., 6, 6), with one row per leg; and ``status``, shape (...). A pose changes by [dt; dphi] (m
+        and rad, base axes): R becomes exp([dphi]x) R.
 
     Raises
     ------
     ValueError
-        For unknown options, for spherical base joints, for a motion without accelerations, and for unsolvable
-        poses.
+        If an option is unknown, the robot has spherical or offset base joints, the motion has no
+        accelerations, or a pose has no solution and ``on_singular`` is "raise".
+
+    See Also
+    --------
+    inverse_dynamics : Compute the forces.
+    linearize : Compute the linear state equations about a motion.
+
+    Notes
+    -----
+    Analytic derivatives of the closed form, formulation "exact".
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ...     a=[0.0, 0.0, 1.0],
+    ...     theta_ddot=[0.0, 0.0, 0.5],
+    ... )
+    >>> derivatives = ss.force_derivatives(robot, motion)
+    >>> derivatives.by_acceleration[0].round(2).tolist()
+    [6.84, -7.68, 0.42, -0.19, -0.23, -0.51]
     """
     inverse_dynamics.need_motion(robot, motion)
     found = _with_closed_form(robot, backend, on_singular).run("derivatives", motion)
@@ -121,24 +178,67 @@ def linearize(
     backend: Literal["c", "numpy"] = "c",
     on_singular: OnFault = "raise",
 ) -> LinearizationResult:
-    """Linear state equations of the `exact` machine about a motion under actuator forces F, N, (..., 6).
+    """Compute the linear state equations dx/dt = A x + B dF about a motion.
+
+    The state x = [dt; dphi; dv; domega] is the difference from the motion, and dF is the change of the
+    actuator forces.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        Poses, rates and load; accelerations don't count. Other arguments and errors: as for
-        ``forward_dynamics``; spherical base joints are rejected.
-    F : array_like
-        Actuator forces, N, (..., 6).
-    backend, on_singular : str, optional
-        As for ``inverse_dynamics``: "c" or "numpy"; nothing is damped.
+        Robot model with universal base joints without offsets.
+    motion : Motion, shape (...)
+        Poses and velocities of the platform, with an external wrench if there is one; accelerations are
+        ignored.
+    F : array_like, shape (..., 6)
+        Actuator forces (N) at the operating point, positive when they extend the leg.
+    backend : {"c", "numpy"}, optional
+        "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
+        NumPy code.
+    on_singular : {"raise", "warn", "nan"}, optional
+        Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
 
     Returns
     -------
     LinearizationResult
-        Shapes and units are documented there.
+        State matrix ``A``, shape (..., 12, 12), and input matrix ``B``, shape (..., 12, 6), in SI units; the
+        ``acceleration`` [a; alpha] (m/s^2 and rad/s^2) at the operating point, shape (..., 6); and
+        ``status``, shape (...).
+
+    Raises
+    ------
+    ValueError
+        If an option is unknown, the robot has spherical or offset base joints, or ``F`` has another shape or
+        is not finite. Also if a pose has no solution and ``on_singular`` is "raise".
+
+    See Also
+    --------
+    forward_dynamics : Compute the accelerations alone.
+    force_derivatives : Compute the derivatives of inverse dynamics.
+
+    Notes
+    -----
+    Analytic derivatives of the closed form, formulation "exact". The leading shapes of ``motion`` and ``F``
+    broadcast.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ...     a=[0.0, 0.0, 1.0],
+    ...     theta_ddot=[0.0, 0.0, 0.5],
+    ... )
+    >>> system = ss.linearize(robot, motion, F=ss.inverse_dynamics(robot, motion).F)
+    >>> system.A.shape, system.B.shape
+    ((12, 12), (12, 6))
+    >>> system.B[8].round(3).tolist()
+    [0.271, 0.276, 0.287, 0.285, 0.272, 0.27]
     """
     _need(robot, motion, on_singular)
     closed = _with_closed_form(robot, backend, on_singular)
@@ -156,30 +256,72 @@ def forward_dynamics(
     backend: inverse_dynamics.Backend = "c",
     on_singular: OnFault = "raise",
 ) -> Accelerations:
-    """(a, alpha), a named tuple, m/s^2 and rad/s^2, (..., 3), under actuator forces F, N, (..., 6).
+    """Compute the accelerations of the platform under given actuator forces.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        Poses, rates and load F_ext, M_ext; accelerations don't count. The leading shapes of motion and F
-        broadcast. Other arguments: as for ``inverse_dynamics``. M is factorized by Cholesky's method, so a
-        machine whose inertias belong to no body may be unsolvable.
-    F : array_like
-        Actuator forces, N, (..., 6).
-    formulation, backend, on_singular : str, optional
-        As for ``inverse_dynamics``, but nothing is damped.
+        Robot model.
+    motion : Motion, shape (...)
+        Poses and velocities of the platform, with an external wrench if there is one; accelerations are
+        ignored.
+    F : array_like, shape (..., 6)
+        Actuator forces (N), positive when they extend the leg.
+    formulation : {"exact", "paper"}, optional
+        "exact" for the corrected equations, "paper" for the equations as printed.
+    backend : {"c", "numpy", "reference"}, optional
+        "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
+        NumPy code, "reference" for an independent vector implementation.
+    on_singular : {"raise", "warn", "nan"}, optional
+        Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
 
     Returns
     -------
     Accelerations
-        Named tuple (a, alpha), m/s^2 and rad/s^2, (..., 3), base frame.
+        Named tuple (a, alpha): acceleration of the reference point (m/s^2) and angular acceleration
+        (rad/s^2), base frame, shape (..., 3) each.
 
     Raises
     ------
     ValueError
-        For unknown options, for F of another shape or not finite, and for unsolvable poses.
+        If an option is unknown, if ``F`` has another shape or is not finite, or if a pose has no solution and
+        ``on_singular`` is "raise".
+
+    See Also
+    --------
+    inverse_dynamics : Compute the actuator forces of a motion.
+    equations_of_motion : Compute the terms of the equations.
+    linearize : Compute the derivatives of the accelerations.
+    simulate : Integrate the accelerations over time.
+
+    Notes
+    -----
+    The equations M [a; alpha] = H F + W_ext - C [v; omega] - g - friction are solved by Cholesky
+    factorization. A pose has no solution if M is not positive definite, for example because of an inertia
+    tensor that no rigid body can have. The leading shapes of ``motion`` and ``F`` broadcast.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ...     a=[0.0, 0.0, 1.0],
+    ...     theta_ddot=[0.0, 0.0, 0.5],
+    ... )
+    >>> F = ss.inverse_dynamics(robot, motion).F
+    >>> a, alpha = ss.forward_dynamics(robot, motion, F=F)
+    >>> bool(abs(a - motion.a).max() < 1e-9)
+    True
+
+    The acceleration without actuator forces:
+
+    >>> ss.forward_dynamics(robot, motion, F=[0.0] * 6).a.round(2).tolist()
+    [0.04, 0.01, -9.84]
     """
     _need(robot, motion, on_singular)
     motion, forces = _together(motion, F)
@@ -195,31 +337,61 @@ def joint_space_inertia(
     backend: inverse_dynamics.Backend = "c",
     on_singular: OnFault = "raise",
 ) -> Array:
-    """H^-1 M H^-T, kg, (..., 6, 6): actuator forces that leg accelerations cost, for legs as coordinates.
+    """Compute the mass matrix with the leg lengths as coordinates, H^-1 M H^-T.
 
-    Arguments and errors as for ``equations_of_motion``; a pose where H is singular is unsolvable.
+    Column i contains the actuator forces that a unit acceleration of leg i requires at rest, without gravity.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        Motion of the platform, any leading shape.
-    formulation, backend, on_singular : str, optional
-        As for ``inverse_dynamics``, but nothing is damped.
+        Robot model.
+    motion : Motion, shape (...)
+        Poses of the platform; velocities, accelerations, and the external wrench are ignored.
+    formulation : {"exact", "paper"}, optional
+        "exact" for the corrected equations, "paper" for the equations as printed.
+    backend : {"c", "numpy", "reference"}, optional
+        "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
+        NumPy code, "reference" for an independent vector implementation.
+    on_singular : {"raise", "warn", "nan"}, optional
+        Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
 
     Returns
     -------
-    ndarray
-        Inertia that the actuators feel, kg, (..., 6, 6).
+    ndarray, shape (..., 6, 6)
+        Mass matrix at the actuators (kg), symmetric.
+
+    Raises
+    ------
+    ValueError
+        If an option is unknown, or if a pose is singular or has no solution and ``on_singular`` is "raise".
+
+    See Also
+    --------
+    equations_of_motion : Compute the mass matrix M of the platform.
+    wrench_matrix : Compute H.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ... )
+    >>> inertia = ss.joint_space_inertia(robot, motion)
+    >>> inertia.diagonal().round(2).tolist()
+    [30.79, 31.7, 31.58, 31.87, 32.21, 30.99]
     """
     _need(robot, motion, on_singular)
-    closed = _closed_form(robot, formulation, backend)
+    closed = closed_form_of(robot, formulation, backend)
     if closed is not None:
         direct = closed.run("joint_inertia", motion)
         inverse_dynamics.report_faults(direct["status"], robot, motion, on_singular)
         return np.asarray(direct["inertia"])
-    found = _by_linearity(robot, motion, formulation, backend)
+    found = terms_from_forces(robot, motion, formulation, backend)
     ok = found.status == OK
     H, M = wrench_matrix(robot, motion[ok]), found.M[ok]
     regular = ~newton_euler.is_singular(robot, H)
@@ -232,208 +404,18 @@ def joint_space_inertia(
     return inertia
 
 
-@dataclass(frozen=True, eq=False)
-class ForwardDynamics:
-    """A robot prepared for many evaluations of its forward dynamics, as a simulation makes them."""
-
-    robot: Robot
-    formulation: inverse_dynamics.Formulation = "exact"
-    backend: inverse_dynamics.Backend = "c"
-    closed: ClosedForm | None = field(init=False, repr=False)
-    _wrench: ActuatorWrench = field(init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        instance(self.robot, Robot, "robot")
-        wrench = _actuator_wrench(self.robot, self.formulation, self.backend)
-        object.__setattr__(self, "_wrench", wrench)
-        object.__setattr__(self, "closed", _closed_form(self.robot, self.formulation, self.backend))
-
-    def solve(self, motion: Motion, F: Array) -> tuple[Array, Array, Codes]:
-        """a, alpha (..., 3) and status (...) of poses under F (..., 6), of the motion's shape.
-
-        NaN where the status is not 0; raises nothing.
-        """
-        if self.closed is not None:
-            found = self.closed.run("forward_dynamics", motion, F)
-            x = found["acceleration"]
-            return x[..., :3], x[..., 3:], found["status"]
-        with np.errstate(all="ignore"):
-            M, bias, status = inertia_and_bias(self._wrench, self.robot, motion)
-            rest = _wrench_of(self.robot, motion, F) - bias
-            status = _not_finite(status, np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1))
-            x, definite = solve_positive(M, rest)
-            if self.backend == "reference" and self.robot.offsets is None:
-                x, definite = self._at_50_digits(motion, F, M, x, definite & (status == OK), status == OK)
-            status = np.where((status == OK) & ~definite, MASS_MATRIX_INDEFINITE, status)
-            status = _not_finite(status, np.isfinite(x).all(axis=-1))
-            x = np.where((status == OK)[..., None], x, np.nan)
-        return x[..., :3], x[..., 3:], status
-
-    def _at_50_digits(
-        self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: Flags
-    ) -> tuple[Array, Flags]:
-        """x and where M is definite, with 50 digits at the good poses where M has lost digits."""
-        faults = inverse_dynamics.faults_of(self.formulation)
-        x, known = x.copy(), np.array(definite, dtype=np.bool_)
-        for i in map(tuple, np.argwhere(good & _digits_lost(self.robot, motion, M, faults))):
-            x[i] = reference_equations.forward_dynamics(self.robot, motion[i], F[i], faults)
-            known[i] = np.isfinite(x[i]).all()
-        return x, known
-
-    def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
-        """``solve`` for loops over single states: (motion, F (6,)) -> [a; alpha] (6,), status.
-
-        What is returned has buffers of its own: one for each thread.
-        """
-        if isinstance(self.closed, CClosedForm):
-            return self.closed.one_state()
-        by_forces: ForwardFromInverse | None = None
-        if (
-            self.backend == "c"
-            and self.robot.offsets is not None
-            and not self.robot.offsets.has_spinning_parts
-        ):
-            by_forces = inverse_dynamics.with_compiler(lambda: ForwardFromInverse(self.robot), lambda: None)
-
-        def solve(motion: Motion, F: Array) -> tuple[Array, int]:
-            quick = None if by_forces is None else by_forces.solve(motion, F)
-            if quick is not None:
-                return quick, OK
-            a, alpha, status = self.solve(motion, F)
-            return np.concatenate([a, alpha]), int(status)
-
-        return solve
-
-
-def _not_finite(status: Codes, finite: Flags | np.bool_) -> Codes:
-    return np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
-
-
-_KEPT = 2.0**-5
-"""Digits are lost where elimination leaves less than this share of a diagonal number of M, or where a leg and
-its fixed axis make an angle with a smaller sine."""
-
-
-def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> Flags:
-    """Where double precision loses digits that the machine has, (...): then the reference takes 50."""
-    near = newton_euler.legs(robot, _at_rest(motion), faults).sin_joint.min(axis=(-2, -1)) < _KEPT
-    return np.asarray(near | ~(digits_kept(M) > _KEPT))
-
-
-def _by_linearity(robot: Robot, motion: Motion, formulation: str, backend: str) -> EquationsOfMotionResult:
-    """The terms drawn from inverse dynamics; the reference's at 50 digits where it loses its own."""
-    found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
-    if backend != "reference" or robot.offsets is not None:
-        return found
-    parts = {name: np.array(getattr(found, name)) for name in _TERMS}
-    with np.errstate(all="ignore"):
-        lost = (found.status == OK) & _digits_lost(
-            robot, motion, found.M, inverse_dynamics.faults_of(formulation)
-        )
-    for i in map(tuple, np.argwhere(lost)):
-        for name, value in reference_equations.at_50_digits(
-            robot, motion[i], inverse_dynamics.faults_of(formulation)
-        ).items():
-            parts[name][i] = value
-    return EquationsOfMotionResult(**parts, status=found.status)
-
-
-def _at_rest(motion: Motion) -> Motion:
-    none = np.zeros_like(motion.t)
-    return Motion._unchecked(motion.R, motion.t, none, none, none, none)
-
-
-def digits_kept(M: Array) -> Array:
-    """Least share of a diagonal number of M, (..., n, n), that elimination leaves of it, (...)."""
-    A, kept = M.copy(), np.full(M.shape[:-2], np.inf)
-    for k in range(M.shape[-1]):
-        pivot = A[..., k, k, None]
-        kept = np.fmin(kept, pivot[..., 0] / M[..., k, k])
-        A[..., k + 1 :, :] -= (A[..., k + 1 :, k] / pivot)[..., None] * A[..., k, None, :]
-    return np.asarray(kept)
-
-
-def solve_positive(M: Array, w: Array) -> tuple[Array, Flags]:
-    """x of M x = w by Cholesky's method, (..., n), and where M is positive definite, (...); NaN elsewhere."""
-    try:
-        G = np.linalg.cholesky(M)
-        definite = np.ones(M.shape[:-2], dtype=np.bool_)
-    except np.linalg.LinAlgError:
-        # One bad matrix rejects a whole batch: find out which, and put the unit matrix in its place.
-        flat = np.array([_is_positive(matrix) for matrix in M.reshape(-1, *M.shape[-2:])], dtype=np.bool_)
-        definite = flat.reshape(M.shape[:-2])
-        G = np.linalg.cholesky(np.where(definite[..., None, None], M, np.eye(M.shape[-1])))
-    half = np.linalg.solve(G, w[..., None])
-    x = np.linalg.solve(np.swapaxes(G, -1, -2), half)[..., 0]
-    return np.where(definite[..., None], x, np.nan), definite
-
-
-def _is_positive(matrix: Array) -> bool:
-    try:
-        np.linalg.cholesky(matrix)
-    except np.linalg.LinAlgError:
-        return False
-    return True
-
-
-def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
-    """H F + W_ext, (..., 6). NaN where a leg has length zero."""
-    if robot.offsets is not None:
-        H = offset_joints.terms(robot, _at_rest(motion))["H"]
-        return np.asarray(np.einsum("...ij,...j->...i", H, F) + motion.external_wrench())
-    q, S, L = leg_vectors(robot, motion.R, motion.t)
-    push = S * (F / L)[..., None]
-    actuators = np.concatenate([push.sum(axis=-2), cross(q, push).sum(axis=-2)], axis=-1)
-    return np.asarray(actuators + motion.external_wrench())
-
-
-def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
-    """H F = H D - c of any robot that differs from this one in numbers alone."""
-    first = inverse_dynamics.prepared_kernel(robot, formulation, backend)
-    if robot.offsets is not None:
-        return offset_joints.actuator_wrench
-    if backend == "reference":
-        faults = inverse_dynamics.faults_of(formulation)
-        return lambda robot, motion: newton_euler.actuator_wrench(robot, motion, faults)
-    kernels: dict[Robot, inverse_dynamics.DynamicsKernel] = {robot: first}
-
-    def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
-        if robot not in kernels:
-            kernels[robot] = inverse_dynamics.prepared_kernel(robot, formulation, backend)
-        found = kernels[robot].forces(motion)
-        return np.einsum("...ij,...j->...i", found.H, found.D) - found.c, found.status
-
-    return wrench
-
-
-def _closed_form(robot: Robot, formulation: str, backend: str) -> ClosedForm | None:
-    """The closed form's kernels where they serve; ValueError for unknown options."""
-    option(formulation, FORMULATIONS, "formulation")
-    option(backend, ("c", "numpy", "reference"), "backend")
-    if formulation != "exact" or robot.base_joint != "universal" or backend == "reference":
-        return None
-    if robot.offsets is not None:
-        return None
-    if backend == "numpy":
-        return NumpyClosedForm(robot)
-    found: ClosedForm = inverse_dynamics.with_compiler(
-        lambda: CClosedForm(robot), lambda: NumpyClosedForm(robot)
-    )
-    return found
-
-
 def _with_closed_form(robot: Robot, backend: str, on_singular: str) -> ClosedForm:
-    """``_closed_form`` where there must be one."""
+    """Return the closed-form kernels; ValueError for a robot to which they do not apply."""
     option(backend, ("c", "numpy"), "backend")
     option(on_singular, ON_FAULT, "on_singular")
     inverse_dynamics.need_universal(robot)
-    closed = _closed_form(robot, "exact", backend)
+    closed = closed_form_of(robot, "exact", backend)
     assert closed is not None
     return closed
 
 
 def _together(motion: Motion, F: ArrayLike) -> tuple[Motion, Array]:
-    """Motion and forces of one leading shape."""
+    """Broadcast a motion and forces to one leading shape."""
     forces = real_array(F, "F", "forces of shape (..., 6)")
     if forces.shape[-1:] != (6,):
         raise ValueError(f"F: expected forces of shape (..., 6), got {forces.shape}")
@@ -450,12 +432,12 @@ def _need(robot: Robot, motion: Motion, on_singular: str) -> None:
 
 
 def _broadcast(motion: Motion, shape: tuple[int, ...]) -> Motion:
-    """The motion, without its accelerations, of a leading shape to which its own broadcasts."""
+    """Broadcast a motion, without its accelerations, to a leading shape."""
     lead = len(motion.shape)
     if shape == motion.shape:
         return motion
     wide: dict[str, Any] = {
-        # Copies, since products of arrays whose rows are one and the same round in another way.
+        # Copies are made because products with broadcast rows would round differently.
         name: value if value is None else np.array(np.broadcast_to(value, (*shape, *value.shape[lead:])))
         for name, value in vars(motion).items()
         if name not in ("alpha", "a")

@@ -1,4 +1,4 @@
-"""Actuator forces alone, from a robot prepared once: the fast path of the C kernels."""
+"""Actuator forces from a robot that is prepared once: the fast path of the C kernels."""
 
 import ctypes
 import itertools
@@ -32,13 +32,16 @@ Precision = Literal["double", "float"]
 
 LANES = 8
 LEAST_SHARE = 4_000
-"""Poses that a thread gets at least: waking one takes 0.12 ms (2 virtual cores), as long as 1,200 poses."""
+"""Smallest number of poses per thread.
+
+Waking a thread takes 0.12 ms (2 virtual cores), as long as 1,200 poses.
+"""
 
 CONVERTED = 32_768
-"""Poses whose arrays are converted at a time where they don't lie as the C takes them."""
+"""Poses that are converted together if their arrays have another type or layout than the C code requires."""
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-"""Cores that this process may run on."""
+"""Number of cores that this process may use."""
 
 _WIDTHS = WIDTHS[:-1]
 _NUMBERS = sum(_WIDTHS)
@@ -46,28 +49,43 @@ _NUMBERS = sum(_WIDTHS)
 
 @dataclass(frozen=True, eq=False)
 class ForceKernel(Frozen):
-    """A robot's constants prepared for one formulation, precision and level of fidelity.
+    """Robot prepared for the fast computation of actuator forces at one precision and fidelity level.
 
-    Safe to share between threads.
+    Threads may share a kernel.
 
-    In float the solve takes its moments over a length, a power of two near the size of the platform, so that
-    pivots are as good on a machine of a millimeter as on one of ten meters; motions and forces are in SI
-    units.
+    With precision "float", the linear solve divides moments by a length, a power of two near the size of the
+    platform. Therefore pivots are equally good on a machine of 1 mm and on one of 10 m. Motions and forces
+    are in SI units.
 
     Attributes
     ----------
     robot : Robot
-        The machine.
+        Robot model.
     formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
+        "exact" for the corrected equations, "paper" for the equations as printed.
     precision : {"double", "float"}, optional
-        Of the numbers in C.
+        Type of the numbers in C.
     fidelity : str, optional
-        How much of the legs' physics.
+        Fidelity level, the physics of the legs that the kernel includes; "general" includes everything.
     warns : bool, optional
         False suppresses the warning about physics of the robot that the fidelity level omits.
-    model : ndarray, optional
-        The numbers of the C's ``stewart_<kernel>_model``.
+    model : ndarray
+        Numbers of the C structure ``stewart_<kernel>_model``.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> kernel = ss.ForceKernel(ss.robots.load("unal"))
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ...     a=[0.0, 0.0, 1.0],
+    ...     theta_ddot=[0.0, 0.0, 0.5],
+    ... )
+    >>> kernel.forces(motion).round(2).tolist()
+    [4.0, 6.33, 11.19, 3.52, 3.79, 10.22]
     """
 
     robot: Robot
@@ -84,7 +102,7 @@ class ForceKernel(Frozen):
         rotors, offsets = takes_rotors(self.name), self.robot.offsets is not None
         prepare = self.c_function("prepare")
         model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors, offsets)
-        # As it lies in memory; a copy would be slower.
+        # The memory layout is kept, because a copy would be slower.
         object.__setattr__(self, "model", model)
         if self.warns and self.fidelity != "general":
             self._warn_of_omitted_physics()
@@ -99,7 +117,7 @@ class ForceKernel(Frozen):
 
     @property
     def dtype(self) -> type[np.floating[Any]]:
-        """Type of the numbers that the kernel computes with."""
+        """NumPy type of the numbers of the kernel."""
         return np.float64 if self.precision == "double" else np.float32
 
     def forces(
@@ -109,35 +127,39 @@ class ForceKernel(Frozen):
         on_singular: OnSingular = "raise",
         out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> Array:
-        """Actuator forces of every pose of a motion, (37).
+        """Compute the actuator forces of every pose of a motion, (37).
 
         Parameters
         ----------
-        motion : Motion
-            Motion of the platform, any leading shape. With ``out`` or a sequence of its arrays: R (n, 3, 3),
-            t, omega, v, alpha, a, F_ext, M_ext (n, 3), the last two None for no load.
+        motion : Motion, shape (...)
+            Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
+            With ``out``, it may be a sequence of arrays: R (n, 3, 3) and t, omega, v, alpha, a, F_ext, M_ext
+            (n, 3); F_ext and M_ext may be None.
         threads : int, optional
-            How many share the work at most, the caller one of them; the result does not depend on it, and a
-            batch too small to gain is not shared.
-        on_singular : {"raise", "nan", "warn", "damped"}, optional
-            What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN, or return "nan"
-            without a warning; "damped" as for ``inverse_dynamics``, whose ``wrench_error`` is what F does not
-            balance, with fidelity "general" alone.
+            Largest number of threads, including the caller. The result does not depend on it, and small
+            batches use one thread.
+        on_singular : {"raise", "warn", "nan", "damped"}, optional
+            Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+            ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped",
+            which requires fidelity "general", F is computed by damped least squares as in
+            ``inverse_dynamics``.
         out : tuple of ndarray, optional
-            Arrays that receive the forces, (n, 6), and the statuses, int32, (n,). No array is copied, and
-            only layouts are checked: all arrays must be C-contiguous and of the kernel's ``dtype``.
-            Unsolvable poses keep the forces they had, and raise no error.
+            Output arrays for forces, (n, 6), and statuses, int32, (n,). No array is copied, and only layouts
+            are checked: all arrays must be C-contiguous and of type ``dtype``. Forces of poses without a
+            solution do not change, and raise no error.
 
         Returns
         -------
-        ndarray
-            Forces, N, (..., 6), of the kernel's ``dtype``; the first array of ``out`` if given.
+        ndarray, shape (..., 6)
+            Actuator forces (N) of type ``dtype``, positive when they extend the leg; the first array of
+            ``out`` if given.
 
         Raises
         ------
         ValueError
-            For unknown options, for a motion without accelerations, and for unsolvable poses. With ``out``
-            for an array of another type or layout, and for an output that shares memory with another array.
+            If an option is unknown, if the motion has no accelerations, or if a pose has no solution and
+            ``on_singular`` is "raise". With ``out``, if an array has another type or layout, or if an output
+            shares memory with another array.
         """
         if out is not None:
             if on_singular != "raise":
@@ -160,35 +182,35 @@ class ForceKernel(Frozen):
         return F
 
     def status(self, motion: Motion, threads: int = 1) -> NDArray[np.int32]:
-        """Status of every pose of a motion.
+        """Compute the status of every pose of a motion.
 
         Parameters
         ----------
-        motion : Motion
-            As for ``forces``.
+        motion : Motion, shape (...)
+            Poses, velocities, and accelerations, as for ``forces``.
         threads : int, optional
-            As for ``forces``.
+            Largest number of threads, as for ``forces``.
 
         Returns
         -------
-        ndarray of int
-            Codes of ``results.STATUS_TEXT``, (...).
+        ndarray of int, shape (...)
+            Codes of ``results.STATUS_TEXT``.
 
         Raises
         ------
         ValueError
-            For a motion without accelerations.
+            If the motion has no accelerations.
         """
         need_motion(self.robot, motion)
         return self.forces_and_status(motion, threads)[1]
 
     def single_pose(self) -> "OnePose":
-        """Buffers for one pose at a time, for loops where every microsecond counts.
+        """Create buffers for single poses, for loops in which microseconds matter.
 
         Returns
         -------
         OnePose
-            Of the kernel's ``dtype``, inputs 0 and F NaN.
+            Buffers of type ``dtype``; inputs are 0 and F is NaN.
         """
         return OnePose(self, np.full(6, np.nan, dtype=self.dtype), np.zeros(_NUMBERS, dtype=self.dtype))
 
@@ -205,42 +227,43 @@ class ForceKernel(Frozen):
         threads: int = 1,
         out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> tuple[Array, NDArray[np.int32]]:
-        """Actuator forces of motions in columns, for programs that keep each component by itself.
+        """Compute the actuator forces of motions in columns, with consecutive values of each component.
 
-        Nothing is transposed; arrays of another type, or in rows of different lengths, are copied. Three
-        motions in rows have the shapes of three in columns: nothing tells them apart. Rows that begin at
-        multiples of 64 bytes, and not at multiples of 4096 bytes from each other, are read fastest.
+        Nothing is transposed. Arrays of another type, or with different row distances, are copied. For three
+        motions, rows and columns have the same shape and cannot be distinguished. Access is fastest if rows
+        start at multiples of 64 bytes, but not at multiples of 4096 bytes from each other.
 
         Parameters
         ----------
-        R : array_like, (3, 3, n) or (9, n)
-            Orientations, platform frame to base frame, row-major.
-        t, omega, v, alpha, a : array_like, (3, n)
-            Positions of the reference point, m; angular velocities, rad/s; velocities of the reference
-            point, m/s; angular accelerations, rad/s^2; accelerations, m/s^2; base frame.
-        F_ext, M_ext : array_like, (3, n), optional
-            External forces at the reference point, N, and moments about it, N m, platform frame.
+        R : array_like, shape (3, 3, n) or (9, n)
+            Orientations, from the platform frame to the base frame, row-major.
+        t, omega, v, alpha, a : array_like, shape (3, n)
+            Positions of the reference point (m), angular velocities (rad/s), velocities (m/s), angular
+            accelerations (rad/s^2), and accelerations (m/s^2), base frame.
+        F_ext, M_ext : array_like, shape (3, n), optional
+            External forces (N) and moments (N m) at the reference point, platform frame.
         threads : int, optional
-            How many share the work at most.
+            Largest number of threads, as for ``forces``.
         out : tuple of ndarray, optional
-            Arrays that receive F, (6, n), and the statuses, int32, (n,). No array is copied: R has shape
-            (9, n), all arrays have the kernel's ``dtype``, and all rows but the statuses are equally far
-            apart, as in parts ``[:, first:last]`` of longer arrays. Unsolvable poses keep their forces.
+            Output arrays for F, (6, n), and statuses, int32, (n,). No array is copied: R has the shape (9,
+            n), and all arrays have the type ``dtype``. All arrays except the statuses have the same distance
+            between rows, for example column slices of longer arrays. Forces of poses without a solution do
+            not change.
 
         Returns
         -------
-        F : ndarray, (6, n)
-            Actuator forces, N, positive when they extend the leg, (37); NaN where the status is not 0. The
-            arrays of ``out`` if given.
-        status : ndarray of int32, (n,)
-            Codes of ``results.STATUS_TEXT``; 1 where a number is not finite, and where a leg with offset
-            joints does not reach.
+        F : ndarray, shape (6, n)
+            Actuator forces (N), positive when they extend the leg, (37). NaN if the status is not 0, except
+            in ``out``.
+        status : ndarray of int32, shape (n,)
+            Codes of ``results.STATUS_TEXT``; 1 if a number is not finite, or if a leg with offset joints
+            cannot reach its platform point.
 
         Raises
         ------
         ValueError
-            Naming the array of another shape; with ``out`` also of another type or layout, and an output that
-            shares memory with another array.
+            If an array has another shape; the message names the array. With ``out``, also if an array has
+            another type or layout, or if an output shares memory with another array.
         """
         given = (R, t, omega, v, alpha, a, F_ext, M_ext)
         if out is not None:
@@ -268,7 +291,7 @@ class ForceKernel(Frozen):
         self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
 
     def _shared(self, count: int, threads: int, run: Callable[[int, int], None]) -> None:
-        """Run parts of a batch, each given by its first pose and its length, on threads."""
+        """Run the parts of a batch on threads; ``run`` takes the first pose and the number of poses."""
         threads = min(
             whole_number(threads, "threads", 1, "a whole number of at least 1"), max(1, count // LEAST_SHARE)
         )
@@ -290,26 +313,26 @@ class ForceKernel(Frozen):
             other.result()
 
     def forces_and_status(self, motion: Motion, threads: int = 1) -> tuple[Array, NDArray[np.int32]]:
-        """Forces and status of every pose of a motion.
+        """Compute the forces and the status of every pose of a motion.
 
         Parameters
         ----------
-        motion : Motion
-            As for ``forces``.
+        motion : Motion, shape (...)
+            Poses, velocities, and accelerations, as for ``forces``.
         threads : int, optional
-            As for ``forces``.
+            Largest number of threads, as for ``forces``.
 
         Returns
         -------
-        F : ndarray
-            Actuator forces, N, (..., 6), of the kernel's ``dtype``; NaN where the status is not 0.
-        status : ndarray of int
-            Codes of ``results.STATUS_TEXT``, (...).
+        F : ndarray, shape (..., 6)
+            Actuator forces (N) of type ``dtype``; NaN if the status is not 0.
+        status : ndarray of int, shape (...)
+            Codes of ``results.STATUS_TEXT``.
 
         Raises
         ------
         ValueError
-            For a motion without accelerations.
+            If the motion has no accelerations.
         """
         need_motion(self.robot, motion)
         F = np.full((*motion.shape, 6), np.nan, dtype=self.dtype)
@@ -323,13 +346,13 @@ class ForceKernel(Frozen):
             need_rows(arrays, *into, self.dtype)
             self._shared(into[1].size, threads, partial(self._run, arrays, *into))
         if self.robot.offsets is not None and (lost := status == NOT_FINITE).any():
-            # Where no leg reaches, the kernel takes the root of a negative number.
+            # If a leg cannot reach its point, the kernel computes the square root of a negative number.
             of_legs = codes(self.robot, motion[lost])
             status[lost] = np.where((of_legs == UNREACHABLE).any(axis=-1), UNREACHABLE, NOT_FINITE)
         return F, status
 
     def _parts_to_convert(self, motion: Motion) -> list[Any]:
-        """All poses where the arrays can be taken as they lie, else parts, so that copies stay small."""
+        """Return one index for all poses if no array needs conversion, else slices for small copies."""
         arrays = [array for array in (getattr(motion, name) for name in MOTION) if array is not None]
         ready = all(
             array.dtype == self.dtype and array.flags.c_contiguous and array.flags.aligned for array in arrays
@@ -347,7 +370,7 @@ class ForceKernel(Frozen):
         count: int,
         stride: int | None = None,
     ) -> None:
-        """Some poses of a batch; stride: numbers from one column to the next, None of poses side by side."""
+        """Run the kernel on some poses; ``stride`` is the column distance, None for consecutive poses."""
         widths = WIDTHS if stride is None else [1] * len(WIDTHS)
         places = [address(array, start * n) for array, n in zip((*arrays, F), widths, strict=True)]
         counts = [count] if stride is None else [count, stride]
@@ -365,27 +388,27 @@ class ForceKernel(Frozen):
         return force_kernel_name(self.robot, self.formulation, self.fidelity)
 
     def c_function(self, name: str) -> Any:
-        """A C function of the kernel's compiled library.
+        """Return a C function of the compiled library of the kernel.
 
         Parameters
         ----------
         name : str
-            End of its name ``stewart_<kernel>_<name>``.
+            Last part of the function name ``stewart_<kernel>_<name>``.
 
         Returns
         -------
         callable
-            A function of ``ctypes``.
+            Function of ``ctypes``.
         """
         return function(self.name, "forces", self.precision, name)
 
 
 @dataclass(frozen=True, eq=False)
 class OnePose:
-    """Buffers of one pose: fill R, t, omega, v, alpha, a, F_ext, M_ext in place, ``solve``, read ``F``.
+    """Buffers of one pose: set the inputs R, t, omega, ..., M_ext in place, call ``solve``, and read ``F``.
 
-    numbers: all thirty inputs as one array, (30,), in the order of ``stewart_motion``; the named views write
-    into it. ``solve`` returns the status and leaves F as it was if that is not 0.
+    ``numbers`` contains all thirty inputs in the order of ``stewart_motion``, (30,); the named attributes are
+    views of it. ``solve`` returns the status; F does not change if the status is not 0.
     """
 
     kernel: ForceKernel
@@ -393,9 +416,9 @@ class OnePose:
     numbers: Array
 
     def __post_init__(self) -> None:
-        """Look the function and the addresses up once; the buffers live as long as this object.
+        """Find the function and the addresses once; the buffers exist as long as this object.
 
-        Raises ValueError naming the buffer whose type, size or layout is another.
+        Raises ValueError that names a buffer of another type, size, or layout.
         """
         for name, array, size in (("F", self.F, 6), ("numbers", self.numbers, _NUMBERS)):
             wanted = np.dtype(self.kernel.dtype)
@@ -406,11 +429,11 @@ class OnePose:
         object.__setattr__(self, "_addresses", addresses)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Copies and pickles get buffers, and so addresses, of their own."""
+        """Copy and pickle with new buffers, and therefore new addresses."""
         return OnePose, (self.kernel, self.F.copy(), self.numbers.copy())
 
     def solve(self) -> int:
-        """Compute F from the numbers in place; returns the status."""
+        """Compute F from the current numbers; return the status."""
         return int(self._call(*self._addresses))
 
     def __getattr__(self, name: str) -> Any:
@@ -422,9 +445,9 @@ class OnePose:
 
 
 def _parts(count: int, threads: int) -> list[tuple[int, int]]:
-    """First pose and number of poses of each part of a batch.
+    """Return the first pose and the number of poses of each part of a batch.
 
-    Several parts for each thread, so that one whose core is disturbed keeps nobody waiting for long.
+    Each thread gets several parts, so that a slow core delays the result little.
     """
     pieces = max(threads, min(4 * threads, count // LEAST_SHARE))
     share = max(LANES, -(-count // (pieces * LANES)) * LANES)
@@ -433,5 +456,5 @@ def _parts(count: int, threads: int) -> list[tuple[int, int]]:
 
 @cache
 def _pool(threads: int, process: int) -> ThreadPoolExecutor:
-    """Threads of a process that wait for work; starting them anew costs more than a small batch."""
+    """Return the waiting threads of a process, because starting threads takes longer than a small batch."""
     return ThreadPoolExecutor(threads, thread_name_prefix="stewart-sym")

@@ -1,7 +1,7 @@
-"""Forward dynamics of single states by compiled forces, where the equations of motion have no kernel.
+"""Forward dynamics of single states from compiled forces, for robots without a closed-form kernel.
 
-Forces are F_0 + A [a; alpha]. At rest, without gravity and friction, those of six unit accelerations are the
-columns of A = H^-1 M; those of the state without acceleration are F_0.
+Forces are F_0 + A [a; alpha]. The columns of A = H^-1 M are the forces of six unit accelerations at rest,
+without gravity and friction. F_0 are the forces of the state without acceleration.
 """
 
 import numpy as np
@@ -14,11 +14,11 @@ from ..robot.robot import Robot
 from .forces import ForceKernel
 
 _MOST_CONDITION = 1e5
-"""Condition number of A, turns times the characteristic length, to which its inverse has digits enough."""
+"""Largest condition number of A, scaled by the characteristic length, for an accurate inverse."""
 
 
 class ForwardFromInverse:
-    """A robot prepared for its accelerations; buffers of its own, so one for each thread."""
+    """Robot prepared for computing its accelerations, with buffers: each thread needs its own object."""
 
     def __init__(self, robot: Robot) -> None:
         """Raise ValueError for a robot without a force kernel, ``CompilerError`` without a compiler."""
@@ -26,7 +26,7 @@ class ForwardFromInverse:
         self._length = np.repeat([1.0, 1.0 / characteristic_length(robot)], 3)
 
     def solve(self, motion: Motion, F: Array) -> Array | None:
-        """[a; alpha], (6,), of a state under F, N, (6,); None near a singular pose."""
+        """Return [a; alpha], (6,), of a state under F (N), (6,); None near a singular pose."""
         moving, still = self._moving, self._still
         for pose in (moving, still):
             pose.R[:], pose.t[:] = motion.R, motion.t

@@ -1,4 +1,4 @@
-"""A home pose: as the robot states, or the level platform above the base, where studies start from."""
+"""Home pose: given in the robot file, or a level platform above the base from which studies start."""
 
 from dataclasses import dataclass
 
@@ -17,11 +17,12 @@ __all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "
 
 @dataclass(frozen=True, eq=False)
 class HomePose:
-    """The level platform at rest: where the robot states it, else its points centered above the base points.
+    """Level platform at rest at the given home position, or with its points centered above the base points.
 
-    side: which side of the base that is. rule: how the position was chosen. t: position of the reference
-    point, m, (3,). L: leg lengths, m, (6,). F: forces that hold it there, N, (6,), NaN if none can.
-    condition, scaled_condition: of H. status: a code of ``STATUS_TEXT``.
+    side: side of the base on which the platform is. rule: rule by which the position was chosen. t: position
+    of the reference point (m), (3,). L: leg lengths (m), (6,). F: forces that balance the platform (N), (6,),
+    NaN if there are none. condition, scaled_condition: condition numbers of H. status: code of
+    ``STATUS_TEXT``.
     """
 
     side: Side
@@ -35,7 +36,11 @@ class HomePose:
 
 
 def home_pose(robot: Robot) -> HomePose:
-    """Take the stated one, or choose a height: legs amid their limits, or without any H at its best."""
+    """Return the home pose of the robot file, or choose a height.
+
+    The height puts the legs in the middle of their limits; without limits, it minimizes the scaled condition
+    number of H.
+    """
     length = characteristic_length(robot)
     t = (
         level_positions(robot, up_direction(robot))
@@ -67,5 +72,5 @@ def home_pose(robot: Robot) -> HomePose:
 
 
 def level_lengths(robot: Robot, t: Array) -> Array:
-    """Legs of level poses at t (..., 3), m, (..., 6)."""
+    """Return the leg lengths (m), (..., 6), of level poses at t (m), (..., 3)."""
     return leg_lengths(robot, np.broadcast_to(np.eye(3), (*t.shape, 3)), t)

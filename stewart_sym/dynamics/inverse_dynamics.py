@@ -1,6 +1,6 @@
-"""Inverse dynamics and joint reactions as users call them: any backend, either formulation, checked results.
+"""Inverse dynamics and joint reactions for any formulation and backend, with checks of the results.
 
-Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller chooses.
+Each function chooses a kernel, runs it, and turns a status into an error, a warning, or NaN.
 """
 
 from __future__ import annotations
@@ -34,15 +34,18 @@ Backend = Literal["c", "numpy", "reference"]
 
 
 def faults_of(formulation: str) -> frozenset[int]:
-    """Which faults of the printed equations the reference has in a formulation."""
+    """Return the numbers of the faults of the printed equations that a formulation keeps."""
     return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
 
 
 class _VectorKernel:
-    """The vector implementation as a kernel; of machines with offset joints whatever the backend."""
+    """Vector implementation with the interface of a kernel.
+
+    Robots with offset joints use it for every backend.
+    """
 
     def __init__(self, robot: Robot, formulation: str) -> None:
-        """Reject, by ValueError, a formulation that the robot does not have."""
+        """Raise ValueError for a formulation that the robot does not have."""
         if robot.offsets is None:
             robot_kernel(robot, formulation)
         else:
@@ -50,13 +53,13 @@ class _VectorKernel:
         self.robot, self.faults = robot, faults_of(formulation)
 
     def forces(self, motion: Motion) -> results.InverseDynamicsResult:
-        """Inverse dynamics of every pose; NaN where the status is not 0."""
+        """Compute the inverse dynamics of every pose; values are NaN if the status is not 0."""
         if self.robot.offsets is not None:
             return offset_joints.inverse_dynamics(self.robot, motion)
         return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
 
     def reactions(self, motion: Motion, bearing: Array) -> results.JointReactionsResult:
-        """Joint reactions of every pose; bearing (6,), m."""
+        """Compute the joint reactions of every pose; ``bearing`` has shape (6,) (m)."""
         if self.robot.offsets is not None:
             return offset_joints.joint_reactions(self.robot, motion, bearing)
         return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
@@ -72,34 +75,69 @@ def inverse_dynamics(
     backend: Backend = "c",
     on_singular: OnSingular = "raise",
 ) -> results.InverseDynamicsResult:
-    """Actuator forces that make the platform follow ``motion``, with D, x, K, H, c, (1)-(37).
+    """Compute the actuator forces that produce a motion of the platform.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        Motion of the platform, any leading shape.
+        Robot model.
+    motion : Motion, shape (...)
+        Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
     formulation : {"exact", "paper"}, optional
-        "exact", or "paper" for the equations as printed.
+        "exact" for the corrected equations, "paper" for the equations as printed.
     backend : {"c", "numpy", "reference"}, optional
-        "c" (compiled on first use; NumPy serves where there is no compiler), "numpy" or "reference".
-    on_singular : {"raise", "nan", "warn", "damped"}, optional
-        What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN there, or return
-        "nan" without a warning; ``status`` is that of each pose. "damped": where H is singular, F by damped
-        least squares (``damped_least_squares``) with the status as it is, and ``wrench_error`` is the part of
-        the wrench that F does not balance. Legs of length zero or along their universal axis have no damped
-        forces: NaN, and a warning. All other poses are the same bits as without it.
+        "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
+        NumPy code, "reference" for an independent vector implementation.
+    on_singular : {"raise", "warn", "nan", "damped"}, optional
+        Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped", F is
+        computed by damped least squares if H is singular. The status of such a pose remains nonzero, and
+        ``wrench_error`` is the part of the wrench that F does not balance. A leg of length zero or along its
+        universal axis has no damped force, so its pose gets NaN and a warning. Results for all other poses
+        are bit-identical to results without damping.
 
     Returns
     -------
     InverseDynamicsResult
-        Shapes and units are documented there.
+        Actuator forces ``F`` (N), shape (..., 6), positive when they extend the leg; ``status``, shape (...);
+        and the terms D, x, K, H, and c of the equations.
 
     Raises
     ------
     ValueError
-        For unknown options, for a motion without accelerations, and for unsolvable poses.
+        If an option is unknown, if the motion has no accelerations, or if a pose has no solution and
+        ``on_singular`` is "raise".
+
+    See Also
+    --------
+    forward_dynamics : Compute accelerations from actuator forces.
+    joint_reactions : Compute the forces and moments in the joints.
+    ForceKernel : Compute forces repeatedly for one robot, with threads and in float.
+    force_derivatives : Compute the derivatives of the forces.
+    drive_effort : Compute motor torques and currents along a motion.
+
+    Notes
+    -----
+    Equations (1)-(37) of Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998). The formulation
+    "exact" corrects the four faults of the printed equations.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ...     a=[0.0, 0.0, 1.0],
+    ...     theta_ddot=[0.0, 0.0, 0.5],
+    ... )
+    >>> result = ss.inverse_dynamics(robot, motion)
+    >>> result.F.round(2).tolist()
+    [4.0, 6.33, 11.19, 3.52, 3.79, 10.22]
+    >>> int(result.status)
+    0
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     found = kernel.forces(motion)
@@ -118,27 +156,66 @@ def joint_reactions(
     bearing_distance: ArrayLike | None = None,
     on_singular: OnSingular = "raise",
 ) -> results.JointReactionsResult:
-    """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
+    """Compute the forces and moments in the joints of the legs.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        Motion of the platform, any leading shape.
-    formulation, backend : str, optional
-        As for ``inverse_dynamics``.
-    bearing_distance : array_like, optional
-        Where M_p is taken, distance along each leg from its base point, with offset joints along the line of
-        sliding from where the length is 0, m, scalar or (6,); None: at that point.
-    on_singular : str, optional
-        As for ``inverse_dynamics``, as are errors; a pose whose reactions overflow is unsolvable too. Damped,
-        they are those of the damped forces.
+        Robot model.
+    motion : Motion, shape (...)
+        Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
+    formulation : {"exact", "paper"}, optional
+        "exact" for the corrected equations, "paper" for the equations as printed.
+    backend : {"c", "numpy", "reference"}, optional
+        "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
+        NumPy code, "reference" for an independent vector implementation.
+    bearing_distance : array_like, shape () or (6,), optional
+        Distance (m) along each leg from its base point to the point at which the moment M_p is taken; by
+        default 0. With offset joints, the distance is along the sliding axis, from the point of zero length.
+    on_singular : {"raise", "warn", "nan", "damped"}, optional
+        Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped", the
+        reactions belong to the forces of damped least squares if H is singular.
 
     Returns
     -------
     JointReactionsResult
-        Shapes and units are documented there.
+        Forces (N) and moments (N m) at the spherical, prismatic, and universal joints, base frame, for
+        example ``F_s``, shape (..., 6, 3).
+
+    Raises
+    ------
+    ValueError
+        If an option is unknown, if ``bearing_distance`` has another shape, if the motion has no
+        accelerations, or if a pose has no solution and ``on_singular`` is "raise". Reactions that overflow
+        count as no solution.
+
+    See Also
+    --------
+    inverse_dynamics : Compute the actuator forces.
+
+    Notes
+    -----
+    Equations (21), (26)-(29), and M_p of (17) of Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33
+    (1998).
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ...     a=[0.0, 0.0, 1.0],
+    ...     theta_ddot=[0.0, 0.0, 0.5],
+    ... )
+    >>> reactions = ss.joint_reactions(robot, motion)
+    >>> reactions.F_u[0].round(2).tolist()
+    [0.59, -0.81, 16.75]
+    >>> reactions.M_p.shape
+    (6, 3)
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     where = _bearing(bearing_distance)
@@ -149,21 +226,49 @@ def joint_reactions(
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
-    """F0 of (41): actuator forces if legs had no mass, drives no rotors and joints no friction, N, (..., 6).
-
-    NaN where H is singular, a leg has length zero or a force overflows.
+    """Compute the actuator forces of a robot with massless legs, without rotors, and without friction.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        Motion of the platform, any leading shape.
+        Robot model.
+    motion : Motion, shape (...)
+        Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
 
     Returns
     -------
-    ndarray
-        Actuator forces, N, (..., 6).
+    ndarray, shape (..., 6)
+        Actuator forces F0 (N), positive when they extend the leg. NaN if H is singular, a leg has length
+        zero, or a force overflows.
+
+    Raises
+    ------
+    ValueError
+        If ``robot`` is not a ``Robot`` or ``motion`` is not a ``Motion`` with accelerations.
+
+    See Also
+    --------
+    inverse_dynamics : Compute the forces with all physics.
+    leg_dynamics_fraction : Compute the fraction that these forces omit.
+
+    Notes
+    -----
+    Equation (41) of Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998).
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ...     a=[0.0, 0.0, 1.0],
+    ...     theta_ddot=[0.0, 0.0, 0.5],
+    ... )
+    >>> ss.massless_forces(robot, motion).round(2).tolist()
+    [2.72, 3.66, 6.2, 2.88, 2.59, 5.37]
     """
     need_motion(robot, motion)
     of = newton_euler if robot.offsets is None else offset_joints
@@ -172,27 +277,53 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
 
 
 def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
-    """F_d / F of (42) and section 4.4, (..., 6): the share of leg and rotor inertia, leg weight and friction.
+    """Compute the fraction of the actuator forces that is due to the legs.
+
+    It contains the inertia, weight, and friction of the legs and the inertia of the rotors.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    motion : Motion
-        Motion of the platform, any leading shape.
-    F : array_like
-        Actuator forces along the motion, N, of its shape, (..., 6). NaN or infinite where F is 0 or F0 is
-        NaN.
+        Robot model.
+    motion : Motion, shape (...)
+        Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
+    F : array_like, shape (..., 6)
+        Actuator forces (N) along the motion, for example of ``inverse_dynamics``.
 
     Returns
     -------
-    ndarray
-        Shares, no unit, (..., 6).
+    ndarray, shape (..., 6)
+        Fractions (F - F0) / F without a unit, where F0 are the ``massless_forces``. NaN or infinite if F is 0
+        or F0 is NaN.
 
     Raises
     ------
     ValueError
-        For any other shape.
+        If ``F`` has another shape, or if ``motion`` is not a ``Motion`` with accelerations.
+
+    See Also
+    --------
+    massless_forces : Compute F0.
+
+    Notes
+    -----
+    Equation (42) and section 4.4 of Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998).
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> motion = ss.Motion.from_rpy(
+    ...     t=[0.02, 0.0, 0.7],
+    ...     theta=[0.1, 0.0, 0.0],
+    ...     v=[0.0, 0.0, 0.2],
+    ...     theta_dot=[0.0, 0.1, 0.0],
+    ...     a=[0.0, 0.0, 1.0],
+    ...     theta_ddot=[0.0, 0.0, 0.5],
+    ... )
+    >>> F = ss.inverse_dynamics(robot, motion).F
+    >>> ss.leg_dynamics_fraction(robot, motion, F=F).round(2).tolist()
+    [0.32, 0.42, 0.45, 0.18, 0.32, 0.47]
     """
     F0 = massless_forces(robot, motion)
     forces = real_array(F, "F", f"forces of shape {F0.shape}")
@@ -211,7 +342,7 @@ def _prepared(
 
 
 def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKernel:
-    """The kernel of a formulation and backend with the robot's numbers; ValueError for unknown options."""
+    """Return the kernel of a formulation and a backend for a robot; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
     option(backend, ("c", "numpy", "reference"), "backend")
     if robot.offsets is not None or backend == "reference":
@@ -225,7 +356,7 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
 
 
 def need_motion(robot: Robot, motion: Motion) -> None:
-    """Reject, by ValueError, what is no robot and no motion with accelerations."""
+    """Raise ValueError unless the arguments are a robot and a motion with accelerations."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     if motion.alpha is None or motion.a is None:
@@ -233,7 +364,7 @@ def need_motion(robot: Robot, motion: Motion) -> None:
 
 
 def need_universal(robot: Robot) -> None:
-    """Reject, by ValueError, what is no robot with universal base joints whose axes meet."""
+    """Raise ValueError unless the robot has universal base joints without offsets."""
     instance(robot, Robot, "robot")
     need_no_offsets(robot)
     if robot.base_joint != "universal":
@@ -241,11 +372,11 @@ def need_universal(robot: Robot) -> None:
 
 
 def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
-    """``compiled()``, or ``other()`` and one warning where there is no working compiler."""
+    """Return ``compiled()``; without a working compiler, warn once and return ``other()``."""
     try:
         return compiled()
     except CompilerError as error:
-        _say_once(f"the NumPy kernels serve instead of C: {error}")
+        _say_once(f"the NumPy kernels are used instead of C: {error}")
         return other()
 
 
@@ -265,7 +396,7 @@ def _bearing(bearing: ArrayLike | None) -> Array:
 
 
 def _without_overflow(found: results.JointReactionsResult) -> results.JointReactionsResult:
-    """Give poses whose reactions overflow, though the forces did not, a status and NaN like any other."""
+    """Set a nonzero status and NaN for poses whose reactions overflow although the forces do not."""
     values = {name: each for name, each in vars(found).items() if name != "status" and each is not None}
     status = newton_euler.without_overflow(values, found.status)
     if (status == found.status).all():
@@ -274,10 +405,9 @@ def _without_overflow(found: results.JointReactionsResult) -> results.JointReact
 
 
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
-    """F, D, x, K, H, c and wrench_error by ``damped_least_squares``, of poses that may be singular; no
-    status.
+    """Compute F, D, x, K, H, c, and wrench_error by ``damped_least_squares``, without a status.
 
-    By the NumPy kernel, whatever backend rejected the poses. NaN where a leg has no direction.
+    The NumPy kernel is used for every backend. Values are NaN if a leg has no direction.
     """
     if robot.offsets is not None:
         terms = offset_joints.terms(robot, motion)
@@ -300,7 +430,7 @@ Result = TypeVar("Result", results.InverseDynamicsResult, results.JointReactions
 
 
 def _damped(found: Result, motion: Motion, values: Callable[[Motion], dict[str, Array]]) -> Result:
-    """Results with the damped values of the poses, by name, where H is singular."""
+    """Replace the values of the poses with singular H by damped values; ``values`` computes them by name."""
     singular = found.status == results.SINGULAR
     if not singular.any():
         return found
@@ -312,7 +442,7 @@ def _damped(found: Result, motion: Motion, values: Callable[[Motion], dict[str, 
 
 
 def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_singular: str) -> Result:
-    """The result, once its unsolvable poses are reported; values (..., 6) are finite where damped."""
+    """Report unsolvable poses and return the result; ``values`` (..., 6) are finite if damping succeeded."""
     status = result.status
     if on_singular == "damped":
         status = np.where(np.isfinite(values).all(axis=-1), results.OK, status).astype(np.int32)
@@ -321,28 +451,28 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
 
 
 def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str) -> None:
-    """Raise or warn, as ``on_singular`` says, if a pose is unsolvable."""
+    """Raise or warn according to ``on_singular`` if a pose has no solution."""
     error_policy.report(status, "motion", lambda at: _reason(int(status[at]), robot, motion[at]), on_singular)
 
 
 def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
-    """Index of the first unsolvable pose, and in one line why it is unsolvable.
+    """Return the index of the first pose without a solution, and the reason in one line.
 
-    status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.
+    ``status`` has the shape of the motion and contains at least one nonzero code of ``STATUS_TEXT``.
     """
     where, others = error_policy.first(status)
     return where, _reason(int(status[where]), robot, motion[where]) + others
 
 
 def _reason(code: int, robot: Robot, motion: Motion) -> str:
-    """What a status says of one pose, with the leg that it is about."""
+    """Return the text of a status code for one pose, with the number of the leg that causes it."""
     if code not in (results.ZERO_LENGTH, results.JOINT_SINGULAR, results.UNREACHABLE):
         return results.STATUS_TEXT[code]
     return f"{results.STATUS_TEXT[code]} (leg {_worst_leg(code, robot, motion) + 1})"
 
 
 def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
-    """Index of the shortest leg, or of the one nearest to its universal axis."""
+    """Return the index of the shortest leg, or of the leg nearest to its universal axis."""
     if robot.offsets is not None:
         return offset_joints.worst_leg(code, robot, motion)
     S = robot.p @ motion.R.T + motion.t - robot.b

@@ -1,4 +1,4 @@
-"""Physics of a robot file that forces of a fidelity level or another program omit, with its effect."""
+"""Physics of a robot file that a fidelity level or another program omits, and the effect on the forces."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -15,18 +15,18 @@ from .inverse_dynamics import Formulation, inverse_dynamics
 from .sample_poses import poses
 
 _POSES = 8
-"""Motions about the home pose by whose forces the effect is estimated."""
+"""Number of motions near the home pose from which the effect is estimated."""
 _ROUNDING = 1e-12
-"""Share of the largest force that counts as rounding."""
+"""Fraction of the largest force that counts as rounding."""
 
 Forces = Callable[[Motion], NDArray[np.generic]]
-"""Actuator forces (N), (n, 6), of motions (n,)."""
+"""Function that returns actuator forces (N), (n, 6), of motions (n,)."""
 
 
 def left_out(robot: Robot, formulation: Formulation, level: str, reduced: Forces) -> str:
     """Return a clause about the physics of the robot that a level omits, or an empty text.
 
-    reduced: forces of the level, for its error.
+    ``reduced`` computes the forces of the level, from which the error is estimated.
     """
     if level == "general":
         return ""
@@ -44,10 +44,10 @@ def left_out(robot: Robot, formulation: Formulation, level: str, reduced: Forces
 def effect(
     robot: Robot, reduced: Forces, formulation: Formulation = "exact", full: Forces | None = None
 ) -> str:
-    """Return a clause about the difference of two forces in motions about the home pose, or an empty text.
+    """Return a clause about the difference between two forces near the home pose, or an empty text.
 
-    full: forces with all physics; default: of ``inverse_dynamics``. A robot without suitable poses gets a
-    clause without numbers.
+    ``full`` computes forces with all physics; by default, it is ``inverse_dynamics``. A robot without
+    suitable poses gets a clause without numbers.
     """
     try:
         motion = poses(replace(robot, offsets=None), formulation, _POSES)
@@ -73,7 +73,7 @@ def _doubles(F: NDArray[np.generic]) -> Array:
 
 
 def _named(robot: Robot, level: str) -> Iterator[str]:
-    """Yield the physics that a level omits for certain."""
+    """Yield the physics that a level certainly omits."""
     rotor = fidelity.rotor_of(robot, level)
     if robot.has_rotors and rotor == "none":
         yield f"rotors with up to {robot.reflected_mass.max():.3g} kg of reflected mass in each leg"

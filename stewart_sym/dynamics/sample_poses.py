@@ -1,7 +1,7 @@
-"""Poses of a robot for examples, tests, and estimates: one near home, and others around it.
+"""Poses of a robot for examples, tests, and estimates: one near the home pose, and others around it.
 
-Chosen by the NumPy kernel in a fixed order of candidates, all in numbers of few digits, so that the same
-robot gives the same poses everywhere.
+The NumPy kernel selects them from a fixed sequence of candidates with few digits, so that a robot has the
+same poses on every computer.
 """
 
 import itertools
@@ -26,15 +26,15 @@ from .inverse_dynamics import Formulation, inverse_dynamics
 GOOD_CONDITION = 50.0
 MAX_CONDITION = 1000.0
 _DIRECTIONS = np.array([(0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0)])
-# The rotation of the quaternion (20, 1, -2, 1) / sqrt(406), some 14 degrees, is this over that.
+# The rotation of the quaternion (20, 1, -2, 1) / sqrt(406), about 14 degrees, is _SLIGHT_TURN / WHOLE.
 _SLIGHT_TURN, WHOLE = np.array([[396, -44, -78], [36, 402, -44], [82, 36, 396]]), 406
 
-# The example's motion and load, for a machine of size 1 m and mass 1 kg.
+# Motion and load of the example, for a machine with a radius of 1 m and a mass of 1 kg.
 _OMEGA, _V = np.array([0.3, -0.2, 0.4]), np.array([0.2, 0.3, -0.1])
 _ALPHA, _A = np.array([-0.5, 0.4, 0.7]), np.array([0.6, -0.4, 0.5])
 _F_EXT, _M_EXT = np.array([1.0, -2.0, 3.0]), np.array([0.5, 0.3, -0.2])
 
-# Away from the example's pose: turns as quaternions of whole numbers, shifts over the machine's size.
+# Changes of the example's pose: rotations as integer quaternions, and shifts relative to the size.
 _TURNS = (
     (12, 1, 2, -1),
     (15, -2, 1, 1),
@@ -46,25 +46,26 @@ _TURNS = (
     (1, 0, 0, 0),
 )
 _SHIFTS = ((0.1, -0.05, 0.1), (-0.1, 0.08, 0.05), (0.04, 0.12, -0.1), (-0.06, -0.1, -0.04), (0, 0, 0.15))
-# Rates, accelerations and loads of these poses, over the example's, one after the other.
+# Factors of the velocities, accelerations, and loads of these poses relative to the example, in turn.
 _PACES = (0.0, 2.0, -1.0, 0.5, 3.0, -2.0, 1.5)
 _LOADS = (0.0, -1.0, 2.0, 0.5, -3.0)
 
 
 @lru_cache(maxsize=16)
 def sample(robot: Robot, formulation: str) -> Motion:
-    """The motion of the example.
+    """Return the motion of the example.
 
-    The pose is the home pose, rounded; everything moves and is loaded by about the platform's weight. If the
-    home pose is ill-conditioned or near a leg's universal axis, the pose is a slight turn away from parallel
-    frames, with another axis, distance, or quarter turns. It is the first, in a fixed order, that solves with
-    a good condition number and, if possible, within the length limits. Raises ValueError if there is none.
+    The pose is the home pose, rounded; the platform moves and carries a load of about its weight. If the home
+    pose is ill-conditioned or near the universal axis of a leg, another pose is selected: slightly rotated
+    from parallel frames, with another axis, distance, or quarter turns. It is the first in a fixed order that
+    has a solution, a good condition number, and, if possible, leg lengths within the limits. Raises
+    ValueError if there is none.
     """
     if characteristic_length(robot) > 0.0:
         home, condition, clear, within = _checked(robot, _at_home(robot), formulation)
         if home.shape != (0,) and clear[0] and within[0] and condition[0] <= MAX_CONDITION:
             return home[0]
-    # NumPy, as it rounds like the C and is there without a compiler.
+    # NumPy rounds like the C code and needs no compiler.
     poses, condition, clear, within = _checked(robot, _candidates(robot), formulation)
     for also in (within, np.full_like(within, True)):
         for bound in (GOOD_CONDITION, MAX_CONDITION):
@@ -72,22 +73,22 @@ def sample(robot: Robot, formulation: str) -> Motion:
             if good.size:
                 return poses[int(good[0])]
     raise ValueError(
-        f"robot {robot.name!r}: no good pose for the example: wherever the platform is put, H is singular or "
-        f"its condition number above {MAX_CONDITION:g}, or a leg is near its universal axis"
+        f"robot {robot.name!r}: no good pose for the example: at all examined poses, H is singular or "
+        f"its condition number exceeds {MAX_CONDITION:g}, or a leg is near its universal axis"
     )
 
 
 def poses(robot: Robot, formulation: str, count: int) -> Motion:
-    """Motions (n,), n <= count: the example's first, then others around it with other rates and loads.
+    """Return motions (n,), n <= count: the example, then others around it with other velocities and loads.
 
-    The others have condition numbers up to MAX_CONDITION and legs clear of their universal axes; those within
-    the length limits come first, then those with good condition numbers. Some are at rest, others move
-    backwards or without load. A machine may have fewer than requested. Raises ValueError as ``sample``.
+    The others have condition numbers up to MAX_CONDITION and legs clear of their universal axes. Poses within
+    the length limits precede the others, then poses with good condition numbers. Some are at rest, and others
+    move backward or without a load. A robot may have fewer than ``count``. Raises ValueError as ``sample``.
     """
     first = sample(robot, formulation)
     around, condition, clear, within = _checked(robot, _neighbors(robot, first), formulation)
     fit = clear & (condition <= MAX_CONDITION)
-    # The order of numbers is kept within a rank: the sort is stable.
+    # The sort is stable, so it keeps the order within a rank.
     rank = 2 * ~within + (condition > GOOD_CONDITION)
     order = np.argsort(rank, kind="stable")
     chosen = order[fit[order]][: count - 1]
@@ -100,27 +101,27 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
 
 
 def neighbor(robot: Robot, R: Array, t: Array, closeness: int) -> tuple[Array, Array]:
-    """A pose beside R (3, 3), t (3,): by a third of a radian over ``closeness``, and shifted."""
+    """Return a pose near R (3, 3), t (3,), rotated by a third of a radian over ``closeness`` and shifted."""
     turn, over = whole_turn(10 * closeness, 1, -1, 1)
-    # Summed by hand: products by the library round one way on one machine and another way on the next.
+    # The sum is explicit, because matrix products round differently on different computers.
     turned = (turn[:, :, None] * R[None]).sum(axis=1) / over
     return turned, t + size_of(robot) * np.array([0.05, -0.05, 0.05]) / closeness
 
 
 def significant(values: ArrayLike, digits: int) -> Array:
-    """Values (...) rounded to so many significant decimal digits."""
+    """Round values (...) to a number of significant decimal digits."""
     given = np.asarray(values, dtype=np.float64)
     return np.array([float(f"{value:.{digits - 1}e}") for value in given.flat]).reshape(given.shape)
 
 
 def rounded(numbers: ArrayLike, kind: type) -> Array:
-    """The nearest numbers of a precision, as doubles; infinity for those too large for it."""
+    """Round numbers to a precision and return them as doubles; infinity if they overflow."""
     with np.errstate(over="ignore"):
         return np.asarray(numbers, dtype=kind).astype(np.float64)
 
 
 def _checked(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Array, Flags, Flags]:
-    """Those that solve; condition numbers; are all legs clear of their axes, are all within their limits."""
+    """Return the poses with a solution, condition numbers, and masks: clear of joint axes, within limits."""
     status = _forces(robot, motions, formulation).status
     solved = motions[np.flatnonzero(status == 0)]
     if solved.shape == (0,):
@@ -142,10 +143,10 @@ def _at_home(robot: Robot) -> Motion:
 
 
 def _candidates(robot: Robot) -> Motion:
-    """Motions around the base, (n,), the likeliest first, in numbers of few digits."""
+    """Return motions around the base, (n,), in numbers of few digits, the most likely poses first."""
     size = size_of(robot)
     distances = [1.1 * size * 1.15**n for n in sorted(range(-8, 11), key=abs)]
-    # The side that the platform is on first, the opposite one last.
+    # The side of the platform is first, the opposite side last.
     directions = _DIRECTIONS[
         np.argsort(-np.round(_DIRECTIONS @ platform_side(robot).direction, 6), kind="stable")
     ]
@@ -156,8 +157,8 @@ def _candidates(robot: Robot) -> Motion:
 
 
 def _neighbors(robot: Robot, first: Motion) -> Motion:
-    """Motions around the example's, (n,), in numbers of few digits; some are at rest."""
-    # Whole numbers, so that no machine's products round R in another way than others.
+    """Return motions around the example, (n,), in numbers of few digits; some are at rest."""
+    # Integers are exact, so that R does not depend on the computer.
     turned = np.rint(first.R * WHOLE)
     R, off = [], []
     center = first.t + first.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
@@ -172,15 +173,16 @@ def _neighbors(robot: Robot, first: Motion) -> Motion:
 
 
 def _motion(robot: Robot, R: Array, off: Array, pace: Array, load: Array) -> Motion:
-    """Motions with turns R (n, 3, 3), the platform points' middle at ``off`` (n, 3) from the base points'.
+    """Return motions with rotations R (n, 3, 3) and the center of the platform points at ``off`` (n, 3).
 
-    pace, load: (n,) or (1,), what the example's rates and accelerations, and its load, are multiplied by.
+    ``off`` is relative to the center of the base points (m). ``pace`` multiplies the velocities and
+    accelerations of the example and ``load`` its load, with shape (n,) or (1,).
     """
     size = size_of(robot)
     t = robot.b.mean(axis=0) + off - R @ robot.p.mean(axis=0)
 
     def times(factors: Array, vector: Array) -> Array:
-        # Adding zero turns -0.0 into 0.0.
+        # Adding zero changes -0.0 to 0.0.
         return significant(factors[:, None] * vector, 3) + 0.0
 
     return Motion(
@@ -196,7 +198,7 @@ def _motion(robot: Robot, R: Array, off: Array, pace: Array, load: Array) -> Mot
 
 
 def whole_turn(w: int, x: int, y: int, z: int) -> tuple[NDArray[np.int64], int]:
-    """The rotation of a quaternion of whole numbers: a matrix of whole numbers, and what divides it."""
+    """Return the rotation of an integer quaternion as an integer matrix and its divisor."""
     over = w * w + x * x + y * y + z * z
     turn = [
         [over - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -207,7 +209,7 @@ def whole_turn(w: int, x: int, y: int, z: int) -> tuple[NDArray[np.int64], int]:
 
 
 def _quarter_turns() -> list[Array]:
-    """The 24 rotations that take the axes into each other, the identity first."""
+    """Return the 24 rotations that permute the axes, the identity first."""
     turns = []
     for order in itertools.permutations(range(3)):
         for signs in itertools.product((1.0, -1.0), repeat=3):
@@ -219,7 +221,7 @@ def _quarter_turns() -> list[Array]:
 
 
 def size_of(robot: Robot) -> float:
-    """The machine's radius to two digits, m; ValueError for points whose squares overflow."""
+    """Return the radius of the machine (m) to two digits; ValueError for points whose squares overflow."""
     size = max(radius(robot.b), radius(robot.p))
     if not math.isfinite(size):
         raise ValueError("robot: expected base and platform points whose squares are finite")

@@ -1,1 +1,1 @@
-"""The equations of one machine as SymPy expressions, LaTeX and CasADi functions."""
+"""Equations of one robot as SymPy expressions, LaTeX, and CasADi functions."""

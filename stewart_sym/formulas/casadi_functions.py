@@ -1,6 +1,6 @@
-"""The equations of one machine as CasADi functions, for optimizers such as IPOPT and acados.
+"""Equations of one robot as CasADi functions, for optimizers such as IPOPT and acados.
 
-Derives when it is called.
+The equations are derived on each call.
 """
 
 from types import SimpleNamespace
@@ -22,41 +22,63 @@ ARGUMENTS = {
     "equations": _RATES,
     "forward_dynamics": (*_RATES, "F", "F_ext", "M_ext"),
 }
-"""Functions and what they take, in order."""
+"""Functions and their arguments, in order."""
 
 
 def casadi_function(
     robot: Robot, quantity: str = "forces", formulation: Formulation = "exact", checked: bool = True
 ) -> "casadi.Function":
-    """Forces, equations of motion or forward dynamics of one machine as a CasADi function of SX.
+    """Build a CasADi function (SX) of forces, equations of motion, or forward dynamics of one robot.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    quantity : str, optional
-        "forces" of R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3,) gives F (6,), N; "equations" of R, t,
-        omega, v gives M, C (6, 6), g, friction, bias (6,), H and its rate H_dot (6, 6); "forward_dynamics" of
-        R, t, omega, v, F, F_ext, M_ext gives a and alpha (3,). Arguments and results have these names.
-        `exact` with universal base joints has all three, `paper` and spherical joints the forces; none with
-        offset joints.
+        Robot model without offset joints.
+    quantity : {"forces", "equations", "forward_dynamics"}, optional
+        Function to build; see Returns. "equations" and "forward_dynamics" require formulation "exact" and
+        universal base joints.
     formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
+        "exact" for the corrected equations, "paper" for the equations as printed.
     checked : bool, optional
-        As in C, near a joint singularity the legs take a code path of their own, and a last result
-        ``status``, a code of ``results.STATUS_TEXT``, is 0 or the others are NaN. Without, the function is a
-        third as long: no status, and the digits that a leg loses near the fixed axis of its universal joint
-        are lost.
+        If True, the legs have a separate code path near a joint singularity, as in C. The last result is then
+        ``status``, a code of ``results.STATUS_TEXT``; the other results are NaN if it is not 0. If False, the
+        function is a third as long. It then has no status, and loses digits if a leg is near the fixed axis
+        of its universal joint.
 
     Returns
     -------
     casadi.Function
-        Function with named arguments and results.
+        Function with these names of arguments and results, SI units, base frame except F_ext and M_ext
+        (platform frame):
+
+        - "forces": R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3,) to F (N) (6,).
+        - "equations": R, t, omega, v to M, C (6, 6), g, friction, bias, bias_and_friction (6,), H, and its
+          rate H_dot (6, 6).
+        - "forward_dynamics": R, t, omega, v, F, F_ext, M_ext to a and alpha (3,).
 
     Raises
     ------
     ValueError
-        For other names and an unknown formulation, and MissingExtraError without CasADi.
+        If the quantity or the formulation is unknown or not available for the robot.
+    MissingExtraError
+        If CasADi is not installed.
+
+    See Also
+    --------
+    symbolic : Derive SymPy formulas.
+    ArrayKernel : Compute with JAX or PyTorch.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> forces = ss.casadi_function(ss.robots.load("unal"), "forces", checked=False)
+    >>> forces.name_out()
+    ['F']
+    >>> zero = np.zeros(3)
+    >>> F = forces(np.eye(3), [0.0, 0.0, 0.7], zero, zero, zero, zero, zero, zero)
+    >>> F.full().ravel().round(2).tolist()
+    [5.91, 5.91, 5.91, 5.91, 5.91, 5.91]
     """
     option(quantity, tuple(ARGUMENTS), "quantity")
     truth(checked, "checked")
@@ -66,7 +88,7 @@ def casadi_function(
 
     program, _, model = prepared(robot, quantity, quantity, formulation)
     given = {name: casadi.SX.sym(name, 3, 3 if name == "R" else 1) for name in MOTION}
-    # Components in storage order: CasADi's own is by columns.
+    # CasADi stores columns, but the kernels read components row by row.
     parts = {name: casadi.vertsplit(casadi.vec(value.T)) for name, value in given.items()}
     motion = SimpleNamespace(**parts)
     given["F"] = casadi.SX.sym("F", 6)

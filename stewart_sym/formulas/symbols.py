@@ -1,6 +1,6 @@
-"""The equations of one machine as SymPy expressions, their named steps kept.
+"""Equations of one robot as SymPy expressions with named steps.
 
-Derives when it is called.
+The equations are derived on each call.
 """
 
 from collections.abc import Callable, Mapping
@@ -18,7 +18,7 @@ from ..io.arguments import finite_array, instance, option, shown
 from ..results import OK
 from ..robot.robot import Robot
 
-# SymPy's, which ships no types.
+# SymPy has no type stubs.
 Matrix = Any
 Symbol = Any
 Expression = Any
@@ -29,35 +29,34 @@ FUNCTIONS = {
     **dict.fromkeys(("M", "C", "g", "friction", "bias", "bias_and_friction"), "equations"),
     **dict.fromkeys(("a", "alpha"), "forward_dynamics"),
 }
-"""What there are formulas of, and the function of the kernel trees that computes it."""
+"""Quantities with formulas, and the function of the kernel trees that computes each."""
 
 _REQUIRED = ("R", "t", "F")
-"""Arguments that have no value by default."""
+"""Arguments without a default value."""
 _FOUND = ("alpha", "a")
-"""What forward dynamics finds."""
+"""Results of forward dynamics."""
 
 
 @dataclass(frozen=True, eq=False)
 class SymbolicResult:
-    """A matrix of one machine as formulas.
+    """Matrix of one robot as formulas with named steps.
 
     Attributes
     ----------
     name : str
-        Of the matrix.
+        Name of the matrix.
     result : Matrix
-        In the symbols of arguments, constants and steps.
-    steps : tuple
-        (symbol, expression) in order, each in arguments, constants and earlier steps; those of leg 1 end in
-        _1.
-    constants : dict
-        The machine's prepared numbers by symbol: sums and products of the robot's own, M_P and J_P with what
-        of the legs moves as the platform does, unlike the inertial parameters of these names.
-    arguments : dict
-        R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1); of forward dynamics F (6, 1), without alpha and
-        a. Where a matrix does not depend on one, as H on omega, this has no effect.
-    meanings : dict
-        Unit and meaning of each, by its name without leg and axis.
+        Matrix in the symbols of arguments, constants, and steps.
+    steps : tuple of (Symbol, Expression)
+        Steps in order, each in terms of arguments, constants, and earlier steps. Names of leg 1 end in _1.
+    constants : dict of float
+        Prepared numbers of the robot by symbol: sums and products of its own numbers. M_P and J_P include the
+        parts of the legs that move with the platform, unlike the inertial parameters of these names.
+    arguments : dict of Matrix
+        R (3, 3); t, omega, v, alpha, a, F_ext, M_ext (3, 1). Forward dynamics has F (6, 1) instead of alpha
+        and a. Arguments on which a matrix does not depend, such as omega for H, have no effect.
+    meanings : dict of tuple
+        Unit and meaning of each constant, by its name without leg and axis.
     """
 
     name: str
@@ -68,15 +67,15 @@ class SymbolicResult:
     meanings: Mapping[str, tuple[str, str]]
 
     def substituted(self) -> Matrix:
-        """The matrix in the arguments alone: numbers for the constants, every step substituted back.
+        """Replace all steps and constants, so that the matrix depends only on the arguments.
 
-        Expressions grow with every step: F takes half a minute, a and alpha longer. To print them or to
-        compute with them keep the steps, as the other methods do.
+        Expressions grow with every step: F takes half a minute, a and alpha longer. The other methods keep
+        the steps and are better for printing and computing.
 
         Returns
         -------
         Matrix
-            Of the shape of ``result``.
+            Matrix with the shape of ``result``.
         """
         known: dict[Any, Any] = dict(self.constants)
         for symbol, expr in self.steps:
@@ -84,7 +83,7 @@ class SymbolicResult:
         return self.result.xreplace(known)
 
     def derivative(self, by: Symbol) -> "SymbolicResult":
-        """The derivative by a component of an argument or by a constant.
+        """Differentiate the matrix with respect to a component of an argument or a constant.
 
         Parameters
         ----------
@@ -94,12 +93,13 @@ class SymbolicResult:
         Returns
         -------
         SymbolicResult
-            Of the name ``d_...``; its steps are those of the matrix and their derivatives, named so too.
+            Derivative with the name ``d_...``. Its steps are the steps of the matrix and their derivatives,
+            which also have names ``d_...``.
 
         Raises
         ------
         ValueError
-            For anything else.
+            If ``by`` is not such a symbol.
         """
         import sympy as sp
 
@@ -118,17 +118,17 @@ class SymbolicResult:
         return replace(self, name=f"d_{self.name}", result=result, steps=tuple(steps))
 
     def function(self) -> Callable[..., NDArray[np.float64]]:
-        """A NumPy function of one pose's arguments by name.
+        """Compile a NumPy function of the arguments, by name, for one pose.
 
-        It has no status: near a singularity digits are lost unnoticed, and ``prepare(robot).status(motion)``
-        says where that is.
+        The function has no status: digits are lost near a singularity without notice.
+        ``ForceKernel(robot).status(motion)`` identifies such poses.
 
         Returns
         -------
         callable
-            Its result is (3,), (6,), (6, 3) or (6, 6). R, t and F, where they are arguments, must be given;
-            others are zero where not given. It raises ValueError for other names and shapes and for numbers
-            that are not finite.
+            Function whose result has the shape (3,), (6,), (6, 3), or (6, 6). R, t, and F are required if
+            they are arguments; others are zero by default. It raises ValueError for other names and shapes
+            and for numbers that are not finite.
         """
         import sympy as sp
 
@@ -154,13 +154,13 @@ class SymbolicResult:
         return evaluated
 
     def latex(self) -> str:
-        r"""The matrix with its steps, for a document with ``amsmath``.
+        r"""Write the matrix with its steps as LaTeX, for a document with ``amsmath``.
 
         Returns
         -------
         str
-            Steps that are the same for each leg but for its number stand there once, with the number i, and
-            sums over the legs as one. The constants follow, with their units and meanings.
+            Steps that differ only in the number of the leg are written once, with the index i, and sums over
+            the legs are one sum. The constants follow, with their units and meanings.
         """
         from .typesetting import typeset
 
@@ -168,30 +168,53 @@ class SymbolicResult:
 
 
 def symbolic(robot: Robot, quantity: str, formulation: Formulation = "exact") -> SymbolicResult:
-    """One matrix of one machine's equations as formulas, with their steps.
+    """Derive a matrix of the equations of one robot as formulas with named steps.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot model without offset joints.
     quantity : str
-        "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction", "bias", or
+        "F", "D", "K", "H", or "c" of inverse dynamics; "M", "C", "g", "friction", "bias", or
         "bias_and_friction" of the equations of motion; "a" or "alpha" of forward dynamics. The last two
-        groups are of `exact` with universal base joints. The formulas are those of a regular pose: no leg
-        near the fixed axis of its universal joint, status 0, and no exchange of rows in the solves for F, a
-        and alpha, so that F has a zero divisor where a leading minor of H vanishes.
+        groups require formulation "exact" and universal base joints.
     formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
+        "exact" for the corrected equations, "paper" for the equations as printed.
 
     Returns
     -------
     SymbolicResult
-        Matrix, steps, constants and arguments.
+        SymPy matrix ``result`` with its ``steps``, ``constants``, and ``arguments``; it converts to NumPy
+        functions and LaTeX. SI units, base frame.
 
     Raises
     ------
     ValueError
-        For other names and an unknown formulation.
+        If the quantity or the formulation is unknown or not available for the robot.
+
+    See Also
+    --------
+    casadi_function : Build a CasADi function.
+    inverse_dynamics : Compute the numbers.
+    equations_of_motion : Compute the numbers of M, C, g, and friction.
+
+    Notes
+    -----
+    F is (37), D is (24), K is (21), and H and c are (36) of Dasgupta and Mruthyunjaya, Mechanism and Machine
+    Theory 33 (1998). The formulas are valid for regular poses: no leg near the fixed axis of its universal
+    joint, and status 0. The solves for F, a, and alpha do not exchange rows, so that F has a zero divisor if
+    a leading minor of H vanishes. The derivation takes seconds at the first call.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> formula = ss.symbolic(ss.robots.load("unal"), "F")
+    >>> formula.result.shape
+    (6, 1)
+    >>> forces = formula.function()
+    >>> forces(R=np.eye(3), t=[0.0, 0.0, 0.7]).round(2).tolist()
+    [5.91, 5.91, 5.91, 5.91, 5.91, 5.91]
     """
     option(quantity, tuple(FUNCTIONS), "quantity")
     from ..derive.kernel.trace import described, needed, renamed, trace
@@ -210,7 +233,7 @@ def symbolic(robot: Robot, quantity: str, formulation: Formulation = "exact") ->
 
 
 def _of_one_pose(name: str, value: Any, symbols: Matrix) -> NDArray[np.float64]:
-    """The numbers of an argument; ValueError that names it for other shapes and what is not finite."""
+    """Return the numbers of an argument; ValueError that names it for other shapes or infinite numbers."""
     shape = symbols.shape if symbols.shape[1] > 1 else symbols.shape[:1]
     return finite_array(value, shape, f"{name} of one pose", batch=False).ravel()
 
@@ -218,9 +241,9 @@ def _of_one_pose(name: str, value: Any, symbols: Matrix) -> NDArray[np.float64]:
 def prepared(
     robot: Robot, what: str, function: str, formulation: Formulation
 ) -> tuple[Any, str, SimpleNamespace]:
-    """A function's tree, its name, and what is its first argument: constants prepared, or the robot's own.
+    """Return a function's tree, its name, and its first argument: prepared constants, or the robot's numbers.
 
-    what: the user's word for the function.
+    ``what`` is the name of the function in messages.
     """
     from ..derive.kernel.tree.constants import constants
     from ..derive.kernel.tree.interpret import Arithmetic, Interpreter

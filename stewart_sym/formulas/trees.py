@@ -1,4 +1,4 @@
-"""What kernel trees read: the numbers of a robot and of a motion as structures."""
+"""Inputs of kernel trees: the numbers of a robot and a motion as structures."""
 
 from collections.abc import Callable, Iterable, Mapping
 from types import SimpleNamespace
@@ -12,11 +12,11 @@ from ..robot.offsets import need_no_offsets
 from ..robot.robot import has_symbol, of_symbol
 
 Number = Callable[[str, Any], Any]
-"""From a quantity's name and one of its components to a number of the arithmetic."""
+"""Function that maps the name of a quantity and one component to a number of the arithmetic."""
 
 
 def robot_structure(robot: Any, number: Number) -> SimpleNamespace:
-    """The robot; robot: what has the fields of ``Robot``, those of rotors or not."""
+    """Return the structure of a robot, which has the fields of ``Robot``, with or without rotors."""
     need_no_offsets(robot)
     of_leg = [q for q in n.OF_LEG if has_symbol(robot, q.name)]
     numbers = {q.name: np.asarray(of_symbol(robot, q.name)) for q in (*of_leg, *n.PLATFORM)}
@@ -25,9 +25,9 @@ def robot_structure(robot: Any, number: Number) -> SimpleNamespace:
 
 
 def structure(quantities: Iterable[Quantity], values: Mapping[str, Any], number: Number) -> SimpleNamespace:
-    """Quantities by name, each a number or a list of its components as they are stored.
+    """Return quantities by name, each as a number or a list of its stored components.
 
-    values: arrays by name, of the quantities' shapes or flat.
+    ``values`` contains arrays by name, flat or with the shapes of the quantities.
     """
     return SimpleNamespace(**{q.name: _stored(q, np.asarray(values[q.name]), number) for q in quantities})
 

@@ -1,4 +1,4 @@
-"""Formulas with named steps as LaTeX: what is the same for every leg stands there once."""
+"""Formulas with named steps as LaTeX; steps that are equal for all legs are written once."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -21,11 +21,11 @@ def typeset(
     constants: Mapping[Any, float],
     meanings: Mapping[str, tuple[str, str]],
 ) -> str:
-    """Steps as running text, the matrix, the numbers of the machine, what they are; needs ``amsmath``."""
+    """Write the steps as text, the matrix, the constants, and their meanings; requires ``amsmath``."""
     expressions = [expr for _, expr in steps] + list(result)
     write = _Writer(set().union(*(expr.free_symbols for expr in expressions), (s for s, _ in steps)))
     text = [f"${write(symbol)} = {write(expr)}$" for symbol, expr in _once(steps, write)]
-    # Lines of running text may not break inside of these.
+    # Stretchable brackets would prevent line breaks in the text.
     text = [each.replace(r"\left(", "(").replace(r"\right)", ")") for each in text]
     shown = sp.Matrix(*result.shape, [write.summed(each) for each in result])
     return "\n".join(
@@ -41,12 +41,12 @@ def typeset(
 
 
 class _Writer:
-    """LaTeX of expressions, legs' symbols as those of leg i where sums run over it."""
+    """Converter of expressions to LaTeX, with leg symbols of leg i in sums over the legs."""
 
     def __init__(self, symbols: Iterable[Any]) -> None:
         self.known = {symbol.name for symbol in symbols}
         numbered = filter(None, map(_NUMBERED.fullmatch, self.known))
-        # Letters of numbered steps that would look like components of a vector.
+        # These letters of numbered steps would look like components of a vector.
         self.primed = {found[1] for found in numbered if f"{found[1]}_{found[2]}" in self.known}
         self.to_leg = {
             leg: {self.symbol(name, "i"): self.symbol(name, leg) for name in self.bases()} for leg in LEGS
@@ -54,7 +54,7 @@ class _Writer:
         self.of_leg = {leg: {b: a for a, b in pairs.items()} for leg, pairs in self.to_leg.items()}
 
     def bases(self) -> set[str]:
-        """Names without the number of the leg, of what legs have."""
+        """Return the names of leg quantities without the number of the leg."""
         return {found[1] for name in self.known if (found := _OF_LEG.fullmatch(name))}
 
     @staticmethod
@@ -62,11 +62,11 @@ class _Writer:
         return sp.Symbol(f"{name}_{leg}", real=True)
 
     def general(self, expr: Expr, leg: int) -> Expr:
-        """An expression of one leg as that of leg i."""
+        """Rewrite an expression of one leg for leg i."""
         return expr.xreplace(self.of_leg[leg])
 
     def summed(self, expr: Expr) -> Expr:
-        """An expression with sums over the legs as one."""
+        """Rewrite an expression so that its sums over the legs are one sum."""
         rest = list(sp.Add.make_args(expr))
         sums = []
         for term in tuple(rest):
@@ -87,13 +87,13 @@ class _Writer:
         return text
 
     def name(self, name: str) -> str:
-        """A symbol, numbered steps with a prime where a vector has the same letter."""
+        """Return the LaTeX of a symbol; numbered steps get a prime if a vector has the same letter."""
         step = _NUMBERED.fullmatch(name)
         return f"{_word(step[1], 1)}'_{{{step[2]}}}" if step and step[1] in self.primed else _name(name)
 
 
 def _once(steps: Steps, write: _Writer) -> list[tuple[Any, Expr]]:
-    """The steps; those that every leg has, as those of leg i."""
+    """Return the steps, with steps that all legs share written once for leg i."""
     given = dict(steps)
     found = []
     for symbol, expr in given.items():
@@ -111,7 +111,7 @@ def _once(steps: Steps, write: _Writer) -> list[tuple[Any, Expr]]:
 
 
 def _name(name: str) -> str:
-    """A symbol: the first word, upright where it is more than a letter, and an index of the others."""
+    """Return the LaTeX of a symbol: the first word, upright if it has several letters, and an index."""
     first, *others = re.sub(rf"^{_NUMBERED.pattern}", r"\1_\2", name).split("_")
     letter = _word(first, 1)
     for rate in ("dot", "ddot"):
@@ -128,7 +128,7 @@ def _word(word: str, longest: int) -> str:
 
 
 def _numbers(constants: Mapping[Any, float], write: _Writer) -> list[str]:
-    """The constants: one row a quantity, one column a leg."""
+    """Return the table of constants, with a row per quantity and a column per leg."""
     legs: dict[str, dict[int, float]] = {}
     alone = []
     for symbol, value in constants.items():
@@ -160,7 +160,7 @@ def _unit(unit: str) -> str:
 
 
 def _prose(text: str) -> str:
-    """Text in which names, such as J_P_xx, are formulas."""
+    """Convert names such as J_P_xx in a text to formulas."""
     named = re.sub(r"\b[A-Za-z]\w*_\w+", lambda found: f"${_name(found[0])}$", text)
     return re.sub(r"\^(\w+)", r"$^{\1}$", named).replace("_ ", r"\_ ")
 

@@ -1,1 +1,1 @@
-"""Actuator forces at 113 bits and at 50 digits: the truth for rounding errors."""
+"""Actuator forces with 113 bits and with 50 digits, as references for rounding errors."""

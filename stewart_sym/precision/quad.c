@@ -1,8 +1,8 @@
-/* The plain elimination kernel in quadruple precision, of robots and motions in double. */
-/* Includes a kernel's header and names its INVERSE_DYNAMICS. */
+/* Plain elimination kernel in quadruple precision for robots and motions in double precision. */
+/* kernel.h includes the header of a kernel and defines INVERSE_DYNAMICS. */
 #include "kernel.h"
 
-/* Sizes of a motion's members, in their order. */
+/* Sizes of the members of a motion, in order. */
 static const size_t widths[8] = {9, 3, 3, 3, 3, 3, 3, 3};
 
 static void widen(__float128 *to, const double *from, size_t count)
@@ -44,7 +44,7 @@ static void nearest_rotation(__float128 R[9])
     }
 }
 
-/* motions: where each member's numbers are, those of the load may be null. */
+/* motions: pointers to the numbers of each member; the pointers of the load may be NULL. */
 void quad_forces(
     const double *numbers, size_t count, const double *const motions[8], int ideal, double *high, double *low)
 {

@@ -1,7 +1,7 @@
-"""The actuator forces in quadruple precision, 113 bits: truth for what double and float round away.
+"""Actuator forces in quadruple precision (113 bits), as a reference for rounding errors of double and float.
 
-Compiles the plain elimination kernel, which shares neither regrouping nor preparation with the fast one,
-for gcc's ``__float128``; needs libquadmath.
+The module compiles the plain elimination kernel for ``__float128`` of gcc, which requires libquadmath. This
+kernel shares neither regrouping nor preparation with the fast kernel.
 """
 
 import ctypes
@@ -26,20 +26,20 @@ _MACROS = {
     "STEWART_EPSILON": "FLT128_EPSILON",
     "STEWART_MAX": "FLT128_MAX",
 }
-# Optimizing does not shorten operations that are calls of a library. A library named before the sources is
-# dropped, as nothing needs it yet, unless the linker must keep it.
+# -O1 is sufficient, because the operations are library calls. Without --no-as-needed the linker would drop a
+# library that is named before the sources.
 _FLAGS = ("-O1", "-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath")
 
 
 def quad_forces(
     robot: Robot, motion: Motion, dtype: type[np.floating[Any]] = np.float64, as_given: bool = False
 ) -> tuple[Array, Array]:
-    """Actuator forces as unevaluated sums high + low, N, (..., 6) each, of the exact formulation.
+    """Compute actuator forces (N) as unevaluated sums high + low, (..., 6) each, in formulation `exact`.
 
-    dtype: to which the inputs are rounded first. R is replaced by the rotation nearest to it and k by the
-    unit vector along it, unless as_given. NaN for unsolvable poses.
+    ``dtype`` is the type to which the inputs are rounded first. Unless ``as_given``, R is replaced by the
+    nearest rotation and k by the unit vector along it. NaN for poses without a solution.
 
-    Raises native.CompilerError where there is no compiler with ``__float128``.
+    Raises native.CompilerError without a compiler that has ``__float128``.
     """
     name = robot_kernel(robot, "exact")
     numbers = _rounded(robot_numbers(robot, takes_rotors(name)), dtype)
@@ -57,7 +57,7 @@ def quad_forces(
 
 
 def error(found: NDArray[Any], truth: tuple[Array, Array]) -> Array:
-    """found minus high + low, in double, without losing what they have in common."""
+    """Return found - (high + low) in double precision without cancellation."""
     high, low = truth
     return (np.asarray(found, dtype=np.float64) - high) - low
 
@@ -67,7 +67,7 @@ def _rounded(array: Array | None, dtype: type[np.floating[Any]]) -> Array | None
 
 
 def sources(name: str) -> dict[str, str]:
-    """File name -> text of the C around the kernel of that name."""
+    """Return the C sources around the kernel of a name, by file name."""
     kernel = f'#include "stewart_{name}.h"\n#define INVERSE_DYNAMICS stewart_{name}_inverse_dynamics\n'
     own = (files(__package__) / "quad.c").read_text(encoding="utf-8")
     return c_sources(name) | {"kernel.h": kernel, "quad.c": own}

@@ -1,7 +1,7 @@
-"""Forces at 50 digits: the derived equations of a fidelity, run before they are shared, printed or rounded.
+"""Actuator forces with 50 digits from the derived equations before sharing, printing, and rounding.
 
-What rounding errors are measured against; the numbers of robot and motion are taken as they are stored.
-The equations are those of ``derive``, the digits SymPy's mpmath's.
+Rounding errors are measured against these forces. The numbers of robot and motion are exact inputs. The
+equations of a fidelity level are from ``derive``, and the arithmetic is mpmath.
 """
 
 from collections.abc import Mapping
@@ -38,11 +38,11 @@ digits.dps = DIGITS
 ON_DIGITS = Arithmetic(
     digits.mpf, {name: digits.mpf(value) for name, value in unchecked(1e-45).items()}, digits.sqrt
 )
-"""The same for kernel trees."""
+"""The same arithmetic for kernel trees."""
 
 
 def number_of_digits(_: str, value: Any) -> Any:
-    """A quantity's component as it is stored."""
+    """Convert a component of a quantity to 50 digits."""
     return digits.mpf(value)
 
 
@@ -54,14 +54,14 @@ def _forces(base_joint: str, formulation: str, fidelity: str, rotors: bool) -> I
 
 @dataclass(frozen=True, eq=False)
 class Truth:
-    """The equations of one fidelity of a formulation with a robot's numbers, at 50 digits."""
+    """Equations of one formulation and fidelity level with the numbers of a robot, with 50 digits."""
 
     robot: Robot
     formulation: str = "exact"
     fidelity: str = "general"
 
     def forces(self, motion: Motion) -> NDArray[np.object_]:
-        """Actuator forces, N, of every pose of ``motion``, (..., 6), as 50-digit numbers: (35)-(37)."""
+        """Compute the actuator forces (N) of every pose, (..., 6), as numbers of 50 digits, (35)-(37)."""
         poses = vars(loaded(motion))
         F = np.empty((*motion.shape, 6), dtype=object)
         for where in np.ndindex(motion.shape):
@@ -69,13 +69,13 @@ class Truth:
         return F
 
     def of_pose(self, motion: Mapping[str, NDArray[Any]]) -> list[Any]:
-        """Forces of one pose, whose numbers may have 50 digits."""
+        """Compute the forces of one pose, whose numbers may have 50 digits."""
         given = structure(n.MOTION, motion, number_of_digits)
         found: list[Any] = self._interpreter.run(FORCES, self._model, given).F
         return found
 
     def deviation(self, F: NDArray[Any], motion: Motion) -> Array:
-        """Errors, N, of forces, (..., 6), that somebody computed for ``motion``."""
+        """Return the errors (N) of given forces, (..., 6), for a motion."""
         return deviation(F, self.forces(motion))
 
     @cached_property
@@ -92,11 +92,10 @@ class Truth:
 def form_and_level(
     base_joint: str, formulation: str, fidelity: str, rotors: bool
 ) -> tuple[Formulation, Fidelity]:
-    """The level of a robot's forces, and the formulation that has it: with rotors where the level has them.
+    """Return the fidelity level of a robot and its formulation, with rotors if the level includes them.
 
-    rotors: whether the robot's legs have them.
-
-    Reduced levels are those of legs with universal base joints, whatever the robot's base joints are.
+    ``rotors`` is True if the legs of the robot have rotors. Reduced levels always describe legs with
+    universal base joints.
     """
     level = level_of(fidelity, rotors)
     name = kernel_name(formulation, base_joint if level.name == "general" else EXACT.base_joint)
@@ -104,7 +103,7 @@ def form_and_level(
 
 
 def deviation(F: NDArray[Any], truth: NDArray[np.object_]) -> Array:
-    """Errors of forces beside 50-digit ones, N, of their shape, rounded last."""
+    """Return the errors of forces relative to forces with 50 digits (N), rounded last."""
     difference = [
         float(digits.mpf(float(found)) - true) for found, true in zip(F.flat, truth.flat, strict=True)
     ]

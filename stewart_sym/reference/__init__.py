@@ -1,1 +1,1 @@
-"""The vector implementation that every kernel is tested against; imports robot and motion alone."""
+"""Vector implementation against which every kernel is tested; imports only robot and motion."""

@@ -1,8 +1,8 @@
-"""The oracle of the equations of motion: M, C, g, friction, Y, from inverse dynamics by its linearity.
+"""Reference for the equations of motion: M, C, g, friction, and Y, from inverse dynamics by linearity.
 
-The wrench H F that the actuators must give is affine in the accelerations, quadratic in the rates, and
-linear in gravity and in friction, each on its own. So differences of inverse dynamics, none of them small,
-give each term to rounding, whatever the inverse dynamics is made of; here it is the vector reference.
+The wrench H F of the actuators is affine in the accelerations, quadratic in the velocities, and linear in
+gravity and in friction. Therefore differences of inverse dynamics, none of them small, give each term to
+rounding for any implementation of inverse dynamics. This module uses the vector reference.
 """
 
 import dataclasses
@@ -20,21 +20,21 @@ from . import newton_euler
 from .newton_euler import Array, Codes
 
 ActuatorWrench = Callable[[Robot, Motion], tuple[Array, Codes]]
-"""H F (..., 6) that makes a robot follow a motion, and the status of every pose."""
+"""Function that returns the wrench H F (..., 6) for a motion of a robot, and the status of every pose."""
 
 
 def equations_of_motion(
     robot: Robot, motion: Motion, faults: frozenset[int] = newton_euler.EXACT
 ) -> EquationsOfMotionResult:
-    """M, C, g, friction and bias of the vector reference; any load and accelerations don't count.
+    """Compute M, C, g, friction, and bias of the vector reference; load and accelerations are ignored.
 
-    faults: numbers of the printed faults to keep, as for ``reference.inverse_dynamics``.
+    ``faults`` contains the numbers of the printed faults to keep, as for ``newton_euler.inverse_dynamics``.
     """
     return by_linearity(functools.partial(newton_euler.actuator_wrench, faults=faults), robot, motion)
 
 
 def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> EquationsOfMotionResult:
-    """M, C, g, friction and bias of whatever inverse dynamics ``wrench`` computes."""
+    """Compute M, C, g, friction, and bias of any inverse dynamics ``wrench``."""
     with np.errstate(all="ignore"):
         parts, status = _terms(wrench, robot, motion)
     status = newton_euler.without_overflow(parts, status)
@@ -45,7 +45,7 @@ def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[s
     M, bias, status = inertia_and_bias(wrench, robot, motion)
     zero = np.zeros_like(motion.t)
     g, _ = wrench(robot, with_rates(motion, zero, zero, zero, zero))
-    # Of rates so slow that no inertial force, their square, is left beside the friction.
+    # At such low velocities inertial forces, which are quadratic, vanish compared with friction.
     slow = with_rates(motion, motion.v * _SLOWLY, motion.omega * _SLOWLY, zero, zero)
     bare, still = bare_robot(robot), np.zeros((*motion.shape, 6, 3))
     resisted, inertial = (wrench(machine, slow)[0] for machine in (_without(robot, ("g",)), bare))
@@ -61,7 +61,7 @@ _SLOWLY = 2.0**-100
 
 
 def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[Array, Array, Codes]:
-    """M, (..., 6, 6), bias, (..., 6), and status, (...): seven evaluations per pose."""
+    """Compute M, (..., 6, 6), bias, (..., 6), and status, (...), with seven evaluations per pose."""
     zero = np.zeros_like(motion.t)
     still = np.zeros((*motion.shape, 6, 3))
     unit = np.broadcast_to(np.eye(6), (*motion.shape, 6, 6))
@@ -75,10 +75,10 @@ def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tu
 def forward_dynamics(
     robot: Robot, motion: Motion, F: Array, faults: frozenset[int] = newton_euler.EXACT
 ) -> Array:
-    """[a; alpha], (6,), of one pose under F, (6,), at 50 digits; NaN where M is not positive definite.
+    """Compute [a; alpha], (6,), of one pose under F, (6,), with 50 digits; NaN if M is not positive definite.
 
-    For poses where M in double precision has lost digits that the machine has: near a joint singularity, of
-    very short and of very heavy legs.
+    It is for poses at which M loses digits in double precision: near a joint singularity, and for very short
+    or very heavy legs.
     """
     machine, moving = _wide_robot(robot), _wide_motion(motion)
     leg, H, c = newton_euler.balance(machine, moving, faults)
@@ -93,7 +93,7 @@ def forward_dynamics(
 def at_50_digits(
     robot: Robot, motion: Motion, faults: frozenset[int] = newton_euler.EXACT
 ) -> dict[str, Array]:
-    """M, C, g, friction and bias of one pose by 50 digits, rounded: where double precision loses its own."""
+    """Compute M, C, g, friction, and bias of one pose with 50 digits, rounded to doubles."""
     parts, _ = _terms(_wide_wrench(faults), _wide_robot(robot), _wide_motion(motion))
     return {name: value.astype(np.float64) for name, value in parts.items()}
 
@@ -116,7 +116,7 @@ def _wide_robot(robot: Robot) -> Any:
 
 
 def _wide_motion(motion: Motion) -> Motion:
-    """Pose, rates and load at 50 digits, without accelerations."""
+    """Return pose, velocities, and load with 50 digits, without accelerations."""
     none = np.zeros_like(motion.t)
     R, t, omega, v = (_wide(value) for value in (motion.R, motion.t, motion.omega, motion.v))
     load = (None if value is None else _wide(value) for value in (motion.F_ext, motion.M_ext))
@@ -125,7 +125,7 @@ def _wide_motion(motion: Motion) -> Motion:
 
 @functools.cache
 def _digits() -> Any:
-    """Arithmetic at 50 digits; SymPy brings it, and it is loaded only where it is needed."""
+    """Return an arithmetic of 50 digits. The import is delayed, because few functions require mpmath."""
     import mpmath
 
     context = mpmath.MPContext()
@@ -134,7 +134,7 @@ def _digits() -> Any:
 
 
 def _wide(values: Any) -> Any:
-    """The same numbers at 50 digits."""
+    """Convert numbers to 50 digits."""
     return np.vectorize(_digits().mpf, otypes=[object])(values)
 
 
@@ -143,20 +143,23 @@ INERTIAL = (
     *("M", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0"),
     *("C_u", "C_p", "C_s", "reflected_mass", "rotor_momentum"),
 )
-"""Numbers of a robot that its forces depend on: gravity and geometry, and those in which they are linear."""
+"""Values of a robot on which its forces depend.
+
+``GEOMETRY`` contains gravity and geometry; forces are linear in ``INERTIAL``.
+"""
 
 
 def coriolis(h: Callable[[Array, Array], Array], robot: Robot, motion: Motion, M: Array) -> Array:
-    """C, (..., 6, 6), of the Levi-Civita connection of M in the frame of twists [v; omega].
+    """Compute C, (..., 6, 6), from the Levi-Civita connection of M in the frame of twists [v; omega].
 
-    The quadratic wrench h of the rates, of v and omega (..., 6, 3), gives by polarization the part of C that
-    is symmetric in twist and direction. Twists are no rates of coordinates: the fields of two constant twists
-    have the Lie bracket [0; -omega_1 x omega_2], base axes, and half of it goes through M. With that dM/dt =
-    C + C^T. h and M may have axes before those of the motion.
+    The quadratic wrench h of v and omega, (..., 6, 3), gives by polarization the part of C that is symmetric
+    in twist and direction. Twists are not rates of coordinates: the fields of two constant twists have the
+    Lie bracket [0; -omega_1 x omega_2], base axes, and C contains half of M times this bracket. Then dM/dt =
+    C + C^T. h and M may have axes before the axes of the motion.
     """
     length = float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1)))) or 1.0
     speed = _size(motion.omega) + _size(motion.v) / length
-    # Directions as large as the twist itself lose no digits in the differences.
+    # Directions of the magnitude of the twist lose no digits in the differences.
     step = np.where(speed > 0.0, speed, 1.0)[..., None] * np.repeat([length, 1.0], 3)
     twist = np.concatenate([motion.v, motion.omega], axis=-1)[..., None, :]
     direction = step[..., None] * np.eye(6)
@@ -169,7 +172,7 @@ def coriolis(h: Callable[[Array, Array], Array], robot: Robot, motion: Motion, M
 
 
 def with_rates(motion: Motion, v: Array, omega: Array, a: Array, alpha: Array) -> Motion:
-    """The motion's poses with other rates and accelerations, (..., 3) or (..., 6, 3), and without a load."""
+    """Return the poses of a motion with other velocities and accelerations, and without a load."""
     R, t = motion.R, motion.t
     if v.ndim > t.ndim:
         R = np.broadcast_to(R[..., None, :, :], (*v.shape, 3))
@@ -182,12 +185,12 @@ def _size(vectors: Array) -> Array:
 
 
 def bare_robot(robot: Robot) -> Robot:
-    """The robot without gravity and friction."""
+    """Return the robot without gravity and friction."""
     return _without(robot, ("g", "C_u", "C_p", "C_s"))
 
 
 def _without(robot: Robot, names: tuple[str, ...]) -> Robot:
-    """The robot, or one of wider numbers, with zeros in these places."""
+    """Return the robot, or a robot of wider numbers, with zeros in the named fields."""
     if isinstance(robot, Robot):
         return _zeroed(robot, names)
     wide: Any = SimpleNamespace(**{**vars(robot), **{name: 0 * getattr(robot, name) for name in names}})
@@ -201,13 +204,13 @@ def _zeroed(robot: Robot, names: tuple[str, ...]) -> Robot:
 
 # The regressor
 
-# A machine all of whose parameters but one are zero needs the wrench that is this parameter's column. A first
-# moment without a mass is the difference of two bodies of 1 kg, one with its center of mass at 1 m and no
-# inertia about the joint point, and one at the joint point.
+# The wrench of a machine with a single nonzero parameter is the column of this parameter. A first moment
+# without a mass is the difference between two bodies of 1 kg. One has its center of mass at 1 m and no
+# inertia about the joint point; the other is at the joint point.
 
 
 def regressor(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
-    """Y, (..., 6, 148), formulation `exact`, and status, (...); NaN where that is not 0."""
+    """Compute Y, (..., 6, 148), formulation `exact`, and status, (...); NaN if the status is not 0."""
     zeros = {name: np.zeros_like(np.asarray(getattr(robot, name))) for name in INERTIAL}
     given = {name: getattr(robot, name) for name in ("base_joint", *GEOMETRY)}
     unloaded = Motion._unchecked(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
@@ -230,7 +233,7 @@ def regressor(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
 
 
 def _body(wrench: Callable[..., Array]) -> Iterator[Array]:
-    """Columns of a body's mass, first moment and inertia; wrench: of its mass, center of mass and inertia."""
+    """Yield the columns of mass, first moment, and inertia of a body with the given ``wrench``."""
     none, of_mass = np.zeros(3), wrench(1.0, np.zeros(3), np.zeros((3, 3)))
     yield of_mass
     for axis in np.eye(3):

@@ -1,11 +1,11 @@
-"""The oracle: the printed equations (1)-(37) and their corrections, in plain vectors of the base frame.
+"""Reference implementation of the printed equations (1)-(37) and their corrections, in base frame vectors.
 
-Written to be read beside the paper: its symbols, its order, one line for each equation. A fault of the
-printed equations is a number in `faults`; the set says which lines are taken as printed, and the empty set
-is the right mechanics.
+The code follows the symbols and the order of the paper, with one line per equation, so that both can be
+compared. A fault of the printed equations is a number in `faults`. The set selects the lines that are taken
+as printed; the empty set is the correct mechanics.
 
-Shapes: `(...)` is the motion's leading shape; a quantity of the legs is (..., 6, 3) as a vector and (...,
-6, 1) as a scalar, so that scalars multiply vectors as in the paper. SI units.
+`(...)` is the leading shape of the motion. Vectors of the legs have the shape (..., 6, 3) and scalars have
+(..., 6, 1), so that scalars multiply vectors as in the paper. SI units.
 """
 
 from dataclasses import dataclass
@@ -35,27 +35,30 @@ Array = NDArray[np.float64]
 Codes = NDArray[np.int32]
 
 SPIN = 1
-"""Fault 1, (6), (8), (9): s.W = 0 and s.A = 0, where the universal joint makes the leg spin."""
+"""Fault 1, (6), (8), (9): s.W = 0 and s.A = 0, although the universal joint makes the leg spin."""
 MOMENT = 2
-"""Fault 2, (17), (19), (20): the joint's constraint moment along s, where it is along n = k x y."""
+"""Fault 2, (17), (19), (20): the constraint moment of the joint is along s instead of n = k x y."""
 TRANSPORT = 3
-"""Fault 3, (16): m_u L^2 diag(0, 1, 1) in I_u, though m_u r_u x a_u carries it already."""
+"""Fault 3, (16): m_u L^2 diag(0, 1, 1) in I_u, although m_u r_u x a_u already contains it."""
 SIGN = 4
-"""Fault 4, (33): + sum K_i, where (35) has - sum K_i."""
+"""Fault 4, (33): + sum K_i, but (35) has - sum K_i."""
 
 EXACT: frozenset[int] = frozenset()
 """Formulation `exact`: no fault."""
 PAPER: frozenset[int] = frozenset({SPIN, MOMENT, TRANSPORT})
-"""Formulation `paper`: the printed equations, with (35) and not (33) for the force rows."""
+"""Formulation `paper`: the printed equations, with (35) instead of (33) for the force rows."""
 
 ROUNDING = 16 * np.finfo(np.float64).eps
-"""Share at which a leg's length (of the terms of S), the sine of its angle with k or a singular value of H is
-rounding error and counts as zero."""
+"""Fraction below which a value is rounding error and counts as zero.
+
+It applies to the length of a leg relative to the terms of S, the sine of its angle with k, and a singular
+value of H.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class _Positions:
-    """Leg vectors, (1)-(5): what follows from the platform alone."""
+    """Leg vectors and their rates, (1)-(5), which depend only on the platform."""
 
     q: Array
     S: Array
@@ -67,7 +70,7 @@ class _Positions:
 
 @dataclass(frozen=True, eq=False)
 class _Turning(_Positions):
-    """How the leg turns, (6) and (10); `axis` carries M_u, `n` the normal to the joint's two axes."""
+    """Rotation of the leg, (6) and (10); `axis` is the direction of M_u, `n` the normal of both axes."""
 
     T: Array
     y: Array
@@ -79,7 +82,7 @@ class _Turning(_Positions):
 
 @dataclass(frozen=True, eq=False)
 class _Velocities(_Turning):
-    """The leg as a body, (11), (12), (15) and (16)."""
+    """Centers of mass and inertias of the leg parts, (11), (12), (15), and (16)."""
 
     r_d: Array
     r_u: Array
@@ -89,10 +92,11 @@ class _Velocities(_Turning):
 
 @dataclass(frozen=True, eq=False)
 class Legs(_Velocities):
-    """Everything known of the legs before x: adds (7)-(9), (13), (14), (20), (21), (24) and (29).
+    """All quantities of the legs that do not depend on x: adds (7)-(9), (13), (14), (20), (21), (24), (29).
 
-    Base frame, vectors (..., 6, 3), scalars (..., 6, 1), inertias (..., 6, 3, 3); names are the paper's.
-    F_rotor: force along the leg that turns its rotor, N; h_rotor: rate of the rotor's momentum, N m.
+    Base frame; vectors (..., 6, 3), scalars (..., 6, 1), inertias (..., 6, 3, 3). Names are as in the paper.
+    F_rotor: force along the leg that accelerates its rotor (N). h_rotor: rate of the rotor's angular momentum
+    (N m).
     """
 
     Lddot: Array
@@ -108,14 +112,14 @@ class Legs(_Velocities):
 
 
 def inverse_dynamics(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> InverseDynamicsResult:
-    """Actuator forces of the prescribed motion, (1)-(24) and (30)-(37).
+    """Compute the actuator forces of a given motion, (1)-(24) and (30)-(37).
 
-    robot: any machine; with base joint "spherical" the legs don't spin and faults 1 and 2 say nothing.
-    motion: poses, rates, accelerations and loads of leading shape (...).
-    faults: numbers of the printed faults to keep, of 1 to 4; `EXACT` or `PAPER` as a rule.
+    ``robot`` has no offsets; with spherical base joints the legs do not spin, and faults 1 and 2 have no
+    effect. ``motion`` has the shape (...). ``faults`` contains the numbers of the printed faults to keep, 1
+    to 4; usually it is `EXACT` or `PAPER`.
 
-    Returns `Forces`; where `status` is not 0 every number of the pose is NaN.
-    Raises ValueError when the motion has no accelerations or a fault has an unknown number.
+    Returns an `InverseDynamicsResult`, with NaN if the status of a pose is not 0. Raises ValueError if the
+    motion has no accelerations or a fault has an unknown number.
     """
     with np.errstate(all="ignore"):
         return _solve(robot, motion, faults)[1]
@@ -124,13 +128,12 @@ def inverse_dynamics(robot: Robot, motion: Motion, faults: frozenset[int] = EXAC
 def joint_reactions(
     robot: Robot, motion: Motion, faults: frozenset[int] = EXACT, bearing_distance: ArrayLike | None = None
 ) -> JointReactionsResult:
-    """Forces and moments in the joints, by (21), (25)-(29) and (17).
+    """Compute the forces and moments in the joints, (21), (25)-(29), and (17).
 
-    robot, motion, faults: as for `inverse_dynamics`.
-    bearing_distance: where M_p is taken, m along the leg from its base point, one number or (6,); None is 0.
+    Arguments and errors are as for `inverse_dynamics`. ``bearing_distance`` is the distance (m) along the leg
+    from its base point to the point at which M_p is taken, one number or (6,); None is 0.
 
-    Returns `JointReactionsResult`, base frame; M_u is along s with fault 2 and along n = k x y without.
-    Raises ValueError when the motion has no accelerations or a fault has an unknown number.
+    Returns a `JointReactionsResult`, base frame. M_u is along s with fault 2, otherwise along n = k x y.
     """
     l = np.broadcast_to(0.0 if bearing_distance is None else np.asarray(bearing_distance), 6)[:, None]  # noqa: E741
     with np.errstate(all="ignore"):
@@ -160,10 +163,10 @@ def joint_reactions(
 
 
 def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Array, Codes]:
-    """Wrench H F = H D - c of the actuators that make the platform follow the motion, (..., 6), and status.
+    """Compute the wrench H F = H D - c of the actuators for a motion, (..., 6), and the status.
 
-    Arguments and errors as for `inverse_dynamics`. No equation is solved for it, so there is an answer where
-    H is singular too; NaN where the status, (...), is not 0.
+    Arguments and errors are as for `inverse_dynamics`. No system is solved, so the wrench also exists if H is
+    singular. It is NaN if the status, (...), is not 0.
     """
     with np.errstate(all="ignore"):
         leg, H, c, status = _equations(robot, motion, faults)
@@ -172,7 +175,7 @@ def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT
 
 
 def rotor_force(robot: Robot, motion: Motion) -> Array:
-    """Part of the actuator forces that turns the rotors, N, (..., 6); the rest passes through the screws."""
+    """Compute the part of the actuator forces (N), (..., 6), that accelerates the rotors."""
     with np.errstate(all="ignore"):
         leg = _turning(robot, motion, EXACT)
         Lddot, A = _seconds(robot, motion, leg, EXACT)
@@ -180,9 +183,9 @@ def rotor_force(robot: Robot, motion: Motion) -> Array:
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
-    """Actuator forces F0 with legs without mass and joints without friction, N, (..., 6), (41).
+    """Compute the actuator forces F0 (N), (..., 6), for massless legs and joints without friction, (41).
 
-    NaN where H is singular or a leg has length zero. Raises ValueError without accelerations.
+    NaN if H is singular or a leg has length zero. Raises ValueError without accelerations.
     """
     with np.errstate(all="ignore"):
         leg = _positions(robot, motion)
@@ -193,10 +196,10 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
 
 
 def energy(robot: Robot, motion: Motion) -> Array:
-    """Kinetic and potential energy of the platform, the twelve leg parts and the rotors, J, (...).
+    """Compute the kinetic and potential energy (J), (...), of the platform, the leg parts, and the rotors.
 
-    Always with the exact kinematics of the legs. The potential energy is zero at the base frame's origin.
-    NaN where a leg's direction or spin is undefined.
+    The kinematics of the legs is always exact. The potential energy is zero at the origin of the base frame.
+    NaN if the direction or the spin of a leg is undefined.
     """
     with np.errstate(all="ignore"):
         leg = _velocities(robot, motion)
@@ -218,9 +221,9 @@ def energy(robot: Robot, motion: Motion) -> Array:
 
 
 def friction_power(robot: Robot, motion: Motion) -> Array:
-    """Power that friction in the eighteen joints takes, W, (...), never negative.
+    """Compute the power (W), (...), that friction in the eighteen joints dissipates; it is never negative.
 
-    Always with the exact kinematics of the legs. NaN where a leg's direction or spin is undefined.
+    The kinematics of the legs is always exact. NaN if the direction or the spin of a leg is undefined.
     """
     with np.errstate(all="ignore"):
         leg = _velocities(robot, motion)
@@ -235,14 +238,14 @@ def friction_power(robot: Robot, motion: Motion) -> Array:
 
 
 def actuator_power(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
-    """Power that the actuator forces F (..., 6), N, put into the machine, W, (...)."""
+    """Compute the power (W), (...), of the actuator forces F (N), (..., 6)."""
     with np.errstate(all="ignore"):
         Ldot = _positions(robot, motion).Ldot[..., 0]
         return np.asarray(np.sum(np.asarray(F, dtype=np.float64) * Ldot, axis=-1))
 
 
 def external_power(robot: Robot, motion: Motion) -> Array:
-    """Power that the load F_ext, M_ext puts into the platform, W, (...); zero without a load."""
+    """Compute the power (W), (...), of the external load F_ext, M_ext; zero without a load."""
     F, M = _load(motion)
     return (_dot(F, motion.v) + _dot(M, motion.omega))[..., 0]
 
@@ -263,7 +266,7 @@ def _turning(robot: Robot, motion: Motion, faults: frozenset[int]) -> _Turning:
     s, L = leg.s, leg.L
     spherical = robot.base_joint == "spherical"
 
-    # A leg between two spherical joints is axisymmetric: any y across s will do.
+    # A leg between two spherical joints is axisymmetric, so y may be any vector perpendicular to s.
     k = np.eye(3)[np.argmin(np.abs(s), axis=-1)] if spherical else np.broadcast_to(robot.k, s.shape)
     k_x_s = _cross(k, s)
     sin_joint = np.sqrt(_dot(k_x_s, k_x_s))
@@ -299,7 +302,7 @@ def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) ->
 
 
 def _seconds(robot: Robot, motion: Motion, leg: _Turning, faults: frozenset[int]) -> tuple[Array, Array]:
-    """Lddot and A, (7)-(9)."""
+    """Compute Lddot and A, (7)-(9)."""
     a, alpha = _accelerations(motion)
     s, L, Ldot, W, q, n = leg.s, leg.L, leg.Ldot, leg.W, leg.q, leg.n
     omega, alpha = motion.omega[..., None, :], alpha[..., None, :]
@@ -320,10 +323,10 @@ def _rotor_force(robot: Robot, leg: _Turning, Lddot: Array, A: Array) -> Array:
 
 @np.errstate(all="ignore")
 def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
-    """Motion, inertia and known forces of the six legs, (1)-(24) and (29).
+    """Compute the motion, inertia, and known forces of the six legs, (1)-(24) and (29).
 
-    Arguments and errors as for `inverse_dynamics`. No status: what is undefined is NaN or infinite. Arrays
-    may hold numbers of any kind, such as mpmath's.
+    Arguments and errors are as for `inverse_dynamics`. There is no status: undefined values are NaN or
+    infinite. Arrays may contain numbers of any type, such as mpmath numbers.
     """
     if not faults <= {SPIN, MOMENT, TRANSPORT, SIGN}:
         raise ValueError(f"faults: expected numbers from 1 to 4, got {sorted(faults)}")
@@ -352,7 +355,7 @@ def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
         + robot.C_u[:, None] * W
         + f
     )
-    # (29): the product of s with M_u axis + S x F_s = C, (20); then (21): the vector product of the two.
+    # (29) is the scalar product of s and M_u axis + S x F_s = C, (20); (21) is the vector product.
     M_u = np.zeros_like(L) if spherical else _dot(s, C) / _dot(s, leg.axis)
     K = _cross(C - M_u * leg.axis, s) / L
     D = m_u * _dot(s, a_u - g) + robot.C_p[:, None] * Ldot + F_rotor  # (24)
@@ -361,7 +364,7 @@ def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
 
 
 def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, InverseDynamicsResult]:
-    """The legs and then the platform's six equations, (33)-(37)."""
+    """Compute the legs, then solve the six equations of the platform, (33)-(37)."""
     leg, H, c, status = _equations(robot, motion, faults)
     x, status = solve_linear(robot, H, c, status)  # (36)
     D = leg.D[..., 0]
@@ -372,7 +375,7 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
 
 
 def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Array, Array, Codes]:
-    """The legs, then H and c of (36) and a status that does not assess H."""
+    """Compute the legs, H and c of (36), and a status that does not depend on the rank of H."""
     leg, H, c = balance(robot, motion, faults)
     D, K = leg.D[..., 0], leg.K
     faults_of_legs = _leg_faults(robot, motion, leg)
@@ -382,7 +385,7 @@ def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Le
 
 
 def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Legs, Array, Array]:
-    """The legs, H and c of (36), unchecked."""
+    """Compute the legs, and H and c of (36), without checks."""
     leg = legs(robot, motion, faults)
     sum_K = np.sum(leg.K, axis=-2)
     sum_qK_f = np.sum(_cross(leg.q, leg.K) - leg.f, axis=-2)
@@ -393,19 +396,19 @@ def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tup
 
 
 def _H(leg: _Positions) -> Array:
-    """H of (36), (..., 6, 6): row blocks s and q x s, one column for each leg."""
+    """Compute H of (36), (..., 6, 6): row blocks s and q x s, one column per leg."""
     return _transpose(np.concatenate([leg.s, _cross(leg.q, leg.s)], axis=-1))
 
 
 def platform_inertia(robot: Robot, motion: Motion) -> tuple[Array, Array]:
-    """Center of mass from the reference point and inertia, base axes."""
+    """Compute the center of mass relative to the reference point, and the inertia, in base axes."""
     R = _mul(motion.R, robot.R_0)  # (30)
     I = motion.R @ robot.I_p @ _transpose(motion.R)  # (32)  # noqa: E741
     return R, I
 
 
 def platform_energy(robot: Robot, motion: Motion) -> Array:
-    """Kinetic and potential energy of the platform, J, (...)."""
+    """Compute the kinetic and potential energy of the platform (J), (...)."""
     omega = motion.omega
     R, I = platform_inertia(robot, motion)  # noqa: E741
     v = motion.v + _cross(omega, R)
@@ -414,7 +417,7 @@ def platform_energy(robot: Robot, motion: Motion) -> Array:
 
 
 def platform_wrench(robot: Robot, motion: Motion) -> Array:
-    """c_0 of (41): the wrench on the platform without what the legs' masses and friction add, (..., 6)."""
+    """Compute c_0 of (41), (..., 6): the wrench without mass and friction of the legs."""
     a_t, alpha = _accelerations(motion)
     omega, g, M = motion.omega, robot.g, robot.M
     R, I = platform_inertia(robot, motion)  # noqa: E741
@@ -426,7 +429,7 @@ def platform_wrench(robot: Robot, motion: Motion) -> Array:
 
 
 def _load(motion: Motion) -> tuple[Array, Array]:
-    """External force and moment, turned from the platform frame into the base frame, each (..., 3)."""
+    """Return the external force and moment in the base frame, (..., 3) each."""
     none = np.zeros_like(motion.t)
     F = none if motion.F_ext is None else _mul(motion.R, motion.F_ext)
     M = none if motion.M_ext is None else _mul(motion.R, motion.M_ext)
@@ -440,21 +443,21 @@ def _accelerations(motion: Motion) -> tuple[Array, Array]:
 
 
 def _leg_faults(robot: Robot, motion: Motion, leg: _Positions) -> Codes:
-    """Codes of the legs, (..., 6): a length that overflows, or is rounding beside the terms of S, (2)."""
+    """Return codes of the legs, (..., 6), for lengths that overflow or are rounding errors of (2)."""
     L = leg.L[..., 0]
     reach = np.max(np.abs(np.broadcast_arrays(leg.q, motion.t[..., None, :], robot.b)), axis=(0, -1))
     return np.where(np.isfinite(L), np.where(ROUNDING * reach >= L, ZERO_LENGTH, OK), NOT_FINITE)
 
 
 def status_of_legs(faults_of_legs: Codes, finite: NDArray[np.bool_]) -> Codes:
-    """Of each pose: the first faulty leg's code, (..., 6); if there is none, whether all is finite."""
+    """Return the status of each pose: the code of the first faulty leg, else whether all is finite."""
     first = np.argmax(faults_of_legs != OK, axis=-1)[..., None]
     of_legs = np.take_along_axis(faults_of_legs, first, axis=-1)[..., 0]
     return np.where((of_legs == OK) & ~finite, NOT_FINITE, of_legs).astype(np.int32)
 
 
 def solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Array, Codes]:
-    """x of H x = c at the poses whose status is 0, NaN at the others; and the status with what came of it."""
+    """Solve H x = c at poses with status 0, with NaN at the others; return x and the new status."""
     x = np.full_like(c, np.nan)
     status = status.copy()
     ok = status == OK
@@ -466,29 +469,29 @@ def solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Array
 
 
 def is_singular(robot: Robot, H: Array) -> NDArray[np.bool_]:
-    """Where H, (..., 6, 6), moments over the platform's size, is singular to rounding, (...)."""
+    """Return a mask (...) of H, (..., 6, 6), that are singular to rounding, with scaled moments."""
     length = np.linalg.norm(robot.p, axis=-1).max() or 1.0
     sigma = np.linalg.svd(H / np.repeat([1.0, length], 3)[:, None], compute_uv=False)
-    # `solve` rejects a whole batch for one zero pivot; slogdet, the same elimination, tells whose it is.
+    # `solve` rejects a whole batch for one zero pivot; slogdet, the same elimination, finds the pose.
     return np.asarray((sigma[..., -1] <= ROUNDING * sigma[..., 0]) | (np.linalg.slogdet(H)[0] == 0))
 
 
 def all_finite(value: Array, axes: int) -> NDArray[np.bool_]:
-    """Whether all numbers along the last `axes` axes are finite."""
+    """Return True if all numbers along the last `axes` axes are finite."""
     return np.asarray(np.all(np.isfinite(value), axis=tuple(range(-axes, 0))))
 
 
 def blank(value: Array, bad: NDArray[np.bool_]) -> Array:
-    """`value` with NaN at the bad poses."""
+    """Replace `value` by NaN at the bad poses."""
     return np.where(bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim)), np.nan, value)
 
 
 def without_overflow(found: dict[str, Array], status: Codes) -> Codes:
-    """The status, but NOT_FINITE where it is 0 and a number of the pose, by name, is not finite."""
+    """Replace status 0 by NOT_FINITE if a value of the pose is not finite."""
     finite = [all_finite(value, value.ndim - status.ndim) for value in found.values()]
     return np.where((status == OK) & ~np.logical_and.reduce(finite), NOT_FINITE, status).astype(np.int32)
 
 
 def with_status(found: dict[str, Array], status: Codes) -> dict[str, Any]:
-    """Results of the poses by name with NaN where the status is not 0, and the status."""
+    """Return the results by name, NaN if the status is not 0, and the status."""
     return {name: blank(value, status != OK) for name, value in found.items()} | {"status": status}

@@ -1,9 +1,10 @@
-"""Legs with offset joints in plain vectors: chains of joints, and the forces that their motion needs.
+"""Legs with offset joints in plain vectors: joint chains, and the forces that a motion requires.
 
-Each leg is a chain: about the fixed axis k, about the moving axis y, along s; where the platform joint is
-universal also about s, about the axis on the upper part and about the one on the platform. Rates and
-accelerations of its joints follow from the platform's, inertial forces from Newton and Euler, and the forces
-at the joints from the power of each joint's rate alone (Kane 1985). Shapes as in ``newton_euler``.
+The joints of each leg are a rotation about the fixed axis k, a rotation about the moving axis y, and a
+translation along s. Universal platform joints add rotations about s, about the axis on the upper part, and
+about the axis on the platform. Joint rates and accelerations follow from the motion of the platform, inertial
+forces from Newton and Euler, and the joint forces from the power of each joint rate (Kane 1985). Shapes are
+as in ``newton_euler``.
 """
 
 from collections.abc import Iterator
@@ -25,8 +26,10 @@ from .newton_euler import Array, Codes, all_finite, platform_wrench, solve_linea
 
 @dataclass(frozen=True, eq=False)
 class _Body:
-    """One part: mass, center from the base point, its acceleration, and rate of angular momentum; with the
-    velocity of the center and the angular velocity by each joint's rate, (..., 6, n, 3)."""
+    """One part: mass, center relative to the base point, acceleration, and rate of angular momentum.
+
+    v_of, omega_of: velocity of the center and angular velocity per joint rate, (..., 6, n, 3).
+    """
 
     m: Array
     c: Array
@@ -41,11 +44,11 @@ class _Body:
 
 @dataclass(frozen=True, eq=False)
 class Legs:
-    """Motion of the chains and the forces that it needs.
+    """Motion of the joint chains and the required forces.
 
-    tau: generalized forces of the joints that inertia, weight and friction need, (..., 6, n). column: those
-    of a unit force of the actuator. f: friction moment at the platform joint. W: angular velocity of the
-    lower part. bodies: cross, lower and upper part. F_rotor: force that turns the motor, N, (..., 6).
+    tau: generalized joint forces for inertia, weight, and friction, (..., 6, n). column: generalized forces
+    of a unit actuator force. f: friction moment at the platform joint. W: angular velocity of the lower part.
+    bodies: cross, lower part, and upper part. F_rotor: force that accelerates the motor (N), (..., 6).
     """
 
     moving: JointMotion
@@ -58,20 +61,20 @@ class Legs:
 
     @property
     def at(self) -> Chains:
-        """Where the joints are."""
+        """Positions of the joints."""
         return self.moving.at
 
     @property
     def rates(self) -> Array:
-        """Of the joints, (..., 6, n)."""
+        """Rates of the joints, (..., 6, n)."""
         return self.moving.rates
 
 
 def inverse_dynamics(robot: Robot, motion: Motion) -> InverseDynamicsResult:
-    """Actuator forces of a machine with offset joints.
+    """Compute the actuator forces of a robot with offset joints.
 
-    H has the columns that the rates of the legs' lengths are made with; F = D - x as ever, and K is what of
-    the force at the platform joint is not x times the column's force.
+    The columns of H map the twist to the rates of the leg lengths. F = D - x as usual. K is the force at the
+    platform joint except x times the force of the column.
     """
     with np.errstate(all="ignore"):
         return _solved(robot, motion)[1]
@@ -80,10 +83,10 @@ def inverse_dynamics(robot: Robot, motion: Motion) -> InverseDynamicsResult:
 def joint_reactions(
     robot: Robot, motion: Motion, bearing_distance: ArrayLike | None = None
 ) -> JointReactionsResult:
-    """Forces and moments in the joints.
+    """Compute the forces and moments in the joints.
 
-    F_s: on the leg at the platform joint; F_u: on the cross at the fixed axis; M_u: on the lower part at the
-    moving axis, along k x y. M_p is about the point at ``bearing_distance`` on the line of sliding, m.
+    F_s: on the leg at the platform joint. F_u: on the cross at the fixed axis. M_u: on the lower part at the
+    moving axis, along k x y. M_p: about the point at ``bearing_distance`` (m) on the sliding axis.
     """
     with np.errstate(all="ignore"):
         legs, forces = _solved(robot, motion)
@@ -95,26 +98,26 @@ def joint_reactions(
 def reactions_of(
     robot: Robot, motion: Motion, x: Array, bearing: ArrayLike | None = None
 ) -> dict[str, Array]:
-    """Joint reactions by name under x, N, (..., 6); no status."""
+    """Compute the joint reactions by name for axial forces x (N), (..., 6), without a status."""
     with np.errstate(all="ignore"):
         found = legs(robot, motion)
         return _reactions(robot, found, found.tau[..., SLIDING] - x, bearing)
 
 
 def terms(robot: Robot, motion: Motion) -> dict[str, Array]:
-    """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
+    """Compute D, K, H, and c of every pose without solving, so that H may be singular; no status."""
     with np.errstate(all="ignore"):
         _, H, D, K, c, _ = _equations(robot, motion)
         return {"D": D, "K": K, "H": H, "c": c}
 
 
 def rotor_force(robot: Robot, motion: Motion) -> Array:
-    """Part of the actuator forces that turns the rotors, N, (..., 6)."""
+    """Compute the part of the actuator forces (N), (..., 6), that accelerates the rotors."""
     return legs(robot, motion).F_rotor
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
-    """Actuator forces with legs without mass and joints without friction, N, (..., 6)."""
+    """Compute the actuator forces (N), (..., 6), for massless legs and joints without friction."""
     with np.errstate(all="ignore"):
         _, H, _, _, _, status = _equations(robot, motion)
         return -solve_linear(robot, H, platform_wrench(robot, motion), status)[0]
@@ -130,7 +133,7 @@ def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) ->
     F_p = needed[2] - F_s + robot.C_p[:, None] * legs.rates[..., SLIDING, None] * at.s
 
     def moment(about: Array, bodies: slice) -> Array:
-        """What holds these parts' motion and the force at the end, about a point."""
+        """Return the moment about a point that parts require for their motion and the force at the end."""
         parts = zip(legs.bodies[bodies], needed[bodies], strict=True)
         own = sum((vector_product(body.c - about, force) + body.spun for body, force in parts), np.zeros(3))
         return np.asarray(own - vector_product(at.P - about, F_s) - M_s + legs.f)
@@ -148,14 +151,14 @@ def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) ->
 
 
 def actuator_wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
-    """Wrench H F = H D - c of the actuators, (..., 6), and status; no equation is solved for it."""
+    """Compute the wrench H F = H D - c of the actuators, (..., 6), and the status, without solving."""
     with np.errstate(all="ignore"):
         _, H, D, _, c, status = _equations(robot, motion)
         return newton_euler.blank(applied(H, D) - c, status != OK), status
 
 
 def energy(robot: Robot, motion: Motion) -> Array:
-    """Kinetic and potential energy of platform, crosses and parts of the legs, J, (...)."""
+    """Compute the kinetic and potential energy (J), (...), of the platform, crosses, and leg parts."""
     with np.errstate(all="ignore"):
         found = legs(robot, _without_accelerations(motion))
         total = np.zeros(motion.shape)
@@ -170,7 +173,7 @@ def energy(robot: Robot, motion: Motion) -> Array:
 
 
 def friction_power(robot: Robot, motion: Motion) -> Array:
-    """Power that the friction of the joints takes, W, (...), never negative."""
+    """Compute the power (W), (...), that joint friction dissipates; it is never negative."""
     with np.errstate(all="ignore"):
         found = legs(robot, _without_accelerations(motion))
         slip = found.bodies[2].omega - motion.omega[..., None, :]
@@ -179,16 +182,16 @@ def friction_power(robot: Robot, motion: Motion) -> Array:
 
 
 def worst_leg(code: int, robot: Robot, motion: Motion) -> int:
-    """Index of the first leg of one pose with a code."""
+    """Return the index of the first leg of one pose with a code."""
     return int(np.argmax(chain.codes(robot, motion) == code))
 
 
-# ---------------------------------------------------------------- how they move
+# ---------------------------------------------------------------- motion
 
 
 @np.errstate(all="ignore")
 def legs(robot: Robot, motion: Motion) -> Legs:
-    """Motion of the chains and generalized forces; NaN where the offsets leave no solution."""
+    """Compute the motion of the chains and the generalized forces; NaN if the offsets allow no solution."""
     moving = chain.joint_motion(robot, motion)
     if moving.accelerations is None:
         raise ValueError("motion: accelerations expected, but alpha or a is None")
@@ -210,9 +213,9 @@ def legs(robot: Robot, motion: Motion) -> Legs:
 
 
 def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
-    """Torque that turns the motors, N m, (..., 6), and rate of the angular momentum against the lower part.
+    """Compute the motor torques (N m), (..., 6), and the angular momentum rates relative to the lower part.
 
-    A motor turns by N L and, where the upper part turns in its nut, by gear times its spin as well.
+    A motor angle is N L, plus the gear ratio times the spin if the upper part rotates in its nut.
     """
     at, rates, seconds = moving.at, moving.rates, moving.accelerations
     if not robot.has_rotors or seconds is None:
@@ -225,7 +228,7 @@ def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
 
 
 def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[_Body]:
-    """Cross, lower and upper part."""
+    """Yield the cross, the lower part, and the upper part."""
     offsets, k = chain.offsets_of(robot), np.broadcast_to(robot.k, at.s.shape)
     none = np.zeros_like(at.s)
     n = rates.shape[-1]
@@ -242,7 +245,7 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
         r, I = applied(axes, center), axes @ inertia @ transposed(axes)  # noqa: E741
         moving = motion(robot, at, rates, seconds)
         omega, alpha, c = moving.omega, moving.alpha, origin + r
-        # The cross turns about the base point, which rests.
+        # The cross rotates about the base point, which is fixed.
         v, a = (none, none) if i == 0 else (moving.v, moving.a)
         omega_of = np.stack([*turns[i], *[none] * (n - len(turns[i]))], axis=-2)
         arms = [c, c - at.A, c - at.T, c - at.T]
@@ -270,7 +273,7 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
 
 
 def _ends(legs: Legs, F: Array) -> Array:
-    """Wrench on each leg at the platform joint, (..., 6, n)."""
+    """Compute the wrench on each leg at the platform joint, (..., 6, n)."""
     right = legs.tau - F[..., None] * legs.column
     J_T = transposed(legs.moving.J)
     bad = np.asarray(~np.isfinite(J_T).all(axis=(-2, -1)) | ~np.isfinite(right).all(axis=-1))
@@ -279,7 +282,7 @@ def _ends(legs: Legs, F: Array) -> Array:
 
 
 def _equations(robot: Robot, motion: Motion) -> tuple[Legs, Array, Array, Array, Array, Codes]:
-    """The legs, H, D, K (of forces), c and a status that does not assess H."""
+    """Compute the legs, H, D, K, c, and a status that does not depend on the rank of H."""
     found = legs(robot, motion)
     G = found.moving.G
     H = chain.columns_of_H(robot, G)

@@ -1,1 +1,1 @@
-"""The machine: its robot file, and units in which its numbers are near one."""
+"""Robot model, robot files, and unit scaling."""

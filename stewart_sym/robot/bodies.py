@@ -1,4 +1,4 @@
-"""Bodies by their inertia or as parts of plain shapes: mass, center of mass and inertia about it."""
+"""Bodies given by their inertia or as plain shapes: mass, center of mass, and inertia about it."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -18,22 +18,25 @@ SHAPES = {
     "plate": ("radius", "thickness"),
     "box": ("size",),
 }
-"""Sizes of each shape; a plate is round, and may have a hole of ``inner_radius``."""
+"""Dimensions of each shape; a plate is round and may have a hole of ``inner_radius``."""
 _MATTER = ("mass", "density")
 _PLACES = {"leg": ("start",), "platform": ("center", "axis")}
 
 LEAST_DENSITY = {"platform": 25.0, "legs": 100.0}
-"""kg/m^3: every solid's in g/cm^3 is below it; platforms may have a core of foam or honeycomb."""
+"""Smallest plausible densities (kg/m^3).
+
+The density of every solid in g/cm^3 is a smaller number. Platforms may have a core of foam or honeycomb.
+"""
 
 _ROUNDING = 1e-9
-"""Second moments of mass below this share of the largest count as none."""
+"""Fraction of the largest second moment of mass below which a second moment counts as zero."""
 
 Meters = Callable[[Any], Any]
-"""From a length or an array of lengths in the file's unit to m."""
+"""Function that converts a length or an array of lengths from the unit of the file to m."""
 
 
 class Body(NamedTuple):
-    """Mass, kg, center of mass, m, and inertia about it, kg m^2, (3, 3), in axes of the body's frame."""
+    """Mass (kg), center of mass (m), and inertia about it (kg m^2), (3, 3), in axes of the body frame."""
 
     mass: float
     center_of_mass: Array
@@ -41,11 +44,11 @@ class Body(NamedTuple):
 
 
 def body(value: object, where: str, meters: Meters, along: float | None) -> dict[str, Any]:
-    """Mass, center of mass and inertia, as far as given: by themselves, as a shape or as a list of parts.
+    """Return the given mass, center of mass, and inertia of a body: values, a shape, or a list of parts.
 
-    Of a leg's part the length as well, m, from its joint to its other end: the key, or where its shapes end.
-    meters: of lengths of the file. along: 1 or -1 for a leg's part, which lies along its x from the joint on
-    that side; None for the platform, whose shapes are placed.
+    A part of a leg also has a length (m) from its joint to its other end, from the key or from the ends of
+    its shapes. ``meters`` converts lengths of the file. ``along`` is 1 or -1 for a part of a leg, which
+    extends along x from the joint on that side, and None for the platform, whose shapes have positions.
     """
     if isinstance(value, list | tuple):
         if not value:
@@ -57,7 +60,7 @@ def body(value: object, where: str, meters: Meters, along: float | None) -> dict
 
 
 def low_densities(table: Mapping[str, Any], prefix: str = "") -> dict[str, float]:
-    """Densities that hardly any part has, kg/m^3, by their keys in the checked tables of a robot file."""
+    """Return implausibly low densities (kg/m^3) by their keys in the checked tables of a robot file."""
     found: dict[str, float] = {}
     for key, value in table.items():
         where, parts = prefix + key, value if isinstance(value, list | tuple) else ()
@@ -89,7 +92,7 @@ def inertias_of_parts(table: Mapping[str, Any], prefix: str = "") -> dict[str, A
 
 
 def joined(parts: list[Body]) -> Body:
-    """One body of several parts."""
+    """Combine several parts into one body."""
     mass = float(np.sum([part.mass for part in parts]))
     center = sum(part.mass * part.center_of_mass for part in parts) / mass
     total = np.zeros((3, 3))
@@ -100,10 +103,10 @@ def joined(parts: list[Body]) -> Body:
 
 
 def tensors_of_bodies(inertia: Array, least: float = 1e-2) -> Array:
-    """The tensors that bodies can have near these, (..., 3, 3); those that bodies can have are unchanged.
+    """Return tensors of possible bodies near the given tensors, (..., 3, 3); possible tensors do not change.
 
-    A body's second moments of mass, tr(I)/2 - I for a tensor I, are not negative. Where one is, all below
-    ``least`` of the largest are raised to it.
+    The second moments of mass of a body, tr(I)/2 - I for a tensor I, are not negative. If one is negative,
+    all moments below ``least`` times the largest are raised to this value.
     """
     unit = np.eye(3)
     moments, axes = np.linalg.eigh(_trace(inertia) / 2 * unit - inertia)
@@ -114,7 +117,7 @@ def tensors_of_bodies(inertia: Array, least: float = 1e-2) -> Array:
 
 
 def _one(value: object, prefix: str, meters: Meters, along: float | None, whole: bool) -> dict[str, Any]:
-    """A body given by itself; ``whole``: with nothing missing."""
+    """Return one body given by itself; ``whole`` requires all keys."""
     place = _PLACES["platform" if along is None else "leg"]
     of_shapes = (*dict.fromkeys(key for sizes in SHAPES.values() for key in sizes), "density", *place)
     table = toml_reader.checked_table(value, prefix, (*INERTIA_KEYS, "shape", *of_shapes))
@@ -140,7 +143,7 @@ def _by_shape(
         length, volume = float(size[0]), float(size[0] * size[1] * size[2])
         tensor = np.diag(size @ size - size**2) / 12.0
     else:
-        # Of a leg's part along x, of the platform's along z unless an axis is given.
+        # The default axis is x for parts of a leg and z for the platform.
         own = (0.0, 0.0, 1.0) if along is None else (1.0, 0.0, 0.0)
         axis = direction(table.get("axis", own), f"{prefix}axis")
         length, volume, tensor = _cylinder(table, prefix, meters, axis)
@@ -177,7 +180,7 @@ def _tensor(given: Any, where: str) -> Array:
 
 
 def _cylinder(table: dict[str, Any], prefix: str, meters: Meters, axis: Array) -> tuple[float, float, Array]:
-    """Length, m, volume, m^3, and inertia over mass, m^2, of a cylinder with or without a bore."""
+    """Return length (m), volume (m^3), and inertia over mass (m^2) of a cylinder with or without a bore."""
     key = "thickness" if "thickness" in table else "length"
     length, outer = (meters(toml_reader.positive(table[name], prefix + name)) for name in (key, "radius"))
     inner = meters(toml_reader.not_negative(table.get("inner_radius", 0.0), f"{prefix}inner_radius"))
@@ -204,5 +207,5 @@ def _mass(table: dict[str, Any], prefix: str, volume: float) -> float:
 
 
 def _trace(matrix: Array) -> Array:
-    """Traces, (..., 1, 1)."""
+    """Return traces, (..., 1, 1)."""
     return np.asarray(np.trace(matrix, axis1=-2, axis2=-1))[..., None, None]

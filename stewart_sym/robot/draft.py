@@ -1,4 +1,4 @@
-"""A first robot file from a few numbers of a machine: symmetric, with what is assumed said in comments."""
+"""First robot file from a few dimensions of a symmetric machine; comments in the file mark assumptions."""
 
 import json
 import math
@@ -10,10 +10,10 @@ from ..io.arguments import number_in, option, safe_text
 from ..io.toml_reader import one_line
 from ..motion.text.unit_row import LENGTH_UNITS
 
-# Shares of a leg: of its mass in the lower part; of its greatest length that each part is long, and of its
-# least that each is at most.
+# Fractions: mass of the lower part, length of each part relative to the longest leg, and its limit relative
+# to the shortest leg.
 _LOWER_MASS, _PART, _CLEAR = 0.7, 0.6, 0.95
-# Radii over the leg's length at home, and of the platform's plate over that of its joints.
+# Radii relative to the leg length at the home pose, and of the plate relative to the platform joints.
 _LOWER_RADIUS, _UPPER_RADIUS, _WALL, _RIM = 0.03, 0.02, 0.8, 1.15
 _THICKNESS = 0.1
 _WIDEST = 120.0
@@ -22,13 +22,31 @@ _GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class Draft:
-    """Numbers of a machine whose joints are in pairs round three axes 120 degrees apart.
+    """Dimensions of a machine with pairs of joints around three axes 120 degrees apart.
 
-    name: of the machine. length_unit: of all lengths here and in the file, "m", "cm", "mm" or "in".
-    base_radius, platform_radius: of the circles of joints. base_angle, platform_angle: between the joints of
-    a pair, degrees, 0 to 120. height: of the platform's joints above the base's at home. platform_mass,
-    leg_mass: payload included, kg. stroke: from the shortest leg to the longest; half of it on either side of
-    home. z_down: whether z points down, and up otherwise. Raises ValueError naming the number.
+    Attributes
+    ----------
+    name : str
+        Name of the machine.
+    length_unit : {"m", "cm", "mm", "in"}
+        Unit of all lengths here and in the file.
+    base_radius, platform_radius : float
+        Radii of the joint circles.
+    base_angle, platform_angle : float
+        Angles between the joints of a pair (degrees), 0 to 120.
+    height : float
+        Height of the platform joints above the base joints at the home pose.
+    platform_mass, leg_mass : float
+        Masses (kg); the platform mass includes the payload.
+    stroke : float
+        Difference between the longest and the shortest leg, half on each side of the home pose.
+    z_down : bool
+        True if z points down.
+
+    Raises
+    ------
+    ValueError
+        If a number is invalid; the message names the number.
     """
 
     name: str
@@ -59,13 +77,13 @@ class Draft:
 
     @property
     def leg_length(self) -> float:
-        """Of every leg at home."""
+        """Length of every leg at the home pose."""
         turn = math.radians(60.0 - 0.5 * (self.base_angle + self.platform_angle))
         b, p = self.base_radius, self.platform_radius
         return math.sqrt(b * b + p * p - 2.0 * b * p * math.cos(turn) + self.height**2)
 
     def text(self) -> str:
-        """The robot file."""
+        """Return the text of the robot file."""
         L = self.leg_length
         lower, upper = _LOWER_RADIUS * L, _UPPER_RADIUS * L
         template = (files(__package__) / "draft.toml.in").read_text(encoding="utf-8")
@@ -76,7 +94,7 @@ class Draft:
             z="down" if self.z_down else "up",
             height=_number(-self.height if self.z_down else self.height),
             base_radius=_number(self.base_radius),
-            # Neighbors of different pairs of the base meet in a pair of the platform.
+            # Legs from different pairs of the base form a pair at the platform.
             base_angles=_angles((0.0, 120.0, 240.0), self.base_angle, 0),
             platform_radius=_number(self.platform_radius),
             platform_angles=_angles((-60.0, 60.0, 180.0), self.platform_angle, 1),
@@ -86,7 +104,7 @@ class Draft:
             lower_radius=_short(lower),
             bore=_short(_WALL * lower),
             upper_radius=_short(upper),
-            # Together longer than the longest leg, each no longer than the shortest.
+            # Both parts together exceed the longest leg, and each part is shorter than the shortest leg.
             part=_short(min(_PART * (L + 0.5 * self.stroke), _CLEAR * (L - 0.5 * self.stroke))),
             lower_mass=_short(_LOWER_MASS * self.leg_mass),
             upper_mass=_short((1.0 - _LOWER_MASS) * self.leg_mass),
@@ -98,17 +116,17 @@ class Draft:
 
 
 def _angles(pairs: tuple[float, float, float], apart: float, shift: int) -> str:
-    """Angles of the joints of six legs: pairs round three axes, ``shift`` 1: begun with a pair's second."""
+    """Return the joint angles of six legs in pairs around three axes; ``shift`` 1 splits the first pair."""
     found = [axis + side * 0.5 * apart for axis in pairs for side in (-1.0, 1.0)][shift:]
     found += [pairs[0] + 360.0 - 0.5 * apart] * shift
     return "[" + ", ".join(map(_number, found)) + "]"
 
 
 def _number(value: float) -> str:
-    """With all its digits."""
+    """Format a number with all its digits."""
     return repr(float(value) + 0.0)
 
 
 def _short(value: float) -> str:
-    """With four digits: assumed, or for people."""
+    """Format an assumed or displayed number with four digits."""
     return repr(float(f"{value:.4g}"))

@@ -1,8 +1,7 @@
-"""Drives of the legs: screw or rack, rotor, friction, motor and its limits; and the tables that give them.
+"""Drives of the legs, screw or rack, rotor, friction, and motor limits, and their tables in robot files.
 
-A motor turns by ``transmission_ratio`` times the change of its leg's length. Of that the equations of motion
-have the rotor alone; friction, efficiency and the motor's own numbers act between the leg's force F and the
-motor.
+The motor angle is ``transmission_ratio`` times the change of leg length. The equations of motion include only
+the rotor. Friction, efficiency, and the motor constants act between the leg force F and the motor.
 """
 
 from __future__ import annotations
@@ -24,12 +23,12 @@ _ONE_TURN = 2.0 * math.pi
 
 
 class _Key(NamedTuple):
-    """What one number of a drive is."""
+    """Check, default, and unit of one number of a drive."""
 
     check: Check
     default: float
     unit: str = ""
-    """``length`` or ``angle`` where a file's unit of that name applies."""
+    """``length`` or ``angle`` if the unit of this name in the file applies."""
 
 
 NUMBERS: Mapping[str, _Key] = {
@@ -53,13 +52,13 @@ NUMBERS: Mapping[str, _Key] = {
     "power_limit": _Key(toml_reader.positive, math.inf),
     "gear_ratio": _Key(toml_reader.positive, 1.0),
 }
-"""Of each field of a drive; a lead has no default."""
+"""Check, default, and unit of each field of a drive; a lead has no default."""
 
 KEYS = ("lead", "radius", "gear_ratio", *(name for name in NUMBERS if name not in ("lead", "gear_ratio")))
-"""Of a table of a drive in a robot file of schema 2."""
+"""Keys of a drive table in a robot file of schema 2."""
 
 
-# Defaults for all six legs, which become arrays when they are checked.
+# Defaults for all six legs; the checks convert them to arrays.
 _ZERO: Any = 0.0
 _ONE: Any = 1.0
 _UNLIMITED: Any = math.inf
@@ -68,44 +67,56 @@ _OF_EFFICIENCY: Any = None
 
 @dataclass(frozen=True, eq=False)
 class Drive(Frozen):
-    """Drives of six legs, SI units; each field is one number for all legs or six, kept as (6,), read-only.
+    """Drives of six legs.
 
-    The motor's angle grows with its leg's length, by ``transmission_ratio``; torques and speeds are the
-    motor's.
+    Each field is one number for all legs or six numbers, stored as a read-only array of shape (6,). Torques
+    and speeds are at the motor, whose angle increases with the leg length.
 
     Attributes
     ----------
-    lead : ndarray
-        Change of the leg's length for one turn of the screw, m; negative for a left-handed screw.
-    rotor_inertia : ndarray
-        Of what turns with the motor, about its axis, kg m^2.
-    efficiency, backdrive_efficiency : ndarray
-        Of the transmission where the motor drives the leg, in (0, 1], and where the leg drives the motor,
-        at most 1; a back efficiency of 0 or less is self-locking. None, the default: 2 - 1 / ``efficiency``.
-    screw_coulomb, screw_viscous : ndarray
-        Friction along the leg, N and N s/m; apart from the robot's ``C_p``.
-    motor_coulomb, motor_viscous : ndarray
-        Friction of the motor, N m and N m s.
-    stribeck_force, stribeck_speed : ndarray
-        Force, N, by which friction at rest is above ``screw_coulomb``, and the rate of length, m/s, in which
-        it decays to 1/e.
-    regularization_speed : ndarray
-        Rate of length, m/s, within which the sign of a rate is smoothed; 0 for a sign with a step.
-    torque_constant : ndarray
-        Torque per current, N m/A; 0 where it is not given.
-    resistance : ndarray
-        Of the winding at that current, ohm; 0 where it is not given.
-    rated_torque : ndarray
-        Limit of the root mean square of torque, N m; inf means no limit.
-    torque_limit, speed_limit, current_limit, power_limit : ndarray
-        Peaks, N m, rad/s, A and W; inf means no limit.
-    gear_ratio : ndarray
-        Turns of the motor for one of the screw.
+    lead : ndarray, shape (6,)
+        Change of leg length per turn of the screw (m); negative for a left-handed screw.
+    rotor_inertia : ndarray, shape (6,)
+        Inertia of all parts that rotate with the motor, about the motor axis (kg m^2).
+    efficiency : ndarray, shape (6,)
+        Efficiency of the transmission if the motor drives the leg, in (0, 1].
+    backdrive_efficiency : ndarray, shape (6,)
+        Efficiency of the transmission if the leg drives the motor, at most 1; 0 or less is self-locking.
+        None, the default, means 2 - 1 / ``efficiency``.
+    screw_coulomb, screw_viscous : ndarray, shape (6,)
+        Friction along the leg (N and N s/m), in addition to ``C_p`` of the robot.
+    motor_coulomb, motor_viscous : ndarray, shape (6,)
+        Friction of the motor (N m and N m s).
+    stribeck_force : ndarray, shape (6,)
+        Increase of the friction at rest above ``screw_coulomb`` (N).
+    stribeck_speed : ndarray, shape (6,)
+        Rate of length at which this increase has decayed to 1/e (m/s).
+    regularization_speed : ndarray, shape (6,)
+        Rate of length below which the sign in the friction is smoothed (m/s); 0 for a discontinuous sign.
+    torque_constant : ndarray, shape (6,)
+        Motor torque per current (N m/A); 0 if unknown.
+    resistance : ndarray, shape (6,)
+        Winding resistance for this current (ohm); 0 if unknown.
+    rated_torque : ndarray, shape (6,)
+        Limit of the root mean square torque (N m); inf means no limit.
+    torque_limit, speed_limit, current_limit, power_limit : ndarray, shape (6,)
+        Peak limits (N m, rad/s, A, and W); inf means no limit.
+    gear_ratio : ndarray, shape (6,)
+        Motor turns per screw turn.
 
     Raises
     ------
     ValueError
-        Naming the field when a number breaks a rule.
+        If a number violates a rule; the message names the field.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> import stewart_sym as ss
+    >>> drive = ss.Drive(lead=0.005, gear_ratio=2.0)
+    >>> drive.transmission_ratio.round(1).tolist()
+    [2513.3, 2513.3, 2513.3, 2513.3, 2513.3, 2513.3]
+    >>> robot = dataclasses.replace(ss.robots.load("unal"), drive=drive)
     """
 
     lead: Array
@@ -144,27 +155,27 @@ class Drive(Frozen):
 
     @property
     def transmission_ratio(self) -> Array:
-        """N, turn of the motor per change of length, rad/m, (6,): 2 pi ``gear_ratio`` / ``lead``."""
+        """Motor angle N per change of leg length (rad/m), shape (6,): 2 pi ``gear_ratio`` / ``lead``."""
         return np.asarray(_ONE_TURN * self.gear_ratio / self.lead)
 
     @property
     def rotor_momentum(self) -> Array:
-        """J_r N: angular momentum of the rotor about the leg per rate of its length, kg m, (6,)."""
+        """Angular momentum of the rotor about the leg per rate of length (kg m), J_r N, shape (6,)."""
         return np.asarray(self.rotor_inertia * self.transmission_ratio)
 
     @property
     def reflected_mass(self) -> Array:
-        """J_r N^2: mass that resists a change of length as the rotor does, kg, (6,)."""
+        """Mass at the leg that is equivalent to the rotor inertia (kg), J_r N^2, shape (6,)."""
         return np.asarray(self.rotor_momentum * self.transmission_ratio)
 
 
 def _driven_back(efficiency: Any) -> Any:
-    """Efficiency from leg to motor with the same angle of friction, on a screw of small pitch."""
+    """Return the backdrive efficiency for the same friction angle on a screw of small pitch."""
     return 2.0 - 1.0 / efficiency
 
 
 def _six(value: object, name: str) -> Array:
-    """One number for each leg, checked; infinity where that says that there is no limit."""
+    """Return one checked number per leg; infinity is accepted if it means no limit."""
     key = NUMBERS[name]
     rows: Any = value.tolist() if isinstance(value, np.ndarray) else value
     each = isinstance(rows, list | tuple)
@@ -182,9 +193,9 @@ def _six(value: object, name: str) -> Array:
 
 
 def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
-    """Reject numbers of one drive that are possible each but not together; ``where`` one of them stands."""
+    """Raise ValueError if numbers of a drive contradict each other; ``where`` returns a number's place."""
     turns = _ONE_TURN * leg["gear_ratio"] / leg["lead"]
-    # Python raises OverflowError where NumPy would give inf.
+    # The bounds avoid an OverflowError, which Python raises in contrast to NumPy.
     if not (1e-100 < abs(turns) < 1e100 and math.isfinite(leg["rotor_inertia"] * turns * turns)):
         raise ValueError(f"{where('lead')}: expected a lead with which the rotor's inertia is a finite mass")
     if leg["stribeck_force"] > 0.0 and leg["stribeck_speed"] == 0.0:
@@ -205,10 +216,10 @@ def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
 def drive_of_tables(
     legs: LegTables, meters: Callable[[Any], Any], degrees: bool, spins: bool = False
 ) -> Drive | None:
-    """The drives of a robot file of schema 2; None where no leg has one.
+    """Return the drives of a robot file of schema 2, or None if no leg has a drive.
 
-    meters: from lengths of the file. degrees: whether angles of the file are in degrees. spins: whether the
-    legs' upper parts turn in the lower ones.
+    ``meters`` converts lengths of the file. ``degrees`` is True if the file has angles in degrees. ``spins``
+    is True if the upper parts of the legs rotate in the lower parts.
     """
     if not any("drive" in table for table in legs.tables):
         return None
@@ -228,10 +239,10 @@ def drive_of_tables(
 def _leg(
     drives: LegTables, i: int, meters: Callable[[Any], Any], degrees: bool, spins: bool
 ) -> dict[str, float]:
-    """Numbers of the drive of one leg, counted from 0."""
+    """Return the numbers of the drive of leg i, counted from 0."""
     given, mine = drives.of_leg(i), drives.tables[i + 1]
     if {"lead", "radius"} & mine.keys():
-        # One way of giving the transmission stands in for the other.
+        # A transmission of the leg replaces the transmission of all legs, even under another key.
         given = {key: value for key, value in given.items() if key in mine or key not in ("lead", "radius")}
 
     def where(name: str) -> str:
@@ -257,7 +268,7 @@ def _leg(
 
 
 def _lead(given: Mapping[str, Any], where: Callable[[str], str], meters: Callable[[Any], Any]) -> float:
-    """Change of length per turn, m: of a screw, or of a pinion on its rack."""
+    """Return the change of leg length per turn (m) of a screw or of a pinion on its rack."""
     if "lead" in given and "radius" in given:
         raise ValueError(f"{where('radius')}: expected lead or radius, got both")
     if "radius" in given:
@@ -265,12 +276,12 @@ def _lead(given: Mapping[str, Any], where: Callable[[str], str], meters: Callabl
     if "lead" not in given:
         raise ValueError(f"{where('lead')}: missing, and radius as well")
     check = NUMBERS["lead"].check
-    # What is next to nothing in millimeters is nothing in meters.
+    # The check is repeated, because a tiny number of millimeters can be 0 in meters.
     return float(check(meters(check(given["lead"], where("lead"))), where("lead")))
 
 
 def drive_tables(drive: Drive) -> list[dict[str, float]]:
-    """The table of each leg, SI units, without what is as if not given; ``drive_of_tables`` undoes it."""
+    """Return the table of each leg in SI units without defaults; ``drive_of_tables`` is the inverse."""
     legs: list[dict[str, float]] = []
     for i in range(LEGS):
         found = {name: float(getattr(drive, name)[i]) for name in NUMBERS}

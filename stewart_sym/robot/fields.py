@@ -1,4 +1,4 @@
-"""What each field of a robot must be, and its place in a robot file."""
+"""Requirements for each field of a robot, and its place in a robot file."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -17,7 +17,7 @@ BASE_JOINTS = ("universal", "spherical")
 SYMMETRY_TOLERANCE = 1e-9
 
 Check = Callable[[object, str], Any]
-"""From a value and where it stands, for messages, to the value as it is kept."""
+"""Function that maps a value and its place, for messages, to the stored value."""
 
 WARNING_NAMES = (
     *("platform-inertia", "lower-inertia", "upper-inertia", "density"),
@@ -28,8 +28,10 @@ WARNING_NAMES = (
     *("home", "length-limits", "part-length", "force-limit", "speed-limit"),
     *("drive-limit", "drive-speed", "torque-constant", "joint-angle"),
 )
-"""Names of all warnings about a robot's numbers, as ``suppress_warnings`` takes them: the first four are
-given on loading, the others by ``plausibility.doubts``."""
+"""Names of all warnings about the numbers of a robot, as in ``suppress_warnings``.
+
+The first four are issued on loading, the others by ``plausibility.find_implausible``.
+"""
 
 UNSTATED: dict[str, Any] = {
     "length_limits": (0.0, math.inf),
@@ -39,35 +41,35 @@ UNSTATED: dict[str, Any] = {
     "lower.length": 0.0,
     "upper.length": 0.0,
 }
-"""What fields are where a leg's table leaves their keys out, by the paths of these."""
+"""Values of the fields whose keys are missing in the table of a leg, by key."""
 
 
 def legs_text(legs: Sequence[int]) -> str:
-    """Legs, counted from 0, as a message names them."""
+    """Return the names of legs, counted from 0, for a message."""
     if len(legs) == LEGS:
         return "all legs"
     return ("leg " if len(legs) == 1 else "legs ") + ", ".join(str(i + 1) for i in legs)
 
 
 def vector_text(vector: Array) -> str:
-    """A vector in a message."""
+    """Return the text of a vector for a message."""
     return "(" + ", ".join(f"{x:g}" for x in vector) + ")"
 
 
 def base_joint(value: object, where: str) -> str:
-    """Kind of the joints at the base."""
+    """Check the type of the base joints."""
     return toml_reader.choice(value, BASE_JOINTS, where)
 
 
 def accepted(value: object, where: str) -> tuple[str, ...]:
-    """Names of warnings."""
+    """Check names of warnings."""
     if not isinstance(value, list | tuple):
         raise ValueError(f"{where}: expected a list of names of warnings, got {shown(value)}")
     return tuple(toml_reader.choice(name, WARNING_NAMES, where) for name in value)
 
 
 def limits(value: object, where: str) -> Array:
-    """Shortest and longest leg, (2,)."""
+    """Check the minimum and maximum leg length, (2,)."""
     found = toml_reader.numbers(value, (2,), where)
     if not 0.0 <= found[0] < found[1]:
         raise ValueError(f"{where}: expected [min, max] with 0 <= min < max, got {shown(found.tolist())}")
@@ -75,9 +77,9 @@ def limits(value: object, where: str) -> Array:
 
 
 def joint_angles(value: object, where: str, straight: float = math.pi) -> Array:
-    """Largest angles of the joints at the base and at the platform, (2,), from one angle for both or two.
+    """Check the largest angles of the base and platform joints, (2,), given as one angle for both or as two.
 
-    straight: half a turn, in the unit of the value.
+    ``straight`` is 180 degrees in the unit of the value.
     """
     both = isinstance(value, list | tuple | np.ndarray)
     found = toml_reader.numbers(value if both else [value, value], (2,), where)
@@ -87,7 +89,7 @@ def joint_angles(value: object, where: str, straight: float = math.pi) -> Array:
 
 
 def _or_unlimited(key: str, check: Check) -> Check:
-    """The check of a limit that may be infinite, in memory alone: a robot file leaves the key out."""
+    """Extend the check of a limit to infinity, which only memory can contain: robot files omit the key."""
     none = UNSTATED[key]
 
     def checked(value: object, where: str) -> Any:
@@ -100,13 +102,13 @@ def _or_unlimited(key: str, check: Check) -> Check:
 
 
 def direction(value: object, where: str) -> Array:
-    """Unit vector of a direction, (3,)."""
+    """Convert a direction to a unit vector, (3,)."""
     vector = toml_reader.vector(value, where)
     largest = float(np.max(np.abs(vector)))
     if largest == 0.0:
         raise ValueError(f"{where}: expected a non-zero direction, got {vector_text(vector)}")
     norm = math.sqrt(float(vector @ vector)) if 1e-100 < largest < 1e100 else 0.0
-    # A vector that is unit to rounding is left alone: reading what to_dict wrote must change no bit.
+    # A unit vector is not scaled, so that tables of to_dict are read without changing a bit.
     if abs(norm - 1.0) <= 4.0 * np.finfo(np.float64).eps:
         return vector
     scaled = vector / largest
@@ -114,7 +116,7 @@ def direction(value: object, where: str) -> Array:
 
 
 def no_direction(value: object, where: str) -> Array:
-    """Three zeros, (3,)."""
+    """Check that a vector is zero, (3,)."""
     vector = toml_reader.vector(value, where)
     if np.any(vector != 0.0):
         raise ValueError(
@@ -124,7 +126,7 @@ def no_direction(value: object, where: str) -> Array:
 
 
 def inertia(value: object, where: str) -> Array:
-    """A symmetric tensor, (3, 3)."""
+    """Check a symmetric tensor, (3, 3)."""
     tensor = toml_reader.numbers(value, (3, 3), where)
     if (tensor == tensor.T).all():
         return tensor
@@ -139,9 +141,10 @@ def inertia(value: object, where: str) -> Array:
 
 
 def need_axisymmetric(legs: Mapping[str, Array], name: Callable[[int, str], str]) -> None:
-    """Reject legs that are no bodies of revolution, where spherical joints leave their spin free.
+    """Raise ValueError for legs that are not bodies of revolution, whose spin spherical joints do not fix.
 
-    legs: fields of a robot by name. name: of a field of a leg, counted from 0, in messages.
+    ``legs`` contains fields of a robot by name. ``name`` returns the name of a field of a leg, counted from
+    0, for messages.
     """
     for i in range(LEGS):
         for of_center, of_tensor in (("r_d0", "I_d0"), ("r_u0", "I_u0")):
@@ -157,9 +160,9 @@ def need_axisymmetric(legs: Mapping[str, Array], name: Callable[[int, str], str]
 
 
 class LegTables(NamedTuple):
-    """Tables of a robot file of schema 2 about legs: a key of one leg stands in for that of all.
+    """Tables of a robot file of schema 2 about legs; a key of one leg replaces the key of all legs.
 
-    tables: that of all legs, then those of each. prefixes: what stands before their keys in messages.
+    tables: table of all legs, then the table of each leg. prefixes: prefixes of their keys in messages.
     """
 
     tables: tuple[Mapping[str, Any], ...]
@@ -167,31 +170,31 @@ class LegTables(NamedTuple):
 
     @classmethod
     def of(cls, shared: Mapping[str, Any], own: Sequence[Mapping[str, Any]], file: str) -> "LegTables":
-        """The tables ``legs`` and those of each leg; ``file`` begins every message."""
+        """Return the tables ``legs`` and of each leg; every message begins with ``file``."""
         return cls((shared, *own), (f"{file}legs.", *(f"{file}leg.{i + 1}." for i in range(LEGS))))
 
     def inner(self, name: str, keys: Sequence[str]) -> "LegTables":
-        """The tables of a name in these, empty where there is none, with known keys alone."""
+        """Return the inner tables of a name, empty if missing, and check that all keys are known."""
         prefixes = tuple(f"{prefix}{name}." for prefix in self.prefixes)
         pairs = zip(self.tables, prefixes, strict=True)
         found = (toml_reader.checked_table(table.get(name, {}), prefix, keys) for table, prefix in pairs)
         return LegTables(tuple(found), prefixes)
 
     def of_leg(self, i: int) -> dict[str, Any]:
-        """All values of a leg, counted from 0."""
+        """Return all values of a leg, counted from 0."""
         return {**self.tables[0], **self.tables[i + 1]}
 
     def where(self, i: int, key: str) -> str:
-        """Place of a key that a leg has of its own or shares."""
+        """Return the place of a key that a leg defines itself or shares."""
         return (self.prefixes[i + 1] if key in self.tables[i + 1] else self.prefixes[0]) + key
 
     def get(self, i: int, key: str, check: Check, default: Any) -> Any:
-        """A leg's value of a key, checked."""
+        """Return the checked value of a key of a leg."""
         given = self.of_leg(i)
         return check(given[key], self.where(i, key)) if key in given else default
 
     def each(self, key: str, check: Check, default: Any) -> Array:
-        """Values of all legs, (6, ...)."""
+        """Return the values of all legs, (6, ...)."""
         return np.array([self.get(i, key, check, default) for i in range(LEGS)])
 
 
@@ -223,7 +226,7 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
     "lower_length": ("lower.length", toml_reader.not_negative),
     "upper_length": ("upper.length", toml_reader.not_negative),
 }
-"""The same of the fields with an entry for each leg, path in a leg's table."""
+"""Path in the table of a leg, and check of each field with an entry per leg."""
 
 POSE_FIELDS: dict[str, Check] = {
     "home_position": lambda value, where: None if value is None else toml_reader.vector(value, where),
@@ -231,7 +234,7 @@ POSE_FIELDS: dict[str, Check] = {
     "euler_order": lambda value, where: toml_reader.choice(value, EULER_ORDERS, where),
     "length_mode": lambda value, where: toml_reader.choice(value, LENGTHS, where),
 }
-"""Check of the fields that say how poses of the machine are given."""
+"""Check of each field that defines the representation of poses."""
 
 DEFAULTS: dict[str, Any] = {
     "home_position": None,
@@ -241,4 +244,4 @@ DEFAULTS: dict[str, Any] = {
     "drive": None,
     "offsets": None,
 }
-"""Values of the fields that a robot file may leave out."""
+"""Values of the fields that a robot file may omit."""

@@ -1,8 +1,9 @@
-"""Chains of joints of legs with offsets: their rates and accelerations, plain vectors.
+"""Joint chains of legs with offsets: rates and accelerations of the joints, in plain vectors.
 
-From the base point about the fixed axis k, about the moving axis y, along s; where the platform joint is
-universal also about s, about the axis on the upper part and about the one on the platform. Shapes: `(...)` is
-a leading shape of poses; a quantity of the legs is (..., 6, 3) as a vector and (..., 6, 1) as a scalar.
+The joints from the base point are a rotation about the fixed axis k, a rotation about the moving axis y, and
+a translation along s. Universal platform joints add rotations about s, about the axis on the upper part, and
+about the axis on the platform. ``(...)`` is a leading shape of poses; vectors of the legs have the shape
+(..., 6, 3), scalars (..., 6, 1).
 """
 
 import math
@@ -20,17 +21,18 @@ from .offsets import JointOffsets
 from .robot import Robot
 
 ROUNDING = 16 * np.finfo(np.float64).eps
-"""Share at which a length (of the terms that it is the sum of) is rounding error and counts as zero."""
+"""Fraction of the summed terms below which a length is rounding error and counts as zero."""
 SLIDING, SPIN = 2, 3
 """Joints of a chain, counted from 0: along s, and about it."""
 
 
 @dataclass(frozen=True, eq=False)
 class JointMotion:
-    """How the joints move.
+    """Motion of the joints.
 
-    rates, accelerations: of the joints, (..., 6, n), n 3 or 6; None without the platform's. J: velocity of
-    the end by the joints, (..., 6, n, n). G: rates by the platform's twist [v; omega], (..., 6, n, 6).
+    rates, accelerations: of the joints, (..., 6, n), n = 3 or 6; None without accelerations of the platform.
+    J: derivative of the end velocity with respect to the joint rates, (..., 6, n, n). G: derivative of the
+    rates with respect to the twist [v; omega], (..., 6, n, 6).
     """
 
     at: Chains
@@ -41,7 +43,7 @@ class JointMotion:
 
 
 def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
-    """Rates and accelerations of the joints; NaN where the offsets leave no solution."""
+    """Compute rates and accelerations of the joints; NaN if the offsets allow no solution."""
     offsets, at = offsets_of(robot), chains(robot, motion)
     omega = motion.omega[..., None, :]
     J = jacobian(robot, at)
@@ -62,16 +64,16 @@ def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
 
 
 def _with_turn(offsets: JointOffsets, vector: Array, turn: Array) -> Array:
-    """Motion of the end of a leg: of the platform point, and of U-C-U legs of the platform as a body."""
+    """Return the motion of the leg end: the platform point, and the platform's rotation for U-C-U legs."""
     if not offsets.has_spinning_parts:
         return vector
     return np.concatenate([vector, np.broadcast_to(turn, vector.shape)], axis=-1)
 
 
 def lead_share(robot: Robot) -> Array:
-    """What L falls by as the upper part turns by 1 rad while the motor rests, m, (6,).
+    """Return the decrease of L (m) if the upper part rotates by 1 rad while the motor is at rest, (6,).
 
-    Zero where nothing turns, and without a drive: the actuator then acts on the lengths alone.
+    Zero if no part rotates or if there is no drive, because the actuator then acts only on the lengths.
     """
     if robot.drive is None or not offsets_of(robot).has_spinning_parts:
         return np.zeros(6)
@@ -79,9 +81,9 @@ def lead_share(robot: Robot) -> Array:
 
 
 def motor_motion(robot: Robot, joints: Array) -> Array:
-    """Turns of the motors, rad and its rates, (..., 6), by those of the joints, (..., 6, n): N L + gear spin.
+    """Convert joint values (..., 6, n) to motor angles (rad) or their rates, (..., 6): N L + gear_ratio spin.
 
-    Needs a robot with a drive.
+    The robot must have a drive.
     """
     assert robot.drive is not None
     turned = robot.drive.transmission_ratio * joints[..., SLIDING]
@@ -91,7 +93,7 @@ def motor_motion(robot: Robot, joints: Array) -> Array:
 
 
 def actuated(robot: Robot, joints: int) -> Array:
-    """Power of a unit force of the actuators by the rates of the joints, (6, n): along s, and about it."""
+    """Return the power of a unit actuator force per joint rate, (6, n): along s, and about s."""
     column = np.zeros((6, joints))
     column[:, SLIDING] = 1.0
     if joints > SPIN:
@@ -100,19 +102,19 @@ def actuated(robot: Robot, joints: int) -> Array:
 
 
 def columns_of_H(robot: Robot, G: Array) -> Array:
-    """H, (..., 6, 6): its transpose takes the platform's twist to the rates that the actuators see."""
+    """Return H, (..., 6, 6), whose transpose maps the twist of the platform to the actuator rates."""
     column = np.broadcast_to(actuated(robot, G.shape[-2]), G.shape[:-1])
     return np.swapaxes(np.einsum("...ij,...ijk->...ik", column, G), -1, -2)
 
 
 def codes(robot: Robot, motion: Motion) -> Codes:
-    """What is wrong with each leg of each pose, (..., 6); H is not looked at."""
+    """Return the status of each leg at each pose, (..., 6), regardless of H."""
     with np.errstate(all="ignore"):
         return codes_of(robot, motion, chains(robot, motion))
 
 
 def chains(robot: Robot, motion: Motion) -> Chains:
-    """Where the joints of every pose are; NaN where the offsets leave no solution."""
+    """Return the positions of the joints at every pose; NaN if the offsets allow no solution."""
     offsets = offsets_of(robot)
     q = applied(motion.R[..., None, :, :], robot.p)
     k_w = applied(motion.R[..., None, :, :], offsets.platform_axis)
@@ -120,26 +122,26 @@ def chains(robot: Robot, motion: Motion) -> Chains:
 
 
 def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
-    """``codes`` of chains that are known."""
+    """Return ``codes`` for known chains."""
     reach = np.max(
         np.abs(np.broadcast_arrays(at.q, motion.t[..., None, :], robot.b)), axis=(0, -1), keepdims=False
     )[..., None]
     known = np.isfinite(at.P).all(axis=-1, keepdims=True)
     code = np.where(ROUNDING * reach >= at.L, ZERO_LENGTH, OK)
-    # Near the least distance from the fixed axis the square of of_tip is known to rounding, not itself.
+    # Near the smallest distance from the fixed axis, only the square of of_tip is accurate to rounding.
     beside = offsets_of(robot).slide_offset_y[:, None] ** 2
     share = at.of_tip / at.L * (at.of_tip**2 / (at.of_tip**2 + beside))
     code = np.where((code == OK) & ~(share > ROUNDING), JOINT_SINGULAR, code)
     lost = ~(np.isfinite(at.L) & np.isfinite(at.U).all(axis=-1).all(axis=-1, keepdims=True))
     meets = np.sqrt(dot(vector_product(robot.k, at.P), vector_product(robot.k, at.P))) <= ROUNDING * reach
-    # Without a distance from the fixed axis there is no direction: the same as in legs without offsets.
+    # On the fixed axis the leg has no direction, as in legs without offsets.
     along_axis = meets & (offsets_of(robot).slide_offset_y[:, None] == 0.0)
     code = np.where(lost, np.where(along_axis, JOINT_SINGULAR, UNREACHABLE), code)
     return np.where(known, code, NOT_FINITE)[..., 0].astype(np.int32)
 
 
 def jacobian(robot: Robot, at: Chains) -> Array:
-    """Velocity of the platform point, and of U-C-U legs the platform's angular velocity, by the joints."""
+    """Return the derivative of the velocity of the leg end with respect to the joint rates."""
     k = np.broadcast_to(robot.k, at.s.shape)
     v = [vector_product(k, at.P), vector_product(at.y, at.P - at.A), at.s]
     if at.y_w is None or at.k_w is None:
@@ -151,7 +153,7 @@ def jacobian(robot: Robot, at: Chains) -> Array:
 
 
 def motion_of_end(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Array:
-    """Acceleration of the platform point, and of U-C-U legs the platform's angular one, by the joints'."""
+    """Return the acceleration of the leg end from rates and second rates of the joints."""
     lower, upper = lower_motion(robot, at, rates, seconds), upper_motion(robot, at, rates, seconds)
     if at.y_w is None or at.k_w is None:
         return upper.a + 0.0 * lower.a
@@ -165,7 +167,7 @@ def motion_of_end(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Arr
 
 @dataclass(frozen=True, eq=False)
 class Moving:
-    """Motion of a part: angular velocity and acceleration; velocity and acceleration of one of its points."""
+    """Motion of a part: its angular velocity and acceleration, and the motion v, a of one of its points."""
 
     omega: Array
     alpha: Array
@@ -174,13 +176,13 @@ class Moving:
 
 
 def cross_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
-    """Of the cross, and where o meets the moving axis."""
+    """Return the motion of the cross, and of the intersection of o and the moving axis."""
     omega, alpha = rates[..., 0, None] * robot.k, seconds[..., 0, None] * robot.k
     return Moving(omega, alpha, vector_product(omega, at.A), swung(omega, alpha, at.A))
 
 
 def lower_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
-    """Of the lower part, and of that point."""
+    """Return the motion of the lower part, and of the intersection of o and the moving axis."""
     cross = cross_motion(robot, at, rates, seconds)
     turn = rates[..., 1, None] * at.y
     alpha = cross.alpha + seconds[..., 1, None] * at.y + vector_product(cross.omega, turn)
@@ -188,7 +190,7 @@ def lower_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Movi
 
 
 def upper_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
-    """Of the upper part, and of the end of the leg."""
+    """Return the motion of the upper part, and of the end of the leg."""
     lower = lower_motion(robot, at, rates, seconds)
     r, slide = at.T - at.A, rates[..., 2, None] * at.s
     v = lower.v + vector_product(lower.omega, r) + slide
@@ -202,20 +204,20 @@ def upper_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Movi
 
 
 def offsets_of(robot: Robot) -> JointOffsets:
-    """Those of the robot, zeros where it has none."""
+    """Return the offsets of the robot, or zeros if it has none."""
     return JointOffsets() if robot.offsets is None else robot.offsets
 
 
 def swung(omega: Array, alpha: Array, r: Array) -> Array:
-    """Acceleration of a point of a body against another of its points."""
+    """Return the acceleration of a point of a body relative to another of its points."""
     return vector_product(alpha, r) + vector_product(omega, vector_product(omega, r))
 
 
 def applied(A: Array, v: Array) -> Array:
-    """Matrices (..., 3, 3) times vectors (..., 3)."""
+    """Multiply matrices (..., 3, 3) by vectors (..., 3)."""
     return np.asarray((A @ v[..., None])[..., 0])
 
 
 def transposed(A: Array) -> Array:
-    """Transposes of matrices (..., 3, 3)."""
+    """Transpose matrices (..., 3, 3)."""
     return np.swapaxes(A, -1, -2)

@@ -1,7 +1,6 @@
-"""Where the joints of legs with offsets are, from the axes and the platform points.
+"""Positions of the joints of legs with offsets, from the axes and the platform points.
 
-Shapes: ``(...)`` is a leading shape of poses; a quantity of the legs is (..., 6, 3) as a vector and
-(..., 6, 1) as a scalar.
+``(...)`` is a leading shape of poses; vectors of the legs have the shape (..., 6, 3), scalars (..., 6, 1).
 """
 
 from collections.abc import Callable
@@ -16,13 +15,13 @@ from .offsets import JointOffsets
 _MOST_STEPS, _MOST_HALVINGS = 60, 12
 _LONGEST_STEP = 0.5
 _TURNS = 0.25 * np.pi * np.array([0, 1, -1, 2, -2, 3, -3, 4])
-# Shares of the leg by which it may miss the right angle: where Newton's method stops, and at most.
+# Errors of the right angle relative to the leg: at the end of Newton's method, and at most.
 _SETTLED, _CLOSED = (share * np.finfo(np.float64).eps for share in (4, 256))
 
 
 @dataclass(frozen=True, eq=False)
 class _End:
-    """An end of the leg on the circle of the wrist: its chain, n, y_w, and s y_w."""
+    """End of the leg on the circle of the wrist: its chain, n, y_w, and s y_w."""
 
     at: "Chains"
     n: Array
@@ -32,12 +31,13 @@ class _End:
 
 @dataclass(frozen=True, eq=False)
 class Chains:
-    """Where the joints of the legs are, base frame, from the base points, (..., 6, 3); lengths (..., 6, 1).
+    """Positions of the joints relative to the base points (m), base frame, and directions of the axes.
 
-    y, s, z, o: axes of the lower part and outward normal; A: where o meets the moving axis; T: end of the
-    sliding line; P: platform point; q: P from the reference point. spin: from y to the axis on the upper
-    part. of_tip: distance of T along o. U: frame of the upper part. y_w, k_w: both axes of a universal
-    platform joint, None with spherical ones.
+    Vectors have the shape (..., 6, 3), lengths (m) have (..., 6, 1). y, s, z, o: axes of the lower part and
+    outward normal. A: intersection of o and the moving axis. T: end of the sliding axis. P: platform point.
+    q: P relative to the reference point. spin: angle from y to the axis on the upper part. of_tip: distance
+    of T along o. U: frame of the upper part. y_w, k_w: both axes of a universal platform joint, None for
+    spherical platform joints.
     """
 
     q: Array
@@ -57,9 +57,10 @@ class Chains:
 
 
 def chains_to(offsets: JointOffsets, k: Array, k_w: Array, q: Array, P: Array) -> Chains:
-    """Where the joints are, from their axes k and k_w on base and platform, q and P; NaN without a solution.
+    """Compute the joint positions from the axes k and k_w on base and platform, from q, and from P.
 
-    All are in the base frame, k_w (..., 6, 3) zeros with spherical platform joints.
+    All arguments are in the base frame; k_w (..., 6, 3) is zero for spherical platform joints. The result is
+    NaN if there is no solution.
     """
     if not offsets.has_spinning_parts:
         return _lower(k, offsets, q, P, P)
@@ -72,7 +73,7 @@ def chains_to(offsets: JointOffsets, k: Array, k_w: Array, q: Array, P: Array) -
 def _to_wrist(offsets: JointOffsets, k: Array, k_w: Array, q: Array, P: Array) -> tuple[Chains, Array]:
     """Solve for the lower part and the axis y_w of a universal platform joint; NaN without a solution.
 
-    The end of the leg lies on a circle, T = P - wrist n with n at a right angle to k_w and y_w = k_w x n.
+    The end of the leg is on the circle T = P - wrist n, with n perpendicular to k_w and y_w = k_w x n.
     Newton's method solves s y_w = 0 for the angle of n.
     """
     w = offsets.wrist_offset[:, None]
@@ -86,7 +87,7 @@ def _to_wrist(offsets: JointOffsets, k: Array, k_w: Array, q: Array, P: Array) -
         at = _lower(k, offsets, q, P, P - w * n)
         return _End(at, n, y_w, dot(at.s, y_w))
 
-    # The direction that the leg has without the wrist, then others around the circle, the nearest first.
+    # The first start is the direction of the leg without the wrist; others follow by distance on the circle.
     s = _lower(k, offsets, q, P, P).s
     start = np.nan_to_num(np.arctan2(dot(s, y_0), dot(s, n_0)))
     reach = np.abs(P).max(axis=-1, keepdims=True)
@@ -101,7 +102,7 @@ def _to_wrist(offsets: JointOffsets, k: Array, k_w: Array, q: Array, P: Array) -
 
 
 def _right_angle(end: Callable[[Array], _End], k: Array, w: Array, reach: Array, angle: Array) -> Array:
-    """Find the angle of n at which s is at a right angle to y_w, by Newton's method with shortened steps."""
+    """Find the angle of n at which s is perpendicular to y_w, by Newton's method with shortened steps."""
     now = end(angle)
     for _ in range(_MOST_STEPS):
         slope = dot(_rate_of_s(k, now.at, -w * now.y_w), now.y_w) - dot(now.at.s, now.n)
@@ -122,21 +123,21 @@ def _right_angle(end: Callable[[Array], _End], k: Array, w: Array, reach: Array,
 
 
 def _rate_of_s(k: Array, at: Chains, T_dot: Array) -> Array:
-    """Return the rate of s if the end of the leg moves with T_dot, m/s."""
+    """Return the rate of s if the end of the leg has the velocity T_dot (m/s)."""
     phi_dot = dot(at.y, T_dot) / at.of_tip
     theta_dot = -dot(at.z, T_dot - phi_dot * vector_product(np.broadcast_to(k, at.T.shape), at.T)) / at.L
     return phi_dot * vector_product(np.broadcast_to(k, at.s.shape), at.s) - theta_dot * at.z
 
 
 def lengths_at_home(offsets: JointOffsets, k: Array, S: Array) -> Array:
-    """Lengths along the line of sliding, m, (6,), from base to platform points by S, both frames parallel."""
+    """Return lengths along the sliding axes (m), (6,), for vectors S from base to platform points."""
     axes = k / np.linalg.norm(k, axis=-1, keepdims=True)
     with np.errstate(all="ignore"):
         return np.asarray(chains_to(offsets, axes, offsets.platform_axis, S, S).L[..., 0])
 
 
 def _lower(k: Array, offsets: JointOffsets, q: Array, P: Array, T: Array) -> Chains:
-    """The lower part from the end T of the line of sliding: of the solutions, o toward T and s outward."""
+    """Solve for the lower part from the end T of the sliding axis, with o toward T and s outward."""
     k = np.broadcast_to(k, T.shape)
     a, d, e = (x[:, None] for x in (offsets.axis_offset, offsets.slide_offset_z, offsets.slide_offset_y))
     zeta, normal = dot(k, T), vector_product(k, T)
@@ -154,5 +155,5 @@ def _lower(k: Array, offsets: JointOffsets, q: Array, P: Array, T: Array) -> Cha
 
 
 def dot(a: Array, b: Array) -> Array:
-    """Scalar products of vectors (..., 3), kept as (..., 1)."""
+    """Return scalar products of vectors (..., 3) with the shape (..., 1)."""
     return np.asarray(np.sum(a * b, axis=-1, keepdims=True))

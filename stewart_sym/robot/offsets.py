@@ -1,4 +1,4 @@
-"""Offset joints of the legs: axes that miss each other, a platform joint of two axes, the joint's cross."""
+"""Offset joints of the legs: axes that do not intersect, universal platform joints, and crosses."""
 
 from __future__ import annotations
 
@@ -18,44 +18,45 @@ PLATFORM_JOINTS = ("spherical", "universal")
 
 @dataclass(frozen=True, eq=False)
 class JointOffsets(Frozen):
-    """By how much the axes and the line of sliding of each leg miss each other.  SI units; read-only.
+    """Distances between the axes and the sliding axis of each leg, and properties of the joints.
 
-    A number may be given for an array (6,): that of all legs.
+    One number may be given for an array of shape (6,) if all legs have the same value. Arrays are read-only.
 
-    From the base point the fixed axis k, the moving axis y at a right angle to it, and the line of sliding
-    along s at a right angle to y. o = y x k points from the fixed axis toward the platform; z = s x y. The
-    end of the leg lies at S = axis_offset o + slide_offset_y y + slide_offset_z z + L s from the base point.
-    Frame D of the lower part has its origin where o meets the moving axis, frame U of the upper part at the
-    end of the leg. Zeros are the ordinary leg.
+    The axes from the base point are the fixed axis k, the moving axis y perpendicular to k, and the sliding
+    axis s perpendicular to y. The vector o = y x k points from the fixed axis toward the platform, and z = s
+    x y. The end of the leg is at S = axis_offset o + slide_offset_y y + slide_offset_z z + L s from the base
+    point. Frame D of the lower part has its origin at the intersection of o and the moving axis, frame U of
+    the upper part at the end of the leg. Zeros describe a leg without offsets.
 
-    Spherical platform joints: U has the axes of D. Universal ones: x_U = s, z_U = x_U x y_U, and y_U is the
-    unit vector along k_P x s, with k_P = R platform_axis.
+    With spherical platform joints, the axes of U and D are identical. With universal platform joints, x_U =
+    s, z_U = x_U x y_U, and y_U is the unit vector along k_P x s, with k_P = R platform_axis.
 
     Attributes
     ----------
-    axis_offset : ndarray, optional
-        From the fixed to the moving axis, along their common normal o, m, (6,).
-    slide_offset_y, slide_offset_z : ndarray, optional
-        From where o meets the moving axis to the line of sliding, along y and along z, m, (6,).
-    platform_joint : str, optional
-        ``"spherical"``, or ``"universal"`` for a joint of two axes on a leg whose upper part turns about s in
-        the lower one: the first axis is on the upper part at a right angle to s, the second on the platform.
-    platform_axis : ndarray, optional
-        Unit vectors along the second axes, platform frame, (6, 3); zeros with spherical joints.
-    wrist_offset : ndarray, optional
-        From the first to the second axis of a universal platform joint along their common normal, positive
-        away from the base, m, (6,).
-    cross_mass : ndarray, optional
-        Mass of the body between fixed and moving axis, kg, (6,).
-    cross_center : ndarray, optional
-        Its center of mass from the base point along o, y and k, m, (6, 3).
-    cross_inertia : ndarray, optional
-        Its inertia about the line along k through its center of mass, kg m^2, (6,).
+    axis_offset : ndarray, shape (6,), optional
+        Distance (m) from the fixed to the moving axis along their common normal o.
+    slide_offset_y, slide_offset_z : ndarray, shape (6,), optional
+        Distances (m) along y and z from the intersection of o and the moving axis to the sliding axis.
+    platform_joint : {"spherical", "universal"}, optional
+        Type of the platform joints. "universal" is a joint with two axes on a leg whose upper part rotates
+        about s in the lower part. The first axis is fixed to the upper part, perpendicular to s; the second
+        axis is fixed to the platform.
+    platform_axis : ndarray, shape (6, 3), optional
+        Unit vectors along the second axes, platform frame; zeros for spherical platform joints.
+    wrist_offset : ndarray, shape (6,), optional
+        Distance (m) from the first to the second axis of a universal platform joint along their common
+        normal, positive away from the base.
+    cross_mass : ndarray, shape (6,), optional
+        Mass (kg) of the body between the fixed and the moving axis.
+    cross_center : ndarray, shape (6, 3), optional
+        Center of mass (m) of this body relative to the base point, along o, y, and k.
+    cross_inertia : ndarray, shape (6,), optional
+        Inertia (kg m^2) of this body about the line along k through its center of mass.
 
     Raises
     ------
     ValueError
-        Naming the field.
+        If a value violates a rule; the message names the field.
     """
 
     axis_offset: Array = field(default_factory=lambda: np.zeros(LEGS))
@@ -81,23 +82,23 @@ class JointOffsets(Frozen):
             )
         elif found["platform_axis"].any() or found["wrist_offset"].any():
             raise ValueError(
-                'platform_joint: expected "universal" beside platform_axis and wrist_offset, got "spherical"'
+                'platform_joint: platform_axis and wrist_offset require "universal", got "spherical"'
             )
         self._set(found)
 
     @property
     def has_spinning_parts(self) -> bool:
-        """Whether the upper parts turn about s in the lower ones."""
+        """True if the upper parts rotate about s in the lower parts."""
         return self.platform_joint == "universal"
 
     @property
     def is_zero(self) -> bool:
-        """Whether the legs are ordinary ones."""
+        """True if the legs have no offsets."""
         return not self.has_spinning_parts and not any(getattr(self, name).any() for name in SHAPES)
 
 
 def _six(value: Any, shape: tuple[int, ...], name: str) -> Array:
-    """Numbers of each leg, checked; one number may stand for those of all."""
+    """Return the checked numbers of each leg; one number may represent all legs."""
     alone = isinstance(value, int | float) and not isinstance(value, bool) and shape == (LEGS,)
     return toml_reader.numbers([value] * LEGS if alone else value, shape, name)
 
@@ -107,11 +108,11 @@ SHAPES: dict[str, tuple[int, ...]] = {
     for each in fields(JointOffsets)
     if each.name != "platform_joint"
 }
-"""Arrays of ``JointOffsets``, with their shapes."""
+"""Shapes of the arrays in ``JointOffsets``."""
 
 
 def need_no_offsets(robot: Any) -> None:
-    """Reject, by ValueError, a robot with offset joints: what is computed is of legs whose axes meet."""
+    """Raise ValueError for a robot with offset joints, which the calling function does not support."""
     offsets = getattr(robot, "offsets", None)
     if offsets is not None and not offsets.is_zero:
         raise ValueError("robot: offsets: expected none, offset joints are not supported here")
@@ -123,11 +124,14 @@ LENGTHS = ("axis_offset", "slide_offset_y", "slide_offset_z", "wrist_offset")
 OFFSET_KEYS = (*LENGTHS, "platform_joint", "platform_axis")
 CROSS_KEYS = ("mass", "center_of_mass", "inertia")
 TABLES = {"offsets": OFFSET_KEYS, "cross": CROSS_KEYS}
-"""Keys of both tables."""
+"""Keys of the two tables."""
 
 
 def offsets_of_tables(legs: LegTables, meters: Callable[[Any], Any]) -> JointOffsets | None:
-    """The offsets of a robot file; None where no leg states any. meters: from lengths of the file."""
+    """Return the offsets of a robot file, or None if no leg has offsets.
+
+    ``meters`` converts lengths of the file.
+    """
     if not any(name in table for name in TABLES for table in legs.tables):
         return None
     joints, crosses = (legs.inner(name, keys) for name, keys in TABLES.items())
@@ -159,7 +163,7 @@ def offsets_of_tables(legs: LegTables, meters: Callable[[Any], Any]) -> JointOff
 
 
 def offset_tables(offsets: JointOffsets) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """What ``legs`` and each leg have, SI units; ``offsets_of_tables`` undoes it to the bit."""
+    """Return the tables of all legs and of each leg in SI units, the inverse of ``offsets_of_tables``."""
     shared = {"offsets": {"platform_joint": offsets.platform_joint}}
     names = LENGTHS if offsets.has_spinning_parts else LENGTHS[:-1]
     legs = []

@@ -1,4 +1,4 @@
-"""The machine: geometry, masses, friction and limits, as read from a robot file and checked once."""
+"""Robot model: geometry, masses, friction, and limits, read from a robot file and checked."""
 
 from __future__ import annotations
 
@@ -26,76 +26,90 @@ from .offsets import JointOffsets
 
 
 class RobotWarning(UserWarning):
-    """Numbers that no machine, or hardly one, can have; the robot is loaded all the same."""
+    """Issued if a robot has values that no machine, or almost none, can have; the robot is loaded anyway."""
 
 
 @dataclass(frozen=True, eq=False)
 class Robot(Frozen):
-    """A Stewart platform with six legs, all of them distinct if need be.  SI units; arrays are read-only.
+    """Gough-Stewart platform with six legs, which may all be different. Arrays are read-only.
 
-    One entry alone may be given for an array (6, ...), that of all legs, but for ``b`` and ``p``.
+    For an array with six entries, one entry is sufficient if all legs have the same value, except for ``b``
+    and ``p``.
 
     Attributes
     ----------
     name : str
-        One line of text.
-    base_joint : str
-        ``"universal"`` (the paper's machine) or ``"spherical"`` (joints of that kind at both ends).
-    g : ndarray
-        Gravity, m/s^2, base frame, (3,).
+        Name, one line of text.
+    base_joint : {"universal", "spherical"}
+        Type of the base joints: "universal" for 6-UPS as in the paper, "spherical" for 6-SPS.
+    g : ndarray, shape (3,)
+        Gravity (m/s^2), base frame.
     M : float
-        Platform mass with payload, kg.
-    R_0 : ndarray
-        Center of mass of the platform, m, platform frame, (3,).
-    I_p : ndarray
-        Its inertia about that center of mass, kg m^2, platform frame, (3, 3).
-    b : ndarray
-        Base points, m, base frame, (6, 3).
-    p : ndarray
-        Platform points, m, platform frame, (6, 3).
-    k : ndarray
-        Unit fixed axes of the universal joints, base frame, (6, 3); zeros when ``base_joint`` is spherical.
-    m_d, m_u : ndarray
-        Masses of the lower and upper parts, kg, (6,).
-    r_d0 : ndarray
-        Centers of mass of the lower parts, m, frame D (origin at the base point), (6, 3).
-    I_d0, I_u0 : ndarray
-        Inertias about those centers of mass, kg m^2, frames D and U, (6, 3, 3).
-    r_u0 : ndarray
-        Centers of mass of the upper parts, m, frame U (origin at the platform point), (6, 3).
-    C_u, C_p, C_s : ndarray
-        Viscous friction of the base joint (N m s), prismatic joint (N s/m) and spherical joint (N m s), (6,).
-    length_limits : ndarray, optional
-        Shortest and longest leg, m, (6, 2); a row (0, inf) means no limit.
-    force_limit, speed_limit : ndarray, optional
-        Of the actuators, N and m/s, (6,); inf means no limit.
-    joint_angle_limit : ndarray, optional
-        Largest angles between a leg and its direction at the home pose, in the base frame and in the platform
-        frame, rad, (6, 2), pi for none at one end; a row (inf, inf) means no limit.
-    lower_length, upper_length : ndarray, optional
-        Of the parts, from the base point and from the platform point to the other end, m, (6,); 0 where not
-        stated. For drawings: forces do not depend on them.
-    suppressed_warnings : tuple, optional
-        Names, of ``WARNING_NAMES``, of warnings that are known of this robot and not given.
-    home_position : ndarray, optional
-        Home pose: position of the platform's reference point, m, base frame, (3,), the platform parallel to
-        the base; None where none is stated.
-    tool : ndarray, optional
-        Point whose poses the rows of its trajectory files give, m, platform frame, (3,).
+        Mass (kg) of the platform with payload.
+    R_0 : ndarray, shape (3,)
+        Center of mass (m) of the platform, platform frame.
+    I_p : ndarray, shape (3, 3)
+        Inertia (kg m^2) of the platform about its center of mass, platform frame.
+    b : ndarray, shape (6, 3)
+        Base points (m), base frame.
+    p : ndarray, shape (6, 3)
+        Platform points (m), platform frame.
+    k : ndarray, shape (6, 3)
+        Unit vectors along the fixed axes of the universal joints, base frame; zeros for spherical base
+        joints.
+    m_d, m_u : ndarray, shape (6,)
+        Masses (kg) of the lower and upper parts of the legs.
+    r_d0 : ndarray, shape (6, 3)
+        Centers of mass (m) of the lower parts, frame D with its origin at the base point.
+    I_d0, I_u0 : ndarray, shape (6, 3, 3)
+        Inertias (kg m^2) of the lower and upper parts about their centers of mass, frames D and U.
+    r_u0 : ndarray, shape (6, 3)
+        Centers of mass (m) of the upper parts, frame U with its origin at the platform point.
+    C_u, C_p, C_s : ndarray, shape (6,)
+        Viscous friction of the base joints (N m s), prismatic joints (N s/m), and spherical joints (N m s).
+    length_limits : ndarray, shape (6, 2), optional
+        Minimum and maximum leg lengths (m); a row (0, inf) means no limit.
+    force_limit, speed_limit : ndarray, shape (6,), optional
+        Limits of the actuators (N and m/s); inf means no limit.
+    joint_angle_limit : ndarray, shape (6, 2), optional
+        Largest angles (rad) between a leg and its direction at the home pose, in the base frame and in the
+        platform frame. The value pi means no limit at one end; a row (inf, inf) means no limit.
+    lower_length, upper_length : ndarray, shape (6,), optional
+        Lengths (m) of the parts, from the base point and from the platform point to the other end; 0 if not
+        given. They are for drawings and do not affect forces.
+    suppressed_warnings : tuple of str, optional
+        Names, from ``WARNING_NAMES``, of warnings that are not issued for this robot.
+    home_position : ndarray, shape (3,), optional
+        Position (m) of the reference point at the home pose, base frame; the platform is parallel to the
+        base. None if not given.
+    tool : ndarray, shape (3,), optional
+        Point (m), platform frame, whose poses the trajectory files of this robot describe.
     euler_order : str, optional
-        Order in which these files multiply rotations, ``"zyx"`` for R = Rz Ry Rx.
-    length_mode : str, optional
-        Leg lengths in these files: ``"absolute"``, or ``"relative"`` to those of the home pose.
+        Order of the rotations in these files; ``"zyx"`` is R = Rz Ry Rx.
+    length_mode : {"absolute", "relative"}, optional
+        Leg lengths in these files: absolute, or relative to the lengths at the home pose.
     drive : Drive, optional
-        What moves the legs; None where nothing is stated of it.
+        Drives of the legs; None if not given.
     offsets : JointOffsets, optional
-        Offset joints; None for legs whose axes meet.
+        Offset joints; None for legs whose axes intersect.
 
     Raises
     ------
     ValueError
-        Naming the field when a value breaks a rule of the robot file. ``dataclasses.replace`` makes a changed
-        copy and checks it again, but for what no body can be: see ``find_invalid_inertias``.
+        If a value violates a rule of the robot file; the message names the field. ``dataclasses.replace``
+        makes a changed copy and checks it again, except for inertias that no body can have: see
+        ``find_invalid_inertias``.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("unal")
+    >>> robot.b.shape
+    (6, 3)
+    >>> heavier = dataclasses.replace(robot, M=10.0)
+    >>> heavier.M
+    10.0
     """
 
     name: str
@@ -151,7 +165,7 @@ class Robot(Frozen):
             raise ValueError(f"robot: drive: expected a Drive or None, got {shown(self.drive)}")
         self._set(checked)
         if not isinstance(self.offsets, JointOffsets | None):
-            raise ValueError(f"robot: offsets: expected Offsets or None, got {shown(self.offsets)}")
+            raise ValueError(f"robot: offsets: expected JointOffsets or None, got {shown(self.offsets)}")
         if self.offsets is not None and spherical:
             raise ValueError('robot: offsets: expected none when base_joint is "spherical"')
         if spherical:
@@ -176,24 +190,24 @@ class Robot(Frozen):
         Parameters
         ----------
         path : str or os.PathLike
-            The file.
+            Path of the robot file.
 
         Returns
         -------
         Robot
-            The machine, checked.
+            Checked robot.
 
         Raises
         ------
         ValueError
-            Of one line, ``file: key: what was expected (at line n)``, for a file that cannot be read and for
-            every break of the schema; legs are numbered from 1.
+            If the file cannot be read or violates the schema. The message is one line, ``file: key: expected
+            ... (at line n)``; legs are numbered from 1.
 
         Warns
         -----
         RobotWarning
-            About inertias that no body can have and densities that hardly any has, unless the file accepts
-            them.
+            About inertias that no body can have and densities that almost no body has, unless the file
+            suppresses these warnings.
         """
         source = toml_reader.file_name(path)
         with toml_reader.toml_tables(source, "robot file") as d:
@@ -208,22 +222,22 @@ class Robot(Frozen):
         Parameters
         ----------
         d : dict
-            The tables as plain Python dicts and lists.
+            Tables as plain Python dicts and lists.
 
         Returns
         -------
         Robot
-            The machine, checked.
+            Checked robot.
 
         Raises
         ------
         ValueError
-            As ``from_toml``, with ``robot`` in place of the file's name and without lines.
+            As in ``from_toml``, with ``robot`` in place of the file name and without line numbers.
 
         Warns
         -----
         RobotWarning
-            As ``from_toml``.
+            As in ``from_toml``.
         """
         robot = cls._read(d, "robot")
         _warn(robot, d, "robot")
@@ -231,13 +245,13 @@ class Robot(Frozen):
 
     @classmethod
     def _read(cls, d: object, source: str) -> Robot:
-        """Check the tables of a robot file; ``source: `` begins every message."""
+        """Check the tables of a robot file; every message begins with ``source: ``."""
         file = f"{source}: "
         if not isinstance(d, Mapping):
             raise ValueError(f"{source}: expected a table, got {shown(d)}")
         toml_reader.require(d, ("schema",), file, "missing")
         _need_schema(d["schema"], f"{file}schema")
-        # Checked where a message can name the key, and so not again as fields.
+        # The fields are not checked again, because the tables are checked with messages that name the keys.
         robot = object.__new__(cls)
         robot._set(fields.DEFAULTS | schema_2.values(d, file))
         return robot
@@ -248,7 +262,7 @@ class Robot(Frozen):
         Returns
         -------
         dict
-            Tables of schema 2 in SI units. ``from_dict`` undoes the conversion to the bit.
+            Tables of schema 2 in SI units. ``from_dict`` restores the robot to the bit.
         """
         return schema_2.tables_of(vars(self))
 
@@ -301,14 +315,14 @@ class Robot(Frozen):
 
     @property
     def reflected_mass(self) -> Array:
-        """Reflected masses of the rotors, J_r N^2, kg, (6,); zero without a drive."""
+        """Reflected masses of the rotors (kg), J_r N^2, shape (6,); zero without a drive."""
         return np.zeros(LEGS) if self.drive is None else self.drive.reflected_mass
 
     @property
     def rotor_momentum(self) -> Array:
-        """Angular momenta of the rotors per rate of length, J_r N, kg m, (6,); zero without a drive.
+        """Angular momenta of the rotors per rate of length (kg m), J_r N, shape (6,).
 
-        Zero as well with spherical base joints: nothing fixes the spin of the legs, on which they act.
+        Zero without a drive, and zero with spherical base joints, because the spin of the legs is free.
         """
         if self.drive is None or self.base_joint != "universal":
             return np.zeros(LEGS)
@@ -316,24 +330,24 @@ class Robot(Frozen):
 
     @property
     def has_rotors(self) -> bool:
-        """Whether any leg's rotor has inertia."""
+        """True if the rotor of any leg has inertia."""
         return self.drive is not None and bool(np.any(self.drive.rotor_inertia))
 
     @property
     def has_joint_angle_limits(self) -> bool:
-        """Whether any joint's angle has a limit."""
+        """True if any joint angle has a limit."""
         return bool(np.isfinite(self.joint_angle_limit).any())
 
     def find_invalid_inertias(self) -> list[str]:
         """Find the parts whose inertia no rigid body can have.
 
-        Principal moments A <= B <= C of a body satisfy A >= 0 and A + B >= C.
+        Principal moments A <= B <= C of a rigid body satisfy A >= 0 and A + B >= C.
 
         Returns
         -------
         list of str
-            One line for each such part, legs with the same tensor sharing one; empty when all are possible.
-            What the robot accepts is reported as well.
+            One line for each such part; legs with the same tensor share a line. Empty if all inertias are
+            possible. Suppressed warnings are included.
         """
         return [message for _, message in impossible_inertias(self)]
 
@@ -361,7 +375,7 @@ def of_symbol(owner: Any, symbol: str) -> Any:
 
 
 def impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
-    """Name, of ``WARNING_NAMES``, and line of each impossible inertia."""
+    """Return the warning name (from ``WARNING_NAMES``) and the message of each impossible inertia."""
     found = [("platform-inertia", f"platform: inertia: {fault}") for fault in inertia_fault(robot.I_p)]
     for part, tensors in (("lower", robot.I_d0), ("upper", robot.I_u0)):
         alike: dict[bytes, list[int]] = {}
@@ -374,11 +388,11 @@ def impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
 
 
 def inertia_fault(inertia: Array) -> list[str]:
-    """What makes a tensor, (3, 3), that of no body; empty where it is one's."""
+    """Return the reason why no body can have an inertia (3, 3); empty if a body can have it."""
     A, B, C = (float(moment) for moment in np.linalg.eigvalsh(inertia))
     tolerance = fields.SYMMETRY_TOLERANCE * max(abs(A), abs(C))
     moments = f"principal moments {A:.3g}, {B:.3g}, {C:.3g} kg m^2"
-    # A thin rod has A = 0: the limit of possible bodies is let pass.
+    # A thin rod has A = 0, so bodies at the limit are accepted.
     if A + tolerance < 0.0:
         return [f"physically impossible: {moments} are not all positive"]
     if A + B + tolerance < C:
@@ -387,7 +401,7 @@ def inertia_fault(inertia: Array) -> list[str]:
 
 
 def _need_schema(value: object, where: str) -> None:
-    """Reject every schema but the one that is read, with the remedy for files of schema 1."""
+    """Raise ValueError unless the schema is 2, with advice for files of schema 1."""
     if type(value) is int and value == 1:
         remedy = (
             "write schema = 2, six points in [base] and [platform], the inertia in [platform.body], "
@@ -398,13 +412,13 @@ def _need_schema(value: object, where: str) -> None:
 
 
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
-    """Warn of what is doubtful in the tables alone, or impossible."""
+    """Warn of inertias and densities that no body, or almost none, can have."""
     of_parts: list[tuple[str, str]] = []
     low = low_densities(d)
     for key, tensor in inertias_of_parts(d).items():
         body = next((each for each in ("lower", "upper") if each in key), "platform")
         of_parts += [(f"{body}-inertia", f"{key}: {fault}") for fault in inertia_fault(tensor)]
-    # A part that is impossible explains a sum that is.
+    # A sum is not reported if an impossible part explains it.
     of_sums = [each for each in impossible_inertias(robot) if each[0] not in dict(of_parts)]
     found = of_sums + of_parts
     if low:
@@ -416,7 +430,7 @@ def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
 
 
 def about_point(robot: Robot, point: Array) -> Robot:
-    """Return the same machine with a platform point (m), platform frame, (3,), as its reference point."""
+    """Return the same machine with a platform point (m), platform frame, (3,), as the reference point."""
     home = None if robot.home_position is None else robot.home_position + point
     return replace(
         robot, p=robot.p - point, R_0=robot.R_0 - point, tool=robot.tool - point, home_position=home

@@ -1,6 +1,7 @@
-"""Tables of a robot file of schema 2, as people write it, as fields of a robot.
+"""Conversion between the tables of a robot file of schema 2 and the fields of a robot.
 
-Points by radius and angles, bodies by shape and density, millimeters and degrees, what legs share once.
+The file may have points by radius and angles, bodies by shape and density, millimeters and degrees, and
+common values of all legs.
 """
 
 import math
@@ -30,7 +31,7 @@ _NEEDED = ("schema", "name", "base", "platform")
 RING_KEYS = ("radius", "angles", "z")
 _POINT_KEYS = ("points", *RING_KEYS)
 _PARTS = {"lower": 1.0, "upper": -1.0}
-"""Parts of a leg, and to which side along x they lie from their joint."""
+"""Parts of a leg, and the direction along x in which they extend from their joint."""
 _DAMPING_KEYS = ("universal", "prismatic", "spherical")
 _LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit", "joint_angle_limit")
 _SHARED_KEYS = ("universal_axis", *_PARTS, "damping", "drive", *TABLES, *_LIMIT_KEYS)
@@ -38,16 +39,19 @@ _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(fields.LEGS))
 _TRAJECTORY_KEYS = ("tool", "euler_order", "length_mode")
 AXES = ("tangential", "radial", "horizontal")
-"""Fixed axes by name: along the circle about z whose middle is the mean of the base points, to that middle,
-and across z and the leg of the home pose."""
+"""Named fixed axes.
 
-# Angles of more turns than this are in degrees.
+tangential: along the circle about z around the mean of the base points. radial: toward this mean. horizontal:
+perpendicular to z and to the leg at the home pose.
+"""
+
+# Angles of more turns than this limit must be in degrees.
 _MOST_TURNS = 2.0
 
 
 @np.errstate(over="ignore", invalid="ignore")
 def values(d: object, file: str) -> dict[str, Any]:
-    """Fields of a robot by name, checked; ``file`` begins every message."""
+    """Return the checked fields of a robot by name; every message begins with ``file``."""
     top = toml_reader.checked_table(d, file, _TOP_KEYS, _NEEDED)
     meters = _meters(
         toml_reader.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit")
@@ -84,7 +88,7 @@ def values(d: object, file: str) -> dict[str, Any]:
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
     drive = drive_of_tables(legs.tables, meters, degrees, offsets is not None and offsets.has_spinning_parts)
     found = own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
-    # Conversions and sums may have overflown.
+    # Conversions and sums may overflow.
     for name, value in found.items():
         if (
             name not in fields.UNSTATED
@@ -97,14 +101,14 @@ def values(d: object, file: str) -> dict[str, Any]:
 
 
 def _meters(unit: str) -> Meters:
-    """From lengths in a unit to m: the doubles next to the decimals that are written, as NumPy's numbers."""
+    """Return a conversion of lengths to m, exact for decimals: the result is the nearest double."""
     factor = Decimal(repr(LENGTH_UNITS[unit]))
     exact = np.vectorize(lambda x: float(Decimal(repr(float(x))) * factor), otypes=[np.float64])
     return lambda length: np.asarray(length if unit == "m" else exact(length))[()]
 
 
 def _trajectory(value: object, prefix: str, meters: Meters, home: Array | None) -> dict[str, Any]:
-    """How poses of the machine are given."""
+    """Return the fields that define the representation of poses."""
     table = toml_reader.checked_table(value, prefix, _TRAJECTORY_KEYS)
     found = {key: fields.POSE_FIELDS[key](given, prefix + key) for key, given in table.items()}
     if found.get("length_mode") == "relative" and home is None:
@@ -117,7 +121,7 @@ _SECTIONS |= {"home_position": "home_position", "tool": "trajectory", "g": "grav
 
 
 class _Legs:
-    """What the legs share, and what one of them has of its own."""
+    """Values that the legs share, and values of single legs."""
 
     def __init__(
         self,
@@ -141,7 +145,7 @@ class _Legs:
     def values(
         self, base: Array | None, platform: Array | None, offsets: JointOffsets | None
     ) -> dict[str, Any]:
-        """Fields with an entry for each leg, from the points of both rings, None for those not given."""
+        """Return the fields with an entry per leg, from the points of both rings (None if not given)."""
         ends = [
             np.array([self._point(i, key, ring) for i in range(fields.LEGS)])
             for key, ring in (("base_point", base), ("platform_point", platform))
@@ -186,7 +190,7 @@ class _Legs:
         return found
 
     def _leg(self, i: int, at_home: float | None) -> dict[str, Any]:
-        """Values of a leg by path but its points and axis; at_home: its length there, m."""
+        """Return the values of a leg by path, without points and axis; ``at_home`` is its home length (m)."""
         found: dict[str, Any] = {}
         for part in _PARTS:
             found |= {f"{part}.{key}": value for key, value in self._part(i, part).items()}
@@ -199,13 +203,13 @@ class _Legs:
         return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
 
     def _part(self, i: int, part: str) -> dict[str, Any]:
-        """Mass, center of mass, inertia and length of the lower or upper part."""
+        """Return mass, center of mass, inertia, and length of the lower or upper part."""
         side, shared, found, reason = _PARTS[part], self.tables.tables[0].get(part), {}, "missing"
         if shared is not None:
             found = body(shared, f"{self.file}legs.{part}", self.meters, side)
         if part in self.tables.tables[i + 1]:
             own = body(self.tables.tables[i + 1][part], self.tables.where(i, part), self.meters, side)
-            # A mass that is not that of the shapes would leave their inertia wrong.
+            # The inertia of shapes would be wrong for another mass.
             if isinstance(shared, list | tuple) or (isinstance(shared, Mapping) and "shape" in shared):
                 found, reason = own, f"missing, since legs.{part} is by shape"
             else:
@@ -216,7 +220,7 @@ class _Legs:
         return {"length": fields.UNSTATED[f"{part}.length"]} | found
 
     def _length_limits(self, i: int, at_home: float | None) -> Array:
-        """Shortest and longest leg, m, (2,), by themselves or about the length at the home pose."""
+        """Return the minimum and maximum length (m), (2,), given directly or about the home length."""
         for j in (i + 1, 0):
             table, prefix = self.tables.tables[j], self.tables.prefixes[j]
             if "length_limits" in table and "stroke" in table:
@@ -230,7 +234,7 @@ class _Legs:
         return np.array(fields.UNSTATED["length_limits"])
 
     def _joint_angles(self, i: int, at_home: float | None) -> Array:
-        """Largest angles of both joints from the home pose, rad, (2,)."""
+        """Return the largest angles (rad) of both joints from the home pose, (2,)."""
         given, where = self.tables.of_leg(i), self.tables.where(i, "joint_angle_limit")
         if "joint_angle_limit" not in given:
             return np.array(fields.UNSTATED["joint_angle_limit"])
@@ -258,7 +262,7 @@ class _Legs:
 
 
 def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables of a robot file, plain values in SI units; ``values`` undoes it to the bit."""
+    """Return the tables of a robot file, plain values in SI units; ``values`` restores them to the bit."""
     body = _nested(
         {name.partition(".")[2]: given[key] for key, (name, _) in fields.FIELDS.items() if key != "g"}
     )
@@ -309,7 +313,7 @@ def _nested(found: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def points(table: Mapping[str, Any], prefix: str, meters: Meters, degrees: bool) -> Array | None:
-    """Six points, m, (6, 3), by ``points`` or by ``radius``, ``angles`` and ``z``; None without any."""
+    """Return six points (m), (6, 3), from ``points`` or from ``radius``, ``angles``, and ``z``, or None."""
     ring = [key for key in RING_KEYS if key in table]
     if "points" in table:
         if ring:
@@ -348,7 +352,7 @@ def _listed(value: object, where: str, meters: Meters) -> Array:
 
 
 def cosine_and_sine(angle: float, degrees: bool) -> tuple[float, float]:
-    """Cosine and sine; of degrees with zeros at whole quarters of a turn, and alike on both sides of them."""
+    """Return cosine and sine; for degrees, exact at multiples of 90 and symmetric about them."""
     if not degrees:
         return math.cos(angle), math.sin(angle)
     quarters = round(angle / 90.0)
@@ -358,9 +362,10 @@ def cosine_and_sine(angle: float, degrees: bool) -> tuple[float, float]:
 
 
 def axis(value: object, where: str, b: Array, middle: Array, home: Array | None) -> Array:
-    """Unit vector of the fixed axis of a leg, (3,): a direction, or one of ``AXES``.
+    """Return the unit vector of the fixed axis of a leg, (3,), from a direction or one of ``AXES``.
 
-    b: its base point, m. middle: of all base points. home: the leg at the home pose, from joint to joint.
+    ``b`` is the base point of the leg (m), and ``middle`` is the mean of all base points (m). ``home`` is the
+    vector of the leg at the home pose, from joint to joint.
     """
     if not isinstance(value, str):
         return fields.direction(value, where)

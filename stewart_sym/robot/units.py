@@ -1,8 +1,8 @@
-"""Units of length, mass and time for one machine: powers of two, so that a change to them rounds nothing.
+"""Units of length, mass, and time for one robot: powers of two, so that conversions do not round.
 
-Every kernel takes any consistent units; in these the numbers of a machine of any size are near 1. The float
-force kernels do without: their solve has a unit of length of its own, and nothing else in them depends on
-units. The other kernels in float lose digits on small machines in SI units, and none in these.
+Every kernel accepts any consistent units; in these units the numbers of a machine of any size are near 1.
+Float force kernels do not need them, because their linear solve has its own unit of length. The other float
+kernels lose digits for small machines in SI units, but not in these units.
 """
 
 import dataclasses
@@ -31,7 +31,7 @@ ROBOT: Mapping[str, tuple[int, int, int]] = {
     "force_limit": (1, 1, -2),
     "speed_limit": (1, 0, -1),
 }
-"""Powers of length, mass and time in the fields of a robot; what is not here has no unit."""
+"""Powers of length, mass, and time in the fields of a robot; other fields have no unit."""
 
 DRIVE: Mapping[str, tuple[int, int, int]] = {
     "lead": (1, 0, 0),
@@ -44,7 +44,7 @@ DRIVE: Mapping[str, tuple[int, int, int]] = {
     "speed_limit": (0, 0, -1),
     **dict.fromkeys(("resistance", "power_limit"), (2, 1, -3)),
 }
-"""The same of a drive; the unit of current stays."""
+"""Powers of length, mass, and time in the fields of a drive; the unit of current does not change."""
 
 OFFSETS: Mapping[str, tuple[int, int, int]] = {
     **dict.fromkeys(
@@ -53,7 +53,7 @@ OFFSETS: Mapping[str, tuple[int, int, int]] = {
     "cross_mass": (0, 1, 0),
     "cross_inertia": (2, 1, 0),
 }
-"""The same of offset joints."""
+"""Powers of length, mass, and time in the fields of offset joints."""
 
 MOTION: Mapping[str, tuple[int, int, int]] = {
     "t": (1, 0, 0),
@@ -64,7 +64,7 @@ MOTION: Mapping[str, tuple[int, int, int]] = {
     "F_ext": (1, 1, -2),
     "M_ext": (2, 1, -2),
 }
-"""The same of a motion."""
+"""Powers of length, mass, and time in the fields of a motion."""
 
 _LARGEST = 100
 _FORCE = (1, 1, -2)
@@ -72,24 +72,34 @@ _FORCE = (1, 1, -2)
 
 @dataclass(frozen=True)
 class UnitScaling:
-    """Units of length, m, mass, kg, and time, s: powers of two from 2^-100 to 2^100.
+    """Units of length, mass, and time that are powers of two from 2^-100 to 2^100.
 
-    A change of units multiplies by powers of two alone, so it is exact, and undone to the bit by ``inverse``,
-    as long as no number leaves the range of normal numbers of its type.
+    A change of units multiplies only by powers of two. Therefore it is exact, and ``inverse`` undoes it to
+    the bit, unless a number is outside the normal range of its type.
 
     Attributes
     ----------
     length : float, optional
-        Unit of length, m.
+        Unit of length (m).
     mass : float, optional
-        Unit of mass, kg.
+        Unit of mass (kg).
     time : float, optional
-        Unit of time, s.
+        Unit of time (s).
 
     Raises
     ------
     ValueError
-        Naming the unit that is no such power.
+        If a unit is not such a power of two; the message names the unit.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dehaeze_nano")
+    >>> units = ss.UnitScaling.for_robot(robot)
+    >>> units
+    UnitScaling(length=0.125, mass=1.0, time=0.125)
+    >>> bool((units.inverse.robot(units.robot(robot)).p == robot.p).all())
+    True
     """
 
     length: float = 1.0
@@ -106,19 +116,19 @@ class UnitScaling:
 
     @classmethod
     def for_robot(cls, robot: Robot) -> "UnitScaling":
-        """Units in which the numbers of a robot are near 1.
+        """Return units in which the numbers of a robot are near 1.
 
         Parameters
         ----------
         robot : Robot
-            The machine.
+            Robot model in SI units.
 
         Returns
         -------
         UnitScaling
-            Length: the least power of two that no coordinate of the platform points exceeds, as in the float
-            force kernels. Mass: the least that no part's mass exceeds. Time: the least not below
-            sqrt(length / largest component of gravity), 1 s without gravity.
+            Length: smallest power of two that no coordinate of the platform points exceeds, as in the float
+            force kernels. Mass: smallest power of two that the mass of no part exceeds. Time: smallest power
+            of two not below sqrt(length / largest component of gravity); 1 s without gravity.
         """
         length = _power_of_two(float(np.abs(robot.p).max()))
         heaviest = max(robot.M, float(robot.m_d.max()), float(robot.m_u.max()))
@@ -128,60 +138,60 @@ class UnitScaling:
 
     @property
     def inverse(self) -> "UnitScaling":
-        """The units that undo a change to these."""
+        """Units that undo a change to these units."""
         return UnitScaling(1 / self.length, 1 / self.mass, 1 / self.time)
 
     def robot(self, robot: Robot) -> Robot:
-        """A robot in these units.
+        """Convert a robot to these units.
 
         Parameters
         ----------
         robot : Robot
-            In SI units.
+            Robot model in SI units.
 
         Returns
         -------
         Robot
-            In these.
+            Robot model in these units.
         """
         return rescaled(robot, 1 / self.length, 1 / self.mass, 1 / self.time)
 
     def motion(self, motion: Motion) -> Motion:
-        """A motion in these units.
+        """Convert a motion to these units.
 
         Parameters
         ----------
         motion : Motion
-            In SI units.
+            Motion in SI units.
 
         Returns
         -------
         Motion
-            In these; shapes and types stay.
+            Motion in these units, with the same shapes and types.
         """
         changed = _rescaled(motion, MOTION, (1 / self.length, 1 / self.mass, 1 / self.time))
         return Motion._unchecked(**{**vars(motion), **changed})
 
     def forces(self, F: Array) -> Array:
-        """Forces in N.
+        """Convert forces from these units to N.
 
         Parameters
         ----------
         F : ndarray
-            In these units.
+            Forces in these units.
 
         Returns
         -------
         ndarray
-            In N; shape and type stay.
+            Forces (N), with the same shape and type.
         """
         return F * _product((self.length, self.mass, self.time), _FORCE)
 
 
 def rescaled(robot: Robot, length: float, mass: float, time: float = 1.0) -> Robot:
-    """The robot with every length, mass and time multiplied by a factor: a similar machine of another size.
+    """Return a similar robot of another size: every length, mass, and time is multiplied by a factor.
 
-    Any factors > 0; powers of two are exact. Raises ValueError as ``Robot``.
+    All factors are > 0; powers of two are exact. Raises ValueError as ``Robot``.
     """
     factors = (length, mass, time)
     changed = _rescaled(robot, ROBOT, factors)
@@ -206,7 +216,7 @@ def _product(factors: tuple[float, float, float], powers: tuple[int, int, int]) 
 
 
 def _power_of_two(size: float) -> float:
-    """The least power of two that is not below ``size``, within the range of units; 1 for zero."""
+    """Return the smallest power of two not below ``size``, within the range of units; 1 for zero."""
     if size == 0.0:
         return 1.0
     fraction, exponent = math.frexp(size)

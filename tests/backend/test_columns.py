@@ -196,15 +196,15 @@ def test_what_is_wrong_with_an_array_is_told() -> None:
             "a: expected an array of float64, got one of complex128",
             ([*arrays[:5], 1j * arrays[5], *arrays[6:]], F, status),
         ),
-        ("F: expected memory of its own, got some of R", ([room, *arrays[1:]], room[:6], status)),
-        ("status: expected memory of its own, got some of F", (arrays, F, F.view(np.int32)[0, :4])),
+        ("F: expected separate memory, got memory of R", ([room, *arrays[1:]], room[:6], status)),
+        ("status: expected separate memory, got memory of F", (arrays, F, F.view(np.int32)[0, :4])),
     ]
     for said, (given, *out) in bad_ones:
         pattern = re.escape(said).replace(r"\.\*", ".*")
         rejects(rf"^{pattern}.*\Z", kernel.forces_soa, *given, out=tuple(out))
     with pytest.raises(ValueError, match=r"^t: expected an array of real numbers, got one of complex128\Z"):
         kernel.forces_soa(arrays[0], 1j * arrays[1], *arrays[2:])
-    with pytest.raises(ValueError, match=r"^F: expected memory of its own, got some of R\Z"):
+    with pytest.raises(ValueError, match=r"^F: expected separate memory, got memory of R\Z"):
         kernel.forces(plain, out=(plain[0].reshape(-1)[:24].reshape(4, 6), status))
     # Interleaved rows share none.
     halves[:, :4] = arrays[0]

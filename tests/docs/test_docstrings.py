@@ -1,7 +1,8 @@
-"""Docstrings of public names have numpydoc's sections; calls there and on pages name their arguments."""
+"""Docstrings of public names are complete, their examples run, and calls name their arguments."""
 
 import ast
 import dataclasses
+import doctest
 import functools
 import inspect
 import json
@@ -20,6 +21,8 @@ import stewart_sym as ss
 
 FUNCTIONS = sorted(name for name in ss.__all__ if inspect.isfunction(getattr(ss, name)))
 KINDS = (FunctionType, classmethod, staticmethod, property, functools.cached_property)
+MAIN = [name for name in FUNCTIONS if not getattr(ss, name).__module__.startswith("stewart_sym.motion.")]
+"""Functions whose docstring alone must be enough to use them; the package of motions will be replaced."""
 METHODS: dict[str, Any] = {
     f"{name}.{member}": value
     for name in sorted(ss.__all__)
@@ -32,6 +35,19 @@ RECORDS = sorted(
     for name in ss.__all__
     if dataclasses.is_dataclass(getattr(ss, name)) or hasattr(getattr(ss, name), "_fields")
 )
+EXAMPLES: dict[str, Any] = {
+    name: value
+    for name, value in {
+        "stewart_sym": ss,
+        **{name: getattr(ss, name) for name in ss.__all__},
+        **METHODS,
+        **{f"robots.{name}": value for name, value in vars(ss.robots).items() if inspect.isfunction(value)},
+    }.items()
+    if ">>>" in (value.__doc__ or "")
+}
+"""Public objects whose docstrings have examples."""
+COMPLETE = {"GL08", "SS03", "PR01", "RT03", "SA01", "EX01"}
+"""A docstring, a summary with a full stop, parameters, results, related functions, and examples."""
 CHECKED = {
     *("GL03", "GL06", "GL07", "GL08"),  # blank lines, known sections, their order, a docstring at all
     *("SS01", "SS03"),  # a summary that ends in a full stop
@@ -44,6 +60,36 @@ CHECKED = {
 def test_every_parameter_and_result_of_a_function_is_described(name: str) -> None:
     errors = [each for each in validate(f"stewart_sym.{name}")["errors"] if each[0] in CHECKED]
     assert errors == []
+
+
+@pytest.mark.parametrize("name", MAIN)
+def test_the_docstring_of_a_main_function_is_complete(name: str) -> None:
+    assert [error for error in validate(f"stewart_sym.{name}")["errors"] if error[0] in COMPLETE] == []
+
+
+def run_examples(name: str, value: object) -> str:
+    """Run the examples in the docstring of an object; return the report of the failures."""
+    report: list[str] = []
+    runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE, verbose=False)
+    for test in doctest.DocTestFinder(recurse=False).find(value, name, globs={}):
+        runner.run(test, out=report.append)
+    return "".join(report)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_examples_of_a_docstring_run(name: str) -> None:
+    assert run_examples(name, EXAMPLES[name]) == ""
+
+
+def test_an_example_with_another_result_is_found() -> None:
+    def wrong() -> None:
+        """Show a wrong result.
+
+        >>> 1 + 1
+        3
+        """
+
+    assert "Expected:\n    3\nGot:\n    2" in run_examples("wrong", wrong)
 
 
 @pytest.mark.parametrize("name", [name for name, of in METHODS.items() if isinstance(of, classmethod)])

@@ -10,7 +10,7 @@ from machines import Array, machine_in_motion, machine_size, random_motion, rand
 from motion_fields import acceleration
 
 import stewart_sym as ss
-from stewart_sym.dynamics.equations import solve_positive
+from stewart_sym.dynamics.forward_dynamics import solve_positive
 from stewart_sym.reference import newton_euler
 from stewart_sym.reference.equations_of_motion import equations_of_motion as oracle
 
