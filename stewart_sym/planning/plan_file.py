@@ -204,7 +204,7 @@ def _angle_doubt(given: Sequence[tuple[Array, Array, tuple[Array, Array]]]) -> s
     """Return a warning about implausible rotations relative to the level pose, or an empty string."""
     theta = [theta + shift[3:] for _, theta, box in given for shift in box]
     doubt = turn_doubt(np.array([np.zeros(3), *theta]))
-    return "" if doubt is None else f"{doubt}: are the angles in degrees? Radians are expected"
+    return "" if doubt is None else f"{doubt}: are angles in degrees? Radians are expected"
 
 
 def _box(value: object, prefix: str) -> tuple[Array, Array]:

@@ -309,7 +309,7 @@ def test_a_singular_start_is_rejected(folder: Path) -> None:
     robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
     (folder / "flat.toml").write_text(robot)
     text = PLAN.replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
-    check_rejected(folder, text, "via 1: expected a regular pose, it is singular")
+    check_rejected(folder, text, "via 1: expected a regular pose, got a singular pose")
 
 
 HEXAPOD = DOCS / "examples" / "hexapod.toml"
