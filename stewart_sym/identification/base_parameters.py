@@ -159,8 +159,8 @@ def base_parameters(
 
     Notes
     -----
-    Dependent parameters are eliminated in a fixed order. The parameters that are dependent for every robot
-    (m_d, J_d, and m_u of each leg) are eliminated first.
+    The parameters that are dependent for every robot (m_d, J_d, and m_u of each leg) are eliminated first, so
+    that the remaining names agree with the formulas of ``MERGED``.
 
     Examples
     --------

@@ -157,7 +157,8 @@ def identify(
     >>> excitation = ss.choose_excitation(robot, samples=50, candidates=1, identical_legs=True)
     >>> noise = np.random.default_rng(0).normal(size=(50, 6))
     >>> F = ss.inverse_dynamics(robot, excitation.motion).F + noise
-    >>> result = ss.identify(robot, excitation.motion, F, force_std=1.0, base_parameters=excitation.base)
+    >>> base = excitation.base
+    >>> result = ss.identify(robot, excitation.motion, F=F, force_std=1.0, base_parameters=base)
     >>> result.verdict, result.values.shape
     ('consistent', (25,))
     """

@@ -22,7 +22,7 @@ _ONE, _OTHER = np.array(PAIRS).T
 # Margin of a path from its limits at the samples, relative to the characteristic length or as a cosine.
 ROOM = 2e-3
 _SAME = 1e-6
-# Smallest sine of the angle between a leg and its fixed joint axis: forces are proportional to its inverse.
+# Smallest sine of the angle between a leg and its fixed joint axis, because forces increase with its inverse.
 _LEAST_SINE = 0.05
 
 

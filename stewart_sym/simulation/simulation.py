@@ -152,7 +152,7 @@ def simulate(
     >>> import stewart_sym as ss
     >>> robot = ss.robots.load("dasgupta1998")
     >>> state = ss.PAPER_PATHS["I"].path.sample(0.0)
-    >>> run = ss.simulate(robot, state, np.zeros(6), duration=0.1, output_step=0.05)
+    >>> run = ss.simulate(robot, state, forces=np.zeros(6), duration=0.1, output_step=0.05)
     >>> run.stop.reason
     'completed'
     >>> run.t[:, 2].round(4)
@@ -160,7 +160,7 @@ def simulate(
 
     Without forces the platform falls until it reaches a singular pose:
 
-    >>> run = ss.simulate(robot, state, np.zeros(6), duration=1.0)
+    >>> run = ss.simulate(robot, state, forces=np.zeros(6), duration=1.0)
     >>> run.stop.reason, round(run.stop.time, 3)
     ('singular', 0.206)
     """

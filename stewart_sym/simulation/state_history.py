@@ -58,7 +58,15 @@ class StopEvent:
 
 @dataclass(frozen=True, eq=False)
 class ForceSaturation:
-    """Duration and amount of excess of each commanded force over its limit; zeros without saturation."""
+    """Duration and amount of excess of each commanded force over its limit; zeros without saturation.
+
+    Attributes
+    ----------
+    duration : ndarray, shape (6,)
+        Saturated time (s). For a law that is not sampled it is accurate to a small fraction of a step.
+    max_excess : ndarray, shape (6,)
+        Largest force beyond the limit (N).
+    """
 
     duration: Array
     max_excess: Array
