@@ -1,1 +1,1 @@
-"""The machine in other programs' formats: MJCF, SDF, URDF and USD out, the first three in."""
+"""Exchange of robots with other programs: export to MJCF, SDF, URDF, and USD; import of the first three."""

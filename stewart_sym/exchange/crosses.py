@@ -28,7 +28,7 @@ class Cross:
     solid : bodies.Body
         Mass, center of mass, and inertia that are added to the part, world frame.
     lost : float
-        Distance (m) by which the center of mass is moved and its moment changes.
+        Distance (m) by which the center of mass is displaced, with an error of its moment.
     lateral : float
         Bound on the error of the lateral force at the end of the leg over the lost moment (1/m).
     twist : float
@@ -49,7 +49,16 @@ class Cross:
 def crosses_of(machine: Machine, leg: Leg, ends: Array, k: Array | None) -> Iterator[Cross]:
     """Assign the bodies between the axes at both ends of a leg to the parts.
 
-    ends: points where the axes meet, (2, 3). k: fixed axis of a universal joint at the base, (3,), or None.
+    Parameters
+    ----------
+    machine : Machine
+        Identified model.
+    leg : Leg
+        Leg of the model.
+    ends : ndarray, shape (2, 3)
+        Intersections of the axes at both ends.
+    k : ndarray, shape (3,), or None
+        Fixed axis of a universal joint at the base.
     """
     S = ends[1] - ends[0]
     for steps, names, point, at_base in (
@@ -69,12 +78,12 @@ def crosses_of(machine: Machine, leg: Leg, ends: Array, k: Array | None) -> Iter
 def _cross(
     body: Body, point: Array, sides: tuple[Array, Array], S: Array, k: Array | None, base: bool
 ) -> Cross:
-    """Assign one body; sides: the axes before it and after it, (n, 3) and (m, 3)."""
+    """Assign one body; ``sides`` contains the axes before and after it, shape (n, 3) and (m, 3)."""
     L = float(np.linalg.norm(S))
     s = S / L
     arm = body.placed(body.center) - point
     inertia = body.R @ body.inertia @ body.R.T
-    # A leg between two spherical joints spins: only mass on its line keeps its place.
+    # A leg between two spherical joints rotates freely, so that only mass on its axis remains in place.
     stays = [k is not None or float(np.linalg.norm(cross(axes[0], s))) < _SAME for axes in sides]
     part = LOWER if base else UPPER if len(sides[0]) == 1 else PLATFORM
     kept, rest = np.zeros(3), arm
@@ -92,7 +101,7 @@ def _cross(
         kept = np.zeros(3)
     lever = L if k is None else L * float(np.linalg.norm(cross(k, s)))
     if base and k is not None:
-        # Such a cross turns about the fixed axis alone.
+        # Such a body rotates about the fixed axis only.
         y = sides[1][0]
         inertia = (k @ inertia @ k) * (np.eye(3) - np.outer(y, y))
     elif k is None and part != PLATFORM:
@@ -108,7 +117,7 @@ def _cross(
 
 
 def with_crosses(body: Body, crosses: Sequence[Cross], part: str) -> Body:
-    """Add the bodies between axes that a part takes over to its mass, center of mass, and inertia."""
+    """Add the bodies between axes that are assigned to a part to its mass, center of mass, and inertia."""
     taken = [each.solid for each in crosses if each.part == part]
     if not taken:
         return body
@@ -124,10 +133,18 @@ def with_crosses(body: Body, crosses: Sequence[Cross], part: str) -> Body:
 
 
 def largest_error(crosses: Sequence[Sequence[Cross]], p: Array, s: Array, g: float) -> float:
-    """Compute a bound on the error of the forces of the legs at rest (N) from the lost moments.
+    """Compute a bound on the error of the leg forces at rest (N) from the lost moments.
 
-    crosses: of each leg. p: joint points from the platform's origin, (6, 3), and s: directions of the legs,
-    (6, 3), in the pose of the file. g: size of gravity, m/s^2.
+    Parameters
+    ----------
+    crosses : sequence of sequence of Cross
+        Bodies between axes of each leg.
+    p : ndarray, shape (6, 3)
+        Platform points relative to the platform origin, in the pose of the file.
+    s : ndarray, shape (6, 3)
+        Directions of the legs in the pose of the file.
+    g : float
+        Magnitude of gravity (m/s^2).
     """
     inverse = np.linalg.pinv(np.concatenate([s, cross(p, s)], axis=-1).T)
     total = np.zeros(len(p))
@@ -142,7 +159,7 @@ def largest_error(crosses: Sequence[Sequence[Cross]], p: Array, s: Array, g: flo
 
 
 def lines_of(crosses: Sequence[Sequence[Cross]], error: float) -> Iterator[str]:
-    """Write a line for each part about the bodies that count as it, and one about the effect."""
+    """Write a line for each part about the bodies assigned to it, and one about the effect."""
     for part in (LOWER, UPPER, PLATFORM):
         taken = [each for of_leg in crosses for each in of_leg if each.part == part]
         if not taken:

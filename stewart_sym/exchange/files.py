@@ -1,4 +1,4 @@
-"""Robots to models in other programs' formats and back."""
+"""Export of robots to the model formats of other programs, and import from them."""
 
 import os
 import xml.etree.ElementTree as ET
@@ -29,7 +29,7 @@ from .notes import differences, noted
 from .robot_from_model import robot_of
 
 PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "drake": "Drake", "urdf": "Pinocchio", "usd": "Isaac Sim"}
-"""Formats, and a program that reads each."""
+"""Formats, each with a program that reads it."""
 _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
     "mjcf": mjcf_out.written,
     "sdf": sdf_out.written,
@@ -38,27 +38,27 @@ _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
     "usd": usd_out.written,
 }
 _READERS = {"mujoco": mjcf_in.model, "sdf": sdf_in.model, "robot": urdf_in.model}
-"""Readers by the name of the file's root element."""
+"""Readers by the name of the root element of a file."""
 BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"')
-"""How files that this program wrote begin."""
+"""First characters of files that this program has written."""
 LOOPS = ".loops.json"
-"""End of the name of the file beside a URDF, in place of the URDF's suffix."""
+"""Ending of the name of the loops file of a URDF file; it replaces the suffix of the URDF file."""
 _MOST_BYTES = 1 << 24
 _FAST = 1e6
-"""Factor of the rotors' speed by which their angular momentum is divided at the same reflected mass."""
+"""Factor of the rotor speed that reduces the angular momentum for the same reflected mass."""
 
 
 @dataclass(frozen=True)
 class ExportedModel:
-    """A machine in another program's format.
+    """Robot in the format of another program.
 
     Attributes
     ----------
     text : str
-        The file.
+        Content of the model file.
     loop_closures : str or None
-        Of URDF, a second file beside it, as JSON: what closes the loops, gravity, and friction and drives,
-        for which URDF has no place; None of other formats.
+        Content of the second file of a URDF model, in JSON: loop closures, gravity, friction, and drives,
+        which URDF cannot represent. None for other formats.
     """
 
     text: str
@@ -67,14 +67,14 @@ class ExportedModel:
 
 @dataclass(frozen=True, eq=False)
 class ImportedModel:
-    """A robot read from another program's format.
+    """Robot that was read from the format of another program.
 
     Attributes
     ----------
     robot : Robot
-        The machine.
+        Robot model.
     assumptions : tuple of str
-        What was found how, what had to be assumed, and what is left out, a line each.
+        One line for each interpretation, assumption, and omission.
     """
 
     robot: Robot
@@ -82,39 +82,59 @@ class ImportedModel:
 
 
 def export_model(robot: Robot, format: str) -> ExportedModel:  # noqa: A002 # the option's name
-    """Write a robot in another program's format.
+    """Write a robot in the format of another program.
 
-    The machine stands at its home pose: legs with two axes at the base, a sliding actuator and a spherical
-    closure at the platform, which is free. What the format has no place for is in notes in the file, which
-    ``import_model`` reads.
+    The model is in its home pose. Each leg has two axes at the base, a sliding actuator, and a spherical loop
+    closure at the platform, which is a free body. Properties that the format cannot represent are written as
+    notes in the file, which ``import_model`` reads.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
-    format : str
-        ``"mjcf"`` (MuJoCo), ``"sdf"`` (SDF for Gazebo), ``"drake"`` (SDF for Drake), ``"urdf"`` (ROS,
-        Pinocchio, Drake), or ``"usd"`` (Isaac Sim). Gazebo and Drake close loops in different ways.
+        Robot model.
+    format : {"mjcf", "sdf", "drake", "urdf", "usd"}
+        MJCF (MuJoCo), SDF for Gazebo, SDF for Drake, URDF (ROS, Pinocchio, and Drake), or USD (Isaac Sim).
+        Gazebo and Drake close loops in different ways.
 
     Returns
     -------
     ExportedModel
-        Text of the file, and of a second one beside it where there is one.
+        Content of the model file and, for URDF, of the second file.
 
     Raises
     ------
     ValueError
-        In one line: legs whose upper parts turn in the lower ones or that lie along a fixed axis at home; an
-        inertia that no body can have, which all but URDF reject, unless the robot accepts it: then a warning
-        says that the nearest possible one is written.
+        If upper leg parts rotate in the lower ones, or if a leg is parallel to its fixed axis in the home
+        pose. If an inertia is physically impossible, unless the format is URDF or ``suppressed_warnings``
+        contains the warning.
+
+    Warns
+    -----
+    UserWarning
+        If the format cannot represent friction, rotors, or limits of the robot.
+    RobotWarning
+        If an impossible inertia is replaced by the nearest possible one.
+
+    See Also
+    --------
+    import_model : Read a robot from a model file.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> model = ss.export_model(ss.robots.load("tsai2000"), "mjcf")
+    >>> model.text.splitlines()[2]
+    '<mujoco model="Tsai 2000">'
+    >>> model.text.count("<connect ")
+    6
     """
     instance(robot, Robot, "robot")
     option(format, tuple(PROGRAMS), "format")
     if robot.offsets is not None and robot.offsets.has_spinning_parts:
-        # No format has an actuator whose force turns what it pushes.
+        # No format has an actuator whose force rotates the body that it moves.
         raise ValueError(
-            f'{format}: offsets.platform_joint: expected "spherical", upper parts that turn in the lower '
-            "ones have no place there"
+            f'{format}: offsets.platform_joint: expected "spherical", because the format cannot represent '
+            "upper parts that rotate in the lower ones"
         )
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)
@@ -122,38 +142,62 @@ def export_model(robot: Robot, format: str) -> ExportedModel:  # noqa: A002 # th
     text, loops = _WRITERS[format](model)
     if format == "usd":
         return ExportedModel(text)
-    # What is read back differently, by rounding or for want of a place, stands in the notes.
+    # The notes contain the fields that an import would change, due to rounding or limits of the format.
     again, _ = robot_of(_read(parsed(text), loops))
     return ExportedModel(*_WRITERS[format](replace(model, notes=noted(differences(written, again)))))
 
 
 def import_model(path: str | os.PathLike[str]) -> ImportedModel:
-    """Read a robot from a model in MJCF, SDF or URDF, whatever program wrote it.
-
-    Base, platform and legs are found by how bodies are joined: six chains from the base to one body, each of
-    two revolute joints or a universal or spherical one, a prismatic joint, and a spherical one. Loops may be
-    cut anywhere and must be closed in the pose of the file, as must welds. Axes at the base that miss each
-    other are read where the file has the note of ``export_model`` that they are meant to.
+    """Read a robot from a model in MJCF, SDF, or URDF, written by any program.
 
     Parameters
     ----------
-    path : path
-        The file; of a URDF, that of its loops is read beside it.
+    path : str or path-like
+        Model file. The loops file of a URDF file, ``NAME.loops.json``, is read from the same folder.
 
     Returns
     -------
     ImportedModel
-        The robot, with lines on what was assumed.
+        Robot, with messages about all assumptions.
 
     Raises
     ------
     ValueError
-        In one line: what of the file can't be read or is no Stewart platform, and where.
+        If the file cannot be read, or if it is not a Stewart platform. The message is one line with the
+        location in the file.
 
     Warns
     -----
     RobotWarning
-        For an inertia that no rigid body has.
+        If an inertia is physically impossible.
+
+    See Also
+    --------
+    export_model : Write a robot in the format of another program.
+
+    Notes
+    -----
+    Base, platform, and legs are identified by the joints between the bodies. Six chains lead from the base to
+    one body. Each contains two revolute joints (or a universal or spherical joint), a prismatic joint, and a
+    spherical joint. Any joint of a loop may be the loop closure. Loop closures and welds must be closed in
+    the pose of the file. Axes at the base that do not intersect are imported as joint offsets only if a note
+    of ``export_model`` contains offsets.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("tsai2000")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "model.xml")
+    ...     _ = path.write_text(ss.export_model(robot, "mjcf").text, encoding="utf-8")
+    ...     imported = ss.import_model(path)
+    >>> np.array_equal(imported.robot.b, robot.b)
+    True
+    >>> imported.assumptions[-1]
+    'home: the pose in the file'
     """
     source = file_name(path)
     text, beside = read_text(source, "model", _MOST_BYTES), loops_path(source)
@@ -172,10 +216,10 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
 
 
 def _warn_of_losses(robot: Robot, form: str) -> None:
-    """Warn of friction, rotors and limits that readers of the file leave out, with their effect on forces.
+    """Warn of friction, rotors, and limits that the format cannot represent, with their effect on the forces.
 
-    Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state what that has not.
-    Friction of drives is nowhere but in the notes.
+    Spherical joints have no damping, except at the base in MuJoCo; the loops file of a URDF file contains it.
+    The friction of drives is contained in the notes only.
     """
     lost = [] if form == "urdf" else ["C_s"]
     lost += ["C_u"] if form in ("sdf", "drake", "usd") and robot.base_joint == "spherical" else []
@@ -191,7 +235,7 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
             bare = replace(drive, rotor_inertia=np.zeros(LEGS))
             missing["inertia of rotors"] = _effect(robot, replace(robot, drive=bare))
         elif form != "urdf" and np.any(robot.rotor_momentum):
-            # The same reflected mass at a speed at which the rotors have no angular momentum.
+            # The same reflected mass without angular momentum of the rotors.
             light = replace(drive, lead=drive.lead / _FAST, rotor_inertia=drive.rotor_inertia / _FAST**2)
             missing["angular momentum of rotors"] = _effect(robot, replace(robot, drive=light))
     lossy = [] if drive is None else losses(drive)
@@ -208,6 +252,7 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
 
 
 def _effect(robot: Robot, other: Robot) -> str:
+    """Return the effect of the differences between two robots on the forces, as text."""
     return effect(robot, _forces_of(other))
 
 
@@ -217,7 +262,7 @@ def _forces_of(robot: Robot) -> Callable[[Motion], Array]:
 
 
 def _at_motors(robot: Robot) -> Callable[[Motion], Array]:
-    """Return the forces of the motors along the legs (N) as a function of motions (n,)."""
+    """Return the motor forces along the legs (N) as a function of motions (n,)."""
 
     def forces(motion: Motion) -> Array:
         assert robot.drive is not None
@@ -228,11 +273,12 @@ def _at_motors(robot: Robot) -> Callable[[Motion], Array]:
 
 
 def loops_path(path: str | os.PathLike[str]) -> Path:
-    """Where the loops of a URDF are."""
+    """Return the path of the loops file of a URDF file."""
     return Path(path).with_suffix(LOOPS)
 
 
 def _read(root: ET.Element, loops: str | None) -> Model:
+    """Convert the elements of a file to a model."""
     if root.tag not in _READERS:
         expected = "expected MJCF, SDF or URDF with a root mujoco, sdf or robot"
         raise ValueError(f"{expected}, got {shown(root.tag)}{at_line(root)}")

@@ -1,6 +1,6 @@
-"""A machine as bodies and joints: what every format is written from and read into.
+"""Robot as bodies and joints: the common representation of all formats.
 
-Poses are those in which the model stands in its file, in the world frame.
+Poses are in the world frame, in the configuration of the model in its file.
 """
 
 from collections.abc import Callable, Mapping
@@ -13,10 +13,10 @@ from ..io.array_types import Array
 from ..motion import rotation
 
 WORLD = "world"
-"""Name of what does not move."""
+"""Name of the fixed body."""
 
 BETWEEN = ", joint "
-"""In names of the bodies without mass between two joints that a file gives one body, before a number."""
+"""Part of the names of massless bodies between successive joints of one body, before a number."""
 
 _COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
 _GRAY = (0.5, 0.5, 0.5)
@@ -27,7 +27,7 @@ _SHORT = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """A cylinder from start to end, (3,), m, body frame; a sphere where both are one point."""
+    """Cylinder from start to end, (3,), in the body frame (m); a sphere if the two points are equal."""
 
     radius: float
     start: Array
@@ -35,26 +35,38 @@ class Shape:
 
     @property
     def length(self) -> float:
-        """Length of the cylinder, m; 0 of a sphere."""
+        """Length of the cylinder (m); 0 for a sphere."""
         return float(np.linalg.norm(self.end - self.start))
 
     @property
     def middle(self) -> Array:
-        """Middle of the shape, (3,)."""
+        """Center of the shape, shape (3,)."""
         return 0.5 * (self.start + self.end)
 
     @property
     def frame(self) -> Array:
-        """Axes, (3, 3), in columns, in the body frame; the third one along the cylinder."""
+        """Axes in columns, shape (3, 3), in the body frame; the third one is the axis of the cylinder."""
         return frame_along(self.end - self.start) if self.length else np.eye(3)
 
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A rigid body.
+    """Rigid body in the configuration of the model.
 
-    R, t: axes in columns, (3, 3), and origin, (3,). mass: kg, 0 of what only joins others. center, inertia:
-    center of mass, m, and inertia about it, kg m^2, body frame.
+    Attributes
+    ----------
+    R : ndarray, shape (3, 3)
+        Orientation in the world frame.
+    t : ndarray, shape (3,)
+        Origin in the world frame (m).
+    mass : float
+        Mass (kg); 0 for a body that only connects joints.
+    center : ndarray, shape (3,)
+        Center of mass in the body frame (m).
+    inertia : ndarray, shape (3, 3)
+        Inertia about the center of mass in the body frame (kg m^2).
+    shapes : tuple of Shape
+        Drawn shapes.
     """
 
     name: str
@@ -67,29 +79,49 @@ class Body:
 
     @property
     def color(self) -> tuple[float, float, float]:
-        """Red, green and blue of its shapes, 0 to 1."""
+        """Red, green, and blue of its shapes, 0 to 1."""
         return _COLORS.get(self.name.partition("_")[0], _GRAY)
 
     def placed(self, point: Array) -> Array:
-        """A point of the body frame in the world frame, (3,)."""
+        """Convert a point from the body frame to the world frame, shape (3,)."""
         return np.asarray(self.t + self.R @ point)
 
     def local(self, point: Array) -> Array:
-        """A point of the world frame in the body frame, (3,)."""
+        """Convert a point from the world frame to the body frame, shape (3,)."""
         return np.asarray(self.R.T @ (point - self.t))
 
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """A joint, or a closure of a loop if ``cut``.
+    """Joint, or closure of a loop if ``cut``.
 
-    kind: ``revolute`` or ``prismatic`` with one axis, ``universal`` with two, ``spherical``, ``fixed``,
-    ``free``.
-    point: in the child's frame, (3,), m. parent_point: of a cut, in the parent's. axes: directions, world
-    frame, (n, 3), those nearer the parent first. damping: N m s or N s/m. armature: kg or kg m^2, inertia of
-    the drive as seen by the joint. position: coordinate in which the model stands, of a fixed
-    cut the angle by which it is open, rad. limits: of it.
-    effort, speed: limits of the drive, N or N m, m/s or rad/s. driven: whether it has a drive.
+    Attributes
+    ----------
+    kind : str
+        ``revolute`` or ``prismatic`` with one axis, ``universal`` with two, ``spherical``, ``fixed``, or
+        ``free``.
+    parent, child : str
+        Names of the bodies.
+    point : ndarray, shape (3,)
+        Joint point in the frame of the child (m).
+    axes : ndarray, shape (n, 3)
+        Directions in the world frame, from parent to child.
+    damping : float
+        Damping (N m s or N s/m).
+    armature : float
+        Inertia of the drive at the joint (kg or kg m^2).
+    position : float
+        Joint coordinate in the configuration of the model; for a fixed cut, its angular error (rad).
+    limits : tuple of float
+        Limits of the coordinate.
+    effort, speed : float
+        Limits of the drive (N or N m, and m/s or rad/s).
+    cut : bool
+        True for a loop closure.
+    parent_point : ndarray, shape (3,)
+        For a cut, joint point in the frame of the parent (m).
+    driven : bool
+        True if the joint has a drive.
     """
 
     name: str
@@ -110,11 +142,11 @@ class Joint:
 
     @property
     def limited(self) -> bool:
-        """Whether the coordinate has limits on both sides."""
+        """True if the coordinate has a lower and an upper limit."""
         return bool(np.all(np.isfinite(self.limits)))
 
     def travel(self, unlimited: float) -> tuple[float, float]:
-        """Limits counted from where the model stands; -unlimited and unlimited where there are none."""
+        """Return the limits relative to the current configuration, or -unlimited and unlimited."""
         if not self.limited:
             return -unlimited, unlimited
         low, high = self.limits
@@ -123,12 +155,20 @@ class Joint:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A machine: bodies, the world among them, and joints, each body after what carries it.
+    """Bodies, including the world, and joints of a robot; each body follows its carrier.
 
-    gravity: m/s^2, (3,), None where the file has none. notes: fields of a robot by name that the format
-    has no place for, or that it gives less exactly. left_out: what of the file has no place in a model.
-    assumed: by the body's name, what is taken where the file states nothing.
-    armatures: whether the format has a place for those of joints, so that none stated is none.
+    Attributes
+    ----------
+    gravity : ndarray, shape (3,), optional
+        Gravity (m/s^2); None if the file does not contain it.
+    notes : mapping
+        Fields of a robot by name that the format omits or represents inexactly.
+    left_out : tuple of str
+        Contents of the file that a model cannot represent.
+    assumed : mapping
+        Assumptions about values missing in the file, by the name of the body.
+    armatures : bool
+        True if the format can represent armatures of joints, so that a missing value is 0.
     """
 
     name: str
@@ -141,35 +181,38 @@ class Model:
     armatures: bool = False
 
     def body(self, name: str) -> Body:
-        """The body of a name; ValueError where there is none."""
+        """Return the body with a name; raise ValueError if there is none."""
         for body in self.bodies:
             if body.name == name:
                 return body
         raise ValueError(f"body {name!r}: missing")
 
     def carrier(self, body: Body) -> Joint | None:
-        """The joint of the tree, no closure, that carries a body."""
+        """Return the joint of the tree (not a loop closure) that carries a body."""
         return next((joint for joint in self.joints if joint.child == body.name and not joint.cut), None)
 
     def origin(self, joint: Joint) -> Array:
-        """Origin of a joint's child in its parent's frame, (3,); of a slide on its axis but for rounding."""
+        """Return the origin of the child of a joint in the frame of its parent, shape (3,).
+
+        The origin of a prismatic joint is exactly on its axis if the difference is a rounding error.
+        """
         parent, child = self.body(joint.parent), self.body(joint.child)
         place = child.t if parent.name == WORLD else parent.local(child.t)
         along = joint.position * self.local_axes(joint)[0] if joint.kind == "prismatic" else np.zeros(3)
         return place if np.abs(place - along).max() > _SHORT * np.abs(place).max() else along
 
     def local_axes(self, joint: Joint) -> Array:
-        """Axes of a joint in its child's frame, (n, 3), without the rounding of zeros and ones."""
+        """Return the axes of a joint in the frame of its child, shape (n, 3), with exact zeros and ones."""
         found = joint.axes @ self.body(joint.child).R
         whole = np.round(found)
         return np.where(np.abs(found - whole) < _ROUNDING, whole, found) + 0.0
 
 
 def in_single_axes(model: Model, kinds: tuple[str, ...], cross: Callable[[Joint, Body], Body]) -> Model:
-    """The model with joints of some kinds replaced by revolute ones and small bodies between them.
+    """Replace joints of some kinds by revolute joints with small bodies in between.
 
-    cross: makes such a body, with axes of the world, from the joint and the body that it carries. A spherical
-    joint turns about axes across the child's x axis first.
+    The function ``cross`` creates such a body, with the axes of the world frame, from the joint and the body
+    that it carries. The first two axes of a spherical joint are perpendicular to the x axis of the child.
     """
     split = {
         joint.child: _split(joint, model.body(joint.child), cross)
@@ -186,7 +229,7 @@ def in_single_axes(model: Model, kinds: tuple[str, ...], cross: Callable[[Joint,
 
 
 def _split(joint: Joint, body: Body, cross: Callable[[Joint, Body], Body]) -> list[tuple[Body, Joint]]:
-    """Bodies, the joint's own last, each with the revolute joint that carries it."""
+    """Return the bodies of a joint, its own body last, each with the revolute joint that carries it."""
     axes = body.R.T[[1, 2, 0]] if joint.kind == "spherical" else joint.axes
     found, parent = [], joint.parent
     for number, axis in enumerate(axes, 1):
@@ -203,7 +246,7 @@ def _split(joint: Joint, body: Body, cross: Callable[[Joint, Body], Body]) -> li
 
 
 def frame_along(axis: Array) -> Array:
-    """A frame, (3, 3), axes in columns, whose third axis has the direction of a vector, (3,)."""
+    """Return a frame with the axes in columns, shape (3, 3), whose third axis has a given direction."""
     z = axis / np.linalg.norm(axis)
     x = rotation.cross(np.eye(3)[np.argmin(np.abs(z))], z)
     x = x / np.linalg.norm(x)
@@ -211,12 +254,12 @@ def frame_along(axis: Array) -> Array:
 
 
 def after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
-    """Orientation and position in the world, from those in a frame that stands there as ``outer`` says."""
+    """Convert orientation and position from a frame with the pose ``outer`` to the world frame."""
     if np.array_equal(outer[0], np.eye(3)):
         return R, t + outer[1]
     return outer[0] @ R, outer[1] + outer[0] @ t
 
 
 def same_frame(one: Array, other: Array) -> bool:
-    """Whether two frames differ by rounding alone."""
+    """Return True if two frames are equal up to rounding."""
     return bool(np.abs(one - other).max() < _SAME)

@@ -1,4 +1,4 @@
-"""A robot as bodies and joints, at its home pose: six legs, the platform free, six closures at its points."""
+"""Conversion of a robot in its home pose to bodies and joints, with one loop closure per leg."""
 
 from dataclasses import replace
 from typing import Any
@@ -18,20 +18,23 @@ from .offset_legs import base_joints, chains_at, cross_of, noted_offsets
 _LEAST_SINE = 1e-6
 _ROUNDING = 1e-9
 _LOWER, _UPPER, _POINT, _PLATE, _RIM = 0.03, 0.02, 0.035, 0.03, 1.1
-"""As drawn: radii of parts and points, thickness of plates, over a leg; radius of plates over the joints'."""
+"""Drawing sizes relative to a leg (radii, plate thickness), and plate radius relative to the joints."""
 _PART = 0.55
-"""Drawn length of a part where none is stated, over the longest leg, or over 1.4 times the leg at home."""
+"""Drawn length of a part of unknown length, relative to the longest leg or to 1.4 times the leg."""
 _REACH = 1.4
 SLIDES = tuple(f"leg_{i}" for i in range(1, LEGS + 1))
-"""Names of the actuators' joints, by which notes are found again."""
+"""Names of the actuated joints, by which notes are assigned to legs."""
 _FAULTY, _THIN = 1e-2, 1e-6
-"""Least second moment of mass over the largest, of impossible bodies and of those without a thickness."""
+"""Smallest ratio of second moments, for impossible bodies and for bodies without thickness."""
 
 
 def model_of(robot: Robot) -> Model:
-    """The machine at its home pose, or at the level one where legs are near the middle of their lengths.
+    """Convert the robot in its home pose, or in a level pose with legs near half of their stroke.
 
-    Raises ValueError where a leg lies along its fixed axis there, or its offsets do not reach the pose.
+    Raises
+    ------
+    ValueError
+        If a leg is parallel to its fixed axis in this pose, or if its joint offsets cannot reach the pose.
     """
     t = level_home(robot)
     at = None if robot.offsets is None else chains_at(robot, t)
@@ -54,45 +57,48 @@ def model_of(robot: Robot) -> Model:
         Joint(f"tip_{i}", "spherical", f"upper_{i}", "platform", p, damping=damping, cut=True)
         for i, (p, damping) in enumerate(zip(robot.p, robot.C_s.tolist(), strict=True), 1)
     ]
-    # Readers take axes that miss each other for offsets where a note says that they are meant to.
+    # Import treats axes that do not intersect as joint offsets only if a note contains offsets.
     notes = {} if robot.offsets is None else {"offsets": noted_offsets(robot.offsets)}
     return Model(robot.name, robot.g, tuple(bodies), (*joints, *closures), notes)
 
 
 def possible(robot: Robot, reader: str) -> Robot:
-    """The robot with inertias that bodies can have, which ``reader`` needs.
+    """Return the robot with possible inertias, which ``reader`` requires.
 
-    Raises ValueError that names the part whose inertia no body can have, unless the robot accepts it by
-    ``accept``; the tensor is then the nearest possible one, and a warning says so.
+    Raises
+    ------
+    ValueError
+        If an inertia is impossible and its warning is not suppressed. Otherwise it is replaced by the nearest
+        possible tensor, with a warning.
     """
     faults = impossible_inertias(robot)
     for name, text in faults:
         if name not in robot.suppressed_warnings:
             raise ValueError(
-                f'{text}: {reader} rejects it; correct it, or let the robot file accept "{name}" '
-                "to have the nearest possible tensor written"
+                f'{text}: {reader} rejects it; correct it, or add "{name}" to suppress_warnings of the robot '
+                "file to export the nearest possible tensor"
             )
         warn(
-            f"{text}: {reader} rejects it, the nearest possible tensor is written [{name}]",
+            f"{text}: {reader} rejects it; the nearest possible tensor is exported [{name}]",
             RobotWarning,
         )
     return robot_of_bodies(robot)
 
 
 def robot_of_bodies(robot: Robot) -> Robot:
-    """The robot with tensors near its own that bodies with an extent in all directions have."""
+    """Return the robot with the nearest inertias of bodies with positive extent in all directions."""
     platform = _of_body(robot.I_p)
     lower, upper = (np.array([_of_body(tensor) for tensor in each]) for each in (robot.I_d0, robot.I_u0))
     return replace(robot, I_p=platform, I_d0=lower, I_u0=upper)
 
 
 def _of_body(inertia: Array) -> Array:
-    """A tensor, (3, 3): what no body has is changed by more than a rod without thickness."""
+    """Return the nearest possible tensor, shape (3, 3), with a larger margin for an impossible one."""
     return tensors_of_bodies(inertia, _FAULTY if inertia_fault(inertia) else _THIN)
 
 
 def _leg_frames(robot: Robot, s: Array) -> Array:
-    """Frames of the legs, (6, 3, 3), x along s; y along the universal joint's second axis."""
+    """Return the leg frames, shape (6, 3, 3), x along s, y along the second universal joint axis."""
     if robot.base_joint == "spherical":
         return np.array([np.roll(frame_along(each), 1, axis=-1) for each in s])
     y = np.cross(robot.k, s)
@@ -105,6 +111,7 @@ def _leg_frames(robot: Robot, s: Array) -> Array:
 
 
 def _parts(robot: Robot, i: int, frame: Array, length: float, at: Chains | None) -> tuple[Body, Body]:
+    """Create the lower and the upper part of a leg."""
     longest, start = robot.length_limits[i, 1], np.zeros(3)
     part = _short(_PART * (longest if np.isfinite(longest) else _REACH * length))
     up, down = (
@@ -123,6 +130,7 @@ def _parts(robot: Robot, i: int, frame: Array, length: float, at: Chains | None)
 
 
 def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Joint, Joint]:
+    """Create the base joint and the actuated joint of a leg."""
     universal = robot.base_joint == "universal"
     axes = np.stack([robot.k[i], frame[:, 1]]) if universal else np.zeros((0, 3))
     base = Joint(
@@ -147,13 +155,13 @@ def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Join
 
 
 def _plate(points: Array, length: float) -> tuple[Shape, ...]:
-    """A round plate through the joint points, (6, 3), and a ball at each."""
+    """Return a round plate through the joint points, shape (6, 3), and a ball at each point."""
     middle = points.mean(axis=0)
     normal = np.linalg.svd(points - middle)[2][2]
     half = 0.5 * _PLATE * length * normal
     rim = _RIM * float(np.linalg.norm(points - middle, axis=-1).max())
     balls = tuple(Shape(_short(_POINT * length), point, point) for point in points)
-    # Coordinates that are rounding compared with the plate are zero.
+    # Coordinates that are rounding errors relative to the plate become zero.
     ends = (
         np.where(np.abs(end) < _ROUNDING * rim, 0.0, _short(end)) for end in (middle - half, middle + half)
     )
@@ -161,5 +169,5 @@ def _plate(points: Array, length: float) -> tuple[Shape, ...]:
 
 
 def _short(values: Any) -> Any:
-    """Numbers with four digits: of drawings."""
+    """Round numbers of drawings to four digits."""
     return np.vectorize(lambda value: float(f"{value:.4g}"), otypes=[float])(values)[()]

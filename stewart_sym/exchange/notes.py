@@ -1,6 +1,6 @@
-"""Fields of a robot that the file of another program notes, as JSON, being less exact or missing otherwise.
+"""Notes in exported files: fields of the robot in JSON that the format omits or represents inexactly.
 
-Where the model itself says otherwise, as after a change by hand, the model is right.
+If the model contradicts a note, for example after an edit by hand, the model has priority.
 """
 
 import json
@@ -33,16 +33,16 @@ _SILENT = (
     ),
     *("lower_length", "upper_length"),
 )
-"""Fields of which bodies and joints say nothing: the note counts."""
+"""Fields that are independent of bodies and joints, so that the note has priority."""
 _FROM_HOME = {"length_mode": "absolute", "joint_angle_limit": np.inf}
-"""Fields that need a home pose, and what they are without one."""
+"""Fields that require a home position, with their values for robots without one."""
 _LIMITS = ("length_limits", "force_limit", "speed_limit", "joint_angle_limit")
 _UNSTATED = {"C_u": 0.0, "C_p": 0.0, "C_s": 0.0, "force_limit": np.inf, "speed_limit": np.inf}
-"""Fields that some format has no place for, and what they are without a note."""
+"""Fields that some formats cannot represent, with their values without a note."""
 
 
 def json_table(text: str | None, where: str) -> dict[str, Any]:
-    """A table in JSON; empty without a text."""
+    """Return a table in JSON; empty without a text."""
     if text is None:
         return {}
     try:
@@ -55,7 +55,7 @@ def json_table(text: str | None, where: str) -> dict[str, Any]:
 
 
 def differences(robot: Robot, other: Robot) -> dict[str, Any]:
-    """Fields of a robot that are not those of another."""
+    """Return the fields of a robot that differ from another robot."""
     found = {}
     for name in _FIELDS:
         one, two = getattr(robot, name), getattr(other, name)
@@ -67,7 +67,7 @@ def differences(robot: Robot, other: Robot) -> dict[str, Any]:
 
 
 def noted(found: Mapping[str, Any]) -> dict[str, Any]:
-    """Fields as plain values, null for a limit that is missing."""
+    """Convert fields to plain values, with null for missing limits."""
     given = dict(found)
     if isinstance(drive := given.get("drive"), Drive):
         given["drive"] = drive_tables(drive)
@@ -78,7 +78,7 @@ def noted(found: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
-    """The robot with the fields that the file notes, where the model itself does not say otherwise."""
+    """Return the robot with the fields in the notes, unless the model contradicts them, and messages."""
     taken, said = {}, []
     for name, noted in model.notes.items():
         if name not in _FIELDS:
@@ -89,24 +89,28 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
             found = replace(noted, rotor_inertia=np.zeros(LEGS))
         near = same_offsets(robot, noted) if isinstance(noted, JointOffsets) else _near(found, noted)
         if isinstance(found, Drive) and not near:
-            # The armature is all that a model says of a drive.
+            # A model contains only the armature of a drive.
             taken[name] = replace(noted, rotor_inertia=found.reflected_mass / noted.transmission_ratio**2)
-            said.append("drive: the model's armatures are not the note's: rotor_inertia follows the model")
+            said.append(
+                "drive: the model and the note have different armatures: rotor_inertia follows the model"
+            )
         elif name not in _SILENT and not near and not _unstated(name, found):
             del taken[name]
-            said.append(f"{name}: the model says otherwise than the note, the model is taken")
+            said.append(f"{name}: the model contradicts the note; the model is used")
     if taken.get("home_position", robot.home_position) is None:
         for name in [
             name for name in _FROM_HOME if name in taken and np.any(taken[name] != _FROM_HOME[name])
         ]:
             del taken[name]
-            said.append(f"{name}: from the home pose, of which the model has none, the note is left out")
+            said.append(
+                f"{name}: requires a home position, which the model does not have; the note is ignored"
+            )
     with errors_of("notes: "):
         return replace(robot, **taken), said
 
 
 def _restored(name: str, noted: Any) -> Any:
-    """A note's value as a field has it: a limit that is missing is infinite."""
+    """Convert the value of a note to the value of a field; missing limits become infinite."""
     if name in _LIMITS:
         given = np.array(noted, dtype=np.float64)
         return np.where(np.isnan(given), np.inf, given)
@@ -121,6 +125,7 @@ def _restored(name: str, noted: Any) -> Any:
 
 
 def _near(found: Any, noted: Any) -> bool:
+    """Return True if a value equals the value of a note up to rounding."""
     if isinstance(found, Drive) and isinstance(noted, Drive):
         found, noted = found.reflected_mass, noted.reflected_mass
     try:
@@ -136,7 +141,7 @@ def _near(found: Any, noted: Any) -> bool:
 
 
 def _unstated(name: str, found: Any) -> bool:
-    """Whether a field has the value that it has where a format has no place for it."""
+    """Return True if a field has its value for a format that cannot represent it."""
     if name == "drive":
         return found is None
     if name == "length_limits":

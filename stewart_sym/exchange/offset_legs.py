@@ -1,4 +1,4 @@
-"""Legs whose axes miss each other: their bodies and joints in a model, and their offsets found in one."""
+"""Legs with joint offsets: their bodies and joints in a model, and identification of offsets in a model."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,12 +16,12 @@ from ..robot.robot import Robot
 from .model import WORLD, Body, Joint, Shape
 
 _LEAST = 1e-9
-"""Mass and inertia of a cross that has none over those of the lower part: simulators need some."""
+"""Mass and inertia of a massless cross relative to the lower part, because simulators require some."""
 _SAME = 1e-9
 
 
 def chains_at(robot: Robot, t: Array) -> Chains:
-    """The legs' chains with the platform at rest at t, (3,); ValueError where the offsets do not reach it."""
+    """Return the leg chains with the platform at rest at t, (3,); raise ValueError out of reach."""
     with np.errstate(all="ignore"):
         at = chains(robot, at_rest(np.eye(3), t))
     lost = [i for i in range(LEGS) if not np.isfinite(at.U[i]).all()]
@@ -31,10 +31,10 @@ def chains_at(robot: Robot, t: Array) -> Chains:
 
 
 def cross_of(robot: Robot, offsets: JointOffsets, i: int, at: Chains, radius: float) -> Body:
-    """The body between both axes of leg i, its frame o, y, k at the base point.
+    """Return the body between both axes of leg i, with the frame o, y, k at the base point.
 
-    It turns about k alone, so that only its inertia about k counts, which stands for all three. Without a
-    mass it has a billionth of the lower part's where that rests.
+    It rotates about k only, so its inertia about k is used for all axes. A massless body gets a billionth of
+    the mass of the lower part on the axis.
     """
     frame = np.stack([at.o[i], at.y[i], robot.k[i]], axis=-1)
     mass, inertia = float(offsets.cross_mass[i]), float(offsets.cross_inertia[i])
@@ -51,7 +51,7 @@ def cross_of(robot: Robot, offsets: JointOffsets, i: int, at: Chains, radius: fl
 
 
 def base_joints(robot: Robot, i: int, at: Chains) -> tuple[Joint, Joint]:
-    """Joints of leg i about the fixed axis and about the moving one."""
+    """Create the joints of leg i about the fixed axis and about the moving axis."""
     cross, lower, damping = f"cross_{i + 1}", f"lower_{i + 1}", float(robot.C_u[i])
     first = Joint(f"base_{i + 1}_1", "revolute", WORLD, cross, axes=robot.k[i][None], damping=damping)
     second = Joint(f"base_{i + 1}_2", "revolute", cross, lower, axes=at.y[i][None], damping=damping)
@@ -60,8 +60,19 @@ def base_joints(robot: Robot, i: int, at: Chains) -> tuple[Joint, Joint]:
 
 @dataclass(frozen=True, eq=False)
 class OffsetLines:
-    """Both axes at the base and the line of sliding of a leg: the base point b, the point A where the common
-    normal o meets the moving axis, the axes' directions, and the line's end, (3,); world frame."""
+    """Both axes at the base and the sliding axis of a leg, in the world frame.
+
+    Attributes
+    ----------
+    b : ndarray, shape (3,)
+        Base point.
+    A : ndarray, shape (3,)
+        Intersection of the common normal o with the moving axis.
+    k, y : ndarray, shape (3,)
+        Directions of the fixed and of the moving axis.
+    tip : ndarray, shape (3,)
+        End of the sliding axis.
+    """
 
     b: Array
     A: Array
@@ -71,14 +82,14 @@ class OffsetLines:
 
     @classmethod
     def of(cls, points: Array, axes: Array, tip: Array) -> "OffsetLines":
-        """Lines of two axes at right angles, each by a point and a direction, (2, 3), the fixed one first."""
+        """Create the lines from points and directions of two perpendicular axes, (2, 3), fixed axis first."""
         (first, second), (k, y) = points, axes
         between = second - first
         b, A = first + (between @ k) * k, second - (between @ y) * y
         return cls(b, A, k, -y if np.cross(y, k) @ (tip - b) < 0.0 else y, tip)
 
     def offsets(self, s: Array) -> dict[str, float]:
-        """Lengths of the offsets with the line of sliding along s, outward."""
+        """Compute the offset lengths with the sliding axis along s, outward."""
         r, o = self.tip - self.A, np.cross(self.y, self.k)
         return {
             "axis_offset": float((self.A - self.b) @ o),
@@ -87,7 +98,7 @@ class OffsetLines:
         }
 
     def cross(self, body: Body) -> dict[str, Any]:
-        """Mass, center of mass from the base point along o, y, k, and inertia of what is between the axes."""
+        """Return mass, center of mass (from the base point along o, y, k), and inertia of a cross."""
         frame = np.stack([np.cross(self.y, self.k), self.y, self.k], axis=-1)
         center = (body.placed(body.center) - self.b) @ frame
         about = self.k @ body.R @ body.inertia @ body.R.T @ self.k
@@ -95,13 +106,13 @@ class OffsetLines:
 
 
 def noted_offsets(offsets: JointOffsets) -> dict[str, Any]:
-    """Offsets as the tables of a robot file."""
+    """Convert joint offsets to the tables of a robot file."""
     shared, legs = offset_tables(offsets)
     return {"legs": shared, "leg": legs}
 
 
 def restored_offsets(value: Any) -> JointOffsets:
-    """Undo ``noted_offsets``; ValueError of one line."""
+    """Convert the result of ``noted_offsets`` back; raise ValueError with one line."""
     tables = value if isinstance(value, Mapping) else {}
     shared, legs = tables.get("legs"), tables.get("leg")
     legs = legs if isinstance(legs, list) else []
@@ -115,7 +126,7 @@ def restored_offsets(value: Any) -> JointOffsets:
 
 
 def same_offsets(robot: Robot, noted: JointOffsets) -> bool:
-    """Whether a robot has these offsets but for rounding, and for the least mass and inertia of a cross."""
+    """Return True if a robot has these offsets, up to rounding and the artificial mass of a cross."""
     found = robot.offsets
     if found is None or found.platform_joint != noted.platform_joint:
         return False

@@ -1,4 +1,4 @@
-"""The robot that a model is, and what had to be assumed."""
+"""Conversion of a model to a robot, with messages about all assumptions."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -23,23 +23,23 @@ from .topology import Leg, Machine, Step, machine_of
 
 _CLOSED = "that is closed in the pose of the file"
 _OPEN = 1e-3
-"""How far joints may be from where they belong, over the leg's length, and directions, rad."""
+"""Largest distance of joints from their nominal points, relative to a leg, and of directions (rad)."""
 _SAID = 1e-9
-"""From here on a deviation is reported."""
+"""Smallest deviation that is reported."""
 _ROUNDING = 1e-9
 _MOST_OFF = 0.01
-"""Largest error of a force that is only reported, over the mean load of a leg."""
+"""Largest error of a force that is only reported, relative to the mean load of a leg."""
 _SAME_MASS = 1e-12
 _G = float(np.linalg.norm(DEFAULT_GRAVITY))
 _LEAD = 0.005
-"""Lead of a screw, m, where a model states an armature and no screw."""
+"""Lead of a screw (m), assumed if a model has an armature but no screw."""
 
 
 def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
-    """The robot and what was assumed, a line each; ValueError says what is no Stewart platform and where."""
+    """Return the robot and one message for each assumption; raise ValueError for other mechanisms."""
     said: list[str] = []
     machine, order = _ordered(machine_of(model), model, said)
-    # Axes that miss each other are an error of the file unless it notes that they are meant to.
+    # Axes that do not intersect are an error unless a note contains joint offsets.
     offset = "offsets" in model.notes
     open_by = _open_by(machine, model)
     legs = [_Leg(machine, leg, i, said, offset) for i, leg in enumerate(machine.legs, 1)]
@@ -52,12 +52,12 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
             raise ValueError(f"{where}: {expected}, got a {leg.base_joint} one")
     off = max(open_by, *(leg.off for leg in legs))
     if off > _SAID:
-        said.insert(0, f"axes and loops are off by up to {off:.2g} rad or of a leg, taken as exact")
+        said.insert(0, f"axes and loops have errors of up to {off:.2g} rad or of a leg, treated as exact")
     platform = machine.bodies[machine.platform]
     _need_mass(platform, "the platform")
     crosses = [each for leg in legs for each in leg.crosses]
     platform = with_crosses(platform, crosses, PLATFORM)
-    # A frame of its own is turned to that of the base, so that the pose in the file is a home pose.
+    # A different platform frame is aligned with the base frame, so that the pose in the file is a home pose.
     level = same_frame(platform.R, np.eye(3))
     R = np.eye(3) if level else platform.R
     frame = f"that of {machine.platform!r}"
@@ -99,7 +99,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
 
 
 def _mass_kept(machine: Machine, model: Model, robot: Robot) -> str:
-    """Compare the mass of the bodies that move in the file and in the robot; ValueError if it differs."""
+    """Compare the moving mass in the file with the robot; raise ValueError if it differs."""
     moving = sum(body.mass for body in model.bodies if machine.members[body.name] != WORLD)
     crosses = 0.0 if robot.offsets is None else float(robot.offsets.cross_mass.sum())
     kept = robot.M + float(robot.m_d.sum()) + float(robot.m_u.sum()) + crosses
@@ -110,9 +110,9 @@ def _mass_kept(machine: Machine, model: Model, robot: Robot) -> str:
 
 
 def _crosses_said(legs: Sequence["_Leg"], platform: Body, robot: Robot) -> Iterator[str]:
-    """Write lines about the bodies between axes and the effect; ValueError if the effect is large."""
+    """Write messages about the bodies between axes; raise ValueError if their effect is large."""
     crosses = [leg.crosses for leg in legs]
-    # If the file has no gravity, the effect in motion has the size of that under the earth's.
+    # Without gravity in the file, the effect in motion is estimated with the gravity of the earth.
     g = float(np.linalg.norm(robot.g)) or _G
     s, p = np.array([leg.s for leg in legs]), np.array([platform.R @ leg.p for leg in legs])
     error = largest_error(crosses, p, s, g)
@@ -128,7 +128,7 @@ def _crosses_said(legs: Sequence["_Leg"], platform: Body, robot: Robot) -> Itera
 
 
 def _open_by(machine: Machine, model: Model) -> float:
-    """Compute by how much welds and loops are open, over a leg, and rad; ValueError names all far open."""
+    """Compute the largest relative and angular (rad) error of welds and loops; reject large errors."""
     ends = [(machine.place(leg.base[0]), machine.place(leg.tip[-1])) for leg in machine.legs]
     length, off = float(np.median([np.linalg.norm(tip - base) for base, tip in ends])), 0.0
     far: dict[str, list[tuple[str, str]]] = {}
@@ -149,7 +149,7 @@ def _open_by(machine: Machine, model: Model) -> float:
 
 
 def _beside_slides(model: Model) -> Iterator[str]:
-    """What of joints that do not slide has no place in a robot."""
+    """Yield properties of joints other than prismatic ones that a robot cannot represent."""
     for joint in model.joints:
         if joint.kind != "prismatic" and joint.armature:
             yield f"armature {joint.armature:g} of joint {joint.name!r}"
@@ -158,7 +158,7 @@ def _beside_slides(model: Model) -> Iterator[str]:
 
 
 def _grouped(left_out: Sequence[str]) -> Iterator[str]:
-    """Lines of the same of several joints as one line."""
+    """Combine equal messages about several joints."""
     joints: dict[str, list[str]] = {}
     for text in dict.fromkeys(left_out):
         what, found, name = text.partition(" of joint ")
@@ -168,18 +168,18 @@ def _grouped(left_out: Sequence[str]) -> Iterator[str]:
 
 
 def _ordered(machine: Machine, model: Model, said: list[str]) -> tuple[Machine, str]:
-    """The machine with its legs in the order of the notes, which are by leg, and what has that order."""
+    """Return the machine with its legs in the order of the notes, and the source of the order."""
     names = [leg.slide.joint.name for leg in machine.legs]
     if not model.notes or tuple(names) == SLIDES:
         return machine, "the file"
     if sorted(names) != list(SLIDES):
-        said.append("notes: legs in the order of the file, its slides have other names than those noted")
+        said.append("notes: legs in the order of the file, because its prismatic joints have other names")
         return machine, "the file"
     return replace(machine, legs=tuple(machine.legs[names.index(name)] for name in SLIDES)), "the notes"
 
 
 def _drive(legs: Sequence["_Leg"]) -> Drive | None:
-    """Drives whose rotors resist as the armatures of the slides do; None where there are none."""
+    """Return drives whose rotors have the armatures of the prismatic joints; None without armatures."""
     armature = np.array([leg.leg.slide.joint.armature for leg in legs])
     if not armature.any():
         return None
@@ -187,14 +187,16 @@ def _drive(legs: Sequence["_Leg"]) -> Drive | None:
 
 
 def _need_mass(body: Body, what: str) -> None:
+    """Raise ValueError unless the mass of a body is > 0."""
     if not body.mass > 0.0:
         raise ValueError(f"{what}: body {body.name!r}: expected a mass > 0, got {body.mass:g}")
 
 
 class _Leg:
-    """Fields of one leg of a robot, numbers from 1; lines of what was assumed are appended to ``said``."""
+    """Fields of one leg of a robot; messages about assumptions are appended to ``said``."""
 
     def __init__(self, machine: Machine, leg: Leg, number: int, said: list[str], offset: bool) -> None:
+        """Compute all fields."""
         self.machine, self.leg, self.number, self.said = machine, leg, number, said
         self.lower, self.upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
         for body in (self.lower, self.upper):
@@ -234,7 +236,7 @@ class _Leg:
             self.offset = self.lines.offsets(self.s) | self.lines.cross(cross)
 
     def _lines(self) -> OffsetLines:
-        """Both axes at the base and the end of the line of sliding."""
+        """Return both axes at the base and the end of the sliding axis."""
         base = self.leg.base
         if [len(step.axes) for step in base] != [1, 1]:
             raise self._error("expected two revolute joints at the base, since the notes state offsets")
@@ -242,7 +244,7 @@ class _Leg:
         return OffsetLines.of(points, np.array([step.axes[0] for step in base]), self.tip)
 
     def _sliding(self) -> tuple[float, Array]:
-        """Length of the leg, from its foot or along the line of sliding, and its direction, (3,)."""
+        """Return the leg length, from the foot or along the sliding axis, and the direction, shape (3,)."""
         S = self.tip - self.foot
         L = float(np.linalg.norm(S))
         if self.lines is not None:
@@ -254,10 +256,11 @@ class _Leg:
         return L, s if self.lines is not None else S / L
 
     def _error(self, text: str) -> ValueError:
+        """Create an error with the number of the leg."""
         return ValueError(f"leg {self.number}: {text}")
 
     def _common(self, steps: Sequence[Step]) -> Array:
-        """The point where the axes of joints meet, (3,), world frame."""
+        """Return the intersection of joint axes, shape (3,), in the world frame."""
         if len(steps) == 1:
             return self.machine.place(steps[0])
         points = np.array([self.machine.place(step) for step in steps for _ in step.axes])
@@ -277,16 +280,16 @@ class _Leg:
         return np.asarray(meeting)
 
     def _near(self, off: float, limit: float, where: str, expected: str, got: str) -> None:
-        """Reject what is far off, and note by how much what is not is so."""
+        """Reject a large deviation, and record a small one."""
         if off > limit * _OPEN:
             raise self._error(f"{where}: expected {expected}, got {got}")
         self.off = max(self.off, off / limit)
 
     def _need_meeting(self) -> None:
-        """Reject axes that do not meet in the file's pose, and successive axes that are parallel."""
+        """Reject axes that do not intersect in the pose of the file, and parallel successive axes."""
         for off, steps in self.apart:
             where = f"joints {' and '.join(repr(step.joint.name) for step in steps)}"
-            # The point where they are taken to meet is in the middle of two axes.
+            # The assumed intersection is in the middle between the two axes.
             self._near(off, self.L, where, "axes that meet", f"{2.0 * off:.3g} m between them")
             axes = np.concatenate([step.axes for step in steps])
             if np.linalg.norm(rotation.cross(axes[1:], axes[:-1]), axis=-1).min() < _OPEN:
@@ -295,7 +298,7 @@ class _Leg:
                 )
 
     def _axis(self) -> Array | None:
-        """The fixed axis of a universal joint, (3,), None of a spherical one."""
+        """Return the fixed axis of a universal joint, shape (3,), or None for a spherical joint."""
         axes = [axis for step in self.leg.base for axis in step.axes]
         if len(axes) != 2:
             return None
@@ -309,7 +312,7 @@ class _Leg:
         return np.asarray(axes[0])
 
     def _sign(self, slide: Step) -> float:
-        """1 where the coordinate grows with the leg, else -1."""
+        """Return 1 if the joint coordinate increases with the leg length, otherwise -1."""
         (axis,) = slide.axes
         along = float(axis @ self.s)
         off = float(np.linalg.norm(axis - along * self.s))
@@ -319,7 +322,7 @@ class _Leg:
         return 1.0 if along > 0.0 else -1.0
 
     def _frame(self, k: Array | None) -> Array:
-        """Frame D, (3, 3), axes in columns; of legs with spherical joints any with x along the leg."""
+        """Return frame D with axes in columns, (3, 3); only x is defined for spherical joints."""
         if k is None:
             own = self.lower.R
             if np.abs(own[:, 0] - self.s).max() < _ROUNDING:
@@ -333,7 +336,7 @@ class _Leg:
         return np.stack([self.s, y, rotation.cross(self.s, y)], axis=-1)
 
     def _part(self, body: Body, ends: Sequence[Step], part: str) -> dict[str, Any]:
-        """Mass, center of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""
+        """Return mass, center of mass, and inertia of a part ("d" lower, "u" upper) in its frame."""
         step = ends[-1] if part == "d" else ends[0]
         origin = self.machine.point(step, body.name) if len(ends) == 1 else None
         if origin is None:
@@ -351,7 +354,7 @@ class _Leg:
         return {f"m_{part}": body.mass, f"r_{part}0": center, f"I_{part}0": inertia}
 
     def _round(self, center: Array, inertia: Array) -> tuple[Array, Array]:
-        """A body that is one of revolution but for less than ``_OPEN`` as just that; others as they are."""
+        """Replace a body that is nearly a body of revolution by an exact one."""
         moments = np.diag(inertia)
         if moments[1] != moments[2]:
             moments = np.array([moments[0], *(2 * [0.5 * (moments[1] + moments[2])])])
@@ -365,20 +368,20 @@ class _Leg:
         return line, whole
 
     def _platform_point(self) -> Array:
-        """Compute the intersection of the axes at the platform, (3,), in the platform's frame."""
+        """Compute the intersection of the axes at the platform, shape (3,), in the platform frame."""
         if len(self.leg.tip) == 1:
             return self.machine.point(self.leg.tip[0], self.machine.platform)
         p = self.machine.bodies[self.machine.platform].local(self.tip)
         return np.where(np.abs(p) < _ROUNDING * self.L, 0.0, p)
 
     def _crosses(self, k: Array | None) -> list[Cross]:
-        """Assign the bodies between axes to parts, except a cross of offset axes."""
+        """Assign the bodies between axes to parts, except the body between offset axes."""
         leg = self.leg if self.lines is None else replace(self.leg, crosses=((), self.leg.crosses[1]))
         with errors_of(f"leg {self.number}: "):
             return list(crosses_of(self.machine, leg, np.array([self.b, self.tip]), k))
 
     def _damping(self, steps: Sequence[Step]) -> float:
-        """Damping of the joints at one end, whose axes share one number."""
+        """Return the damping of the joints at one end, which have one common value."""
         found = [step.joint.damping for step in steps]
         if max(found) - min(found) > _ROUNDING * max(found):
             names = ", ".join(repr(step.joint.name) for step in steps)
@@ -387,6 +390,7 @@ class _Leg:
         return found[0]
 
     def _limits(self, joint: Joint) -> tuple[float, float]:
+        """Return the length limits of the leg (m)."""
         if not joint.limited:
             return 0.0, np.inf
         if not joint.limits[0] < joint.limits[1]:

@@ -1,4 +1,4 @@
-"""A model as a Stewart platform: base, platform and six legs between them, found by how bodies are joined."""
+"""Identification of base, platform, and six legs in a model by the joints between the bodies."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -17,7 +17,7 @@ _EXPECTED = (
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """A joint on the way from the base to the platform; ``forward``: from its parent to its child."""
+    """Joint on the way from the base to the platform; ``forward`` is True from its parent to its child."""
 
     joint: Joint
     forward: bool
@@ -25,15 +25,18 @@ class Step:
 
     @property
     def axes(self) -> Array:
-        """Its axes, (n, 3), world frame, those nearer the base first."""
+        """Axes of the joint, shape (n, 3), in the world frame, from base to platform."""
         return self.joint.axes if self.forward else -self.joint.axes[::-1]
 
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """A leg: joints at the base, the prismatic one, joints at the platform; its bodies, names.
+    """Leg of a model: joints at the base, prismatic joint, joints at the platform, and names of its bodies.
 
-    crosses: bodies between the joints at the base and, second, at the platform.
+    Attributes
+    ----------
+    crosses : tuple of tuple of str
+        Bodies between the joints at the base, and at the platform.
     """
 
     base: tuple[Step, ...]
@@ -46,11 +49,20 @@ class Leg:
 
 @dataclass(frozen=True, eq=False)
 class Machine:
-    """The rigid bodies of a model by name, its platform and six legs.
+    """Rigid bodies of a model by name, its platform, and six legs.
 
-    placed: all bodies of the model; bodies: rigid bodies, each with the name and the frame of its first
-    member; members: name of the rigid body by the name of each member. The first member of the platform is
-    the heaviest body to which several legs are attached.
+    Attributes
+    ----------
+    placed : mapping
+        All bodies of the model.
+    bodies : mapping
+        Rigid bodies, each with the name and the frame of its first member.
+    members : mapping
+        Name of the rigid body by the name of each member.
+    platform : str
+        Name of the platform; its first member is the heaviest body to which several legs are attached.
+    legs : tuple of Leg
+        Six legs.
     """
 
     placed: Mapping[str, Body]
@@ -60,24 +72,24 @@ class Machine:
     legs: tuple[Leg, ...]
 
     def point(self, step: Step, side: str) -> Array:
-        """Point of a joint, (3,), in the frame of one of the bodies that it joins."""
+        """Return the point of a joint, shape (3,), in the frame of one of its two bodies."""
         own, local = step.joint.child, step.joint.point
         if step.joint.cut and self.members[step.joint.parent] == side:
             own, local = step.joint.parent, step.joint.parent_point
         return local if own == side else self.bodies[side].local(self.placed[own].placed(local))
 
     def place(self, step: Step) -> Array:
-        """Point of a joint in the world, (3,), on its child's side."""
+        """Return the point of a joint in the world frame, shape (3,), on the side of its child."""
         return self.placed[step.joint.child].placed(step.joint.point)
 
     def gap(self, cut: Joint) -> float:
-        """How far the points of a cut are from each other in the pose of the file, m."""
+        """Return the distance of the two points of a cut in the pose of the file (m)."""
         ends = self.placed[cut.parent].placed(cut.parent_point), self.placed[cut.child].placed(cut.point)
         return float(np.linalg.norm(ends[0] - ends[1]))
 
 
 def machine_of(model: Model) -> Machine:
-    """Find base, platform and legs; ValueError of one line says what is none of a Stewart platform's."""
+    """Identify base, platform, and legs; raise ValueError with one line for other mechanisms."""
     _need_unique(model)
     members = _members(model)
     around = _around(model, members)
@@ -111,7 +123,7 @@ def machine_of(model: Model) -> Machine:
 
 
 def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
-    """Collect the joints that move, by the bodies that they join."""
+    """Return the moving joints of each body."""
     found: dict[str, list[Joint]] = {}
     for joint in model.joints:
         if joint.kind in ("fixed", "free"):
@@ -128,9 +140,9 @@ def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
 
 
 def _held(model: Model, members: Mapping[str, str], platform: str, joints: Sequence[Joint]) -> str:
-    """Find the heaviest body to which several legs are attached, among the members of the platform.
+    """Return the heaviest body with several legs among the members of the platform.
 
-    A member that is fixed to one other member and has one leg at most, as a fork or a load, does not count.
+    A member with one fixed connection and at most one leg, for example a fork or a load, is not considered.
     """
     legs = {body.name: 0 for body in model.bodies if members[body.name] == platform}
     for joint in joints:
@@ -148,6 +160,7 @@ def _held(model: Model, members: Mapping[str, str], platform: str, joints: Seque
 
 
 def _need_unique(model: Model) -> None:
+    """Raise ValueError for repeated names of bodies, and for joints of missing bodies."""
     names = [body.name for body in model.bodies]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
@@ -159,7 +172,7 @@ def _need_unique(model: Model) -> None:
 
 
 def _members(model: Model, first: str = WORLD) -> dict[str, str]:
-    """Find for each body the first one that is fixed together with it; the world and ``first`` are first."""
+    """Return the first body that each body is fixed to; the world and ``first`` have priority."""
     found = {body.name: body.name for body in model.bodies}
     order = {body.name: i for i, body in enumerate(model.bodies)} | {first: -1, WORLD: -2}
     for joint in model.joints:
@@ -170,7 +183,7 @@ def _members(model: Model, first: str = WORLD) -> dict[str, str]:
 
 
 def _chain(first: Joint, members: Mapping[str, str], around: Mapping[str, Sequence[Joint]]) -> list[Step]:
-    """Joints from the base on, to the first body with other than two."""
+    """Return the joints from the base to the first body that does not have two joints."""
     steps, at, joint = [], WORLD, first
     while True:
         forward = members[joint.parent] == at
@@ -182,19 +195,19 @@ def _chain(first: Joint, members: Mapping[str, str], around: Mapping[str, Sequen
 
 
 def _no_base(model: Model) -> str:
-    """What to say of a model in which nothing is joined to the world."""
+    """Return a message for a model without joints to the world."""
     expected = "expected legs on a base that is fixed to the world"
     free = [joint for joint in model.joints if joint.kind == "free"]
     if free:
         return f"joint {free[0].name!r}: {expected}, got body {free[0].child!r}, which is free"
     bodies_ = [body.name for body in model.bodies if body.name != WORLD]
     if bodies_:
-        return f"body {bodies_[0]!r}: {expected}, got what no joint moves"
+        return f"body {bodies_[0]!r}: {expected}, got a model without moving joints"
     return f"{expected}, got no body"
 
 
 def _platform(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Joint]]) -> str:
-    """The body that six chains lead to; ValueError names those that lead elsewhere, or are too many."""
+    """Return the common end body of six chains; raise ValueError for other ends or another number."""
     ends = [chain[-1].reached for chain in chains]
     reached = [end for end in ends if end != WORLD and ends.count(end) > 1]
     if not reached:
@@ -216,7 +229,7 @@ def _platform(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Jo
 
 
 def _way(chain: Sequence[Step], around: Mapping[str, Sequence[Joint]]) -> str:
-    """Where a chain leads."""
+    """Describe the end of a chain."""
     end, begin = chain[-1].reached, f"joint {chain[0].joint.name!r}"
     where = f"body {end!r}"
     if end == WORLD:
@@ -227,10 +240,11 @@ def _way(chain: Sequence[Step], around: Mapping[str, Sequence[Joint]]) -> str:
     if len(around[end]) == 2:
         return f"{begin} to {where}"
     on = ", ".join(repr(joint.name) for joint in around[end] if joint is not chain[-1].joint)
-    return f"{begin} to {where}, which joints {on} lead on from"
+    return f"{begin} to {where}, which has further joints {on}"
 
 
 def _leg(chain: Sequence[Step], number: int) -> Leg:
+    """Identify the parts of one chain."""
     kinds = [step.joint.kind for step in chain]
     slides = [i for i, kind in enumerate(kinds) if kind == "prismatic"]
     if len(slides) == 1:
@@ -245,13 +259,13 @@ def _leg(chain: Sequence[Step], number: int) -> Leg:
 
 
 def _bodies(chain: Sequence[Step]) -> list[str]:
-    """Bodies on a way, without those that stand between the joints of one body of a file."""
+    """Return the bodies of a chain, without artificial bodies between joints."""
     found = [step.reached for step in chain if BETWEEN not in step.reached]
     return found or [chain[-1].reached]
 
 
 def _turns(steps: Sequence[Step]) -> str:
-    """What joints at one end of a leg are together."""
+    """Return the kind of the combined joints at one end of a leg."""
     kinds = [step.joint.kind for step in steps]
     if kinds == ["spherical"]:
         return "spherical"
@@ -261,13 +275,13 @@ def _turns(steps: Sequence[Step]) -> str:
 
 
 def _need_possible_mass(part: Body) -> None:
-    """Reject a part that would count for something else than its mass and inertia say."""
+    """Reject a negative mass, and inertia without mass."""
     if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
         raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
 
 
 def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
-    """What is fixed together as one body, in the frame of the first."""
+    """Merge bodies that are fixed together, in the frame of the first one."""
     found = {}
     for name in dict.fromkeys(members.values()):
         parts = [body for body in model.bodies if members[body.name] == name]

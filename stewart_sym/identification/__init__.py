@@ -1,1 +1,1 @@
-"""Inertial parameters from measured forces: base parameters, excitation, estimates."""
+"""Identification of inertial parameters from measured forces: base parameters, excitation, and estimates."""

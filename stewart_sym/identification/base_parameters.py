@@ -1,11 +1,13 @@
-"""Base parameters: which combinations of a machine's inertial parameters its forces depend on.
+"""Base parameters: the identifiable combinations of the inertial parameters of a robot.
 
-On every machine the mass of a lower part has no effect, the two inertias of a leg act as their sum, and the
-mass of an upper part acts as a point fixed to the platform at p: 100 of the 148 columns of Y are
-independent (``MERGED`` holds the formulas). All six components of a leg's inertia count, since the
-universal joint spins the leg. On a special machine fewer parameters are identifiable, such as no h_d_y
-where the axes point along gravity, and along a given motion fewer still; the rank of Y over a stack of
-poses decides. Legs that are built alike share their parameters: 25 are left then.
+For every robot the mass of a lower leg part has no effect, and the two inertias of a leg act as their sum.
+The mass of an upper part acts as a point mass on the platform at p. Therefore 100 of the 148 columns of Y are
+independent (``MERGED`` contains the formulas). All six components of the inertia of a leg matter, because the
+universal joint rotates the leg about its axis.
+
+The rank is lower for special robots (for example without h_d_y if the axes are parallel to gravity) and for a
+given motion. It is the numerical rank of Y stacked over many poses. Identical legs share their parameters;
+25 base parameters remain then.
 """
 
 import math
@@ -29,54 +31,54 @@ from ..robot.robot import LEGS, Robot
 from .parameters import is_friction, leg_name, parameter_names, regressor
 
 MERGED: Mapping[str, str] = MappingProxyType(dict(exact_regressor.MERGED))
-"""Base parameters of every machine that take up others, with formulas; sum runs over the legs."""
+"""Base parameters of every robot that include other parameters, with formulas; sums run over the legs."""
 
-# Below this share of the largest, a singular value or a column is rounding error: far above what rounding
-# leaves (1e-15), far below what the slowest of the paper's paths excites (1e-7).
+# Relative size below which a singular value or a column is rounding error. It is far above the rounding
+# errors (1e-15) and far below the excitation of the slowest path of the paper (1e-7).
 _ROUNDING = 1e-11
-# A coefficient below this share of its terms is rounding error.
+# Relative size below which a coefficient is rounding error.
 _NOTHING = 1e-9
-# A parameter is preferred to be given up if its share in a change of parameters without effect exceeds this.
+# Relative size in a null space direction from which a dependent parameter is eliminated first.
 _CLEAR = 1e-2
-# Share of its size by which a machine's geometry may differ from another's and count as the same.
+# Relative difference up to which two geometries count as equal.
 _SAME = 1e-6
 _POSES = 100
 _MOST_DRAWS = 20
-# Sine of the least angle between a leg and its universal axis, and the least length beside the base's radius.
+# Smallest joint sine of a regular pose, and its smallest leg length relative to the radius of the base.
 _REGULAR = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class BaseParametersResult:
-    """The combinations of pi that a machine's wrench depends on: Y pi = Y lift (matrix pi).
+    """Combinations B pi that determine the wrench of a robot: Y pi = Y E (B pi).
 
     Attributes
     ----------
     rank : int
-        How many there are.
-    independent_columns : ndarray of int
-        Columns of Y that stay, int, (rank,): Y lift = Y[..., kept]. Where legs share their parameters, those
-        of leg 1, to which the others' are added.
-    matrix : ndarray
-        From pi to the base parameters, (rank, 148); 1 at the kept ones. Where legs share their parameters,
-        these are the means of the legs'.
-    expansion : ndarray
-        From base parameters to one of the pi that have them, (148, rank).
-    names : tuple
-        Of the kept parameters.
-    formulas : tuple
-        Each base parameter as text, coefficients to six digits.
-    units : tuple
-        Of each.
-    singular_values : ndarray
-        Of the stack with columns of length 1, falling, (148,), or (33,) where legs share their parameters.
+        Number of base parameters.
+    independent_columns : ndarray of int, shape (rank,)
+        Indices of independent columns of Y: Y E = Y[..., independent_columns]. With identical legs these are
+        columns of leg 1, to which the columns of the other legs are added.
+    matrix : ndarray, shape (rank, 148)
+        Matrix B from pi to the base parameters, with ones at the independent columns. With identical legs the
+        base parameters are means over the legs.
+    expansion : ndarray, shape (148, rank)
+        Matrix E from base parameters to one pi that has them.
+    names : tuple of str
+        Names of the independent parameters.
+    formulas : tuple of str
+        Formula of each base parameter, with six digits.
+    units : tuple of str
+        Unit of each base parameter.
+    singular_values : ndarray, shape (148,) or (33,)
+        Singular values of the stacked Y with columns of length 1, in descending order; 33 with identical
+        legs.
     rank_gap : float
-        Ratio of the last that counts to the first that is rounding error; below about 1e3 the rank is not to
-        be trusted.
+        Ratio of the last significant singular value to the next one. Below about 1000 the rank is uncertain.
     identical_legs : bool
-        Whether all legs share their parameters, whose names have no number then.
+        True if all legs share their parameters; their names have no number then.
     robot : Robot
-        The machine, of which geometry and gravity count.
+        Robot whose geometry and gravity were used.
     """
 
     rank: int
@@ -92,13 +94,12 @@ class BaseParametersResult:
     robot: Robot
 
     def required_columns(self) -> NDArray[np.intp]:
-        """Which columns of Y count.
+        """Return the indices of the required columns of Y.
 
         Returns
         -------
-        ndarray of int
-            Their indices, (n,): ``independent_columns``, or where legs share their parameters also those of
-            the other legs.
+        ndarray of int, shape (n,)
+            ``independent_columns``; with identical legs also the corresponding columns of the other legs.
         """
         return (
             self.independent_columns
@@ -107,17 +108,17 @@ class BaseParametersResult:
         )
 
     def reduce(self, Y: Array) -> Array:
-        """Y of the base parameters, from the columns of Y that count.
+        """Combine the required columns of Y into the columns of the base parameters.
 
         Parameters
         ----------
-        Y : ndarray
-            Those columns of Y that ``required_columns`` names, (..., 6, n).
+        Y : ndarray, shape (..., 6, n)
+            Columns ``required_columns()`` of Y.
 
         Returns
         -------
-        ndarray
-            Columns of the base parameters, (..., 6, rank).
+        ndarray, shape (..., 6, rank)
+            Columns of the base parameters.
         """
         return Y if not self.identical_legs else np.asarray(Y @ self.expansion[self.required_columns()])
 
@@ -125,34 +126,51 @@ class BaseParametersResult:
 def base_parameters(
     robot: Robot, motion: Motion | None = None, friction: bool = True, identical_legs: bool = False
 ) -> BaseParametersResult:
-    """Find the base parameters by the singular values of Y, stacked over many poses.
-
-    Parameters that merge on every machine are given up first (m_d, J_d, m_u of each leg), so that the names
-    left stand for the formulas of ``MERGED``.
+    """Compute the base parameters from the singular values of Y, stacked over many poses.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot model; only its geometry and gravity are used.
     motion : Motion, optional
-        With accelerations; all its instants are taken: what this motion excites. None: random poses about the
-        home pose with random rates and accelerations, fixed seed: what any motion can excite.
+        Motion with accelerations; the result contains the parameters that it excites. By default the poses
+        are random poses near the home pose with random rates and accelerations (fixed seed); the result
+        contains the parameters that any motion can excite.
     friction : bool, optional
-        False for a model whose joints have none.
+        False for joints without friction.
     identical_legs : bool, optional
-        For legs that are built alike, with the same parameters in the leg frame: these are sought once, not
-        leg by leg.
+        True for legs with the same parameters in the leg frames; one set of leg parameters is then returned.
 
     Returns
     -------
     BaseParametersResult
-        Combinations of the parameters that the forces depend on.
+        Rank, formulas, and matrices of the base parameters.
 
     Raises
     ------
     ValueError
-        For spherical base joints, for poses without a regressor, and for a machine about whose home pose no
-        regular pose is found.
+        If the base joints are spherical, if a pose has no regressor, or if too few regular poses are near the
+        home pose.
+
+    See Also
+    --------
+    identify : Estimation of the base parameters from measured forces.
+    regressor : Matrix Y of the equations of motion.
+
+    Notes
+    -----
+    The parameters that are dependent for every robot (m_d, J_d, and m_u of each leg) are eliminated first, so
+    that the remaining names agree with the formulas of ``MERGED``.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> base = ss.base_parameters(robot, identical_legs=True)
+    >>> base.rank
+    25
+    >>> base.formulas[-10]
+    'M + 6*m_u'
     """
     need_universal(robot)
     truth(friction, "friction")
@@ -198,29 +216,32 @@ def base_parameters(
 
 
 def need_base(base: BaseParametersResult, robot: Robot) -> None:
-    """Reject base parameters of a machine of other geometry or gravity."""
+    """Raise ValueError if base parameters belong to another geometry or gravity."""
     instance(base, BaseParametersResult, "base_parameters")
     for name in ("b", "p", "k", "g"):
         own, other = (np.asarray(getattr(each, name)) for each in (robot, base.robot))
         if name == "k":
-            # An axis either way round.
+            # The sign of an axis is arbitrary.
             other = other * np.where(np.sum(own * other, axis=-1) < 0.0, -1.0, 1.0)[:, None]
         if np.abs(own - other).max() > _SAME * np.abs(own).max():
-            raise ValueError(f"base: found for a machine of another {name}, expected base_parameters(robot)")
+            raise ValueError(
+                f"base_parameters: expected the {name} of the robot, got another; use base_parameters(robot)"
+            )
 
 
 def alike(pi: Array) -> Array:
-    """Parameters in which every leg has the mean of all legs', (148,)."""
+    """Replace the parameters of each leg, in pi of shape (148,), by their means over the legs."""
     spread, _, _ = _shared_by_legs()
     return np.asarray(spread @ (spread.T @ pi / spread.sum(axis=0)))
 
 
 def _of_all_legs(names: Iterable[str]) -> set[str]:
+    """Return the names for each of the six legs."""
     return {leg_name(name, leg) for name in names for leg in range(1, LEGS + 1)}
 
 
 def _shared_by_legs() -> tuple[Array, tuple[str, ...], tuple[str, ...]]:
-    """From parameters that all legs share, and the platform's, to pi, (148, 33); their names and units."""
+    """Return the matrix, shape (148, 33), from shared parameters to pi, with their names and units."""
     of_leg, of_platform = exact_regressor.LEG_PARAMETERS, exact_regressor.PLATFORM_PARAMETERS
     rows = (*of_leg, *of_platform)
     each = np.eye(len(rows))
@@ -229,7 +250,7 @@ def _shared_by_legs() -> tuple[Array, tuple[str, ...], tuple[str, ...]]:
 
 
 def _stacked(robot: Robot, motion: Motion) -> Array:
-    """Y of all instants below each other, moments over the machine's length."""
+    """Return Y of all samples, stacked, with moments divided by the characteristic length."""
     length = characteristic_length(robot) or 1.0
     scale = np.array([1.0, 1.0, 1.0, length, length, length])
     Y = regressor(robot, motion) / scale[:, None]
@@ -237,7 +258,7 @@ def _stacked(robot: Robot, motion: Motion) -> Array:
 
 
 def _lengths(stack: Array, units: Sequence[str]) -> Array:
-    """Length of each column, 0 where it is rounding error beside the longest of its unit."""
+    """Return the length of each column; 0 if it is rounding error compared with columns of its unit."""
     lengths = np.linalg.norm(stack, axis=0)
     kinds = np.array(units)
     longest = np.array([np.max(lengths[kinds == unit]) for unit in units])
@@ -245,19 +266,19 @@ def _lengths(stack: Array, units: Sequence[str]) -> Array:
 
 
 def _singular(stack: Array) -> tuple[Array, Array]:
-    """All singular values by columns, zeros where rows lack, and right singular vectors as rows."""
+    """Return the singular values, with zeros for missing rows, and the right singular vectors as rows."""
     short = stack.shape[1] - stack.shape[0]
     padded = np.pad(stack, ((0, max(short, 0)), (0, 0)))
-    # R of QR has the singular values and vectors of the stack, however many poses there are.
+    # R of the QR decomposition has the same singular values and is small for any number of poses.
     _, values, directions = np.linalg.svd(np.linalg.qr(padded, mode="r"))
     return values, directions
 
 
 def _given_up(unfelt: Array, preferred: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Parameters to give up: one for each direction that no force depends on, (148, n).
+    """Choose one parameter to eliminate for each null space direction, shape (148, n).
 
-    Each is the one with the largest share in what remains of the directions, among the preferred ones as long
-    as one of them has a clear share.
+    Each choice has the largest entry in the remaining directions. Preferred parameters are chosen first if
+    one of them has a significant entry.
     """
     left = unfelt.copy()
     chosen: list[int] = []
@@ -272,6 +293,7 @@ def _given_up(unfelt: Array, preferred: NDArray[np.intp]) -> NDArray[np.intp]:
 
 
 def _formula(own: int, row: Array, names: Sequence[str]) -> str:
+    """Return the formula of a base parameter."""
     text = names[own]
     for i in np.flatnonzero(row).tolist():
         if i != own:
@@ -282,7 +304,7 @@ def _formula(own: int, row: Array, names: Sequence[str]) -> str:
 
 
 def _random_motion(robot: Robot) -> Motion:
-    """Regular poses about the home pose with rates in proportion to gravity and size."""
+    """Return regular poses near the home pose, with rates scaled by gravity and size."""
     rng = np.random.default_rng(0)
     size, home = radius(robot.b), home_pose(robot).t
     rate = math.sqrt(float(np.linalg.norm(robot.g)) / size) or 1.0
@@ -299,9 +321,10 @@ def _random_motion(robot: Robot) -> Motion:
         regular = motion[_regular(robot, motion, size)]
         if regular.shape[0] >= _POSES:
             return regular[:_POSES]
-    raise ValueError("robot: found too few regular poses about its home pose, give a motion")
+    raise ValueError("robot: too few regular poses near the home pose; pass a motion")
 
 
 def _regular(robot: Robot, motion: Motion, size: float) -> Flags:
+    """Return True for regular poses, shape (...)."""
     legs = inverse_kinematics(robot, motion)
     return np.asarray(np.all((joint_sines(robot, legs.s) > _REGULAR) & (legs.L > _REGULAR * size), axis=-1))

@@ -1,4 +1,4 @@
-"""Terms of the drives in forces of motors, beside the bodies: reflected mass, Coulomb, viscous, offset."""
+"""Drive terms of the motor forces: reflected mass, Coulomb friction, offset, and viscous friction."""
 
 from __future__ import annotations
 
@@ -23,37 +23,39 @@ from .least_squares import departure
 from .parameters import rotor_regressor
 
 DRIVE_TERMS = {"reflected_mass": "kg", "coulomb": "N", "offset": "N", "viscous": "N s/m"}
-"""Terms that can be sought, in this order, and their units."""
+"""Drive terms that can be identified, in this order, with their units."""
 
-# A column of which others leave less than this share of its length is a combination of these.
+# Relative length of the residual below which a column is a linear combination of other columns.
 _SAME = 1e-7
-# Columns with at least this share in such a combination are named.
+# Relative coefficient from which a column of such a combination is listed in the message.
 _NAMED = 0.05
-# Deviations of a rate from 0 beyond which its sign is sure.
+# Number of standard deviations from zero beyond which the sign of a rate is certain.
 _SURE = 4.0
 
 
 @dataclass(frozen=True, eq=False)
 class DriveIdentificationResult(Frozen):
-    """Terms of the drives identified from forces of the motors.
+    """Drive terms identified from motor forces.
 
-    The motor's force is that of the bodies and reflected_mass L_ddot + coulomb sgn(L_dot) + offset +
-    viscous L_dot for each leg. Where the robot has a drive, its lead gives what else a rotor does.
+    The motor force of each leg is the force of the bodies plus reflected_mass L_ddot + coulomb sgn(L_dot) +
+    offset + viscous L_dot. If the robot has a drive, the other effects of a rotor are computed from its lead.
 
     Attributes
     ----------
-    names : tuple
-        Of the terms with the number of the leg, ``coulomb3``; without it where legs share them.
-    units : tuple
-        Of each.
-    values : ndarray
-        (n,); NaN where the motion does not tell.
-    covariance : ndarray
-        (n, n), as that of ``IdentificationResult``; inf on its diagonal where the motion does not tell.
-    identifiable : ndarray of bool
-        Which terms the motion tells apart from all else, (n,).
-    unidentifiable : tuple
-        A line for each other one: which terms and parameters do the same.
+    names : tuple of str
+        Names of the terms with the number of the leg, for example ``coulomb3``; without a number if the legs
+        are identical.
+    units : tuple of str
+        Unit of each term.
+    values : ndarray, shape (n,)
+        Values; NaN if the motion does not identify the term.
+    covariance : ndarray, shape (n, n)
+        Covariance, scaled as in ``IdentificationResult``; inf on the diagonal if the motion does not identify
+        the term.
+    identifiable : ndarray of bool, shape (n,)
+        True for terms that the motion identifies.
+    unidentifiable : tuple of str
+        One message for each other term, with the equivalent terms and parameters.
     """
 
     names: tuple[str, ...]
@@ -65,23 +67,23 @@ class DriveIdentificationResult(Frozen):
 
     @property
     def std(self) -> Array:
-        """Standard deviation of each value, (n,)."""
+        """Standard deviation of each value, shape (n,)."""
         return np.sqrt(np.diagonal(self.covariance))
 
     def compare_with(self, given: Array) -> tuple[Array, float]:
-        """How far the values are from given ones, as ``IdentificationResult.departure`` of the bodies.
+        """Compare the values with given values, like ``IdentificationResult.compare_with`` for the bodies.
 
         Parameters
         ----------
-        given : ndarray
-            Of each term, (n,); NaN where there is none to compare with.
+        given : ndarray, shape (n,)
+            Value of each term; NaN for terms that are not compared.
 
         Returns
         -------
-        off : ndarray
-            Differences in standard deviations, (n,); 0 where nothing is compared.
+        off : ndarray, shape (n,)
+            Differences in standard deviations; 0 for terms that are not compared.
         p : float
-            The p-value of all; NaN where nothing is compared.
+            Joint p-value of all differences; NaN if nothing is compared.
         """
         compared = self.identifiable & np.isfinite(given) & np.isfinite(self.std)
         off, p = np.zeros(len(self.values)), math.nan
@@ -92,9 +94,20 @@ class DriveIdentificationResult(Frozen):
 
 
 class Terms(NamedTuple):
-    """Terms sought: names, units, forces of each, N, (..., 6, n); which are identifiable, and why not.
+    """Requested drive terms along a motion.
 
-    sought: as ``drive_terms`` was given them, with ``shared``.
+    Attributes
+    ----------
+    names, units : tuple of str
+        Name and unit of each term.
+    columns : ndarray, shape (..., 6, n)
+        Forces of each term (N) for a value of 1.
+    identifiable : ndarray of bool, shape (n,)
+        True for terms that the motion identifies.
+    sought, shared : tuple of str, bool
+        Arguments of ``drive_terms``.
+    confused : tuple of str
+        One message for each term that is not identifiable.
     """
 
     names: tuple[str, ...]
@@ -107,28 +120,28 @@ class Terms(NamedTuple):
 
     @property
     def of_rotors(self) -> bool:
-        """Whether the rotors are among them."""
+        """True if the rotors are among the terms."""
         return any(name.startswith("reflected_mass") for name in self.names)
 
     def along(self, robot: Robot, motion: Motion) -> Array:
-        """Forces of those that are identifiable, (..., 6, m), along a motion near that of the columns.
+        """Compute the forces of the identifiable terms, shape (..., 6, m), along a similar motion.
 
-        A leg turns back where it does in the latter: friction does not step to and fro while a fit looks for
-        the motion.
+        The signs of the friction terms are taken from the initial motion, because steps of the friction would
+        prevent the convergence of a fit of the motion.
         """
         there = drive_terms(robot, motion, self.sought, self.shared).columns
         steady = [name.startswith(("coulomb", "offset")) for name in self.names]
         return np.asarray(np.where(steady, self.columns, there)[..., self.identifiable])
 
     def by_leg(self, name: str, values: Array) -> Array:
-        """Numbers of a term by leg, (6,), of the values, (m,), of identifiable ones; 0 of all others."""
+        """Return a term by leg, shape (6,), from the identifiable values, shape (m,); 0 for others."""
         found = np.zeros(len(self.names))
         found[self.identifiable] = values
         own = [each.startswith(name) for each in self.names]
         return np.broadcast_to(found[own] if any(own) else 0.0, LEGS)
 
     def estimate(self, values: Array, covariance: Array) -> DriveIdentificationResult:
-        """The estimate by values, (m,), and covariance, (m, m), of the identifiable terms."""
+        """Create the result from values (m,) and covariance (m, m) of the identifiable terms."""
         found, spread = np.full(len(self.names), np.nan), np.diag(np.full(len(self.names), np.inf))
         found[self.identifiable] = values
         spread[np.ix_(self.identifiable, self.identifiable)] = covariance
@@ -138,7 +151,7 @@ class Terms(NamedTuple):
 
 
 def need_terms(drive: object, where: str = "drive_terms") -> tuple[str, ...]:
-    """Names of terms in the order of ``DRIVE_TERMS``, each once; ValueError for what is none."""
+    """Return distinct names of terms in the order of ``DRIVE_TERMS``; raise ValueError for other names."""
     expected = f"some of {', '.join(DRIVE_TERMS)}"
     if isinstance(drive, str) or not isinstance(drive, Sequence) or not drive:
         raise ValueError(f"{where}: expected {expected}, got {shown(drive)}")
@@ -149,7 +162,7 @@ def need_terms(drive: object, where: str = "drive_terms") -> tuple[str, ...]:
 
 
 def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool) -> Terms:
-    """Forces of the terms along a motion; ``shared``: all legs have the same."""
+    """Compute the forces of terms along a motion; with ``shared`` all legs have the same values."""
     legs = inverse_kinematics(robot, motion)
     within = np.zeros(LEGS) if robot.drive is None else np.asarray(robot.drive.regularization_speed)
     factors = {
@@ -173,14 +186,17 @@ def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool
 
 
 def turning_legs(robot: Robot, motion: Motion, rates: Array) -> Flags:
-    """Instants and legs, (n, 6), that may move either way; rates: deviations of those of the pose, (n, 6)."""
+    """Return samples and legs, shape (n, 6), with uncertain direction at given std of the pose rates."""
     H = inverse_dynamics(robot, motion).H
     deviation = np.linalg.norm(H * rates[:, :, None], axis=1)
     return np.asarray(np.abs(inverse_kinematics(robot, motion).L_dot) < _SURE * deviation)
 
 
 def seen_by_motors(robot: Robot) -> Robot:
-    """The robot as forces of its motors show it: viscous friction of its drives is in that of its joints."""
+    """Return the robot with the viscous friction of its drives moved to its prismatic joints.
+
+    Motor forces do not distinguish between the two.
+    """
     if robot.drive is None or not np.any(viscous(robot.drive)):
         return robot
     none = np.zeros(LEGS)
@@ -189,9 +205,9 @@ def seen_by_motors(robot: Robot) -> Robot:
 
 
 def terms_of(robot: Robot, names: Sequence[str]) -> Array:
-    """Return terms of a robot's drives by name, (n,), NaN for a shared term that differs between legs.
+    """Return drive terms of a robot by name, shape (n,); NaN for a shared term that differs between legs.
 
-    Names are those of ``DriveIdentificationResult``.
+    The names are the same as in ``DriveIdentificationResult``.
     """
     if robot.drive is None:
         return np.full(len(names), np.nan)
@@ -211,17 +227,26 @@ def terms_of(robot: Robot, names: Sequence[str]) -> Array:
 
 
 def rotor_forces(robot: Robot, motion: Motion, drive: Drive) -> Array:
-    """Forces of rotors of 1 kg of reflected mass each, moments on the legs included, (..., 6, 6)."""
+    """Compute the forces, shape (..., 6, 6), of rotors with 1 kg reflected mass, including leg moments."""
     Y = rotor_regressor(robot, motion)
     H = inverse_dynamics(robot, motion).H
     return np.asarray(np.linalg.solve(H, Y[..., :LEGS] + Y[..., LEGS:] / drive.transmission_ratio))
 
 
 def told_apart(terms: Terms, A: Array, names: Sequence[str]) -> Terms:
-    """The terms with what the motion tells of them.
+    """Determine the identifiable terms.
 
-    A: forces of the base parameters, (..., 6, rank); names: of these. A term is identifiable unless base
-    parameters and the terms before it do the same along the motion.
+    A term is identifiable unless it is a linear combination of the base parameters and the terms before it
+    along the motion.
+
+    Parameters
+    ----------
+    terms : Terms
+        Terms along the motion.
+    A : ndarray, shape (..., 6, rank)
+        Force regressor of the base parameters.
+    names : sequence of str
+        Names of the base parameters.
     """
     known, found, confused = list(names), [], []
     span = _unit(A.reshape(-1, A.shape[-1]))
@@ -243,5 +268,6 @@ def told_apart(terms: Terms, A: Array, names: Sequence[str]) -> Terms:
 
 
 def _unit(columns: Array) -> Array:
+    """Scale columns to length 1; zero columns remain zero."""
     lengths = np.linalg.norm(columns, axis=0)
     return np.asarray(columns / np.where(lengths > 0.0, lengths, 1.0))

@@ -1,7 +1,7 @@
-"""What identification hands back: base parameters with their covariance and a verdict on the fit.
+"""Result of an identification: base parameters with their covariance, and the tests of the residual.
 
-The verdict is whether model and stated noise explain the residual: its size, its smooth part, a load that
-changes, forces that drift.
+The tests compare the residual with the specified noise: its size, its smooth part, a changing load, drifting
+forces, and a time lag.
 """
 
 from __future__ import annotations
@@ -22,73 +22,73 @@ from .least_squares import departure, tail
 from .parameters import ParameterVector, inertial_parameters
 from .physical import Negative, negative
 
-# By how many of its deviations a fit may be off as it is not linear within these.
+# Largest error, in standard deviations, that the nonlinearity of a fit may cause.
 _BENT = 0.1
-# A misfit is named where a right model with the stated noise would show one this rarely.
+# Significance level: a correct model with the specified noise causes a warning with this probability.
 LEVEL = 1e-3
-# Deviations are not inflated by more than this: the fit is rejected.
+# Largest inflation factor of the standard deviations; fits with a larger factor are rejected.
 _MOST_INFLATION = 3.0
-# Cosines over the instants, for each leg, by which the forces may still differ smoothly from the fitted ones.
+# Number of cosines over time, for each leg, in the test for a smooth residual of the forces.
 _COSINES = 20
-# Instants by which the fitted forces are differentiated.
+# Number of samples in the finite differences of the fitted forces.
 _NEAR = 7
-# Share of a column below which what the fit leaves of it counts as nothing.
+# Relative residual below which a column is explained completely by the fit.
 _NEW = 1e-8
-# Smooth residual beside what a lag explains of it, both as sums of squares, that may come of the lag too.
+# Largest ratio (sums of squares) of smooth residual to explained part that a lag alone may cause.
 _BEYOND_FIRST_ORDER = 0.25
-# What is said of changes on the way: of the load, and of each leg's force.
+# Warnings about changes during the measurement: of the load, and of the force of each leg.
 _CHANGES = (
-    "load: the platform's mass or first moment changes on the way, {:.3g} times as much as by noise: "
-    "expected a load that stays as it is, and forces that do not drift",
-    "drift: forces change steadily on the way, {:.3g} times as much as by noise: expected sensors whose "
-    "zeros stay as they are, and a load that does",
+    "load: the mass or first moment of the platform changes during the measurement, {:.3g} times as much "
+    "as expected from noise; keep the load constant and avoid drift of the force sensors",
+    "drift: the forces drift during the measurement, {:.3g} times as much as expected from noise; use "
+    "sensors with a constant zero, and keep the load constant",
 )
-EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
+EXACT = ("motion: is taken as exact; state the pose noise if the poses were measured",)
 
 
 @dataclass(frozen=True, eq=False)
 class IdentificationResult:
-    """Base parameters identified from forces, and whether model and stated noise explain the measurement.
+    """Base parameters identified from forces, with tests of the model and of the specified noise.
 
     Attributes
     ----------
     base : BaseParametersResult
-        What they are.
-    values : ndarray
-        SI, (rank,).
-    covariance : ndarray
-        (rank, rank), inflated by the square of ``inflation_factor``; infinite on its diagonal if the fit is
+        Definition of the base parameters.
+    values : ndarray, shape (rank,)
+        Values in SI units.
+    covariance : ndarray, shape (rank, rank)
+        Covariance, multiplied by the square of ``inflation_factor``; inf on the diagonal if the fit is
         rejected.
     normalized_residual : float
-        RMS of the residual over its expectation, near 1 if model and noise are right.
+        RMS of the residual divided by its expectation, near 1 for a correct model and noise.
     p_noise : float
-        Probability of so large a residual under the stated noise.
+        Probability of a residual of at least this size under the specified noise.
     p_model : float
-        Probability of so large a smooth part of the residual, or of one that a changing load, forces that
-        drift or forces that lag measured poses explain so well; it does not depend on the stated size of the
-        noise.
+        Smallest p-value, multiplied by the number of tests, of the tests for a smooth residual, a changing
+        load, drifting forces, and a time lag. It does not depend on the specified size of the noise.
     inflation_factor : float
-        Factor on the deviations, at least 1, from the residual.
+        Factor of the standard deviations computed from the residual, at least 1.
     verdict : str
-        "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3, or the
-        fit did not converge or is not linear within its deviations; "untested": no more forces than unknowns.
-    warnings : tuple
-        A line for each reason.
-    nonphysical : tuple
-        A line for each value that no machine can have, more than four deviations below zero.
-    near_zero : tuple
-        A line for each value that is below zero by less: not distinguishable from 0.
+        "consistent"; "misfit" if ``p_noise`` or ``p_model`` is below 0.001. "untested" if there are not more
+        forces than unknowns. "rejected" if the inflation factor would exceed 3, the fit did not converge, or
+        it is not linear within its standard deviations.
+    warnings : tuple of str
+        One message for each reason of the verdict.
+    nonphysical : tuple of str
+        One message for each value that no physical body has, more than four standard deviations below zero.
+    near_zero : tuple of str
+        One message for each value below zero that is not distinguishable from zero.
     motion : Motion
-        Along which the parameters were estimated, (...).
+        Motion along which the parameters were estimated, shape (...).
     parameters : ParameterVector, optional
-        Of possible bodies that have these values, (148,), if they were requested.
+        All 148 parameters of possible bodies, with ``enforce_physical``.
     unconstrained : IdentificationResult, optional
-        The estimate that was not kept to possible bodies, then.
+        Estimate without the restriction to possible bodies, with ``enforce_physical``.
     drive : DriveIdentificationResult, optional
-        Terms of the drives, if they were sought.
+        Drive terms, if requested.
     force_lag : tuple of float, optional
-        By how much the forces lag the poses, s, as the residual shows it, and its standard deviation; of
-        measured poses alone. The values are those of no lag.
+        Time lag of the forces behind the measured poses (s) and its standard deviation, estimated from the
+        residual. The other values are not corrected for the lag.
     """
 
     base: BaseParametersResult
@@ -110,26 +110,25 @@ class IdentificationResult:
 
     @property
     def std(self) -> Array:
-        """Standard deviation of each value, (rank,)."""
+        """Standard deviation of each value, shape (rank,)."""
         return np.sqrt(np.diagonal(self.covariance))
 
     def compare_with(self, robot: Robot) -> tuple[Array, float]:
-        """How far the values, of ``unconstrained`` where there is one, are from a robot's.
+        """Compare the values, or the values of ``unconstrained``, with the parameters of a robot.
 
         Parameters
         ----------
         robot : Robot
-            The machine. Where terms of drives were sought, viscous friction of its drives counts as that of
-            the prismatic joints, of which forces of motors do not tell it apart.
+            Robot model. If drive terms were identified, the viscous friction of its drives is added to the
+            prismatic joints, because motor forces do not distinguish between the two.
 
         Returns
         -------
-        off : ndarray
-            Differences in standard deviations, positive where the estimate is larger, (rank,); 0 if the fit
-            is rejected.
+        off : ndarray, shape (rank,)
+            Differences in standard deviations, positive if the estimate is larger; 0 if the fit is rejected.
         p : float
-            The p-value of all: the probability that a robot with its own parameters would be identified so
-            far from these or farther; 1 if the fit is rejected.
+            Joint p-value: the probability of an estimate at least this far from the parameters of the robot
+            if they are correct; 1 if the fit is rejected.
         """
         if self.unconstrained is not None:
             return self.unconstrained.compare_with(robot)
@@ -141,7 +140,7 @@ class IdentificationResult:
 
 
 def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> IdentificationResult:
-    """The estimate of a fit whose residual was tested; ``remedy``: doubts to give where it fails."""
+    """Create the result of a fit with the tests of its residual; ``remedy`` is added to any warnings."""
     r = np.concatenate([part.ravel() for part in fit.parts])
     spare = len(r) - data.left_out - fit.unknowns
     misfit = math.sqrt(float(r @ r) / spare) if spare > 0 else math.nan
@@ -154,27 +153,27 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Identifica
         inflation = max(inflation, lag.inflation)
     if tests * p_smooth < LEVEL:
         inflation = max(inflation, smooth_misfit)
-        beside = "noise" if smooth_misfit >= 1.0 else "the stated noise, which is more than their scatter"
+        beside = "noise" if smooth_misfit >= 1.0 else "the specified noise, which exceeds the scatter"
         doubts.append(
-            f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by {beside}: "
-            "expected a model of all that moves, its friction and load, and poses that follow the motion"
+            f"forces: differ smoothly from the model, {smooth_misfit:.2f} times as much as expected from "
+            f"{beside}; model all moving parts, friction, and load, and check the poses"
         )
     for (changed, p_changed), text in zip(changes, _CHANGES, strict=True):
         if tests * p_changed < LEVEL:
             inflation = max(inflation, min(changed, _MOST_INFLATION))
             doubts.append(text.format(changed))
-            break  # A load that changes looks like a drift too.
+            break  # A changing load also causes a drift.
     if not fit.converged:
-        doubts.append("fit: did not converge, expected a smaller noise or a motion that excites more")
+        doubts.append("fit: did not converge; reduce the noise or use a motion with more excitation")
     elif fit.curvature > _BENT:
         doubts.append(
-            f"fit: is not linear within its deviations, off by {fit.curvature:.2g} of them: expected a "
-            "smaller noise or a motion that excites more"
+            f"fit: is not linear within its standard deviations (error: {fit.curvature:.2g} of them); reduce "
+            "the noise or use a motion with more excitation"
         )
     if doubts and data.robot.has_rotors and (data.terms is None or not data.terms.of_rotors):
         doubts.append(
-            "rotors: forces are taken as the motors', with the rotor_inertia of the robot file: if it is not "
-            "sure, seek reflected_mass of the drive; of forces measured in the legs, leave rotor_inertia out"
+            "rotors: the forces are taken as motor forces with the rotor_inertia of the robot file; if it is "
+            "uncertain, identify reflected_mass; for forces measured in the legs, remove rotor_inertia"
         )
     if lag is not None and lag.named:
         doubts.insert(0 if lag.alone else len(doubts), lag.doubt)
@@ -206,11 +205,18 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Identifica
 
 
 class _Lag(NamedTuple):
-    """By how much forces lag the poses, s, with its deviation, and the probability of so large a one.
+    """Time lag of the forces behind the poses (s), with its standard deviation and p-value.
 
-    inflation: of the deviations, from what it changes of the values. column: what a lag of 1 s adds to the
-    residual, without what the unknowns can explain. named: whether it explains most of the residual. alone:
-    whether nothing else is missing.
+    Attributes
+    ----------
+    inflation : float
+        Inflation factor of the standard deviations that accounts for the effect of the lag on the values.
+    column : ndarray, shape (rows,)
+        Effect of a lag of 1 s on the residual, without the part that the unknowns explain.
+    named : bool
+        True if the lag explains most of the residual.
+    alone : bool
+        True if the lag is the only significant effect.
     """
 
     time: float
@@ -223,23 +229,23 @@ class _Lag(NamedTuple):
 
     @property
     def doubt(self) -> str:
-        """One line about it."""
+        """Warning about the lag, in one line."""
         how = "lag" if self.time > 0.0 else "are ahead of"
         size = f"the poses by {1e3 * abs(self.time):.3g} +- {1e3 * self.sigma:.2g} ms"
         if not self.alone:
             return (
-                f"times: forces that {how} {size} would explain a part of it, as may what is missing in the "
-                "model: shift the times of one only if nothing is"
+                f"times: a time error, at which the forces {how} {size}, explains part of the residual, as "
+                "may effects missing from the model; correct the times only if the model is complete"
             )
-        return f"times: the forces {how} {size}: expected both at the same times, shift those of one by it"
+        return f"times: the forces {how} {size}; shift the times of the forces or the poses by this amount"
 
 
 def _model_tests(
     data: Data, fit: Fit, r: Array
 ) -> tuple[_Lag | None, tuple[float, float], list[tuple[float, float]]]:
-    """Lag of forces behind measured poses, and ``_gain_test`` of smooth forces and of ``_CHANGES``.
+    """Test for a lag behind measured poses, for a smooth residual of the forces, and for ``_CHANGES``.
 
-    Where a lag explains the residual, these are of what it leaves.
+    If a lag explains the residual, the other tests apply to the remaining residual.
     """
     line = np.linspace(-1.0, 1.0, len(fit.parts[0]))
     drifting = np.asarray(np.kron(line[:, None], np.eye(LEGS)), dtype=np.float64)
@@ -253,7 +259,7 @@ def _model_tests(
     rest = [_gain_test(other, left, forces, data.left_out) for forces in added]
     explained = float(unit @ r) ** 2
     beside = added[0].shape[1] * rest[0][0] ** 2
-    # What a lag of several rows changes is not linear in it.
+    # The effect of a lag of several samples is not linear in the lag.
     alone = all(4.0 * p >= LEVEL for _, p in rest) or beside < _BEYOND_FIRST_ORDER * explained
     if alone or explained > beside:
         return lag._replace(named=True, alone=alone), rest[0], rest[1:]
@@ -261,7 +267,7 @@ def _model_tests(
 
 
 def _lag(data: Data, fit: Fit, r: Array) -> _Lag | None:
-    """The lag of a joint fit, to first order; None of another fit, and where forces don't show it."""
+    """Estimate the lag of a joint fit to first order; return None if it cannot be identified."""
     if fit.time is None:
         return None
     F = fitted_forces(data, fit)
@@ -279,7 +285,7 @@ def _lag(data: Data, fit: Fit, r: Array) -> _Lag | None:
 
 
 def _rates(time: Array, values: Array) -> Array:
-    """Rates of values, (n, m), at times, s, (n,), by polynomials through ``_NEAR`` of them around each."""
+    """Differentiate values (n, m) at times (s), shape (n,), by polynomials through ``_NEAR`` samples."""
     n, near = len(time), min(_NEAR, len(time))
     first = np.clip(np.arange(n) - near // 2, 0, n - near)
     at = first[:, None] + np.arange(near)
@@ -294,9 +300,10 @@ def _rates(time: Array, values: Array) -> Array:
 
 
 def _noise_test(fit: Fit, left_out: int) -> tuple[float, float, tuple[str, ...]]:
-    """Largest RMS residual of forces or poses over its expectation, its p-value, and which are too large.
+    """Compare the RMS residual of forces and poses with the specified noise.
 
-    left_out: forces that do not count.
+    Return the largest ratio, its p-value, and warnings about ratios that are too large; ``left_out`` is the
+    number of ignored forces.
     """
     worst, p, doubts = 0.0, 1.0, []
     shares = fit.factors.shares(fit.parts[0].size)
@@ -309,13 +316,14 @@ def _noise_test(fit: Fit, left_out: int) -> tuple[float, float, tuple[str, ...]]
         worst, p = max(worst, math.sqrt(ratio)), min(p, own)
         if own < LEVEL:
             doubts.append(
-                f"{name}: expected a residual of the stated noise, got {math.sqrt(ratio):.3g} times as much"
+                f"{name}: expected a residual of the size of the specified noise, got {math.sqrt(ratio):.3g} "
+                "times this size"
             )
     return worst, p, tuple(doubts)
 
 
 def _smooth_forces(fit: Fit) -> Array:
-    """Slow cosines over the instants on each leg, (6 n, count)."""
+    """Return slow cosines over time for each leg, shape (6 n, count)."""
     n = len(fit.parts[0])
     order = np.arange(min(_COSINES, n // 8))
     cosines = np.cos(math.pi / n * np.outer(np.arange(n) + 0.5, order))
@@ -323,7 +331,7 @@ def _smooth_forces(fit: Fit) -> Array:
 
 
 def _changing_load(data: Data, fit: Fit) -> Array:
-    """Forces of a platform whose mass and first moment change from first to last instant, (6 n, 4)."""
+    """Return the forces due to a gradual change of mass and first moment of the platform, shape (6 n, 4)."""
     own = [i for i, name in enumerate(data.base.names) if name in LOAD]
     A = linear_system(data, fit.motion)[0].reshape(-1, LEGS, len(fit.values))[..., own]
     change = np.cos(math.pi / len(A) * (np.arange(len(A)) + 0.5))
@@ -332,7 +340,7 @@ def _changing_load(data: Data, fit: Fit) -> Array:
 
 
 def _gain_test(fit: Fit, r: Array, forces: Array, left_out: int) -> tuple[float, float]:
-    """RMS over its expectation of what added forces, (6 n, count), would explain of the residual; p-value."""
+    """Return normalized RMS and p-value of the residual that added forces, shape (6 n, count), explain."""
     added = np.zeros((len(r), forces.shape[1]))
     added[: len(forces)] = forces
     size = np.linalg.norm(forces, axis=0).max(initial=0.0)

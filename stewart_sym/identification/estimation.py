@@ -1,12 +1,12 @@
-"""Identification: base parameters with their standard deviations from measured actuator forces.
+"""Identification of base parameters and their standard deviations from measured actuator forces.
 
     F = H^-1 (Y pi - [R F_ext; R M_ext]) + noise
 
-is linear in the base parameters, so weighted least squares finds them along a motion that is known exactly.
-Poses measured with noise are errors in the regressor: there the motion is a series with unknown
-coefficients, fitted together with the parameters to poses and forces (maximum likelihood). Of the robot
-file only geometry and gravity are used. Every fit is tested by its residual; ``IdentificationResult.verdict``
-says with what result.
+This equation is linear in the base parameters, so weighted least squares solves it along an exactly known
+motion. Noise of measured poses causes errors in the regressor. For measured poses the motion is therefore a
+series with unknown coefficients, which is fitted to poses and forces together with the parameters (maximum
+likelihood). Only the geometry and gravity of the robot file are used. The residual of every fit is tested;
+``IdentificationResult.verdict`` contains the result of the tests.
 """
 
 from __future__ import annotations
@@ -40,24 +40,24 @@ from .physical import POSSIBLE, possible_fit
 
 @dataclass(frozen=True, eq=False)
 class Experiment:
-    """A simulated measurement and the estimate from it.
+    """Simulated measurement and the estimate from it.
 
     Attributes
     ----------
     excitation : Excitation
-        The motion.
+        Exact motion.
     measured_motion : Motion
-        Its poses as measured, with noise if there is any.
-    F : ndarray
-        Noisy forces, N, (n, 6).
+        Measured poses, with noise unless ``pose_noise`` is None.
+    F : ndarray, shape (n, 6)
+        Noisy forces (N).
     force_std : float
-        Their standard deviation, N.
-    pose_noise : PoseNoise
-        Of the poses, None if they are exact.
-    true_values : ndarray
-        The base parameters of the robot, (rank,).
+        Standard deviation of the forces (N).
+    pose_noise : PoseNoise, optional
+        Noise of the poses; None for exact poses.
+    true_values : ndarray, shape (rank,)
+        Base parameters of the robot.
     estimate : IdentificationResult
-        From F.
+        Estimate from ``F``.
     """
 
     excitation: Excitation
@@ -70,7 +70,7 @@ class Experiment:
 
     @property
     def z_scores(self) -> Array:
-        """Error of each estimate in its standard deviations, (rank,); NaN where the fit gives none."""
+        """Error of each estimate in standard deviations, shape (rank,); NaN if the fit is rejected."""
         sigma = self.estimate.std
         return np.asarray(
             (self.estimate.values - self.true_values) / np.where(np.isfinite(sigma), sigma, np.nan)
@@ -90,45 +90,77 @@ def identify(
 ) -> IdentificationResult:
     """Estimate the base parameters by weighted least squares, and test the residual.
 
-    All noise is taken as normal and independent.
+    All noise is assumed to be normal and independent.
 
     Parameters
     ----------
     robot : Robot
-        Its geometry, gravity and rotors count, the rest may be wrong.
+        Robot with correct geometry, gravity, and rotors; its other parameters are not used.
     motion : Motion
-        Measured, with any load, (...).
-    F : array_like
-        Measured actuator forces, N, (..., 6); where the robot has rotors the motors', N times torque.
+        Measured motion, shape (...), with any load.
+    F : array_like, shape (..., 6)
+        Measured actuator forces (N). For a robot with rotors these are motor forces (motor torque times
+        transmission ratio).
     force_std : array_like
-        Standard deviation of each force, N, broadcasts to F's shape.
+        Standard deviation of each force (N); it broadcasts to the shape of ``F``.
     base_parameters : BaseParametersResult, optional
-        None for ``base_parameters(robot)``; of a machine of the same geometry and gravity.
+        Base parameters of a robot with the same geometry and gravity; by default ``base_parameters(robot)``.
     pose_noise : PoseNoise, optional
-        Of the poses at n instants, of which only these and the load then count; the rates are those of the
-        smooth motion that explains poses and forces best, and the deviations hold the noise of both. None:
-        the motion, with its accelerations, is taken as exact.
+        Noise of the poses at n times. Only poses and load of ``motion`` are then used; the rates belong to
+        the smooth motion that best explains poses and forces, and the standard deviations include both
+        noises. By default the motion and its accelerations are exact.
     enforce_physical : bool, optional
-        Keep to bodies that can exist; what the forces do not decide is then as near as can be to the robot's
-        own bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
+        Restrict the estimate to physically possible bodies. Parameters that the forces do not determine are
+        then as close as possible to the robot's own, all 148 parameters are returned, and the standard
+        deviations account for the restriction. Requires SciPy.
     identical_legs : bool, optional
-        As for ``base_parameters``, without ``base_parameters``.
+        Estimate one set of parameters for all legs; not with ``base_parameters``.
     drive_terms : sequence of str, optional
-        Terms of the drives to seek as well, where F are forces of the motors, N times torque: some of
-        "reflected_mass", "coulomb", "offset" and "viscous", which is the same as ``C_p`` where that is
-        sought; ``IdentificationResult.drive`` has what is identifiable. With ``pose_noise`` and "coulomb", a
-        force does not count where the direction of its leg is not sure.
+        Drive terms to identify from motor forces: "reflected_mass", "coulomb", "offset", and "viscous", which
+        is equivalent to ``C_p`` if both are identified. With ``pose_noise`` and "coulomb", forces of legs
+        with an uncertain direction of motion are ignored.
 
     Returns
     -------
     IdentificationResult
-        Values with their covariance, and what the residual shows.
+        Values with their covariance, and the results of the tests.
 
     Raises
     ------
     ValueError
-        For wrong shapes, for sigma not > 0, for unsolvable poses, and for a motion that does not excite every
-        base parameter; pass ``base_parameters(robot, motion)`` to identify what it does excite.
+        If an argument is invalid, if a pose has no solution, or if the motion does not excite every base
+        parameter. ``base_parameters(robot, motion)`` contains the excited parameters only.
+    ImportError
+        If SciPy is required and not installed.
+
+    See Also
+    --------
+    base_parameters : Identifiable combinations of the inertial parameters.
+    choose_excitation : Motion with a well-conditioned regressor.
+    simulate_experiment : Identification from simulated measurements.
+
+    Notes
+    -----
+    The model is F = H^-1 (Y pi - [R F_ext; R M_ext]) with the regressor Y (``regressor``). For the conditions
+    of physically possible bodies see [1]_.
+
+    References
+    ----------
+    .. [1] P. M. Wensing, S. Kim, and J.-J. E. Slotine, "Linear matrix inequalities for physically consistent
+       inertial parameter identification", IEEE Robotics and Automation Letters 3(1), 2018.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> excitation = ss.choose_excitation(robot, samples=50, candidates=1, identical_legs=True)
+    >>> noise = np.random.default_rng(0).normal(size=(50, 6))
+    >>> F = ss.inverse_dynamics(robot, excitation.motion).F + noise
+    >>> base = excitation.base
+    >>> result = ss.identify(robot, excitation.motion, F=F, force_std=1.0, base_parameters=base)
+    >>> result.verdict, result.values.shape
+    ('consistent', (25,))
     """
     need_universal(robot)
     truth(enforce_physical, "enforce_physical")
@@ -139,7 +171,7 @@ def identify(
     if pose_noise is None:
         need_motion(robot, motion)
     if base_parameters is not None and identical_legs:
-        raise ValueError("identical_legs: expected False with base_parameters, which state it")
+        raise ValueError("identical_legs: expected False with base_parameters, which already define it")
     if base_parameters is None:
         base_parameters = parameters_of(robot, identical_legs=identical_legs)
     instance(motion, Motion, "motion")
@@ -166,9 +198,9 @@ def identify(
 
 
 def _with_terms(data: Data, drive: tuple[str, ...], noise: PoseNoise | None) -> Data:
-    """The data with terms of the drives, told apart from the base parameters.
+    """Add the drive terms to the data, with the identifiable ones marked.
 
-    Of measured poses forces do not count where friction that steps may be that of either direction.
+    For measured poses, forces with an uncertain sign of the Coulomb friction are ignored.
     """
     along, counted = data.motion, np.ones(data.forces.shape)
     if noise is not None:
@@ -176,8 +208,8 @@ def _with_terms(data: Data, drive: tuple[str, ...], noise: PoseNoise | None) -> 
         if "coulomb" in drive:
             counted[turning_legs(data.robot, along, rates)] = 0.0
             if not counted.any():
-                said = "the noise of the poses hides every direction"
-                raise ValueError(f'motion: expected legs that move, for "coulomb": {said}')
+                reason = "at this pose noise every direction of motion is uncertain"
+                raise ValueError(f'motion: expected legs that move, for "coulomb": {reason}')
     terms = terms_along(data.robot, along, drive, data.base.identical_legs)
     terms = terms._replace(columns=terms.columns * counted[..., None])
     A = force_regressor(data.robot, along, data.base) * counted[..., None]
@@ -193,25 +225,48 @@ def simulate_experiment(
     position_std: float = 0.0,
     angle_std: float = 0.0,
 ) -> Experiment:
-    """Measure the robot's forces along a motion with normal noise and identify it from them.
+    """Simulate noisy forces along a motion, and identify the base parameters from them.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot model.
     excitation : Excitation
-        Motion, as from ``choose_excitation``.
+        Motion, for example the result of ``choose_excitation``.
     force_std : float
-        Standard deviation of every force, N, > 0.
+        Standard deviation of every force (N), > 0.
     seed : int, optional
-        Of the noise, which is independent of what ``choose_excitation`` draws from the same seed.
+        Random seed of the noise. The noise is independent of the motion of ``choose_excitation`` with the
+        same seed.
     position_std, angle_std : float, optional
-        Of the measured poses, m and rad, both 0 or both > 0; with noise, only poses are measured.
+        Standard deviations of the measured poses (m and rad), both 0 or both > 0. With pose noise, the rates
+        of the motion are not used.
 
     Returns
     -------
     Experiment
-        Motion, forces, estimate and true values.
+        Motion, forces, true values, and the estimate.
+
+    Raises
+    ------
+    ValueError
+        If an argument is invalid.
+
+    See Also
+    --------
+    choose_excitation : Motion with a well-conditioned regressor.
+    identify : Identification from measured forces.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> excitation = ss.choose_excitation(robot, samples=50, candidates=1, identical_legs=True)
+    >>> experiment = ss.simulate_experiment(robot, excitation, force_std=1.0)
+    >>> experiment.estimate.verdict
+    'consistent'
+    >>> bool(abs(experiment.z_scores).max() < 4.0)
+    True
     """
     instance(excitation, Excitation, "excitation")
     need_seed(seed)
@@ -231,7 +286,7 @@ def simulate_experiment(
 
 
 def _possible(robot: Robot, found: IdentificationResult) -> IdentificationResult:
-    """The estimate kept to possible bodies; a misfit if these explain the forces much worse."""
+    """Convert the estimate to possible bodies, with the verdict "misfit" if these fit much worse."""
     fit = possible_fit(robot, found.base, found.values, found.covariance)
     ratio = fit.squares / found.base.rank
     verdict, doubts = found.verdict, found.warnings
@@ -239,7 +294,8 @@ def _possible(robot: Robot, found: IdentificationResult) -> IdentificationResult
         verdict = "misfit"
         doubts = (
             *doubts,
-            f"bodies: possible ones are {math.sqrt(ratio):.3g} times as far from the estimate as by noise",
+            f"bodies: the nearest possible bodies are {math.sqrt(ratio):.3g} times as far from the estimate "
+            "as expected from noise",
         )
     return replace(
         found,

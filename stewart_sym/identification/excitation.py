@@ -1,4 +1,4 @@
-"""Excitation: a periodic motion within the machine's limits in whose forces its base parameters show."""
+"""Excitation trajectories: periodic motions within the limits, with a well-conditioned regressor."""
 
 from __future__ import annotations
 
@@ -24,33 +24,33 @@ from ..robot.robot import Robot
 from .base_parameters import BaseParametersResult, base_parameters
 from .parameters import regressor
 
-# Widths of the first harmonic's coefficients: share of the base's radius, and rad.
+# Standard deviations of the coefficients of the first harmonic: relative to the radius of the base, and rad.
 _WIDTH = np.array([0.1, 0.1, 0.1, 0.2, 0.2, 0.2])
-# Largest number of samples, of harmonics and of candidates.
+# Largest number of samples, harmonics, and candidates.
 _MOST = 10_000_000
-# A candidate is made smaller by this factor, so often at most, until it keeps within the limits.
+# Factor by which a candidate is reduced until it is within the limits, and the largest number of reductions.
 _SMALLER, _TIMES = 0.8, 16
-# Scaled condition number of H along the way, beside that at the home pose.
+# Largest scaled condition number of H along the motion, relative to the home pose.
 _REGULAR = 3.0
 
 
 @dataclass(frozen=True, eq=False)
 class FourierPath(Frozen):
-    """A periodic motion: position and roll-pitch-yaw angles as sums of sines and cosines about a middle.
+    """Periodic motion: Fourier series of the position and of the roll, pitch, and yaw angles.
 
     Attributes
     ----------
-    t0, theta0 : ndarray
-        Position, m, and angles, rad, (3,), about which it swings.
-    sine, cosine : ndarray
-        Coefficients, (n, 6), of the harmonics 1 to n: columns 0-2 position, m, 3-5 angles, rad.
+    t0, theta0 : ndarray, shape (3,)
+        Center of the motion: position (m), and roll, pitch, and yaw (rad).
+    sine, cosine : ndarray, shape (n, 6)
+        Coefficients of the harmonics 1 to n: position (m) in columns 0 to 2, angles (rad) in columns 3 to 5.
     period : float
-        Duration of one period, s.
+        Period (s).
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If an argument is invalid.
     """
 
     t0: Array
@@ -60,6 +60,7 @@ class FourierPath(Frozen):
     period: float
 
     def __post_init__(self) -> None:
+        """Check the arguments."""
         for name, core in (("t0", (3,)), ("theta0", (3,)), ("sine", (6,)), ("cosine", (6,))):
             value = finite_array(getattr(self, name), core, name)
             if value.ndim != (1 if core == (3,) else 2):
@@ -72,65 +73,64 @@ class FourierPath(Frozen):
         number_in(self.period, "period", "a duration > 0 s")
 
     def time_grid(self, samples: int) -> Array:
-        """Instants of one period, equally spaced.
+        """Return equally spaced times of one period.
 
         Parameters
         ----------
         samples : int
-            How many, from 1 to ten million.
+            Number of samples, from 1 to ten million.
 
         Returns
         -------
-        ndarray
-            From 0 on, without the end of the period, s, (samples,).
+        ndarray, shape (samples,)
+            Times (s) from 0, without the end of the period.
 
         Raises
         ------
         ValueError
-            For any other number.
+            If ``samples`` is outside its range.
         """
         _count(samples, "samples")
         return np.arange(samples) * self.period / samples
 
     def sample(self, tau: ArrayLike) -> Motion:
-        """Return the motion at some times, without external load.
+        """Return the motion at given times, without external load.
 
         Parameters
         ----------
-        tau : array_like
-            Times, s, of any shape.
+        tau : array_like, shape (...)
+            Times (s).
 
         Returns
         -------
         Motion
-            Of the shape of tau.
+            Motion with accelerations, shape (...).
 
         Raises
         ------
         ValueError
-            For times that are not finite, and where a harmonic overflows.
+            If a time is not finite, or if a harmonic overflows.
         """
         x = self.coordinates(tau)
         return Motion.from_rpy(*(part for y in x for part in (y[..., :3], y[..., 3:])))
 
     def coordinates(self, tau: ArrayLike) -> tuple[Array, Array, Array]:
-        """Coordinates at some times, and their derivatives by time.
+        """Compute the coordinates at given times, with their time derivatives.
 
         Parameters
         ----------
-        tau : array_like
-            Times, s, of any shape (...).
+        tau : array_like, shape (...)
+            Times (s).
 
         Returns
         -------
-        y, y_dot, y_ddot : ndarray
-            Position, m, and roll-pitch-yaw angles, rad, side by side, and their first and second derivatives,
-            each (..., 6).
+        y, y_dot, y_ddot : ndarray, shape (..., 6)
+            Position (m), and roll, pitch, and yaw (rad), with their first and second time derivatives.
 
         Raises
         ------
         ValueError
-            For times that are not finite.
+            If a time is not finite.
         """
         time = real_array(tau, "tau", "finite times")[..., None]
         if not np.isfinite(time).all():
@@ -146,20 +146,20 @@ class FourierPath(Frozen):
 
 @dataclass(frozen=True, eq=False)
 class Excitation:
-    """The best of the candidates.
+    """Excitation trajectory with the smallest condition number among the candidates.
 
     Attributes
     ----------
     path : FourierPath
-        The motion over time.
-    time : ndarray
-        Instants of one period, s, (n,).
+        Periodic motion.
+    time : ndarray, shape (n,)
+        Times of one period (s).
     motion : Motion
-        At these, (n,).
+        Motion at ``time``, shape (n,).
     base : BaseParametersResult
-        The machine's base parameters.
+        Base parameters of the robot.
     condition : float
-        Condition number of the forces' regressor H^-1 Y over these instants, its columns of length 1.
+        Condition number of the force regressor H^-1 Y over these times, with columns of length 1.
     """
 
     path: FourierPath
@@ -179,42 +179,58 @@ def choose_excitation(
     progress: Progress = silent,
     identical_legs: bool = False,
 ) -> Excitation:
-    """Draw Fourier series about the home pose and keep the one whose regressor is best conditioned.
+    """Choose a periodic motion near the home pose with a well-conditioned regressor.
 
-    Every candidate is made small enough for the limits of the robot's legs, of length, joint angle, speed and
-    force, and of its motors, of torque, its root mean square, speed, current and power (those that depend on
-    forces with the robot's own parameters), and stays where the scaled condition number of H is at most three
-    times that of the home pose.
+    The function compares random Fourier series. The amplitude of each candidate is reduced until the motion
+    is within all limits of the legs and motors. These are the length, joint angle, speed, and force of a leg,
+    and the peak and RMS torque, speed, current, and power of a motor. The limits that depend on forces are
+    evaluated with the parameters of the robot. The scaled condition number of H is at most three times its
+    value in the home pose.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot with limits.
     period : float, optional
-        s; None: 8 sqrt(size / g), with the radius of the base points as size, in which accelerations are of
-        the order of gravity.
+        Period (s); by default 8 sqrt(r / g) with the radius r of the base points, so that the accelerations
+        are of the order of gravity.
     harmonics : int, optional
-        Of the Fourier series.
+        Number of harmonics.
     samples : int, optional
-        Instants of one period.
+        Number of samples in one period.
     candidates : int, optional
-        Random series to try.
+        Number of random candidates.
     seed : int, optional
-        Of the draws.
-    progress : Progress, optional
-        Called with what is being done and the share of the candidates that is done, 0 to 1.
+        Random seed.
+    progress : callable, optional
+        Function that is called with a text and the completed fraction, 0 to 1.
     identical_legs : bool, optional
-        As for ``base_parameters``.
+        Use the base parameters of identical legs, as in ``base_parameters``.
 
     Returns
     -------
     Excitation
-        Path, motion and condition number of the regressor.
+        Path, motion, and condition number of the regressor.
 
     Raises
     ------
     ValueError
-        Naming the argument, and if no candidate keeps within the limits.
+        If an argument is invalid, or if no candidate is within the limits.
+
+    See Also
+    --------
+    base_parameters : Identifiable combinations of the inertial parameters.
+    simulate_experiment : Identification from simulated measurements.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> excitation = ss.choose_excitation(robot, samples=50, candidates=1)
+    >>> excitation.motion.shape
+    (50,)
+    >>> round(excitation.path.period, 3)
+    1.782
     """
     need_universal(robot)
     for name, value in (("harmonics", harmonics), ("samples", samples), ("candidates", candidates)):
@@ -230,7 +246,7 @@ def choose_excitation(
     rng, turn = np.random.default_rng(seed), upright(robot)
     best: Excitation | None = None
     for _ in tracked(progress, range(candidates), lambda _: f"choosing among {candidates} motions"):
-        # The same draw means the same motion of the machine in whatever axes its file is written.
+        # Draws along the axes of the robot make the motion independent of the frame of the robot file.
         draws = (width * rng.normal(size=(2, harmonics, 6))).reshape(2, harmonics, 2, 3) @ turn.T
         sine, cosine = draws.reshape(2, harmonics, 6)
         path = _within_limits(robot, home.t, sine, cosine, period, samples, _REGULAR * home.scaled_condition)
@@ -242,16 +258,19 @@ def choose_excitation(
             best = Excitation(path, path.time_grid(samples), motion, base, condition)
     if best is None:
         raise ValueError(
-            "robot: found no motion about its home pose within the limits of its legs and motors: "
-            "a longer period takes less of their speed and force"
+            "robot: no motion near the home pose is within the limits of the legs and motors; "
+            "increase the period to reduce speeds and forces"
         )
     return best
 
 
 def force_regressor(robot: Robot, motion: Motion, base: BaseParametersResult) -> Array:
-    """H^-1 Y of the base parameters, (..., 6, rank): the actuator forces of each, without load.
+    """Compute the force regressor H^-1 Y of the base parameters, shape (..., 6, rank), without load.
 
-    Raises ValueError for poses in which H is singular.
+    Raises
+    ------
+    ValueError
+        If H is singular in a pose.
     """
     H = inverse_dynamics(robot, motion).H
     Y = base.reduce(regressor(robot, motion, columns=base.required_columns()))
@@ -261,7 +280,7 @@ def force_regressor(robot: Robot, motion: Motion, base: BaseParametersResult) ->
 def _within_limits(
     robot: Robot, t: Array, sine: Array, cosine: Array, period: float, samples: int, condition: float
 ) -> FourierPath | None:
-    """The candidate, smaller if need be; None if it still is not within the limits."""
+    """Return the candidate, reduced if necessary, or None if it remains outside the limits."""
     for scale in _SMALLER ** np.arange(_TIMES):
         path = FourierPath(t, np.zeros(3), scale * sine, scale * cosine, period)
         if _allowed(robot, path.sample(path.time_grid(samples)), condition):
@@ -270,6 +289,7 @@ def _within_limits(
 
 
 def _allowed(robot: Robot, motion: Motion, condition: float) -> bool:
+    """Return True if a motion is within the limits and its condition number is small enough."""
     found = inverse_dynamics(robot, motion, on_singular="nan")
     if np.any(found.status):
         return False
@@ -279,7 +299,7 @@ def _allowed(robot: Robot, motion: Motion, condition: float) -> bool:
 
 
 def _limits_kept(robot: Robot, motion: Motion, F: Array) -> bool:
-    """Whether legs, by forces F, N, (n, 6), and their motors keep within their limits."""
+    """Return True if legs with forces F (N), shape (n, 6), and their motors are within their limits."""
     legs = inverse_kinematics(robot, motion)
     values = {"F": F, "L": legs.L, "L_dot": legs.L_dot} | limited_angles(robot, motion)
     stated = [limit for limit in LEG_LIMITS if limit.values in values]
@@ -293,28 +313,30 @@ def _limits_kept(robot: Robot, motion: Motion, F: Array) -> bool:
 
 
 def _condition(A: Array) -> float:
-    """Condition number of the columns, scaled to length 1; inf if they are dependent to half the digits."""
+    """Return the condition number of columns scaled to length 1; inf if they are nearly dependent."""
     stack = A.reshape(-1, A.shape[-1])
     lengths = np.linalg.norm(stack, axis=0)
     if not np.all(lengths > 0.0):
         return math.inf
-    # Squares are enough to compare by, and a small matrix is much sooner taken apart than a tall one.
+    # Eigenvalues of the Gram matrix are accurate enough for a comparison, and much faster than an SVD.
     squares = np.linalg.eigvalsh(np.asarray((stack / lengths).T @ (stack / lengths)))
     rounding = len(squares) * np.finfo(np.float64).eps * squares[-1]
     return math.sqrt(squares[-1] / squares[0]) if squares[0] > rounding else math.inf
 
 
 def _own_period(robot: Robot) -> float:
+    """Return the default period (s)."""
     gravity = float(np.linalg.norm(robot.g))
     if gravity == 0.0:
-        raise ValueError("period: expected a duration > 0 s for a machine without gravity, got None")
+        raise ValueError("period: expected a duration > 0 s for a robot without gravity, got None")
     return 8.0 * math.sqrt(radius(robot.b) / gravity)
 
 
 def need_seed(value: object) -> None:
-    """Reject, by ValueError, what is no whole number >= 0."""
+    """Raise ValueError unless a seed is a whole number >= 0."""
     whole_number(value, "seed", 0, "a whole number >= 0")
 
 
 def _count(value: object, name: str) -> None:
+    """Check a number of samples, harmonics, or candidates."""
     whole_number(value, name, 1, f"a whole number > 0 and at most {_MOST:,}", _MOST)

@@ -1,4 +1,4 @@
-"""Least-squares fits: linear along a known motion, joint with a smooth motion fitted to measured poses."""
+"""Least-squares fits: linear along a known motion, or jointly with a smooth motion for measured poses."""
 
 import math
 from dataclasses import replace
@@ -30,14 +30,14 @@ from .excitation import force_regressor
 from .least_squares import Arrow, Factors, factors, solution
 from .parameters import inertial_parameters, is_friction, with_parameters
 
-# Singular values below this share of the largest say that the motion does not excite all parameters.
+# Relative size of singular values below which the motion does not excite all parameters.
 _ROUNDING = 1e-12
-# Parameters of the platform that a payload taken up, dropped or shifted changes.
+# Parameters of the platform that change with its payload.
 LOAD = ("M", "h_P_x", "h_P_y", "h_P_z")
 
 
 class Data(NamedTuple):
-    """What ``identify`` was given; forces with an infinite deviation do not count."""
+    """Arguments of ``identify``; forces with an infinite standard deviation are ignored."""
 
     robot: Robot
     motion: Motion
@@ -48,22 +48,33 @@ class Data(NamedTuple):
 
     @property
     def unknowns(self) -> int:
-        """How many base parameters and terms of the drives are sought."""
+        """Number of unknown base parameters and drive terms."""
         return self.base.rank + (0 if self.terms is None else int(self.terms.identifiable.sum()))
 
     @property
     def left_out(self) -> int:
-        """How many forces do not count."""
+        """Number of ignored forces."""
         return int(np.isinf(self.deviations).sum())
 
 
 class Fit(NamedTuple):
-    """A least-squares fit about its solution.
+    """Least-squares fit, linearized at its solution.
 
-    parts: residual over deviations, of the forces and, in a joint fit, of the poses, (n, 6) each. values: of
-    base parameters and terms of the drives, (m,). factors: of the derivatives of parts by all unknowns, the
-    values first. curvature: as ``_curvature`` returns. time: of the instants, s, (n,), of a joint fit.
-    beside: of length 1, what is explained as well and no unknown of ``factors`` explains, (rows,).
+    Attributes
+    ----------
+    parts : tuple of ndarray
+        Residual divided by the standard deviations, shape (n, 6) each: of the forces and, in a joint fit, of
+        the poses.
+    values : ndarray, shape (m,)
+        Base parameters and drive terms.
+    factors : DenseFactors or ArrowFactors
+        Factors of the derivatives of ``parts`` with respect to all unknowns, ``values`` first.
+    curvature : float
+        Result of ``_curvature``.
+    time : ndarray, shape (n,), optional
+        Times of a joint fit (s).
+    beside : ndarray, shape (rows,), optional
+        Unit vector of an additional explained direction that is orthogonal to the unknowns of ``factors``.
     """
 
     parts: tuple[Array, ...]
@@ -77,34 +88,37 @@ class Fit(NamedTuple):
 
     @property
     def unknowns(self) -> int:
-        """How many there are, those of the motion too."""
+        """Number of unknowns, including the unknowns of the motion."""
         return self.factors.unknowns + (0 if self.beside is None else 1)
 
     @property
     def covariance(self) -> Array:
-        """Of values, (m, m)."""
+        """Covariance of ``values``, shape (m, m)."""
         return self.factors.covariance(len(self.values))
 
     def unexplained(self, y: Array) -> Array:
-        """What no unknown explains of y, (rows,) or (rows, columns)."""
+        """Return the part of y, shape (rows,) or (rows, columns), that no unknown explains."""
         left = y - self.factors.explained(y)
         return left if self.beside is None else left - np.multiply.outer(self.beside, self.beside @ left)
 
 
 def exact_fit(data: Data, motion: Motion) -> Fit:
-    """Fit along a motion that is known exactly."""
+    """Fit the unknowns along an exactly known motion."""
     A, y = linear_system(data, motion)
     J = A.reshape(-1, A.shape[-1])
     felt = _felt(J[:, : data.base.rank])
     if felt < data.base.rank:
-        raise ValueError(f"motion: excites {felt} of {data.base.rank} base parameters, expected all of them")
+        raise ValueError(
+            f"motion: excites {felt} of {data.base.rank} base parameters; use a motion that excites all, or "
+            "pass base_parameters(robot, motion)"
+        )
     solved = factors(J)
     values = solved.solve(y.ravel())
     return Fit(((y - A @ values).reshape(-1, LEGS),), values, solved, motion)
 
 
 def _felt(J: Array) -> int:
-    """Rank of J, its columns of length 1."""
+    """Return the rank of J, with columns of length 1."""
     lengths = np.linalg.norm(J, axis=0)
     values = np.linalg.svd(
         np.linalg.qr(J / np.where(lengths > 0.0, lengths, 1.0), mode="r"), compute_uv=False
@@ -113,7 +127,7 @@ def _felt(J: Array) -> int:
 
 
 def linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
-    """A and y of A values = y, both over the deviations: (..., 6, rank and terms) and (..., 6)."""
+    """Return A and y of A values = y divided by the standard deviations, shape (..., 6, m) and (..., 6)."""
     with np.errstate(over="ignore", invalid="ignore"):
         A = force_regressor(data.robot, motion, data.base)
         if data.terms is not None:
@@ -127,7 +141,7 @@ def linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
 
 
 def _load_forces(robot: Robot, motion: Motion) -> Array:
-    """H^-1 [R F_ext; R M_ext], (..., 6)."""
+    """Compute H^-1 [R F_ext; R M_ext], shape (..., 6)."""
     if motion.F_ext is None and motion.M_ext is None:
         return np.zeros((*motion.shape, LEGS))
     H = inverse_dynamics(robot, motion).H
@@ -135,7 +149,7 @@ def _load_forces(robot: Robot, motion: Motion) -> Array:
 
 
 def _forces_of_rotors(data: Data, motion: Motion) -> Array:
-    """What the rotors of the robot file take of the motors' forces, (..., 6), unless they are sought."""
+    """Compute the motor forces of the rotors in the robot file, shape (..., 6); 0 if rotors are unknowns."""
     robot = data.robot
     if robot.drive is None or not robot.has_rotors or (data.terms is not None and data.terms.of_rotors):
         return np.zeros((*motion.shape, LEGS))
@@ -144,21 +158,21 @@ def _forces_of_rotors(data: Data, motion: Motion) -> Array:
 
 # Joint fit by Gauss-Newton steps
 
-# Most steps of the joint fit, most halvings of one, and the decrease of the sum of squares at which it ends,
-# times the mean square where that is above 1, that of noise.
+# Largest numbers of Gauss-Newton steps and of halvings of a step. The fit ends at this decrease of the sum of
+# squares, multiplied by the mean square if it exceeds 1, its expectation.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
-# Bases in a row whose fit does not converge, after which larger ones are not tried.
+# Number of successive bases without convergence after which larger ones are not tried.
 _IN_VAIN = 3
-# Random errors by which a fit is tested for being linear within its deviations.
+# Number of random errors in the test for linearity within the standard deviations.
 _DRAWS = 8
-# Lead of a screw, m, whose rotor resists along the leg alone.
+# Lead of a screw (m) so small that the rotor acts along the leg only.
 _FINE = 1e-6
 
 
 def joint_fit(data: Data, noise: PoseNoise) -> Fit:
-    """The fit whose basis is the next beyond that which explains poses and forces best for its size (Akaike).
+    """Fit motion and parameters jointly, with a basis one size above the optimum of Akaike's criterion.
 
-    With one size more, what a basis cannot follow of the motion stays below the noise.
+    The additional size keeps the approximation error of the motion below the noise.
     """
     q = coordinates(data.motion, noise)
     best, least, before, vain = None, math.inf, q, 0
@@ -175,12 +189,12 @@ def joint_fit(data: Data, noise: PoseNoise) -> Fit:
             break
         least, before = criterion, basis.value @ found.c
     if best is None:
-        raise ValueError(f"noise: expected more than {len(q)} instants to fit motion and parameters to")
+        raise ValueError(f"pose_noise: expected more than {len(q)} samples for motion and parameters")
     return _with_deviations(data, noise, best)
 
 
 class _Solution(NamedTuple):
-    """Base parameters and terms, (m,), coefficients of the motion, (size, 6), and residuals, (n, 6) each."""
+    """Parameters and terms (m,), coefficients of the motion (size, 6), and residuals, shape (n, 6) each."""
 
     basis: Basis
     values: Array
@@ -190,7 +204,7 @@ class _Solution(NamedTuple):
 
 
 def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> _Solution:
-    """Least squares in the base parameters and, from c on, the coefficients of the motion."""
+    """Solve for the parameters and the coefficients of the motion, with initial coefficients c."""
     motion = basis.motion(c, data.motion)
     A, y = linear_system(data, motion)
     values = by_normal_equations(A.reshape(-1, A.shape[-1]), y.ravel())
@@ -219,7 +233,7 @@ def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> _Solu
 
 
 def _with_deviations(data: Data, noise: PoseNoise, found: _Solution) -> Fit:
-    """The solution as a fit, with its covariance and the error that comes of what is not linear in it."""
+    """Convert a solution to a fit, with its covariance and the error due to its nonlinearity."""
     basis, values, c, parts, converged = found
     solved = factors(_jacobian(data, noise, basis, values, c))
     curvature = _curvature(data, noise, found, solved) if converged else math.inf
@@ -228,15 +242,16 @@ def _with_deviations(data: Data, noise: PoseNoise, found: _Solution) -> Fit:
 
 
 def fitted_forces(data: Data, fit: Fit) -> Array:
-    """Forces that a fit has along its motion, N, (n, 6)."""
+    """Compute the forces of a fit along its motion (N), shape (n, 6)."""
     A, y = linear_system(data._replace(deviations=np.ones(data.forces.shape)), fit.motion)
     return np.asarray(A @ fit.values + data.forces - y)
 
 
 def _curvature(data: Data, noise: PoseNoise, found: _Solution, solved: Factors) -> float:
-    """Largest RMS error of values, in deviations, as the residual is not linear in these and the motion.
+    """Return the largest RMS error of the values, in standard deviations, that nonlinearity causes.
 
-    Seen over opposite errors drawn as the fit states them; inf where such an error makes a pose unsolvable.
+    It is evaluated for pairs of opposite random errors with the covariance of the fit; inf if such an error
+    makes a pose unsolvable.
     """
     basis, values, c, parts, _ = found
     unknowns, center, shifts = data.unknowns, np.concatenate([part.ravel() for part in parts]), []
@@ -255,16 +270,18 @@ def _curvature(data: Data, noise: PoseNoise, found: _Solution, solved: Factors) 
 
 
 def _residuals(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> tuple[Array, Array]:
+    """Compute the residuals of forces and poses divided by their standard deviations, shape (n, 6) each."""
     A, y = linear_system(data, basis.motion(c, data.motion))
     return y - A @ values, residual(basis, c, data.motion, noise)
 
 
 def _squares(parts: tuple[Array, ...]) -> float:
+    """Return the sum of squares."""
     return float(sum(np.sum(part**2) for part in parts))
 
 
 def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array | Arrow:
-    """Derivatives of forces and poses over their deviations by all unknowns, (12 n, unknowns + 6 m)."""
+    """Compute the derivatives of the scaled forces and poses, shape (12 n, unknowns + 6 m)."""
     motion = basis.motion(c, data.motion)
     A, _ = linear_system(data, motion)
     maps = chain(basis, c, motion)
@@ -287,11 +304,11 @@ def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Arra
 
 
 def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:
-    """Derivatives of the forces by pose, twist and acceleration at these unknowns, (n, 6, 6) each.
+    """Compute the derivatives of the forces by pose, twist, and acceleration, shape (n, 6, 6) each.
 
-    Identified parameters may belong to no machine (masses or friction below zero). Forces are linear in them,
-    so they are the difference of two machines that exist; rotors and load are the first one's, unless rotors
-    are sought.
+    Identified parameters may be nonphysical (negative masses or friction). Because forces are linear in the
+    parameters, the derivatives are the difference of two physical robots. The first one has the load, and
+    also the rotors unless rotors are unknowns.
     """
     lifted = data.base.expansion @ values[: data.base.rank]
     own = inertial_parameters(data.robot)
@@ -315,6 +332,6 @@ def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array
 
 
 def _with_rotors(robot: Robot, drive: Drive | None, reflected: Array) -> Robot:
-    """The robot with drives, of a fine screw without ones, whose rotors resist as so many kg, (6,)."""
+    """Return the robot with drives whose rotors have the reflected masses (kg), shape (6,)."""
     given = Drive(lead=_FINE) if drive is None else drive  # type: ignore[arg-type]
     return replace(robot, drive=replace(given, rotor_inertia=reflected / given.transmission_ratio**2))

@@ -1,7 +1,8 @@
-"""Least squares whose unknowns are few that every row may hold, and many of which a row holds few.
+"""Sparse least squares with a few dense unknowns and many local unknowns.
 
-The first are parameters, the others coefficients of a motion. Those of a spline at one instant are
-neighbors, so that the normal equations of the many are a band, beside which only the few remain.
+The dense unknowns are parameters, which affect every row. The local unknowns are coefficients of a spline
+motion, of which each row contains a few neighbors. The normal equations of the local unknowns are therefore
+banded. Elimination of the band gives a small dense system for the parameters.
 """
 
 import math
@@ -14,14 +15,19 @@ import numpy as np
 from ..io.array_types import Array, Indices
 from ..motion.smooth_motion import DISTINCT, by_normal_equations
 
-# Columns of the identity for which a band is solved at a time.
+# Number of columns of the identity in one banded solve, because all columns need too much memory.
 _TOGETHER = 256
 
 
 class DenseFactors(NamedTuple):
-    """Normal equations of J, (rows, unknowns), solved.
+    """Factors of the normal equations of a dense matrix J, shape (rows, unknowns).
 
-    span: orthonormal basis of its range; back: B such that B basis^T is the pseudoinverse.
+    Attributes
+    ----------
+    span : ndarray, shape (rows, unknowns)
+        Orthonormal basis of the range of J.
+    back : ndarray, shape (unknowns, unknowns)
+        Matrix B such that B span^T is the pseudoinverse of J.
     """
 
     span: Array
@@ -29,32 +35,42 @@ class DenseFactors(NamedTuple):
 
     @property
     def unknowns(self) -> int:
-        """How many unknowns."""
+        """Number of unknowns."""
         return int(self.span.shape[1])
 
     def solve(self, y: Array) -> Array:
-        """x of J x = y by least squares, (unknowns,), for y (rows,)."""
+        """Solve J x = y by least squares; y has shape (rows,)."""
         return np.asarray(self.back @ (self.span.T @ y))
 
     def explained(self, y: Array) -> Array:
-        """J x of it, for y (rows,) or (rows, columns)."""
+        """Compute the projection of y, shape (rows,) or (rows, columns), onto the range of J."""
         return np.asarray(self.span @ (self.span.T @ y))
 
     def shares(self, first: int) -> tuple[float, float]:
-        """How many unknowns the first rows determine, and the others: traces of the projection there."""
+        """Return the effective numbers of unknowns that the first rows and the other rows determine.
+
+        The two numbers are the traces of the projection onto the range of J over these rows.
+        """
         return float(np.sum(self.span[:first] ** 2)), float(np.sum(self.span[first:] ** 2))
 
     def covariance(self, count: int) -> Array:
-        """Of the first unknowns, by errors of deviation 1 in every row."""
+        """Return the covariance of the first unknowns for unit variance in every row."""
         return np.asarray(self.back[:count] @ self.back[:count].T)
 
 
 class Arrow(NamedTuple):
-    """A matrix by what is not zero in it.
+    """Sparse matrix with a few dense columns followed by many local columns.
 
-    A: columns of the few unknowns in the first rows, the others being zero, (first rows, few). local: of the
-    many in all rows, (rows, width). start: column of the many where a row of these begins, (rows,). many: how
-    many.
+    Attributes
+    ----------
+    A : ndarray, shape (first rows, few)
+        Dense columns in the first rows; they are zero in the other rows.
+    local : ndarray, shape (rows, width)
+        Nonzero entries of the local columns in each row.
+    start : ndarray of int, shape (rows,)
+        First local column of each row of ``local``.
+    many : int
+        Number of local columns.
     """
 
     A: Array
@@ -63,14 +79,14 @@ class Arrow(NamedTuple):
     many: int
 
     def runs(self, first: int = 0) -> Iterator[tuple[slice, slice]]:
-        """Rows from the first on that begin in one column, and the columns of the many that they have."""
+        """Yield consecutive rows with the same first local column, as slices of rows and of local columns."""
         ends = np.flatnonzero(np.diff(self.start[first:])) + first + 1
         for row, end in pairwise((first, *ends.tolist(), len(self.start))):
             at = int(self.start[row])
             yield slice(row, end), slice(at, at + self.local.shape[1])
 
     def __matmul__(self, x: Array) -> Array:
-        """Its product with x, (few + many,) or (few + many, columns)."""
+        """Compute the product with x, shape (few + many,) or (few + many, columns)."""
         few = self.A.shape[1]
         found = np.empty((len(self.local), *x.shape[1:]))
         for rows, columns in self.runs():
@@ -79,16 +95,17 @@ class Arrow(NamedTuple):
         return found
 
     def by_many(self, y: Array) -> Array:
-        """Products of the columns of the many with y, of the first rows or all, (rows, ...)."""
+        """Compute the product of the transposed local columns with y, over the first rows or all rows."""
         found = np.zeros((self.many, *y.shape[1:]))
         for rows, columns in self.runs():
             found[columns] += self.local[rows][: max(len(y) - rows.start, 0)].T @ y[rows]
         return found
 
     def band(self, first: int = 0) -> Array:
-        """Of the products of the columns of the many, in the rows from the first on: (width, many).
+        """Compute the Gram matrix of the local columns as a band, shape (width, many), from row ``first`` on.
 
-        Row ``width - 1 - k`` holds those of each column with the k-th before it, as in LAPACK.
+        Row ``width - 1 - k`` contains the products of each column with the k-th column before it, as in
+        LAPACK.
         """
         width = self.local.shape[1]
         one, other = np.triu_indices(width)
@@ -99,13 +116,13 @@ class Arrow(NamedTuple):
         return found
 
     def scaled(self, lengths: Array) -> "Arrow":
-        """Its columns over lengths."""
+        """Divide the columns by lengths."""
         few, width = self.A.shape[1], self.local.shape[1]
         of_local = lengths[few:][self.start[:, None] + np.arange(width)]
         return self._replace(A=self.A / lengths[:few], local=self.local / of_local)
 
     def dense(self) -> Array:
-        """All of it, (rows, few + many)."""
+        """Return the dense matrix, shape (rows, few + many)."""
         few = self.A.shape[1]
         J = np.zeros((len(self.local), few + self.many))
         J[: len(self.A), :few] = self.A
@@ -115,12 +132,16 @@ class Arrow(NamedTuple):
 
 
 class ArrowFactors:
-    """``DenseFactors`` of an arrow; needs SciPy.
+    """Factors of an ``Arrow`` with the interface of ``DenseFactors``. Requires SciPy.
 
-    Raises numpy.linalg.LinAlgError where columns are nearly dependent.
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If columns are nearly dependent.
     """
 
     def __init__(self, J: Arrow) -> None:
+        """Factorize the scaled normal equations."""
         from scipy.linalg import cholesky_banded
 
         self._lengths = np.sqrt(np.concatenate([np.sum(J.A**2, axis=0), J.band()[-1]]))
@@ -136,19 +157,19 @@ class ArrowFactors:
 
     @property
     def unknowns(self) -> int:
-        """See ``DenseFactors``."""
+        """Number of unknowns."""
         return len(self._lengths)
 
     def solve(self, y: Array) -> Array:
-        """x of J x = y by least squares."""
+        """Solve J x = y by least squares."""
         return np.asarray(self._scaled(y) / self._lengths)
 
     def explained(self, y: Array) -> Array:
-        """J x of it."""
+        """Compute the projection of y onto the range of J."""
         return self._J @ self._scaled(y)
 
     def shares(self, first: int) -> tuple[float, float]:
-        """Of the first rows, which are those that hold the few unknowns, and of the others."""
+        """Return the effective numbers of unknowns that the first rows and the other rows determine."""
         others, band = 0.0, self._J.band(first)
         for at in range(0, self._J.many, _TOGETHER):
             columns = np.arange(at, min(at + _TOGETHER, self._J.many))
@@ -159,32 +180,36 @@ class ArrowFactors:
         return self.unknowns - others, others
 
     def covariance(self, count: int) -> Array:
-        """Of the first unknowns, few of them."""
+        """Return the covariance of the first unknowns, which must be dense unknowns."""
         lengths = self._lengths[:count]
         inverse = self._cornered(np.eye(len(self._corner)))[:count, :count]
         return np.asarray(inverse / np.outer(lengths, lengths))
 
     def _scaled(self, y: Array) -> Array:
-        # The residual is corrected once, which gives back the digits that squares lose.
+        # One refinement step recovers the digits that the normal equations lose.
+        """Solve the scaled system with one step of iterative refinement."""
         x = self._first_solution(y)
         return x + self._first_solution(y - self._J @ x)
 
     def _first_solution(self, y: Array) -> Array:
+        """Solve the scaled system by block elimination."""
         A, by_many = self._J.A, self._J.by_many(y)
         few = self._cornered(A.T @ y[: len(A)] - self._beside.T @ by_many)
         return np.concatenate([few, self._solved(by_many) - self._beside @ few])
 
     def _solved(self, y: Array) -> Array:
+        """Solve the banded system of the local unknowns."""
         from scipy.linalg import cho_solve_banded
 
         return np.asarray(cho_solve_banded((self._band, False), y))
 
     def _cornered(self, y: Array) -> Array:
+        """Solve the Schur complement of the dense unknowns."""
         return np.asarray(np.linalg.solve(self._corner.T, np.linalg.solve(self._corner, y)))
 
 
 def _columns(band: Array, columns: Indices) -> Array:
-    """Columns of the symmetric matrix of a band, (many, columns)."""
+    """Return columns of the symmetric matrix that a band represents, shape (many, columns)."""
     width, many = band.shape
     found = np.zeros((many, len(columns)))
     for above in range(width):
@@ -199,7 +224,7 @@ Factors = DenseFactors | ArrowFactors
 
 
 def factors(J: Array | Arrow) -> Factors:
-    """The factors of J, of full rank: by its own structure, or dense where that leaves too few digits."""
+    """Return the factors of J, of full rank, by sparse or, if this is inaccurate, dense elimination."""
     if isinstance(J, Arrow):
         try:
             return ArrowFactors(J)
@@ -211,19 +236,20 @@ def factors(J: Array | Arrow) -> Factors:
 
 
 def solution(J: Array | Arrow, y: Array) -> Array:
-    """x of J x = y by least squares."""
+    """Solve J x = y by least squares."""
     x = None if isinstance(J, Arrow) else by_normal_equations(J, y)
     return factors(J).solve(y) if x is None else x
 
 
-# Tails of the distributions by which fits are tested
+# Tail probabilities of the test statistics
 
 
 def tail(ratio: float, freedom: float, other: float = math.inf) -> float:
-    """Probability of an F ratio above this one; chi-square over its freedom if ``other`` is infinite.
+    """Return the probability that an F-distributed ratio exceeds ``ratio``.
 
-    Paulson's normal approximation of its cube root, right to some per cent of the probability from 10 degrees
-    of freedom on, to a sixth from 4 on.
+    If ``other`` is infinite, the ratio is chi-square over its degrees of freedom. The formula is Paulson's
+    normal approximation of the cube root. The relative error of the probability is a few percent from 10
+    degrees of freedom on, and one sixth from 4 on.
     """
     a, b = 2.0 / (9.0 * freedom), 2.0 / (9.0 * other)
     root = math.cbrt(ratio)
@@ -231,7 +257,7 @@ def tail(ratio: float, freedom: float, other: float = math.inf) -> float:
 
 
 def departure(off: Array, covariance: Array) -> tuple[Array, float]:
-    """Differences (n,) of a covariance in their deviations, and the probability of ones so far from 0."""
+    """Return differences (n,) in standard deviations, and their joint p-value for a covariance."""
     sigma = np.sqrt(np.diagonal(covariance))
     scaled = off / sigma
     squares = float(scaled @ np.linalg.solve(covariance / np.outer(sigma, sigma), scaled))

@@ -1,9 +1,9 @@
-"""The regressor: the platform's equations of motion as a matrix times the machine's inertial parameters.
+"""Regressor: the equations of motion as a matrix times the inertial parameters.
 
     H F + [R F_ext; R M_ext] = Y pi
 
-Y depends on the points, the axes, gravity and the motion alone, pi on masses, centers of mass, inertias and
-friction alone.
+Y depends on points, axes, gravity, and motion only; pi depends on masses, centers of mass, inertias, and
+friction only.
 """
 
 from __future__ import annotations
@@ -32,28 +32,28 @@ from ..results import NOT_FINITE, OK
 from ..robot.robot import LEGS, Robot
 
 _UPPER = np.triu_indices(3)
-# Parameters of a body: mass, first moment, inertia.
+# Number of parameters of a body: mass, first moment, and inertia.
 _BODY = 10
 _COLUMNS = LEGS * len(exact_regressor.LEG_PARAMETERS) + len(exact_regressor.PLATFORM_PARAMETERS)
 
 
 @dataclass(frozen=True, eq=False)
 class ParameterVector:
-    """Inertial and friction parameters of the thirteen bodies, in the order of the columns of Y.
+    """Inertial and friction parameters pi of the thirteen bodies, in the order of the columns of Y.
 
-    Leg after leg, 23 each: m_d, first moment h_d = m_d r_d0 and inertia J_d (xx, xy, xz, yy, yz, zz) of the
-    lower part about the base point, frame D; m_u, h_u, J_u of the upper part about the platform point, frame
-    U; C_u, C_p, C_s. Then 10 of the platform: M, h_P = M R_0 and J_P about its reference point, platform
-    frame.
+    Each leg has 23 parameters. The lower part has m_d, the first moment h_d = m_d r_d0, and the inertia J_d
+    (xx, xy, xz, yy, yz, zz) about the base point in frame D. The upper part has m_u, h_u, and J_u about the
+    platform point in frame U. The friction coefficients are C_u, C_p, and C_s. The platform has 10: M, h_P =
+    M R_0, and J_P about its reference point in the platform frame.
 
     Attributes
     ----------
-    values : ndarray
-        (148,), SI.
-    names : tuple
-        As in the robot's fields, with the number of the leg: ``h_d1_x``, ``J_P_xy``.
-    units : tuple
-        Of each.
+    values : ndarray, shape (148,)
+        Values in SI units.
+    names : tuple of str
+        Names as in the fields of the robot, with the number of the leg: ``h_d1_x``, ``J_P_xy``.
+    units : tuple of str
+        Unit of each parameter.
     """
 
     values: Array
@@ -68,36 +68,60 @@ def regressor(
     columns: ArrayLike | None = None,
     backend: Backend = "c",
 ) -> Array:
-    """Y of H F + [R F_ext; R M_ext] = Y pi, (..., 6, 148); formulation `exact`, universal base joints.
+    """Compute the regressor Y of H F + [R F_ext; R M_ext] = Y pi.
 
-    Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
-    its parameter; columns as in ``ParameterVector``. Equal and zero columns are meant (``base_parameters``).
-    The load of the motion has no part in Y; rotors of the legs have columns of their own
-    (``rotor_regressor``).
+    The formulation is `exact`, for universal base joints.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot model; only its geometry and gravity are used.
     motion : Motion
-        Motion of the platform, any leading shape.
+        Motion with accelerations, shape (...). Its load has no effect on Y.
     on_singular : {"raise", "nan", "warn"}, optional
-        As for ``inverse_dynamics``, but singular H is no fault.
-    columns : array_like of int, optional
-        Numbers of the columns to compute, (n,), such as ``BaseParametersResult.kept``. None: all.
+        Treatment of unsolvable poses, as in ``inverse_dynamics``; a singular H is no error here.
+    columns : array_like of int, shape (n,), optional
+        Indices of the columns to compute, for example ``BaseParametersResult.required_columns()``; by default
+        all columns.
     backend : {"c", "numpy", "reference"}, optional
-        As for ``inverse_dynamics``.
+        Implementation, as in ``inverse_dynamics``.
 
     Returns
     -------
-    ndarray
-        Y, (..., 6, 148), or its columns that are asked for, (..., 6, n).
+    ndarray, shape (..., 6, 148) or (..., 6, n)
+        Regressor Y or its columns, in the order of ``ParameterVector``. Rows 0 to 2 are forces (N) and rows 3
+        to 5 moments about the reference point (N m) in the base frame, each per unit of the parameter.
 
     Raises
     ------
     ValueError
-        For spherical base joints, for a motion without accelerations, for columns that there are not, and for
-        poses in which a leg has length zero or lies along its universal axis.
+        If the base joints are spherical, if the motion has no accelerations, if a column does not exist, or
+        if a pose is unsolvable (leg of zero length, or parallel to its fixed joint axis).
+
+    See Also
+    --------
+    inertial_parameters : Parameters pi of a robot.
+    base_parameters : Independent columns of Y.
+    rotor_regressor : Columns of the rotors of the drives.
+
+    Notes
+    -----
+    Some columns of Y are zero or equal to each other, because the parameters are not independent; see
+    ``base_parameters``.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample([0.0, 3.0, 6.0])
+    >>> Y = ss.regressor(robot, motion)
+    >>> Y.shape
+    (3, 6, 148)
+    >>> result = ss.inverse_dynamics(robot, motion)
+    >>> wrench = np.einsum("nij,nj->ni", result.H, result.F)
+    >>> np.allclose(Y @ ss.inertial_parameters(robot).values, wrench)
+    True
     """
     need_universal(robot)
     need_motion(robot, motion)
@@ -111,14 +135,14 @@ def regressor(
 def evaluated(
     robot: Robot, motion: Motion, columns: NDArray[np.int32] | None, backend: Backend
 ) -> tuple[Array, Codes]:
-    """Y, NaN where the status is not 0, and the status, (...), of checked arguments."""
+    """Compute Y and the status, shape (...), for checked arguments; Y is NaN if the status is not 0."""
     Y, status = _FOUND_BY[backend](robot, motion, columns)
     Y[status != OK] = np.nan
     return Y, status
 
 
 def _column_numbers(columns: ArrayLike) -> NDArray[np.int32]:
-    """Numbers of columns as C takes them."""
+    """Return column indices as C integers."""
     expected = f"whole numbers from 0 to {_COLUMNS - 1}, (n,)"
     given = real_array(columns, "columns", expected)
     within = (given >= 0) & (given < _COLUMNS) & (given == np.floor(given))
@@ -128,6 +152,8 @@ def _column_numbers(columns: ArrayLike) -> NDArray[np.int32]:
 
 
 def _compiled(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -> tuple[Array, Codes]:
+    """Compute Y and the status by the C kernel."""
+
     def run() -> tuple[Array, Codes]:
         source, width = library("exact_regressor"), 0 if columns is None else len(columns)
         Y = np.empty((*motion.shape, 6, _COLUMNS if columns is None else width))
@@ -142,6 +168,7 @@ def _compiled(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -
 
 
 def _on_arrays(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -> tuple[Array, Codes]:
+    """Compute Y and the status by the NumPy kernel."""
     of_leg, of_platform = exact_regressor.LEG_PARAMETERS, exact_regressor.PLATFORM_PARAMETERS
 
     def run(on: Any, structure: Any, part: Any, _: slice) -> Any:
@@ -158,6 +185,7 @@ def _on_arrays(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) 
 
 
 def _reference(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -> tuple[Array, Codes]:
+    """Compute Y and the status by the reference implementation."""
     Y, status = reference_regressor(robot, motion)
     return Y if columns is None else Y[..., columns], status
 
@@ -167,38 +195,55 @@ BACKENDS = tuple(_FOUND_BY)
 
 
 def _columns(found: Any, parameters: Sequence[tuple[str, str]]) -> list[list[Any]]:
-    """The columns of parameters, each a list of its rows."""
+    """Return the columns of parameters, each as a list of its rows."""
     return [[*getattr(found, f"force_{name}"), *getattr(found, f"moment_{name}")] for name, _ in parameters]
 
 
 def rotor_regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> Array:
-    """Y_r, (..., 6, 12): columns of the rotors of the legs' drives, besides those of the bodies in Y.
+    """Compute the regressor Y_r of the rotors of the drives.
+
+    The equations of motion with rotors are
 
         H F + [R F_ext; R M_ext] = Y pi + Y_r [m_r; j_r]
 
-    F is the motors' force along the legs; the columns are of m_r of legs 1 to 6, then of j_r; formulation
-    `exact`. Rows and units are as of ``regressor``, parameters in kg and kg m: both of a leg follow from J_r,
-    its turns per length being known.
+    with motor forces F along the legs, in the formulation `exact`.
 
     Parameters
     ----------
     robot : Robot
-        The machine, with a drive or without.
+        Robot model, with or without a drive.
     motion : Motion
-        Motion of the platform, any leading shape.
+        Motion with accelerations, shape (...).
     on_singular : {"raise", "nan", "warn"}, optional
-        As for ``regressor``.
+        Treatment of unsolvable poses, as in ``regressor``.
 
     Returns
     -------
-    ndarray
-        Y_r, NaN where a pose has none.
+    ndarray, shape (..., 6, 12)
+        Columns of the reflected masses m_r (kg) of legs 1 to 6, followed by the rotor momenta j_r (kg m) of
+        legs 1 to 6. Rows and units are the same as in ``regressor``; NaN if a pose has no solution.
 
     Raises
     ------
     ValueError
-        For spherical base joints, for a motion without accelerations, and for poses in which a leg has length
-        zero or lies along its universal axis.
+        If the base joints are spherical, if the motion has no accelerations, or if a leg has zero length or
+        is parallel to the fixed axis of its universal joint.
+
+    See Also
+    --------
+    regressor : Columns of the bodies and of friction.
+
+    Notes
+    -----
+    Both parameters of a leg follow from the rotor inertia and the known transmission ratio.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample([0.0, 3.0, 6.0])
+    >>> ss.rotor_regressor(robot, motion).shape
+    (3, 6, 12)
     """
     need_universal(robot)
     need_motion(robot, motion)
@@ -222,17 +267,17 @@ def rotor_regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise"
 
 @dataclass(frozen=True, eq=False)
 class EquationsByParameterResult:
-    """Terms of M [a; alpha] + C [v; omega] + g + friction = Y pi for each parameter, in the last axis.
+    """Terms of M [a; alpha] + C [v; omega] + g + friction = Y pi for each parameter, on the last axis.
 
-    A term times ``inertial_parameters(robot).values`` is that of ``equations_of_motion`` of a robot without
-    rotors, which are no parameters.
+    The product of a term with ``inertial_parameters(robot).values`` is the term of ``equations_of_motion``
+    for a robot without rotors.
 
     Attributes
     ----------
-    M, C : ndarray
-        (..., 6, 6, 148).
-    g, friction : ndarray
-        (..., 6, 148).
+    M, C : ndarray, shape (..., 6, 6, 148)
+        Mass matrix and Coriolis matrix.
+    g, friction : ndarray, shape (..., 6, 148)
+        Gravity and friction wrenches.
     """
 
     M: Array
@@ -244,30 +289,54 @@ class EquationsByParameterResult:
 def equations_by_parameter(
     robot: Robot, motion: Motion, on_singular: OnFault = "raise", backend: Backend = "c"
 ) -> EquationsByParameterResult:
-    """M, C, g and friction of each parameter, from the regressor at chosen rates and accelerations.
-
-    g is Y at rest. Without gravity a column of M is Y at rest under a unit acceleration, friction what the
-    columns of its coefficients are at the motion's rates, and C, as ``equations_of_motion`` has it, is drawn
-    from Y at twelve twists.
+    """Compute the mass matrix, Coriolis matrix, gravity, and friction for each inertial parameter.
 
     Parameters
     ----------
     robot : Robot
-        The machine: points, axes and gravity.
+        Robot model; only its geometry and gravity are used.
     motion : Motion
-        Poses and rates; accelerations and load don't count.
-    on_singular, backend : str, optional
-        As for ``regressor``.
+        Poses and twists, shape (...); accelerations and load are ignored.
+    on_singular : {"raise", "nan", "warn"}, optional
+        Treatment of unsolvable poses, as in ``regressor``.
+    backend : {"c", "numpy", "reference"}, optional
+        Implementation, as in ``inverse_dynamics``.
 
     Returns
     -------
     EquationsByParameterResult
-        Terms, the parameters as in ``ParameterVector``; NaN where a pose has no regressor.
+        Terms in the base frame, with the parameters on the last axis in the order of ``ParameterVector``; NaN
+        if a pose has no regressor.
 
     Raises
     ------
     ValueError
-        As ``regressor``.
+        If the base joints are spherical, or if a leg has zero length or is parallel to the fixed axis of its
+        universal joint.
+
+    See Also
+    --------
+    equations_of_motion : The same terms for the parameters of a robot.
+    regressor : The sum of the terms.
+
+    Notes
+    -----
+    The terms are computed from the regressor. Gravity is Y at rest. A column of M is Y at rest under a unit
+    acceleration without gravity. Friction consists of the columns of the friction coefficients. C is computed
+    from Y at twelve twists.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample([0.0, 3.0, 6.0])
+    >>> terms = ss.equations_by_parameter(robot, motion)
+    >>> terms.M.shape
+    (3, 6, 6, 148)
+    >>> M = terms.M @ ss.inertial_parameters(robot).values
+    >>> np.allclose(M, ss.equations_of_motion(robot, motion).M)
+    True
     """
     need_universal(robot)
     instance(motion, Motion, "motion")
@@ -280,7 +349,7 @@ def equations_by_parameter(
     status = np.zeros(motion.shape, dtype=np.int32)
 
     def Y(machine: Robot, v: Array, omega: Array, a: Array, alpha: Array) -> Array:
-        """Parameters first."""
+        """Compute the regressor with the parameters on the first axis."""
         found, codes = evaluated(machine, with_rates(motion, v, omega, a, alpha), None, backend)
         worst = codes.max(axis=-1) if codes.ndim > status.ndim else codes
         status[status == OK] = worst[status == OK]
@@ -304,22 +373,38 @@ def equations_by_parameter(
 
 
 def inertial_parameters(robot: Robot) -> ParameterVector:
-    """The robot's pi, by Steiner's theorem about each part's joint point.
+    """Return the inertial parameters pi of a robot, about the joint point of each part.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot model.
 
     Returns
     -------
-    Parameters
-        Values, names and units of pi.
+    ParameterVector
+        Values in SI units, shape (148,), with names and units.
 
     Raises
     ------
     ValueError
-        For spherical base joints.
+        If the base joints are spherical.
+
+    See Also
+    --------
+    regressor : Matrix Y that multiplies pi.
+    base_parameters : Identifiable combinations of pi.
+
+    Notes
+    -----
+    The inertias are moved from the centers of mass to the joint points by Steiner's theorem.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> pi = ss.inertial_parameters(ss.robots.load("dasgupta1998"))
+    >>> pi.names[-10:-6], pi.values[-10:-6].round(3)
+    (('M', 'h_P_x', 'h_P_y', 'h_P_z'), array([40. ,  1.6,  1.2, -2.4]))
     """
     need_universal(robot)
     lower = body_parameters(robot.m_d, robot.r_d0, robot.I_d0)
@@ -332,10 +417,12 @@ def inertial_parameters(robot: Robot) -> ParameterVector:
 
 
 def with_parameters(robot: Robot, values: Array) -> Robot:
-    """The robot with inertial and friction parameters, (148,), as in ``ParameterVector``, in place of its
-    own.
+    """Return the robot with other inertial and friction parameters, shape (148,), as in ``ParameterVector``.
 
-    Raises ValueError as ``Robot`` for masses not > 0 and friction < 0; inertias are not checked.
+    Raises
+    ------
+    ValueError
+        If a mass is not > 0 or a friction coefficient is < 0. Inertias are not checked.
     """
     legs, platform = values[:-_BODY].reshape(LEGS, -1), values[-_BODY:]
     m_d, r_d0, I_d0 = _about_center(legs[:, :_BODY])
@@ -352,7 +439,7 @@ def with_parameters(robot: Robot, values: Array) -> Robot:
 
 
 def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names and units of the columns of Y."""
+    """Return names and units of the columns of Y."""
     rows = [
         (leg_name(name, leg), unit)
         for leg in range(1, LEGS + 1)
@@ -363,18 +450,18 @@ def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 
 def is_friction(names: Sequence[str]) -> Flags:
-    """Which names are of friction coefficients, (n,)."""
+    """Return True for names of friction coefficients, shape (n,)."""
     return np.array([name.startswith("C_") for name in names], dtype=np.bool_)
 
 
 def leg_name(name: str, leg: int) -> str:
-    """``h_d_x`` of leg 1 is ``h_d1_x``."""
+    """Return the name of a parameter of a leg; ``h_d_x`` of leg 1 is ``h_d1_x``."""
     head, under, axes = name.rpartition("_")
     return f"{head}{leg}_{axes}" if under and set(axes) <= set("xyz") else f"{name}{leg}"
 
 
 def symmetric(six: Array) -> Array:
-    """Matrices of (xx, xy, xz, yy, yz, zz), (..., 6) to (..., 3, 3)."""
+    """Return symmetric matrices, shape (..., 3, 3), from (xx, xy, xz, yy, yz, zz), shape (..., 6)."""
     full = np.empty((*six.shape[:-1], 3, 3))
     full[..., *_UPPER] = six
     full[..., _UPPER[1], _UPPER[0]] = six
@@ -382,7 +469,7 @@ def symmetric(six: Array) -> Array:
 
 
 def _about_center(bodies: Array) -> tuple[Array, Array, Array]:
-    """Masses, centers of mass and inertias about them of bodies as in ``ParameterVector``, (n, 10)."""
+    """Return masses, centers of mass, and central inertias of bodies, shape (n, 10)."""
     m = bodies[:, 0]
     r = bodies[:, 1:4] / m[:, None]
     at_point = body_parameters(m, r, np.zeros((len(m), 3, 3)))[:, 4:]
@@ -390,7 +477,7 @@ def _about_center(bodies: Array) -> tuple[Array, Array, Array]:
 
 
 def body_parameters(m: Array, r: Array, inertia: Array) -> Array:
-    """Mass, first moment and inertia about the point from which r (n, 3) is measured, (n, 10)."""
+    """Return mass, first moment, and inertia about the origin of r, shape (n, 10)."""
     outer = np.einsum("ni,nj->nij", r, r)
     about = inertia + m[:, None, None] * (
         np.trace(outer, axis1=1, axis2=2)[:, None, None] * np.eye(3) - outer

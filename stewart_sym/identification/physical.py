@@ -1,9 +1,9 @@
-"""Bodies that can exist: what a rigid body requires of base parameters, and estimates kept to it.
+"""Physically possible bodies: conditions on base parameters, and estimates restricted to them.
 
-A body is possible if its pseudo-inertia [[S, h], [h^T, m]] is positive definite: S the second moments, with
-J = tr(S) E - S, h the first moment, m the mass (Wensing, Kim and Slotine 2018). Written P = U L L^T U^T
-with the robot file's U U^T and a triangular L with a positive diagonal, it is possible whatever the numbers
-in L are (Rucker and Wensing 2022).
+A body is possible if its pseudo-inertia P = [[S, h], [h^T, m]] is positive definite. S contains the second
+moments (J = tr(S) E - S), h the first moment, and m the mass (Wensing, Kim, and Slotine 2018). The
+parameterization is P = U L L^T U^T, with U U^T of the robot file and a triangular L with a positive diagonal.
+P is possible for all values in L (Rucker and Wensing 2022).
 """
 
 import math
@@ -35,30 +35,35 @@ from .parameters import (
 Condition = tuple[str, str, Callable[[Array], float]]
 
 POSSIBLE = "an estimate kept to bodies that can exist"
-"""What needs SciPy, in words."""
+"""Name of the feature that requires SciPy."""
 
 _AXES = ("xx", "xy", "xz", "yy", "yz", "zz")
 _PLATFORM = ("M", *(f"h_P_{axis}" for axis in "xyz"), *(f"J_P_{axes}" for axes in _AXES))
 _BODY, _FRICTION = 10, 3
 _UPPER = np.triu_indices(3)
 _LOWER = np.tril_indices(4)
-# Least eigenvalue of a body of the robot file beside its trace, once it is made possible.
+# Smallest eigenvalue, relative to the trace, of a body of the robot file after its correction.
 _LEAST = 1e-3
-# Deviation of the prior: in L of a body (a factor e in a length or mass), and of friction beside its size.
+# Standard deviation of the prior: of L of a body (factor e in a length or mass), and of relative friction.
 _WIDTH, _FRICTION_WIDTH = 1.0, 10.0
 _STEP = 1e-6
-# Deviations below zero from which on noise does not explain a negative value: of some thirty values that are
-# looked at, noise takes one so far in one estimate of a thousand.
+# Number of standard deviations below zero from which noise does not explain a negative value: of about thirty
+# checked values, noise causes one in one of a thousand estimates.
 _SURE = 4.0
 _OTHERS = re.compile(rf"(?:leg |C_[ups])[2-{LEGS}]\b")
-# Most steps of one fit, and the relative decrease of its sum of squares below which it ends.
+# Largest number of steps of one fit, and the relative decrease of its sum of squares at which it ends.
 _MOST_STEPS, _NO_DECREASE = 150, 1e-6
 
 
 class Negative(NamedTuple):
-    """A line for each result below zero; the farthest off, in deviations, is first.
+    """Messages about negative results, sorted by their distance from zero in standard deviations.
 
-    impossible: more than four deviations below. near_zero: less, not distinguishable from 0.
+    Attributes
+    ----------
+    impossible : tuple of str
+        Results more than four standard deviations below zero.
+    near_zero : tuple of str
+        Other negative results, which are not distinguishable from zero.
     """
 
     impossible: tuple[str, ...]
@@ -68,9 +73,14 @@ class Negative(NamedTuple):
 class PossibleFit(NamedTuple):
     """Possible bodies nearest to an estimate.
 
-    parameters: of all bodies, (148,). values, covariance: the base parameters of these, (rank,), (rank,
-    rank).
-    squares: how much worse they explain the measurement: sum of squares over the deviations.
+    Attributes
+    ----------
+    parameters : ParameterVector
+        Parameters of all bodies, shape (148,).
+    values, covariance : ndarray
+        Their base parameters, shape (rank,), with the covariance, shape (rank, rank).
+    squares : float
+        Increase of the sum of squares over the variances.
     """
 
     parameters: ParameterVector
@@ -80,12 +90,12 @@ class PossibleFit(NamedTuple):
 
 
 def negative(robot: Robot, base: BaseParametersResult, values: Array, covariance: Array) -> Negative:
-    """Identified results below zero that no machine has there, by the size of their noise.
+    """Find identified results below zero that no physical robot has, classified by their noise.
 
-    Friction below zero; the inertia of a leg's two parts about their joints without positive second moments;
-    the platform's pseudo-inertia, less the least masses that the first moments of the upper parts call for,
-    not positive definite. If every base parameter is the one of ``MERGED``, these conditions are sufficient
-    too.
+    A physical robot satisfies three conditions. Friction is not negative. The sum of the inertias of the two
+    parts of a leg has positive second moments. The pseudo-inertia of the platform is positive definite after
+    subtraction of the smallest masses that the first moments of the upper parts require. The conditions are
+    also sufficient if the base parameters have the general formulas of ``MERGED``.
     """
     if base.identical_legs:
         return _negative_alike(robot, base, values, covariance)
@@ -110,10 +120,10 @@ def negative(robot: Robot, base: BaseParametersResult, values: Array, covariance
 
 
 def _negative_alike(robot: Robot, base: BaseParametersResult, values: Array, covariance: Array) -> Negative:
-    """``negative`` of legs that share their parameters: lines about leg 1 are about all."""
+    """Apply ``negative`` to identical legs; messages about leg 1 apply to all legs."""
     of_any = (*exact_regressor.LEG_PARAMETERS, *exact_regressor.PLATFORM_PARAMETERS)
     general = {name for name, _ in of_any} - set(exact_regressor.DEPENDENT)
-    # Where all of these are identified, they are the combinations of every machine.
+    # If all of these are identified, their formulas are the general ones.
     if any(name not in base.names and not is_friction([name])[0] for name in general):
         return Negative((), ())
     rows, unit_of = _general_rows(robot), dict(zip(*parameter_names(), strict=True))
@@ -133,16 +143,29 @@ def _negative_alike(robot: Robot, base: BaseParametersResult, values: Array, cov
 
 
 def _of_all_legs(line: str) -> str:
-    """A line about leg 1 as one about all."""
+    """Change a message about leg 1 to all legs."""
     return re.sub(r"^(C_[ups])1\b", r"\1", re.sub(r"^leg 1\b", "all legs", line))
 
 
 def possible_fit(robot: Robot, base: BaseParametersResult, values: Array, covariance: Array) -> PossibleFit:
-    """Fit bodies that are possible to an estimate.
+    """Fit possible bodies to an estimate. Requires SciPy.
 
-    values, covariance: base parameters and their covariance, finite. The robot's own bodies, made possible
-    where they are not, are the prior with a deviation of about a factor e in each length and mass: it decides
-    what the measurement does not. Needs SciPy.
+    The prior consists of the bodies of the robot, corrected if they are impossible, with a standard deviation
+    of about a factor e in each length and mass. It determines the parameters that the measurement does not.
+
+    Parameters
+    ----------
+    robot : Robot
+        Robot model.
+    base : BaseParametersResult
+        Definition of the base parameters.
+    values, covariance : ndarray
+        Base parameters, shape (rank,), and their finite covariance, shape (rank, rank).
+
+    Returns
+    -------
+    PossibleFit
+        Parameters, base parameters, and quality of the fit.
     """
     with needed_for(POSSIBLE):
         from scipy.optimize import least_squares
@@ -176,7 +199,7 @@ def possible_fit(robot: Robot, base: BaseParametersResult, values: Array, covari
     least = np.concatenate([np.full(bodies.size, -np.inf), np.zeros(friction.size)])
     x = np.maximum(prior, _STEP)
     far = float(np.max(np.abs(weight @ (base.matrix @ all_parameters(x) - values))))
-    # A measurement made ever more exact leads from the prior to an estimate far away.
+    # Continuation from a large covariance to the given one makes the fit converge to distant estimates.
     for easier in np.geomspace(max(far, 1.0), 1.0, 2 + math.ceil(math.log10(max(far, 1.0)))):
         W = weight / easier
         found = least_squares(
@@ -192,7 +215,7 @@ def possible_fit(robot: Robot, base: BaseParametersResult, values: Array, covari
         )
         x = found.x
     pi = all_parameters(found.x)
-    # Where legs share their parameters, their mean is possible too and explains as much.
+    # With identical legs the mean over the legs is also possible and fits equally well.
     pi = pi if not base.identical_legs else alike(pi)
     spread = base.matrix @ jacobian(found.x) @ np.linalg.inv(np.linalg.qr(found.jac, mode="r"))
     squares = float(np.sum(found.fun[: base.rank] ** 2))
@@ -205,7 +228,7 @@ def possible_fit(robot: Robot, base: BaseParametersResult, values: Array, covari
 
 
 def _conditions(robot: Robot, base: BaseParametersResult, values: Array) -> list[Condition]:
-    """Texts, units and functions of the base parameters that no machine makes negative."""
+    """Return names, units, and functions of quantities that are nonnegative for every physical robot."""
     usual = _usual(robot, base)
     friction = [name for name in base.names if is_friction([name])[0]]
     found: list[Condition] = [
@@ -231,15 +254,17 @@ def _conditions(robot: Robot, base: BaseParametersResult, values: Array) -> list
 
 
 def _second_moment_along(v: Array, inertia: list[int], x: Array) -> float:
+    """Compute the second moment of a leg along a direction v (kg m^2)."""
     return float(v @ _second_moments(x[inertia]) @ v)
 
 
 def _platform_condition(
     robot: Robot, own: list[int], legs: Sequence[tuple[int, list[int], list[int]]], values: Array
 ) -> Condition:
-    """The platform's pseudo-inertia less the least masses of upper parts, h^T S^-1 h, at their points.
+    """Return the condition on the pseudo-inertia of the platform minus the smallest upper masses.
 
-    Both parts of a leg could belong to the upper one alone, so its mass is larger than this.
+    The smallest mass is h^T S^-1 h at each platform point. Both parts of a leg could belong to the upper one
+    alone, so the mass of the upper part is larger than this.
     """
 
     def rest(x: Array) -> Array:
@@ -254,13 +279,14 @@ def _platform_condition(
     _, vectors = np.linalg.eigh(rest(values) * np.outer(scale, scale))
     v = scale * vectors[:, 0]
     text = (
-        f"platform: least pseudo-inertia, along {_direction(vectors[:, 0])} with the mass over {length:.3g} m"
+        f"platform: smallest pseudo-inertia, along {_direction(vectors[:, 0])} with lengths divided by "
+        f"{length:.3g} m"
     )
     return text, "kg m^2", lambda x: float(v @ rest(x) @ v)
 
 
 def _usual(robot: Robot, base: BaseParametersResult) -> Callable[[Sequence[str]], list[int] | None]:
-    """A function: places of base parameters if all of them are the combinations that ``MERGED`` names."""
+    """Return a function that finds base parameters by name if all of them have the formulas of ``MERGED``."""
     rows = _general_rows(robot)
     place = {name: i for i, name in enumerate(base.names)}
 
@@ -273,7 +299,7 @@ def _usual(robot: Robot, base: BaseParametersResult) -> Callable[[Sequence[str]]
 
 
 def _general_rows(robot: Robot) -> dict[str, Array]:
-    """Base parameters of every machine by name: shares of the parameters in each, (148,)."""
+    """Return the coefficients of the general base parameters by name, shape (148,) each."""
     names, _ = parameter_names()
     column = {name: i for i, name in enumerate(names)}
     rows = dict(zip(names, np.eye(len(names)), strict=True))
@@ -287,16 +313,18 @@ def _general_rows(robot: Robot) -> dict[str, Array]:
 
 
 def _direction(v: Array) -> str:
+    """Return a vector as text."""
     return "(" + ", ".join(f"{x:.2g}" for x in v) + ")"
 
 
 def _second_moments(six: Array) -> Array:
+    """Compute the second moments S, shape (3, 3), from an inertia, shape (6,)."""
     J = symmetric(six)
     return np.asarray(0.5 * np.trace(J) * np.eye(3) - J)
 
 
 def _pseudo_inertia(body: Array) -> Array:
-    """Pseudo-inertia, (4, 4), of mass, first moment and inertia, (10,)."""
+    """Compute the pseudo-inertia, shape (4, 4), from mass, first moment, and inertia, shape (10,)."""
     P = np.empty((4, 4))
     P[:3, :3] = _second_moments(body[4:])
     P[:3, 3] = P[3, :3] = body[1:4]
@@ -304,27 +332,28 @@ def _pseudo_inertia(body: Array) -> Array:
     return P
 
 
-# Bodies and their coordinates
+# Coordinates of bodies
 
 
 def _split(values: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Bodies, (13, 10), and friction, (6, 3), of all parameters, (148,)."""
+    """Split all parameters, shape (148,), into bodies, shape (13, 10), and friction, shape (6, 3)."""
     legs, platform = values[:-_BODY].reshape(LEGS, -1), values[None, -_BODY:]
     return np.concatenate([legs[:, : 2 * _BODY].reshape(-1, _BODY), platform]), legs[:, 2 * _BODY :]
 
 
 def _joined(bodies: Array, friction: Array) -> Array:
-    """All parameters, (148,), of bodies and friction."""
+    """Join bodies and friction to all parameters, shape (148,)."""
     legs = np.hstack([bodies[:-1].reshape(LEGS, -1), friction])
     return np.concatenate([legs.ravel(), bodies[-1]])
 
 
 def _friction(x: Array) -> Array:
+    """Return the friction coordinates, shape (6, 3)."""
     return x[-LEGS * _FRICTION :].reshape(LEGS, _FRICTION)
 
 
 def _root(body: Array) -> Array:
-    """U of the pseudo-inertia U U^T of the nearest possible body, (4, 4)."""
+    """Compute U, shape (4, 4), of the pseudo-inertia U U^T of the nearest possible body."""
     P = _pseudo_inertia(body)
     r = body[1:4] / body[0]
     about = P[:3, :3] - body[0] * np.outer(r, r)
@@ -336,7 +365,7 @@ def _root(body: Array) -> Array:
 
 
 def _bodies(roots: Array, x: Array) -> Array:
-    """Mass, first moment and inertia of bodies of coordinates (13, 10)."""
+    """Compute mass, first moment, and inertia from coordinates, shape (13, 10)."""
     L = np.zeros((len(x), 4, 4))
     L[:, *_LOWER] = x
     diagonal = np.arange(4)

@@ -1,4 +1,4 @@
-"""Identification from noisy poses of a tool point: the machine about that point, and its estimate back."""
+"""Conversion of an estimate about a tool point to the reference point of the robot."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ _UPPER = np.triu_indices(3)
 def about_reference(
     robot: Robot, base: BaseParametersResult, found: IdentificationResult, point: Array
 ) -> IdentificationResult:
-    """The estimate of ``about_point(robot, point)`` as one of the robot, with its base parameters."""
+    """Convert the estimate of ``about_point(robot, point)`` to the base parameters of the robot."""
     back = _shifted(-point)
     change = base.matrix @ back @ found.base.expansion
     values, covariance = change @ found.values, found.covariance
@@ -47,14 +47,14 @@ def about_reference(
 
 
 def _shifted(point: Array) -> Array:
-    """From inertial parameters to those with the platform's moments about a point, (148, 148)."""
+    """Return the matrix, shape (148, 148), that moves the moments of the platform to a point."""
     T = np.eye(148)
     T[_PLATFORM, _PLATFORM] = np.column_stack([_about(unit, point) for unit in np.eye(10)])
     return T
 
 
 def _about(body: Array, c: Array) -> Array:
-    """Mass, first moment and inertia, (10,), about a point c."""
+    """Return mass, first moment, and inertia about a point c, shape (10,)."""
     m, h, J = body[0], body[1:4], symmetric(body[4:])
     crossed = 2.0 * (c @ h) * np.eye(3) - np.outer(c, h) - np.outer(h, c)
     J = J - crossed + m * (c @ c * np.eye(3) - np.outer(c, c))

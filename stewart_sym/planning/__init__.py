@@ -1,1 +1,1 @@
-"""Paths between via poses, how fast a machine may move along them, and proof that no limit is exceeded."""
+"""Path planning between via poses, path parameterization within limits, and certificates of plans."""

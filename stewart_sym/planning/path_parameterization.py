@@ -1,4 +1,4 @@
-"""The best motion along a path within all limits: the fastest, or one of a duration."""
+"""Path parameterization: the fastest motion along a path, or the best one of a given duration."""
 
 from __future__ import annotations
 
@@ -32,49 +32,49 @@ from .timing.phase_plane import Ease, Profile
 
 Minimize = Literal["time", "energy", "peak_force"]
 MINIMIZE: tuple[Minimize, ...] = ("time", "energy", "peak_force")
-"""What a motion along a path can have least of."""
+"""Quantities that a motion along a path can minimize."""
 
 CELLS = 400
-"""Cells of the first grid; those in which no limit is active, or one is exceeded, are divided."""
+"""Cells of the first grid; cells without an active limit or with a violated one are divided."""
 SMOOTH_CELLS = 300
-"""Most cells of the spline of a smooth motion."""
+"""Largest number of spline cells of a smooth motion."""
 
-# Places along the path at which its rates are held against its poses.
+# Number of samples in the comparison of the rates of the path with its poses.
 _PLACES = 8193
 _DIVISIONS = 3
 _ROUNDS = 15
-# Share of a limit that holding the machine takes from which on two ways to the fastest motion are tried.
+# Static utilization of a limit from which two methods for the fastest motion are compared.
 _TIGHT = 0.9
-# Bounds by friction and power depend on the motion: how often they are updated in one round.
+# Number of updates, in one round, of friction and power bounds, which depend on the motion.
 _FEW_TURNS = 2
-# Parts of the first and of the last cell.
+# Number of parts of the first and the last cell.
 _AT_ENDS = 20
-# A machine that can just about hold its own weight at a pose of the path takes for ever to pass it.
+# A limit at 100 % static utilization in a pose would require an infinite time there.
 _HOLD = 1.0 - 1e-6
 _RESTS = 1e-12
 _ROUGH_CELLS = 200
-# The least peak force that is looked for, over the largest force at rest, and to what share.
+# Smallest peak force of the search, relative to the largest static force, and its relative tolerance.
 _ABOVE_REST = 1.0 + 1e-3
 _SAME_FORCE = 1e-5
-# A duration so near the least time of smooth motions leaves nothing to choose.
+# Relative distance from the minimum duration of smooth motions below which nothing can be optimized.
 _NO_ROOM = 1e-3
 _SAME_TIME = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class TimedPath:
-    """A path and how fast it is traveled.
+    """Path with its parameter as a function of time.
 
     Attributes
     ----------
     robot : Robot
-        The machine.
+        Robot model.
     path : callable
-        Parameters s, (n,), -> motion whose rates are derivatives by s.
+        Function: parameters s, shape (n,) -> motion with derivatives with respect to s.
     limits : PathLimits
-        What was kept to, beside the robot's own limits.
-    formulation : str
-        Of the forces.
+        Limits in addition to the limits of the robot.
+    formulation : {"exact", "paper"}
+        Formulation of inverse dynamics.
     profile : Profile
         Parameter over time.
     """
@@ -87,21 +87,21 @@ class TimedPath:
 
     @property
     def duration(self) -> float:
-        """Duration of the motion, s."""
+        """Duration of the motion (s)."""
         return self.profile.duration
 
     def time_grid(self, count: int) -> Array:
-        """Return even instants, and both sides of every jump of the accelerations between them.
+        """Return evenly spaced times, and the times on both sides of each jump of the accelerations.
 
         Parameters
         ----------
         count : int
-            How many even ones.
+            Number of evenly spaced times.
 
         Returns
         -------
-        ndarray
-            From 0 to the duration, s, (n,), n >= count.
+        ndarray, shape (n,)
+            Times (s) from 0 to the duration, n >= count.
         """
         nodes = self.profile.times[1:-1]
         even = np.linspace(0.0, self.duration, count)
@@ -112,21 +112,21 @@ class TimedPath:
 
         Parameters
         ----------
-        time : array_like
-            From 0 to the duration, s, (...).
+        time : array_like, shape (...)
+            Times (s) from 0 to the duration.
 
         Returns
         -------
         Motion
-            Of their shape.
+            Motion with accelerations, shape (...).
 
         Raises
         ------
         ValueError
-            For times outside.
+            If a time is outside the motion.
         """
         when = real_array(time, "time")
-        # A duration that was asked for is kept to rounding.
+        # A requested duration is met up to rounding errors.
         if when.size and not (when.min() >= 0.0 and when.max() <= self.duration * (1.0 + _SAME_TIME)):
             raise ValueError(f"time: expected times in [0, {self.duration:.9g}] s")
         place = self.profile.at(np.minimum(when.ravel(), self.duration))
@@ -145,54 +145,83 @@ def parameterize_path(
     minimize: Minimize = "time",
     duration: float | None = None,
 ) -> TimedPath:
-    """Find the best motion along a path, from rest to rest, within all limits: the fastest, or of a duration.
+    """Compute the fastest motion along a path within all limits, or the best one of a given duration.
 
-    Forces are those of inverse dynamics, viscous friction included; torque, speed, current and power of a
-    drive's motors are those of ``drive_effort``, all its friction included. Where a limit is exceeded between
-    the nodes of the grid it is tightened by as much, until none is.
+    The motion begins and ends at rest.
 
     Parameters
     ----------
     robot : Robot
-        The machine with its limits of force and speed.
+        Robot with limits of force and speed, without joint offsets.
     path : callable
-        Parameters s, (n,), -> ``Motion`` whose rates and accelerations are first and second derivatives by s,
-        such as a ``PosePath``; its loads are kept. It rests nowhere, and its rates do not jump.
+        Function: parameters s, shape (n,) -> ``Motion`` whose velocities and accelerations are first and
+        second derivatives with respect to s, for example a ``PosePath``. Its loads are included. The first
+        derivatives must be continuous and nonzero.
     span : tuple of float, optional
-        First and last s, the first less than the last.
+        First and last s, in ascending order.
     limits : PathLimits, optional
-        Limits that replace or add to the robot's.
+        Limits that replace or extend the limits of the robot.
     formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
+        Corrected equations or equations as printed.
     grid_size : int, optional
-        Of the first grid, 10 to 100,000.
+        Number of cells of the first grid, 10 to 100,000.
     progress : callable, optional
-        Called with what is being done.
-
+        Function that is called with a text and the completed fraction, 0 to 1.
     minimize : {"time", "energy", "peak_force"}, optional
-        What is made least. Energy: electrical, as ``drive_effort`` states it, work at the motors' shafts,
-        given back where it is negative, and heat of their windings; without a drive the work of the leg
-        forces. Peak force: the largest of any leg while the machine moves, which may be less than at rest.
+        Minimized quantity. The energy is the electrical energy as in ``drive_effort``: work at the motor
+        shafts, recovered if it is negative, and heat of the windings. Without a drive it is the work of the
+        leg forces. The peak force is the largest force of any leg during the motion, which may be smaller
+        than at rest.
     duration : float, optional
-        Of the motion, s; needed for least energy and peak force.
+        Duration of the motion (s); required for "energy" and "peak_force".
 
     Returns
     -------
     TimedPath
-        Path and parameter over time.
+        Path with its parameter as a function of time.
 
     Raises
     ------
     ValueError
-        Naming the argument, or the limit that stands in the way and where: the machine must be able to stand
-        still at every pose of the path. For a path whose rates contradict its poses, or jump, by more than
-        some thousandths, or whose accelerations are of other rates: naming a leg and where. For a duration
-        below the least time, which it names.
+        If an argument is invalid, or if a pose of the path cannot be held at rest within the limits. If the
+        velocities of the path contradict its poses or jump by more than a few thousandths. If ``duration`` is
+        below the minimum, which the message contains.
+    ImportError
+        If SciPy is required and not installed.
 
     Warns
     -----
     UserWarning
-        Where speeds alone are limited, so that forces of the fastest motion have no bound.
+        If only speeds are limited, so that the forces of the fastest motion are unbounded.
+
+    See Also
+    --------
+    plan_path : Smooth path through via poses.
+    certify_plan : Independent verification of the result.
+
+    Notes
+    -----
+    Forces are computed by inverse dynamics and include viscous friction. Torque, speed, current, and power of
+    the motors are computed as in ``drive_effort`` and include all friction of the drives. The motion is
+    computed on a grid in the phase plane of s and s'. If a limit is exceeded between the nodes, it is
+    tightened there until no limit is exceeded.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> def path(s):
+    ...     zero = np.zeros((len(s), 3))
+    ...     t = np.array([0.1, 0.0, 0.4]) + np.outer(s, [0.2, 0.0, 0.2])
+    ...     R = np.broadcast_to(np.eye(3), (len(s), 3, 3))
+    ...     return ss.Motion(R=R, t=t, omega=zero, v=zero + [0.2, 0.0, 0.2], alpha=zero, a=zero)
+    >>> limits = ss.PathLimits(force=3000.0, speed=0.5)
+    >>> plan = ss.parameterize_path(robot, path, limits=limits, grid_size=20)
+    >>> round(plan.duration, 3)
+    0.594
+    >>> plan.sample([0.0, 0.5 * plan.duration, plan.duration]).v[:, 0].round(2)
+    array([0.  , 0.36, 0.  ])
     """
     instance(robot, Robot, "robot")
     need_no_offsets(robot)
@@ -228,7 +257,7 @@ def parameterize_path(
 
 
 class _Task(NamedTuple):
-    """What is to be timed; arguments of ``parameterize_path``."""
+    """Arguments of ``parameterize_path``, with the search for the motion."""
 
     robot: Robot
     path: Path
@@ -239,10 +268,11 @@ class _Task(NamedTuple):
     progress: Progress
 
     def source(self, limits: PathLimits) -> Source:
+        """Return the source of the terms for given limits."""
         return lambda s: terms_along(self.robot, self.path, s, limits, self.formulation)
 
     def need_possible(self) -> bool:
-        """Reject a path that cannot be traveled or limits nothing; whether more than speeds is limited."""
+        """Check the path and the limits; return True if more than speeds is limited."""
         nodes, jerk = _first_nodes(*self.span, self.cells), self.limits.jerk is not None
         terms = self.source(self.limits)(nodes)
         need_bounded(terms, nodes, jerk)
@@ -250,18 +280,19 @@ class _Task(NamedTuple):
         return jerk or terms.motors is not None or bool(np.isfinite(terms.limit).any())
 
     def fastest(self, limits: PathLimits) -> Profile:
+        """Compute the fastest motion within limits."""
         found = None
         if limits.jerk is None:
             grid, found = self._in_phase_plane(limits)
             if found is not None and (grid.terms.motors is None or grid.terms.held().max() < _TIGHT):
                 return found
-        # Where holding the machine takes nearly all of a limit, bounds at nodes leave out fast motions.
+        # If the static load needs nearly all of a limit, bounds at the nodes exclude fast motions.
         smooth = self.smooth(limits)
         other = smooth.profile(smooth.fastest(partial(self.progress, "finding the fastest smooth motion")))
         return other if found is None or other.duration < found.duration else found
 
     def _in_phase_plane(self, limits: PathLimits) -> tuple[Grid, Profile | None]:
-        """The fastest motion without a limit of jerk, None where it exceeds others, and its grid."""
+        """Compute the fastest motion without jerk limits, and its grid; None if it violates other limits."""
         grid = Grid.of(self.source(limits), _first_nodes(*self.span, self.cells))
         if grid.terms.motors is not None:
             grid = grid.after(self._replace(cells=min(self.cells, _ROUGH_CELLS)).rough(limits))
@@ -278,7 +309,7 @@ class _Task(NamedTuple):
         return grid, None
 
     def smooth(self, limits: PathLimits) -> SmoothPath:
-        """What the path takes of the machine, by an eased parameter."""
+        """Return the terms of the path with an eased parameter."""
         cells = min(self.cells, SMOOTH_CELLS)
         ease = Ease(*self.span, 1 if limits.jerk is None else 2)
         path = eased(self.path, ease)
@@ -292,7 +323,7 @@ class _Task(NamedTuple):
         return found
 
     def thriftiest(self, duration: float) -> Profile | None:
-        """The motion of least energy in a duration; None where that is too short for a smooth one."""
+        """Compute the motion of least energy in a duration; None if it is too short for a smooth motion."""
         need_losses(self.robot)
         shown = partial(self.progress, "finding the motion of least energy")
         shown()
@@ -305,13 +336,13 @@ class _Task(NamedTuple):
         return smooth.profile(smooth.cheapest(EnergyCost.of(terms.motors), start, duration, shown))
 
     def _faster(self, duration: float, shown: Callable[..., None]) -> tuple[SmoothPath, Array | None]:
-        """The fastest smooth motion's coefficients, None where it takes a duration or longer."""
+        """Compute the fastest smooth motion; its coefficients are None if it is too slow."""
         smooth = self.smooth(self.limits)
         start = smooth.fastest(shown)
         return smooth, start if smooth.profile(start).duration <= duration * (1.0 - _NO_ROOM) else None
 
     def gentlest(self, quickest: Profile, duration: float) -> Profile:
-        """The motion of least peak force in a duration, or a little faster one, from the fastest of all."""
+        """Compute the motion of least peak force in a duration or slightly less."""
         with needed_for("a motion"):
             from scipy.optimize import brentq
         own, nodes = force_limits(self.robot, self.limits), quickest.nodes
@@ -332,7 +363,7 @@ class _Task(NamedTuple):
             return task._replace(cells=_ROUGH_CELLS).rough(limits).duration ** -2 - duration**-2
 
         lowest = min(held * _ABOVE_REST, highest)
-        # About 1 / time^2 grows with the force above what the machine takes at rest.
+        # 1 / time^2 is roughly proportional to the force above the static force.
         if excess(lowest) >= 0.0:
             task, limits = limited(lowest)
             profile = task.fastest(limits)
@@ -353,9 +384,9 @@ class _Task(NamedTuple):
         return quickest
 
     def _below_rest(self, profile: Profile, duration: float) -> Profile:
-        """The motion of less peak force in a duration than a faster one within the largest force at rest.
+        """Compute a motion with a smaller peak force than a given one within the largest static force.
 
-        Less is possible where the machine moves on through the poses that take most at rest.
+        A smaller peak is possible if the robot moves through the poses with the largest static force.
         """
         shown = partial(self.progress, "finding the motion of least peak force")
         smooth, start = self._faster(duration, shown)
@@ -365,19 +396,20 @@ class _Task(NamedTuple):
         return min((each.slowed(each.duration / duration) for each in (profile, found)), key=self._peak)
 
     def _peak(self, profile: Profile) -> float:
-        """The largest force of a leg, N, at the nodes of a motion."""
+        """Return the largest leg force (N) at the nodes of a motion."""
         nodes = profile.nodes
         values = self.source(self.limits)(nodes.s).values(nodes.rate**2, nodes.second)
         return float(np.abs(values[:, :LEGS]).max())
 
     def rough(self, limits: PathLimits) -> Profile:
+        """Compute an approximation of the fastest motion within limits."""
         if limits.jerk is not None:
             return self.fastest(limits)
         return Grid.at(self.source(limits), _first_nodes(*self.span, self.cells)).fastest()[1]
 
 
 def need_duration(least: Minimize, duration: float | None) -> None:
-    """Reject a duration of a motion of least time, and another motion without one."""
+    """Raise ValueError for a duration with least time, or for another objective without a duration."""
     if least == "time" and duration is not None:
         raise ValueError(f'duration: applies to minimize "energy" or "peak_force", got "{least}"')
     if least != "time" and duration is None:
@@ -385,40 +417,40 @@ def need_duration(least: Minimize, duration: float | None) -> None:
 
 
 def need_losses(robot: Robot) -> None:
-    """Reject a machine whose every motion takes the same energy, but for Stribeck's part of friction."""
+    """Raise ValueError if all motions of a robot need the same energy, apart from the Stribeck force."""
     losses, drive = [robot.C_u, robot.C_p, robot.C_s], robot.drive
     if drive is not None:
         losses += [drive.resistance, viscous(drive), 1.0 - drive.efficiency, 1.0 - drive.backdrive_efficiency]
     if not any(np.any(loss) for loss in losses):
         raise ValueError(
-            "robot: expected viscous friction, a resistance of windings or an efficiency below 1, without "
-            "them every motion along the path takes the same energy"
+            "robot: expected viscous friction, a winding resistance, or an efficiency below 1; otherwise all "
+            "motions along the path need the same energy"
         )
 
 
 def _first_nodes(start: float, end: float, cells: int) -> Array:
-    """Even nodes, and more in the first and the last cell: friction grows with the root of the way there."""
+    """Return even nodes, with more in the first and last cell, because friction changes rapidly there."""
     even = np.linspace(start, end, cells + 1)
     more = (even[1] - even[0]) * (np.arange(1, _AT_ENDS) / _AT_ENDS) ** 3
     return np.concatenate([even[:1], start + more, even[1:-1], end - more[::-1], even[-1:]])
 
 
 def need_bounded(terms: Terms, s: Array, bounded: bool) -> None:
-    """Reject a path that no limit bounds, one that rests, and poses at which the machine can't stand still.
+    """Raise ValueError for a path without limits, with zero rates, or with poses that cannot be held at rest.
 
-    bounded: whether the jerk is limited, which the terms do not say.
+    ``bounded`` is True if the jerk is limited, which the terms do not include.
     """
     if not (bounded or np.isfinite(terms.caps).all() or np.isfinite(terms.limit).any() or terms.motors):
-        raise ValueError("limits: expected a limit of force, speed or acceleration, there is none")
+        raise ValueError("limits: expected a limit of force, speed, or acceleration, got none")
     effect = np.abs(terms.a).max(axis=-1)
     if effect.min() <= _RESTS * effect.max():
         where = s[np.argmin(effect)]
-        raise ValueError(f"path: expected a path that rests nowhere, it does at s = {where:.6g}")
+        raise ValueError(f"path: expected nonzero velocities along the path, got zero at s = {where:.6g}")
     need_held(terms, s)
 
 
 def need_held(terms: Terms, s: Array) -> None:
-    """Reject poses at which the machine can't stand still."""
+    """Raise ValueError for poses that cannot be held at rest."""
     held = np.abs(terms.e) / terms.limit
     if held.max() >= _HOLD:
         i, k = np.unravel_index(int(np.argmax(held)), held.shape)

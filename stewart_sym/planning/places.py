@@ -1,4 +1,4 @@
-"""Places along a plan, finer than its grid, from both sides of every node and turning point, and at rest."""
+"""Dense samples of a plan: inside the grid cells, on both sides of nodes and turning points, and at rest."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -15,21 +15,24 @@ from .timing.motor_terms import directions
 from .timing.path_terms import traveled
 
 FINER = 100
-"""Instants in each cell of the plan's grid at which limits are checked."""
+"""Samples in each grid cell at which limits are checked."""
 
 BLOCK = 1 << 14
-"""Places that are evaluated together."""
+"""Number of samples that are evaluated together."""
 
-# Both ends of a cell, where accelerations jump, are places of it too.
+# Both ends of a cell are included, because accelerations jump there.
 _SHARES = np.concatenate([[0.0], (np.arange(FINER) + 0.5) / FINER, [1.0]])
-# Bisections of a step between two places: rates of the legs are still above rounding then.
+# Bisections of a step between two samples, few enough that leg rates exceed rounding errors.
 _BISECTIONS = 30
 
 
 class Places(NamedTuple):
-    """Places along a plan in order: times, s, place s, s'^2 and s'', (n,).
+    """Samples of a plan in order: times (s), parameters s, s'^2, and s'', shape (n,).
 
-    sides: signs of the rates of the legs on the chosen side, (n, 6); 0 of legs at rest.
+    Attributes
+    ----------
+    sides : ndarray, shape (n, 6)
+        Signs of the leg rates on the chosen side of each sample; 0 for legs at rest.
     """
 
     time: Array
@@ -39,24 +42,24 @@ class Places(NamedTuple):
     sides: Array
 
     def blocks(self) -> Iterator["Places"]:
-        """Yield the places in parts."""
+        """Yield blocks of samples."""
         for i in range(0, len(self.s), BLOCK):
             yield Places(*(part[i : i + BLOCK] for part in self))
 
     def motion(self, plan: TimedPath) -> Motion:
-        """Return the plan's motion at the places, (n,)."""
+        """Return the motion of the plan at the samples, shape (n,)."""
         return traveled(plan.path(self.s), np.sqrt(self.square), self.second)
 
     def motors(self, plan: TimedPath, motion: Motion, F: Array, L_dot: Array) -> MotorStates:
-        """Compute the motors' effort at the places from their motion, forces, N, and rates, m/s, (n, 6)."""
+        """Compute the motor states from motion, forces (N), and leg rates (m/s), shape (n, 6) each."""
         assert plan.robot.drive is not None
         return motor_states(plan.robot, plan.robot.drive, motion, F, L_dot, self.sides)
 
 
 def places_along(plan: TimedPath) -> Places:
-    """Return ``FINER`` places in each cell of a plan, both sides of nodes and turning points, and both rests.
+    """Return ``FINER`` samples in each cell of a plan, both sides of nodes and turning points, and both ends.
 
-    Accelerations jump at a node. At a turning point of a leg its friction jumps.
+    Accelerations jump at a node. The friction of a leg jumps at its turning point.
     """
     s, square, second = plan.profile.inside(_SHARES)
     time = plan.profile.times_inside(_SHARES)
@@ -71,15 +74,22 @@ def places_along(plan: TimedPath) -> Places:
 
 
 def places_at(plan: TimedPath, times: Array) -> Places:
-    """Return the places of a plan at times, s, (n,), each from one side alone."""
+    """Return the samples of a plan at times (s), shape (n,), on one side each."""
     place = plan.profile.at(times)
     return Places(times, place.s, place.rate**2, place.second, np.sign(_leg_rates(plan, place.s)))
 
 
 def _turning_points(plan: TimedPath, time: Array, sides: Array) -> list[Places]:
-    """Return the instants before and after which a leg turns back between places of a cell; [] without any.
+    """Return samples just before and after the turning points of legs inside cells; [] without any.
 
-    time: of the places, s, (cells, k). sides: signs of the rates there, (cells, k, 6).
+    Parameters
+    ----------
+    plan : TimedPath
+        Path and parameter over time.
+    time : ndarray, shape (cells, k)
+        Times of the samples (s).
+    sides : ndarray, shape (cells, k, 6)
+        Signs of the leg rates at the samples.
     """
     cell, k, leg = np.nonzero(sides[:, :-1] * sides[:, 1:] < 0.0)
     if not len(leg):
@@ -96,7 +106,7 @@ def _turning_points(plan: TimedPath, time: Array, sides: Array) -> list[Places]:
 
 
 def _leg_rates(plan: TimedPath, s: Array) -> Array:
-    """Return the derivatives of the lengths by s, m, (n, 6)."""
+    """Compute the derivatives of the leg lengths with respect to s (m), shape (n, 6)."""
     parts = [
         inverse_kinematics(plan.robot, plan.path(s[i : i + BLOCK])).L_dot for i in range(0, len(s), BLOCK)
     ]

@@ -1,4 +1,4 @@
-"""What a plan keeps to between its samples: extremes of the legs, limits, the nearest singular pose."""
+"""Verification of a plan between its samples: extremes of the legs, limits, and the nearest singular pose."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from .timing.path_rates import need_rates
 from .timing.path_terms import force_limits, leg_accelerations, limited_speeds
 
 ROUNDING = 1e-6
-"""Share of a limit by which it may be exceeded."""
+"""Relative excess up to which a limit counts as satisfied."""
 
-# Places at which the path's rates are held against its poses.
+# Largest number of samples in the comparison of the rates of the path with its poses.
 _MOST_PLACES = 200_000
 _ACTIVE = 1e-3
 _INSTANTS = 20_001
 
 
 class Approached(NamedTuple):
-    """Where along a plan H is nearest to singular: time, s, and smallest singular value of the scaled H."""
+    """Closest approach to a singularity: time (s), and smallest singular value of the scaled H."""
 
     time: float
     smallest: float
@@ -36,33 +36,37 @@ class Approached(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class PlanCertificate:
-    """What was found of a plan on a grid 100 times finer than its own, and by a search for singular poses.
+    """Result of the verification of a plan on a fine grid, with a search for singular poses.
+
+    The grid is 100 times finer than the grid of the plan.
 
     Attributes
     ----------
     samples : int
-        Number of places on the finer grid, both sides of nodes and turning points included.
+        Number of samples of the finer grid, including both sides of nodes and turning points.
     shortest, longest : LegExtreme
-        Least and greatest length of each leg, m, and when.
+        Smallest and largest length of each leg (m), with times (s).
     speed : LegExtreme
-        Greatest speed of each leg, m/s, and when.
+        Largest speed of each leg (m/s), with times (s).
     force : LegExtreme
-        Greatest force of each leg, N, without its sign, and when, also at rest before and after the motion.
+        Largest magnitude of the force of each leg (N), with times (s), including rest before and after the
+        motion.
     max_utilization : float
-        Largest share of any limit of force, speed, acceleration, jerk or of the motors.
+        Largest utilization of any limit of force, speed, acceleration, jerk, or of the motors; 1 is the
+        limit.
     lengths_ok : bool
-        Whether all legs stay within their lengths.
+        True if all leg lengths are within their limits.
     base_angle, platform_angle : LegExtreme, optional
-        Greatest angle of each joint at both ends, rad, and when, found between the instants as lengths are;
-        None of a robot that states no home pose, from which they are.
+        Largest angle of each joint at the base and at the platform (rad), with times (s), located between
+        samples like the lengths. None if the robot has no home position, from which the angles are measured.
     angles_ok : bool
-        Whether all of these are within the robot's ``joint_angle_limit``.
+        True if all joint angles are within ``joint_angle_limit``.
     active_fraction : float
-        Share of the duration in which a limit is used to more than 99.9 %.
-    crossings : tuple
-        Singular poses that the path crosses.
+        Fraction of the duration in which a limit is utilized by more than 99.9 %.
+    crossings : tuple of SingularityCrossing
+        Singular poses on the path.
     nearest : Approached
-        The nearest approach to one.
+        Closest approach to a singularity.
     """
 
     samples: int
@@ -81,29 +85,51 @@ class PlanCertificate:
 
     @property
     def is_valid(self) -> bool:
-        """Whether every limit is kept, to 1e-6 of it, and no singular pose is crossed."""
+        """True if every limit is satisfied to a relative tolerance of 1e-6 and no singularity is crossed."""
         kept = self.max_utilization <= 1.0 + ROUNDING and self.lengths_ok and self.angles_ok
         return kept and not self.crossings
 
 
 def certify_plan(plan: TimedPath) -> PlanCertificate:
-    """Check a plan between its nodes, by inverse dynamics and not by the terms it was made from.
+    """Verify a plan between its nodes.
+
+    The verification uses inverse dynamics and is independent of the terms from which the plan was computed.
 
     Parameters
     ----------
     plan : TimedPath
-        Path and parameter over time.
+        Path and parameter over time, for example the result of ``parameterize_path``.
 
     Returns
     -------
     PlanCertificate
-        Extremes, and whether all limits hold.
+        Extremes, utilization of the limits, and singularities.
 
     Raises
     ------
     ValueError
-        For a path whose rates contradict its poses, or jump, as ``parameterize_path`` does, on the finer
-        grid.
+        If the rates of the path contradict its poses, or are discontinuous, on the finer grid.
+
+    See Also
+    --------
+    parameterize_path : Fastest motion along a path within limits.
+    path_singularities : Singularities along any path.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> def path(s):
+    ...     zero = np.zeros((len(s), 3))
+    ...     t = np.array([0.1, 0.0, 0.4]) + np.outer(s, [0.2, 0.0, 0.2])
+    ...     R = np.broadcast_to(np.eye(3), (len(s), 3, 3))
+    ...     return ss.Motion(R=R, t=t, omega=zero, v=zero + [0.2, 0.0, 0.2], alpha=zero, a=zero)
+    >>> limits = ss.PathLimits(force=3000.0, speed=0.5)
+    >>> plan = ss.parameterize_path(robot, path, limits=limits, grid_size=20)
+    >>> certificate = ss.certify_plan(plan)
+    >>> certificate.is_valid, round(certificate.max_utilization, 3)
+    (True, 1.0)
     """
     instance(plan, TimedPath, "plan")
     robot, profile = plan.robot, plan.profile
@@ -142,7 +168,7 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
 
 
 def _angles(plan: TimedPath) -> list[LegExtreme]:
-    """Greatest angles of the joints at base and platform along s; none without a home pose."""
+    """Return the largest joint angles at base and platform along s; [] without a home position."""
     if plan.robot.home_position is None:
         return []
 
@@ -155,14 +181,14 @@ def _angles(plan: TimedPath) -> list[LegExtreme]:
 
 
 def _active(plan: TimedPath) -> float:
-    """Share of the time in which a limit is active."""
+    """Return the fraction of the time in which a limit is active."""
     time = np.linspace(0.0, plan.duration, _INSTANTS)
     used = np.maximum(_part(plan, places_at(plan, time))[2], _jerk(plan, _INSTANTS))
     return float(np.mean(used > 1.0 - _ACTIVE))
 
 
 def _jerk(plan: TimedPath, count: int) -> Array:
-    """Shares of the limits of jerk that are used up to each of count instants, by differences, (count,)."""
+    """Compute the utilization of the jerk limits at ``count`` times by finite differences, (count,)."""
     found = np.zeros(count)
     if plan.limits.jerk is None:
         return found
@@ -175,7 +201,7 @@ def _jerk(plan: TimedPath, count: int) -> Array:
 
 
 def _part(plan: TimedPath, places: Places) -> tuple[Array, Array, Array]:
-    """Leg speeds, forces and the largest share of a limit at some places of the path."""
+    """Compute leg rates, forces, and the largest utilization of a limit at samples of the path."""
     motion = places.motion(plan)
     F = inverse_dynamics(plan.robot, motion, plan.formulation).F
     legs = inverse_kinematics(plan.robot, motion)
@@ -194,5 +220,6 @@ def _part(plan: TimedPath, places: Places) -> tuple[Array, Array, Array]:
 
 
 def _extreme(times: Array, values: Array) -> LegExtreme:
+    """Return the largest values of each leg, with times."""
     at = np.argmax(values, axis=0)
     return LegExtreme(times[at], values.max(axis=0))

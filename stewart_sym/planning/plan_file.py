@@ -1,4 +1,4 @@
-"""Plans as a TOML file states them: machine, via poses, limits; poses may stand in a CSV file beside it."""
+"""Plan files: robot, via poses, and limits in TOML; the via poses may be in a separate CSV file."""
 
 import contextlib
 import os
@@ -30,7 +30,7 @@ from .timing.path_terms import PathLimits, six_positive
 
 SCHEMA = 1
 RATE = 100.0
-"""Default rate of the trajectory, Hz."""
+"""Default sampling rate of the trajectory (Hz)."""
 
 _TOP_KEYS = (
     *("schema", "robot", "formulation", "objective", "smoothness_weight", "rate", "minimize", "duration"),
@@ -45,10 +45,19 @@ _VIA_KEYS = ("t", "theta", "tolerance")
 
 @dataclass(frozen=True, eq=False)
 class PlanRequest:
-    """What is to be planned; names and units are those of ``plan_path`` and ``parameterize_path``.
+    """Contents of a plan file, with the names and units of ``plan_path`` and ``parameterize_path``.
 
-    rate: of the trajectory, Hz. files: from which it was read: its own, the robot's, that of via poses
-    apart. stated: keys of its own. doubt: what is doubtful about the via poses, a line or nothing.
+    Attributes
+    ----------
+    rate : float
+        Sampling rate of the trajectory (Hz).
+    files : tuple of Path
+        Files from which the plan was read: the plan, the robot, and the via poses if they are in a separate
+        file.
+    stated : frozenset of str
+        Keys in the plan file.
+    doubt : str
+        Warning about the via poses, or an empty string.
     """
 
     robot: Robot
@@ -67,17 +76,29 @@ class PlanRequest:
     doubt: str = ""
 
     def of_poses(self, text: str) -> str:
-        """A text about the via poses with the file in which they stand; one of TOML has them by its keys."""
+        """Add the file of the via poses to a message; in a TOML file their keys replace their numbers."""
         return _of_poses(text, self.files)
 
 
 @contextlib.contextmanager
 def read_plan(path: str | os.PathLike[str]) -> Iterator[PlanRequest]:
-    """Read a file of via poses (TOML, schema 1); the files that it names are looked for beside it.
+    """Read a file of via poses.
 
-    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
-    read and for every break of the schema, of this file or of one it names. The line is added to what the
-    block raises about a key of the file, too.
+    Parameters
+    ----------
+    path : str or path-like
+        TOML file, schema 1. Relative file names in it refer to its folder.
+
+    Yields
+    ------
+    PlanRequest
+        Validated plan. Errors in the block that name a key of the file are extended by its line number.
+
+    Raises
+    ------
+    ValueError
+        If this file or a file named in it cannot be read or violates its schema. The message is one line,
+        ``file: key: expected value (at line n)``.
     """
     source = toml_reader.file_name(path)
     with toml_reader.toml_tables(source, "file of via poses") as d:
@@ -85,6 +106,7 @@ def read_plan(path: str | os.PathLike[str]) -> Iterator[PlanRequest]:
 
 
 def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
+    """Convert the tables of a plan file to a plan."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot"))
     toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
@@ -140,11 +162,13 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
 
 
 def _of_poses(text: str, files: Sequence[Path]) -> str:
+    """Add the file of the via poses to a message."""
     apart = len(files) > 2
     return f"{files[-1]}: {text}" if apart else f"{files[0]}: {text.replace('via pose ', 'via ', 1)}"
 
 
 def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:
+    """Convert the table ``limits``."""
     table = toml_reader.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
@@ -156,13 +180,14 @@ def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:
 
 
 def _load(value: object, prefix: str) -> Array:
+    """Return the load [F_ext; M_ext], shape (6,)."""
     table = toml_reader.checked_table(value, prefix, _LOAD_KEYS)
     parts = [toml_reader.vector(table.get(key, [0.0, 0.0, 0.0]), prefix + key) for key in _LOAD_KEYS]
     return np.concatenate(parts)
 
 
 def _via_tables(value: object, where: str) -> list[tuple[Array, Array, tuple[Array, Array]]]:
-    """t, theta and the box of what is free, of each via pose."""
+    """Return t, theta, and the tolerance bounds of each via pose."""
     if not isinstance(value, list) or len(value) < 2:
         count = len(value) if isinstance(value, list) else "no list"
         raise ValueError(f"{where}: expected at least 2 via poses, got {count}")
@@ -176,13 +201,14 @@ def _via_tables(value: object, where: str) -> list[tuple[Array, Array, tuple[Arr
 
 
 def _angle_doubt(given: Sequence[tuple[Array, Array, tuple[Array, Array]]]) -> str:
-    """A line about angles that no machine makes, or nothing; the level pose counts as one that it does."""
+    """Return a warning about implausible rotations relative to the level pose, or an empty string."""
     theta = [theta + shift[3:] for _, theta, box in given for shift in box]
     doubt = turn_doubt(np.array([np.zeros(3), *theta]))
     return "" if doubt is None else f"{doubt}: are angles in degrees? Radians are expected"
 
 
 def _box(value: object, prefix: str) -> tuple[Array, Array]:
+    """Return the lower and upper tolerances, shape (6,) each."""
     low, high = np.zeros(6), np.zeros(6)
     for key, given in toml_reader.checked_table(value, prefix, COORDINATES).items():
         i = COORDINATES.index(key)

@@ -1,4 +1,4 @@
-"""A smooth path through via poses, within limits, of as low a condition number as its length is worth."""
+"""Smooth path through via poses within limits, with a compromise between condition number and length."""
 
 from __future__ import annotations
 
@@ -25,40 +25,40 @@ from .pose_path import Family, PosePath, ViaPose, by_coordinates, poses_of, scal
 
 Objective = Literal["mean", "peak"]
 OBJECTIVES: tuple[Objective, ...] = ("mean", "peak")
-"""What of the condition numbers along a path can be made small."""
+"""Statistics of the condition number that can be minimized."""
 
 PRICE = 0.5
-"""Default weight of length and bending against the condition number."""
+"""Default weight of length and bending relative to the condition number."""
 
 _PEAK_POWER = 16
-# Below this share of the least singular value of the via poses a path counts as singular.
+# Singular value, relative to the smallest one of the via poses, below which a path counts as singular.
 _NEAR = 0.1
 _PENALTIES = (10.0, 1e3, 1e5)
 _STEPS = 60
-# How many starts are tried, and the size of their random detours, in characteristic lengths and radians.
+# Number of initial guesses, and size of their random detours (characteristic lengths and radians).
 _STARTS = 12
 _SWING = 0.6
 _FINE = 2001
-# How often the nearest pose within reach is looked for, and by how much it may break a limit, to rounding.
+# Number of searches for the nearest reachable pose, and its largest violation of a limit due to rounding.
 _TRIES = 8
 _TOUCHES = 1e-3 * ROOM
 _RESTS = 1e-6
-# Paths between the straight spline, 0, and the best one, 1, in the order in which they are tried.
+# Tested blends of the initial spline, 0, and the best one, 1, in this order.
 _SHARES = (1.0, 0.9, 0.75, 0.5, 0.25, 0.1, 0.03, 0.01, 0.0)
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """Condition numbers of H along a path, moments over the characteristic length.
+    """Condition numbers of H along a path, with moments divided by the characteristic length.
 
     Attributes
     ----------
     mean : float
-        Over the length of the path, shifts over the characteristic length and angles taken together.
+        Mean over the length of the path.
     peak : float
-        Largest; infinite where det H changes its sign.
+        Largest value; inf if det H changes its sign.
     length : float
-        Length of the path, measured likewise.
+        Length of the path; translations are divided by the characteristic length and combined with angles.
     """
 
     mean: float
@@ -68,18 +68,18 @@ class Conditions:
 
 @dataclass(frozen=True, eq=False)
 class PlannedPath:
-    """A path through via poses.
+    """Path through via poses.
 
     Attributes
     ----------
     path : PosePath
-        The path.
+        Planned path.
     initial_path : PosePath
-        Spline of least bending through the via poses as they are given.
+        Spline of least bending through the requested via poses.
     requested_poses, reached_poses : tuple of ViaPose
-        The via poses as they are given, and as the path passes them.
+        Requested via poses, and poses on the path, which are within their tolerances.
     condition_numbers, initial_condition_numbers : Conditions
-        Condition numbers along both.
+        Condition numbers along ``path`` and along ``initial_path``.
     """
 
     path: PosePath
@@ -99,38 +99,59 @@ def plan_path(
     load: ArrayLike = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     progress: Progress = silent,
 ) -> PlannedPath:
-    """Find a smooth path through via poses of the tool, away from singular poses and within limits.
+    """Plan a smooth path through via poses of the tool, away from singular poses and within limits.
 
     Parameters
     ----------
     robot : Robot
-        The machine with its leg lengths, joint angles and tool.
+        Robot with leg lengths, joint angles, and tool.
     via_poses : sequence of ViaPose
-        At least two; each is passed in this order.
+        At least two poses, in the order in which the path reaches them.
     limits : PoseLimits, optional
-        Of leg lengths, joint angles, condition number and clearance. ``forces`` and ``load`` have no effect:
-        forces along a path are bounded by ``parameterize_path``.
+        Limits of leg lengths, joint angles, condition number, and clearance. ``forces`` and ``load`` have no
+        effect, because ``parameterize_path`` limits the forces along a path.
     objective : {"mean", "peak"}, optional
-        What is made small: the condition number's mean or its peak. Neither rises above that of the straight
-        spline where that one keeps the limits.
+        Statistic of the condition number that is minimized. If the initial spline is within the limits,
+        neither the mean nor the peak exceeds its value on the initial spline.
     smoothness_weight : float, optional
-        Weight of length and bending: what is made small is the condition number plus ``smoothness_weight``
-        times the mean squares of first and second derivatives, each over its value on the straight path. With
-        a price of 0 the path bends more, and forces rise.
-    load : array_like, optional
-        External wrench [F_ext; M_ext] on the way, N and N m, platform frame, (6,).
+        Weight of length and bending. The objective is the condition number plus the weight times the mean
+        squares of the first and second derivatives, each relative to the initial spline. With 0 the path
+        bends more and the forces increase.
+    load : array_like, shape (6,), optional
+        External wrench [F_ext; M_ext] along the path in the platform frame (N and N m).
     progress : callable, optional
-        Called with what is being done.
+        Function that is called with a text and the completed fraction, 0 to 1.
 
     Returns
     -------
     PlannedPath
-        The path, the straight one and their condition numbers.
+        Planned path, initial spline, and their condition numbers.
 
     Raises
     ------
     ValueError
-        Naming the argument, or the via pose or limit that stands in the way.
+        If an argument is invalid, a via pose is not reachable, or no path within the limits is found. The
+        message names the via pose and the limit.
+    ImportError
+        If SciPy is not installed.
+
+    See Also
+    --------
+    parameterize_path : Fastest motion along a path within limits.
+    path_singularities : Singularities along a path.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> via_poses = [ss.ViaPose(np.eye(3), [0.1, 0.0, 0.4]), ss.ViaPose(np.eye(3), [0.3, 0.0, 0.6])]
+    >>> plan = ss.plan_path(robot, via_poses)
+    >>> plan.path(np.array([0.0, 1.0])).t.round(6)
+    array([[0.1, 0. , 0.4],
+           [0.3, 0. , 0.6]])
+    >>> plan.condition_numbers.mean < plan.initial_condition_numbers.mean
+    True
     """
     instance(robot, Robot, "robot")
     option(objective, OBJECTIVES, "objective")
@@ -147,7 +168,7 @@ def plan_path(
     straight = search.path(search.nothing, wrench)
     at_first = conditions_along(robot, straight)
     x = search.best(progress)
-    # Where the straight spline serves, neither number rises above its own: nearer to it they fall to these.
+    # Blends near the initial spline have its mean and peak, so some blend does not exceed either of them.
     for share in _SHARES if not search.broken(0.0 * x) else (1.0,):
         path = search.path(share * x, wrench)
         found = conditions_along(robot, path)
@@ -160,7 +181,7 @@ def plan_path(
 
 
 def need_poses(poses: Sequence[ViaPose]) -> None:
-    """Reject fewer than two via poses and one that is the same as the one before."""
+    """Raise ValueError for fewer than two via poses or for two equal successive via poses."""
     for number, pose in enumerate(poses, start=1):
         instance(pose, ViaPose, f"via pose {number}")
     if len(poses) < 2:
@@ -173,7 +194,7 @@ def need_poses(poses: Sequence[ViaPose]) -> None:
 
 
 def need_passed(path: PosePath, length: float) -> None:
-    """Reject a path that turns back at a via pose, where it rests; length: the characteristic one."""
+    """Raise ValueError if a path reverses at a via pose; ``length`` is the characteristic length."""
     rates = _rates(path(np.concatenate([path.via, np.linspace(0.0, 1.0, _FINE)])), length)
     for k in np.flatnonzero(rates[: len(path.via)] <= _RESTS * rates.max()).tolist():
         raise ValueError(
@@ -183,13 +204,13 @@ def need_passed(path: PosePath, length: float) -> None:
 
 
 def _rates(motion: Motion, length: float) -> Array:
-    """Size of the derivative by the parameter, (n,): shifts over a length and angles together."""
+    """Return the norm of the derivative by s, shape (n,), with translations divided by a length."""
     shift = np.sum((motion.v / length) ** 2, axis=-1)
     return np.asarray(np.sqrt(shift + np.sum(motion.omega**2, axis=-1)))
 
 
 def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Conditions:
-    """Condition numbers along a path, from evenly spaced parameters."""
+    """Compute condition numbers along a path at evenly spaced parameters."""
     motion = path(np.linspace(0.0, 1.0, count))
     costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -203,7 +224,7 @@ def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Condit
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """The optimization of one path: its variables are free coordinates of via poses, then w."""
+    """Optimization of one path; the variables are the shifts of via poses within their tolerances, and w."""
 
     family: Family
     costs: PoseCosts
@@ -216,6 +237,7 @@ class _Search:
     def of(
         cls, robot: Robot, poses: tuple[ViaPose, ...], limits: PoseLimits, objective: Objective, price: float
     ) -> _Search:
+        """Prepare the optimization, and check the via poses."""
         at = PoseCosts(robot, limits, robot.tool, 1.0, 0.0)
         family = Family.of(poses, at.length)
         R, t = poses_of(family.rows)
@@ -236,18 +258,20 @@ class _Search:
 
     @property
     def nothing(self) -> Array:
-        """Variables of the straight spline: no via pose is moved, and bending is least."""
+        """Variables of the initial spline: no shift and least bending."""
         return np.zeros(len(self.family.free) + 7 * self.family.rest.shape[1])
 
     def path(self, x: Array, load: Array) -> PosePath:
+        """Create the path of given variables."""
         return self.family.path(self.family.coefficients(*self.split(x)), self.costs.tool, load)
 
     def split(self, x: Array) -> tuple[Array, Array]:
+        """Split the variables into shifts, shape (f,), and w, shape (m, 7)."""
         free = len(self.family.free)
         return x[:free], x[free:].reshape(-1, 7) / self.scale
 
     def best(self, progress: Progress) -> Array:
-        """Variables of the best path; ValueError that names the limit which stands in the way."""
+        """Find the variables of the best path; raise ValueError with the limiting constraint on failure."""
         start = self.nothing
         random = np.random.default_rng(0)
         worst: list[tuple[float, str, float]] = []
@@ -267,18 +291,17 @@ class _Search:
         _, what, place = min(worst)
         segment = int(np.clip(np.searchsorted(self.family.via, place), 1, len(self.family.poses) - 1))
         raise ValueError(
-            f"via pose {segment + 1}: expected a path to it from via pose {segment}, none was found: {what} "
-            "stands in the way"
+            f"via pose {segment + 1}: no path from via pose {segment} was found; limiting constraint: {what}"
         )
 
     def swing(self, random: np.random.Generator) -> Array:
-        """A smooth random detour: all free coefficients moved by one shift and one turn."""
+        """Return a smooth random detour: one random translation and rotation for all free coefficients."""
         move = _SWING * random.normal(size=7)
         move[3:] *= 0.5
         return (self.family.rest.T @ np.ones((len(self.family.rest), 1)) * move).ravel()
 
     def minimum(self, x: Array) -> Array:
-        """A local minimum, limits as penalties that grow."""
+        """Find a local minimum with increasing penalties for the limits."""
         with needed_for("a path"):
             from scipy.optimize import minimize
         free = len(self.family.free)
@@ -289,7 +312,7 @@ class _Search:
         return np.asarray(x)
 
     def value(self, x: Array, penalty: float) -> tuple[float, Array]:
-        """Objective with its derivative."""
+        """Compute the objective with its gradient."""
         family, costs = self.family, self.costs
         values, w = self.split(x)
         c = family.coefficients(values, w)
@@ -313,14 +336,14 @@ class _Search:
         return value, np.concatenate([by_free, (by_w / self.scale).ravel()])
 
     def broken(self, x: Array) -> list[tuple[float, str, float]]:
-        """Limits that the path breaks, between the samples too: by how much, which, and where."""
+        """Return the limits that the path violates, also between samples: violation, name, and parameter."""
         family = self.family
         rows = family.fine @ family.coefficients(*self.split(x))
         return broken_limits(self.costs, *poses_of(rows), family.between)
 
 
 def broken_limits(costs: PoseCosts, R: Array, t: Array, s: Array) -> list[tuple[float, str, float]]:
-    """Limits that poses at parameters s break: by how much, which, and where most."""
+    """Return the limits that poses at parameters s violate: largest violation, name, and parameter."""
     found = []
     for name, excess, _ in costs.excesses(R, t):
         most = excess.max(axis=-1)
@@ -333,23 +356,23 @@ def broken_limits(costs: PoseCosts, R: Array, t: Array, s: Array) -> list[tuple[
 
 
 def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, signs: Array) -> None:
-    """Reject via poses that are singular, break a limit, or lie beyond singular poses from the first.
+    """Raise ValueError for via poses that are singular, exceed a limit, or are separated by singularities.
 
-    A free one is rejected where every pose that its freedom allows breaks limits of reach.
+    A via pose with a tolerance is rejected if all poses within the tolerance are out of reach.
     """
     reach = replace(costs, limits=replace(costs.limits, condition=math.inf))
     for number, pose in enumerate(poses, start=1):
         if not pose.has_tolerance and not values[number - 1] < 1e12:
-            raise ValueError(f"via pose {number}: expected a regular pose, it is singular")
+            raise ValueError(f"via pose {number}: expected a regular pose, got a singular pose")
         nearest = _nearest(reach, pose)
-        who = "the nearest that its freedom allows" if pose.has_tolerance else "it"
+        who = "the nearest pose within its tolerance" if pose.has_tolerance else "the pose"
         for name, excess, _ in reach.excesses(nearest.R[None], nearest.t[None]):
             if excess.max() > ROOM + (_TOUCHES if pose.has_tolerance else 0.0):
                 leg = f" of leg {int(np.argmax(excess[0])) + 1}" if excess.shape[1] == 6 else ""
                 out, far = "", ""
                 if name == "leg length":
                     out, far = "out of reach, ", f", {np.linalg.norm(nearest.t):.4g} m from the base's origin"
-                raise ValueError(f"via pose {number}: {out}{who} breaks the limit of {name}{leg}{far}")
+                raise ValueError(f"via pose {number}: {out}{who} exceeds the limit of {name}{leg}{far}")
         if not pose.has_tolerance and values[number - 1] > costs.limits.condition:
             raise ValueError(
                 f"via pose {number}: expected a condition number of at most {costs.limits.condition:g}, "
@@ -359,13 +382,13 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
     for before, after in itertools.pairwise(fixed):
         if signs[before] != signs[after]:
             raise ValueError(
-                f"via pose {after + 1}: every path to it from via pose {before + 1} crosses a singular pose, "
-                "as det H has another sign there"
+                f"via pose {after + 1}: every path from via pose {before + 1} crosses a singular pose, "
+                "because det H has opposite signs at the two poses"
             )
 
 
 def _nearest(costs: PoseCosts, pose: ViaPose) -> ViaPose:
-    """Of the poses that its freedom allows, the one that breaks limits least, by a few starts."""
+    """Return the pose within the tolerance with the smallest violation, from several initial guesses."""
     if not pose.has_tolerance:
         return pose
     with needed_for("a path"):

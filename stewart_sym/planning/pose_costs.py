@@ -1,6 +1,7 @@
-"""What a pose costs a path: its condition number and how far it breaks limits, with derivatives by the pose.
+"""Condition number and violation of limits of a pose, with derivatives with respect to the pose.
 
-Derivatives are by twists: the position moves by dt, base frame, and R becomes exp([dphi]x) R.
+Derivatives are with respect to twists: the position moves by dt in the base frame, and R becomes
+exp([dphi]x) R.
 """
 
 import math
@@ -18,19 +19,32 @@ from ..motion.rotation import cross
 from ..robot.robot import Robot
 
 _ONE, _OTHER = np.array(PAIRS).T
-# Distance that a path keeps from its limits at the samples, over the characteristic length or as a cosine.
+# Margin of a path from its limits at the samples, relative to the characteristic length or as a cosine.
 ROOM = 2e-3
 _SAME = 1e-6
-# Least sine of the angle between a leg and the fixed axis of its universal joint: forces grow as its inverse.
+# Smallest sine of the angle between a leg and its fixed joint axis, because forces increase with its inverse.
 _LEAST_SINE = 0.05
 
 
 @dataclass(frozen=True, eq=False)
 class PoseCosts(Frozen):
-    """Costs of poses of one machine.
+    """Costs of poses of one robot.
 
-    side: sign of det H that a path keeps. least: smallest singular value below which the condition number is
-    replaced by its tangent, so that it goes on rising through singular poses.
+    Attributes
+    ----------
+    robot : Robot
+        Robot model.
+    limits : PoseLimits
+        Limits of a pose.
+    tool : ndarray, shape (3,)
+        Tool point in the platform frame (m).
+    side : float
+        Sign of det H along the path.
+    least : float
+        Smallest singular value below which the condition number is replaced by its tangent, so that it
+        increases through singular poses.
+    length : float
+        Characteristic length (m).
     """
 
     robot: Robot
@@ -41,10 +55,11 @@ class PoseCosts(Frozen):
     length: float = field(init=False)
 
     def __post_init__(self) -> None:
+        """Compute the characteristic length."""
         self._set({"length": characteristic_length(self.robot) or 1.0, "tool": np.array(self.tool)})
 
     def conditions(self, R: Array, t: Array) -> tuple[Array, Array]:
-        """Condition numbers of H about the reference point, (n,), with derivatives, (n, 6)."""
+        """Compute condition numbers of H about the reference point, (n,), and derivatives, (n, 6)."""
         q, s, L, H = self._matrices(R, t)
         u, values, vh = np.linalg.svd(H)
         sign = np.sign(np.linalg.det(H)) * self.side
@@ -57,12 +72,12 @@ class PoseCosts(Frozen):
         inverse = np.where(inside, 1.0 / safe, (2.0 - smallest / floor) / floor)
         slope = -1.0 / safe**2
         rate = inverse[:, None] * d_largest + (largest * slope)[:, None] * d_smallest
-        # Turned about the tool, the reference point moves by -dphi x arm.
+        # A rotation about the tool moves the reference point by -dphi x arm.
         rate[:, 3:] -= cross(R @ self.tool, rate[:, :3])
         return largest * inverse, rate
 
     def plain_conditions(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
-        """Condition numbers, signs of det H and smallest singular values, (n,)."""
+        """Compute condition numbers, signs of det H, and smallest singular values, shape (n,) each."""
         H = self._matrices(R, t)[-1]
         values = np.linalg.svd(H, compute_uv=False)
         with np.errstate(divide="ignore"):
@@ -70,13 +85,13 @@ class PoseCosts(Frozen):
         return conditions, np.sign(np.linalg.det(H)), np.asarray(values[:, -1], dtype=np.float64)
 
     def _matrices(self, R: Array, t: Array) -> tuple[Array, Array, Array, Array]:
-        """q, s, L and H, about the reference point, its moments over the characteristic length, (n, 6, 6)."""
+        """Compute q, s, L, and H with moments divided by the characteristic length, shape (n, 6, 6)."""
         q, S, L = leg_vectors(self.robot, R, t - R @ self.tool)
         s = S / L[..., None]
         return q, s, L, np.swapaxes(np.concatenate([s, cross(q, s) / self.length], axis=-1), -1, -2)
 
     def _rate(self, q: Array, s: Array, L: Array, u: Array, v: Array) -> Array:
-        """Derivative of u^T H v by the twist of the reference point, (n, 6)."""
+        """Compute the derivative of u^T H v by the twist of the reference point, shape (n, 6)."""
         force, moment = u[:, None, :3], u[:, None, 3:] / self.length
         along = v[:, :, None] * (force + cross(moment, q))
         g = (along - np.sum(along * s, axis=-1, keepdims=True) * s) / L[..., None]
@@ -86,11 +101,11 @@ class PoseCosts(Frozen):
     def excesses(
         self, R: Array, t: Array, known: tuple[Array, Array] | None = None
     ) -> list[tuple[str, Array, Array]]:
-        """By limit: its name, by how much each pose breaks it, (n, k), and derivatives, (n, k, 6).
+        """Compute the violations of each limit: its name, values (n, k), and derivatives (n, k, 6).
 
-        known: what ``conditions`` found of these poses.
+        ``known`` is the result of ``conditions`` for these poses, if available.
         """
-        # Points from the tool, about which the pose turns.
+        # Points are relative to the tool, the center of the rotations.
         arm = R @ self.tool
         q, S, L = leg_vectors(self.robot, R, t - arm)
         q, s = q - arm[:, None, :], S / L[..., None]
@@ -110,6 +125,7 @@ class PoseCosts(Frozen):
         return found
 
     def _lengths(self, q: Array, s: Array, L: Array) -> list[tuple[Array, Array]]:
+        """Compute the violations of the length limits."""
         rate = np.concatenate([s, cross(q, s)], axis=-1) / self.length
         low, high = self.robot.length_limits.T
         parts = []
@@ -120,14 +136,14 @@ class PoseCosts(Frozen):
         return parts
 
     def _axes(self, q: Array, s: Array, L: Array) -> tuple[Array, Array]:
-        """Cosines between legs and the fixed axes of their universal joints, less the largest allowed."""
+        """Compute the cosines between legs and fixed axes of their universal joints, minus their limit."""
         cosine = np.sum(s * self.robot.k, axis=-1)
         g = np.sign(cosine)[..., None] * (self.robot.k - cosine[..., None] * s) / L[..., None]
         excess = np.abs(cosine) - math.sqrt(1.0 - _LEAST_SINE**2) + ROOM
         return excess, np.concatenate([g, cross(q, g)], axis=-1)
 
     def _angles(self, R: Array, q: Array, s: Array, L: Array) -> list[tuple[Array, Array]]:
-        """At the base and at the platform: cosine of the limit less that of the angle."""
+        """Compute cosines of the joint angle limits at base and platform minus cosines of the angles."""
         at_home = neutral_directions(self.robot)
         least = np.cos(np.minimum(self.robot.joint_angle_limit, np.pi))
         parts = []
@@ -139,7 +155,7 @@ class PoseCosts(Frozen):
         return parts
 
     def _clearances(self, q: Array, S: Array) -> tuple[Array, Array]:
-        """Least distances of legs less the clearance, by shares of the two legs at which they are nearest."""
+        """Compute the clearance minus the distances between legs, with derivatives at the nearest points."""
         apart = joined(self.robot) > _SAME * self.length
         i, j = _ONE[apart], _OTHER[apart]
         b, one, other = self.robot.b, S[:, i], S[:, j]

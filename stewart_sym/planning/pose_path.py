@@ -1,7 +1,7 @@
-"""Via poses and paths through them: position and quaternion of a platform point as one spline of degree 5.
+"""Via poses and paths through them: position and quaternion of the tool as a spline of degree 5.
 
-The quaternion is made a unit one, so no orientation is special; rates up to the fourth are continuous. Paths
-through via poses are a family: the few numbers that an optimization changes.
+The quaternion is normalized, so no orientation is singular; derivatives up to the fourth are continuous. The
+paths through given via poses form a family, whose parameters are the variables of an optimization.
 """
 
 from __future__ import annotations
@@ -22,35 +22,35 @@ from ..motion.interpolation import DEGREE
 from ..motion.motion import Motion, pose_of
 
 COORDINATES = ("x", "y", "z", "roll", "pitch", "yaw")
-"""What may be free: shifts along base axes, m, and turns about the tool's own axes, rad."""
+"""Coordinates of a tolerance: translations in the base frame (m), rotations in the tool frame (rad)."""
 CELLS = 4
-"""Cells of the spline from each via pose to the next."""
+"""Spline cells between two via poses."""
 SAMPLES = 20
-"""Poses at which costs are taken, for each cell."""
+"""Poses in each cell at which costs are evaluated."""
 _FINER = 5
 _STEP = 1e-6
-# By how much sums of steps may end beyond the last parameter.
+# Tolerance for sums of steps that exceed the last parameter by rounding errors.
 _ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class ViaPose(Frozen):
-    """A pose of the tool that a path passes.
+    """Via pose of the tool, with optional tolerances.
 
     Attributes
     ----------
-    R : array_like
-        Orientation, platform to base, (3, 3).
-    t : array_like
-        Position of the tool, m, base frame, (3,).
-    tolerance_low, tolerance_high : array_like, optional
-        By how much the pose may differ, (6,): shifts along base axes, m, and a rotation vector in the
-        platform's axes, rad: R becomes R exp([phi]x). Low is at most 0 and high at least 0.
+    R : array_like, shape (3, 3)
+        Rotation matrix from the platform frame to the base frame.
+    t : array_like, shape (3,)
+        Position of the tool in the base frame (m).
+    tolerance_low, tolerance_high : array_like, shape (6,), optional
+        Lower (<= 0) and upper (>= 0) tolerance: translations along the base axes (m), and a rotation vector
+        phi in the platform frame (rad), with which R becomes R exp([phi]x).
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If an argument is invalid.
     """
 
     R: Array
@@ -59,6 +59,7 @@ class ViaPose(Frozen):
     tolerance_high: Array = field(default_factory=lambda: np.zeros(6))
 
     def __post_init__(self) -> None:
+        """Check the arguments."""
         for name, core in (("R", (3, 3)), ("t", (3,))):
             finite_array(getattr(self, name), core, name, batch=False)
         motion = pose_of((self.R, self.t), "pose", "a pose (R, t)")
@@ -74,28 +75,27 @@ class ViaPose(Frozen):
 
     @property
     def has_tolerance(self) -> bool:
-        """Whether the pose may differ at all."""
+        """True if the pose has a tolerance."""
         return bool((self.tolerance_high > self.tolerance_low).any())
 
     def shifted(self, shift: Array) -> ViaPose:
-        """The pose that differs by a shift, with no freedom left.
+        """Return the pose displaced by a shift, without tolerance.
 
         Parameters
         ----------
-        shift : ndarray
-            By how much it differs, in the coordinates of ``tolerance_low`` and ``tolerance_high``, m and rad,
-            (6,).
+        shift : ndarray, shape (6,)
+            Translation (m) and rotation vector (rad), in the coordinates of the tolerances.
 
         Returns
         -------
         ViaPose
-            Its ``tolerance_low`` and ``tolerance_high`` are 0.
+            Displaced pose; its tolerances are 0.
         """
         return ViaPose(self.R @ rotation.rotation_from_vector(shift[3:]), self.t + shift[:3])
 
 
 def coordinates(poses: Sequence[ViaPose]) -> Array:
-    """Positions and unit quaternions, (k, 7), each quaternion on the same side as the one before."""
+    """Return positions and unit quaternions, shape (k, 7), with continuous signs of the quaternions."""
     rows = [np.concatenate([pose.t, rotation.quaternion_from_rotation(pose.R)]) for pose in poses]
     for before, after in itertools.pairwise(rows):
         if before[3:] @ after[3:] < 0.0:
@@ -104,7 +104,7 @@ def coordinates(poses: Sequence[ViaPose]) -> Array:
 
 
 def shifted(row: Array, shift: Array) -> Array:
-    """Coordinates (7,) of a pose that differs by (6,)."""
+    """Return the coordinates, shape (7,), of a pose displaced by a shift, shape (6,)."""
     half = 0.5 * np.linalg.norm(shift[3:])
     turn = np.concatenate([[np.cos(half)], 0.5 * np.sinc(half / np.pi) * shift[3:]])
     return np.concatenate([row[:3] + shift[:3], rotation.quaternion_product(row[3:], turn)])
@@ -112,20 +112,20 @@ def shifted(row: Array, shift: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class PosePath(Frozen):
-    """A path of the platform; called with parameters s it returns its motion by s.
+    """Path of the platform, a function of s that returns a motion with derivatives with respect to s.
 
     Attributes
     ----------
-    knots : ndarray
-        Of the B-splines of degree 5, the first and last six times, (n + 6,).
-    coefficients : ndarray
-        Of the tool's position, m, base frame, and of a quaternion, scalar first, (n, 7).
-    via : ndarray
-        Parameters of the via poses, from 0 to 1, (k,).
-    tool : ndarray
-        Point whose position that is, m, platform frame, (3,).
-    load : ndarray
-        External wrench [F_ext; M_ext] at the reference point, N and N m, platform frame, (6,).
+    knots : ndarray, shape (n + 6,)
+        Knots of the B-splines of degree 5; the first and last have multiplicity 6.
+    coefficients : ndarray, shape (n, 7)
+        Coefficients of the tool position in the base frame (m) and of a quaternion, scalar first.
+    via : ndarray, shape (k,)
+        Parameters of the via poses, from 0 to 1.
+    tool : ndarray, shape (3,)
+        Tool point in the platform frame (m).
+    load : ndarray, shape (6,)
+        External wrench [F_ext; M_ext] at the reference point in the platform frame (N and N m).
     """
 
     knots: Array
@@ -135,6 +135,7 @@ class PosePath(Frozen):
     load: Array
 
     def __post_init__(self) -> None:
+        """Check the arguments."""
         shapes = {"knots": (), "coefficients": (7,), "via": (), "tool": (3,), "load": (6,)}
         self._set(
             {
@@ -146,9 +147,12 @@ class PosePath(Frozen):
         )
 
     def __call__(self, s: ArrayLike) -> Motion:
-        """Return poses at parameters s in [0, 1], (n,), with first and second derivatives by s.
+        """Return the motion at parameters s in [0, 1], shape (n,), with first and second derivatives by s.
 
-        Raises ValueError for others.
+        Raises
+        ------
+        ValueError
+            If a parameter is outside [0, 1].
         """
         at = real_array(s, "s")
         if at.ndim != 1 or not np.all(np.abs(at - 0.5) <= 0.5 + _ROUNDING):
@@ -164,7 +168,7 @@ class PosePath(Frozen):
 
 
 def spline_values(knots: Array, coefficients: Array, s: Array, order: int) -> Array:
-    """A spline of coefficients (c, k), or its derivative of an order, at s, (len(s), k)."""
+    """Return a spline with coefficients (c, k), or its derivative of an order, at s, shape (len(s), k)."""
     with needed_for("a path"):
         from scipy.interpolate import BSpline
     spline = BSpline(knots, coefficients, DEGREE)
@@ -172,23 +176,34 @@ def spline_values(knots: Array, coefficients: Array, s: Array, order: int) -> Ar
 
 
 def b_spline_values(knots: Array, s: Array, order: int) -> Array:
-    """B-splines of the knots, or derivatives of an order, at s, (len(s), n)."""
+    """Return the B-splines of knots, or their derivatives of an order, at s, shape (len(s), n)."""
     return spline_values(knots, np.eye(len(knots) - DEGREE - 1), s, order)
 
 
 def knots_between(via: Array, cells: int) -> Array:
-    """Knots with a number of cells from each via pose to the next."""
+    """Return knots with a number of cells between successive via poses."""
     inner = [np.linspace(a, b, cells + 1)[:-1] for a, b in itertools.pairwise(via)]
     return np.concatenate([np.zeros(DEGREE), *inner, np.ones(DEGREE + 1)])
 
 
 @dataclass(frozen=True, eq=False)
 class Family:
-    """All splines through via poses: by shifts of the free ones, (f,), and coordinates w, (m, 7).
+    """All splines through via poses, with parameters.
 
-    s: samples. B: B-splines there, (n, c). between, fine: the same of a finer grid with the via poses.
-    metric: quadratic form of length and bending, (c, c). through, rest: coefficients are
-    through @ via + rest @ w.
+    The parameters are the shifts within the tolerances, shape (f,), and coordinates w, shape (m, 7).
+
+    Attributes
+    ----------
+    s : ndarray, shape (n,)
+        Samples.
+    B : ndarray, shape (n, c)
+        B-splines at the samples.
+    between, fine : ndarray
+        Samples and B-splines of a finer grid that includes the via poses.
+    metric : ndarray, shape (c, c)
+        Quadratic form of length and bending.
+    through, rest : ndarray
+        Matrices that give the coefficients through @ via + rest @ w.
     """
 
     poses: tuple[ViaPose, ...]
@@ -205,7 +220,7 @@ class Family:
 
     @classmethod
     def of(cls, poses: Sequence[ViaPose], length: float) -> Family:
-        """Splines whose parameter is in proportion to the distances of the poses."""
+        """Create the splines; the parameter is proportional to the distances of the poses."""
         rows = coordinates(poses)
         chords = np.linalg.norm(np.diff(rows * scales(length), axis=0), axis=-1)
         via = np.concatenate([[0.0], np.cumsum(chords) / chords.sum()])
@@ -225,7 +240,7 @@ class Family:
 
     @property
     def free(self) -> list[tuple[int, int]]:
-        """Numbers of via pose and coordinate that are free."""
+        """Indices (via pose, coordinate) of all coordinates with a tolerance."""
         return [
             (k, i)
             for k, pose in enumerate(self.poses)
@@ -233,28 +248,28 @@ class Family:
         ]
 
     def box(self) -> list[tuple[float, float]]:
-        """Bounds of the free coordinates."""
+        """Return the bounds of the coordinates with a tolerance."""
         return [
             (float(self.poses[k].tolerance_low[i]), float(self.poses[k].tolerance_high[i]))
             for k, i in self.free
         ]
 
     def shifts(self, values: Array) -> Array:
-        """Shifts of all via poses, (k, 6), of values of the free coordinates."""
+        """Return the shifts of all via poses, shape (k, 6), from the shifts within the tolerances."""
         found = np.zeros((len(self.poses), 6))
         for (k, i), value in zip(self.free, values, strict=True):
             found[k, i] = value
         return found
 
     def coefficients(self, values: Array, w: Array) -> Array:
-        """Coefficients of the spline, (c, 7)."""
+        """Return the coefficients of the spline, shape (c, 7)."""
         rows = np.array(
             [shifted(row, shift) for row, shift in zip(self.rows, self.shifts(values), strict=True)]
         )
         return np.asarray(self.through @ rows + self.rest @ w)
 
     def gradients(self, values: Array, by_coefficients: Array) -> tuple[Array, Array]:
-        """Derivatives by the free coordinates, (f,), and by w, (m, 7), of one by the coefficients, (c, 7)."""
+        """Convert a gradient by coefficients, (c, 7), to gradients by shifts, (f,), and by w, (m, 7)."""
         by_rows, shifts = self.through.T @ by_coefficients, self.shifts(values)
         found = np.zeros(len(values))
         for number, (k, i) in enumerate(self.free):
@@ -264,22 +279,22 @@ class Family:
         return found, self.rest.T @ by_coefficients
 
     def path(self, coefficients: Array, tool: Array, load: Array) -> PosePath:
-        """The path of coefficients."""
+        """Create the path with given coefficients."""
         return PosePath(self.knots, coefficients, self.via, tool, load)
 
 
 def scales(length: float) -> Array:
-    """Factors, (7,), that make of coordinates shifts over a length, and angles."""
+    """Return factors, shape (7,), that convert coordinates to lengths relative to ``length``, and angles."""
     return np.repeat([1.0 / length, 2.0], [3, 4])
 
 
 def poses_of(rows: Array) -> tuple[Array, Array]:
-    """R and t of rows of coordinates, (n, 7)."""
+    """Return R and t from rows of coordinates, shape (n, 7)."""
     return rotation.rotation_from_quaternion(rows[:, 3:]), rows[:, :3]
 
 
 def by_coordinates(rows: Array, by_twist: Array) -> Array:
-    """Derivative by coordinates, (n, 7), of one by twists, (n, 6): dphi is the vector of 2 de e^-1."""
+    """Convert derivatives by twists, (n, 6), to coordinates, (n, 7): dphi is the vector of 2 de e^-1."""
     e = rows[:, 3:] / np.sum(rows[:, 3:] ** 2, axis=-1, keepdims=True)
     w, v, m = e[:, :1], e[:, 1:], by_twist[:, 3:]
     turn = 2.0 * np.concatenate([-np.sum(v * m, axis=-1, keepdims=True), w * m - np.cross(v, m)], axis=-1)
@@ -287,7 +302,7 @@ def by_coordinates(rows: Array, by_twist: Array) -> Array:
 
 
 def _through(at_via: Array, bends: Array) -> tuple[Array, Array]:
-    """Coefficients of least bending by via pose, (c, k), and directions that move none, (c, c - k)."""
+    """Return coefficients of least bending, (c, k), and the null space of the via poses, (c, c - k)."""
     _, _, vh = np.linalg.svd(at_via)
     rest = vh[len(at_via) :].T
     least: Array = np.linalg.pinv(at_via).astype(np.float64)

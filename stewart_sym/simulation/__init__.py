@@ -1,1 +1,1 @@
-"""Motion in time under actuator models, from a scene file or from Python."""
+"""Simulation of motions under actuator models, from a scene file or from Python."""

@@ -1,6 +1,6 @@
-"""Force laws of the legs: what the actuators do in a simulation, as functions of time and state.
+"""Force laws: the actuator forces in a simulation as functions of time and state.
 
-A law is any callable (time, state) -> F, N, (6,), where state is a Motion of shape () without
+A law is any callable (time, state) -> F (N), shape (6,). The state is a Motion of shape () without
 accelerations.
 """
 
@@ -25,34 +25,32 @@ from ..robot.offset_chains import SLIDING, joint_motion
 from ..robot.robot import Robot
 
 ForceLaw = Callable[[float, Motion], ArrayLike]
-"""(time, s, state) -> actuator forces, N, (6,)."""
+"""Function (time in s, state) -> actuator forces (N), shape (6,)."""
 Wanted = Callable[[float], Motion]
-"""time, s -> the motion wanted then, of shape ()."""
+"""Function time (s) -> reference motion of shape ()."""
 Model = Callable[[Motion], Array]
-"""Motion of shape () -> actuator forces that a model gives it, N, (6,)."""
+"""Function Motion of shape () -> actuator forces of the model (N), shape (6,)."""
 
 
 @dataclass(frozen=True, eq=False)
 class LegSprings(Frozen):
-    """Legs as springs with dampers: F = -k (L - L0) - d L_dot.
-
-    stiffness k, N/m, rest_length L0, m, and damping d, N s/m: one number or six.
+    """Legs as springs with dampers: F = -k (L - L_0) - d L_dot.
 
     Attributes
     ----------
     robot : Robot
-        The machine.
-    stiffness : ndarray or float
-        N/m, one or (6,).
-    rest_length : ndarray or float
-        m, one or (6,).
-    damping : ndarray or float, optional
-        N s/m, one or (6,).
+        Robot model.
+    stiffness : ndarray or float, shape (6,)
+        Stiffness k (N/m), one number or six.
+    rest_length : ndarray or float, shape (6,)
+        Rest length L_0 (m), one number or six.
+    damping : ndarray or float, shape (6,), optional
+        Damping d (N s/m), one number or six.
 
     Raises
     ------
     ValueError
-        Naming the argument that is not finite or of another shape.
+        If an argument is not finite or has another shape.
     """
 
     robot: Robot
@@ -61,7 +59,7 @@ class LegSprings(Frozen):
     damping: Array | float = 0.0
 
     def __post_init__(self) -> None:
-        """Check and spread over six legs."""
+        """Check the arguments and broadcast them to six legs."""
         instance(self.robot, Robot, "robot")
         for name in ("stiffness", "rest_length", "damping"):
             self._set({name: of_six(getattr(self, name), name)})
@@ -70,41 +68,42 @@ class LegSprings(Frozen):
     def in_equilibrium(
         cls, robot: Robot, pose: Motion, stiffness: ArrayLike, damping: ArrayLike = 0.0
     ) -> LegSprings:
-        """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
+        """Create springs in equilibrium with the weight of the robot and the load of a pose.
 
         Parameters
         ----------
         robot : Robot
-            The machine.
+            Robot model.
         pose : Motion
-            Pose and load, of shape (); rates don't count.
+            Pose and load, shape (); its velocities are ignored.
         stiffness : array_like
-            N/m, > 0, one or (6,).
+            Stiffness k (N/m), > 0, one number or six.
         damping : array_like, optional
-            N s/m, one or (6,).
+            Damping d (N s/m), one number or six.
 
         Returns
         -------
         LegSprings
-            With rest lengths L + F / k, L and F those of the machine at rest in the pose.
+            Springs with rest lengths L + F / k, with the lengths L and the actuator forces F of the robot at
+            rest in the pose.
 
         Raises
         ------
         ValueError
-            Naming the argument; as ``inverse_dynamics`` where the pose is unsolvable.
+            If an argument is invalid, or if ``inverse_dynamics`` has no solution in the pose.
         """
         instance(robot, Robot, "robot")
         instance(pose, Motion, "pose")
         k = of_six(stiffness, "stiffness")
         if not (k > 0.0).all():
-            text = "stiffness: expected numbers > 0, since springs are to hold the weight"
+            text = "stiffness: expected numbers > 0, because the springs support the weight"
             raise ValueError(f"{text}, got {float(k[~(k > 0.0)][0]):g}")
         rest = at_rest(pose.R, pose.t, pose.F_ext, pose.M_ext)
         F = inverse_dynamics(robot, rest).F
         return cls(robot, k, inverse_kinematics(robot, rest).L + F / k, of_six(damping, "damping"))
 
     def __call__(self, time: float, state: Motion) -> Array:
-        """Forces, N, (..., 6), of any state."""
+        """Compute the forces (N), shape (..., 6), of any state."""
         if self.robot.offsets is None:
             q, S, L = leg_vectors(self.robot, state.R, state.t)
             L_dot = np.einsum("...i,...i->...", S, tip_velocities(state, q)) / L
@@ -114,22 +113,22 @@ class LegSprings(Frozen):
         return np.asarray(-self.stiffness * (L - self.rest_length) - self.damping * L_dot)
 
     def energy(self, L: ArrayLike) -> Array:
-        """Energy in all springs.
+        """Compute the energy of all springs.
 
         Parameters
         ----------
-        L : array_like
-            Leg lengths, m, (..., 6).
+        L : array_like, shape (..., 6)
+            Leg lengths (m).
 
         Returns
         -------
-        ndarray
-            J, (...).
+        ndarray, shape (...)
+            Energy (J).
 
         Raises
         ------
         ValueError
-            For lengths of another shape.
+            If ``L`` has another shape.
         """
         lengths = real_array(L, "L", "lengths of shape (..., 6)")
         if lengths.shape[-1:] != (6,):
@@ -140,18 +139,27 @@ class LegSprings(Frozen):
 
 @dataclass(frozen=True, eq=False)
 class ModelTorque:
-    """Follow a wanted motion by any model of the machine, with errors fed back into the accelerations.
+    """Tracking control of a reference motion by inverse dynamics of any model, with feedback of the errors.
 
         a     = a_w     + k_d (v_w - v)         + k_p (t_w - t)
         alpha = alpha_w + k_d (omega_w - omega) + k_p e
 
-    with e the rotation vector, base axes, of R_w R^T. On a machine that is as the model says, each error
-    decays as x'' + k_d x' + k_p x = 0.
+    The index w denotes the reference; e is the rotation vector of R_w R^T in the base frame. If the model is
+    exact, each error satisfies x'' + k_d x' + k_p x = 0.
 
-    model: Motion of shape () with accelerations -> F, N, (6,). wanted: time, s -> Motion with accelerations;
-    the model bears its load.
+    Attributes
+    ----------
+    model : callable
+        Function Motion of shape () with accelerations -> actuator forces (N), shape (6,).
+    wanted : callable
+        Function time (s) -> reference Motion with accelerations. The model includes its load.
+    k_p, k_d : float
+        Gains of position (1/s^2) and velocity (1/s).
 
-    Raises ValueError naming the gain that is not finite or negative.
+    Raises
+    ------
+    ValueError
+        If a gain is negative or not finite.
     """
 
     model: Model
@@ -164,10 +172,10 @@ class ModelTorque:
         _gains(self.k_p, self.k_d)
 
     def __call__(self, time: float, state: Motion) -> Array:
-        """Forces, N, (6,), of a state."""
+        """Compute the forces (N), shape (6,), of a state."""
         wanted = self.wanted(time)
         if wanted.a is None or wanted.alpha is None:
-            raise ValueError("wanted: expected a motion with accelerations, got none")
+            raise ValueError("reference: expected a motion with accelerations, got none")
         a, alpha = feedback(wanted, state, self.k_p, self.k_d)
         a, alpha = wanted.a + a, wanted.alpha + alpha
         rates = state.omega, state.v, alpha, a
@@ -176,20 +184,22 @@ class ModelTorque:
 
 @dataclass(frozen=True, eq=False)
 class ComputedTorque:
-    """Follow a wanted motion by inverse dynamics of the state: ``ModelTorque`` with a robot as the model.
+    """Computed-torque control: ``ModelTorque`` with the inverse dynamics of a robot as the model.
 
     Attributes
     ----------
     robot : Robot
-        The model.
-    reference : Wanted
-        Time, s -> Motion with accelerations, whose load the model bears.
+        Robot model of the controller.
+    reference : callable
+        Function time (s) -> reference Motion with accelerations. The model includes its load.
     k_p : float
-        Gain of position, 1/s^2.
+        Gain of position (1/s^2).
     k_d : float
-        Gain of velocity, 1/s.
-    formulation, backend : {"exact", "paper"} or {"c", "numpy", "reference"}, optional
-        Of the model. Poses where the model is unsolvable get NaN forces.
+        Gain of velocity (1/s).
+    formulation : {"exact", "paper"}, optional
+        Corrected equations or equations as printed.
+    backend : {"c", "numpy", "reference"}, optional
+        Implementation of the model. The forces are NaN in poses in which the model has no solution.
     """
 
     robot: Robot
@@ -201,7 +211,7 @@ class ComputedTorque:
     _law: ModelTorque = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Check the gains and prepare the model."""
+        """Check the gains and prepare the kernel of the model."""
         instance(self.robot, Robot, "robot")
         _gains(self.k_p, self.k_d)
         kernel = prepared_kernel(self.robot, self.formulation, self.backend)
@@ -209,26 +219,39 @@ class ComputedTorque:
         object.__setattr__(self, "_law", law)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Copies and pickles prepare a model of their own."""
+        """Copy and pickle the arguments only, because a kernel cannot be copied."""
         numbers = self.k_p, self.k_d, self.formulation, self.backend
         return ComputedTorque, (self.robot, self.reference, *numbers)
 
     def __call__(self, time: float, state: Motion) -> Array:
-        """Forces, N, (6,), of a state."""
+        """Compute the forces (N), shape (6,), of a state."""
         return self._law(time, state)
 
 
 @dataclass(frozen=True, eq=False)
 class GravityCompensation(Frozen):
-    """Hold the machine's weight and push toward a wanted motion: H F = g + M_0 [k_p e + k_d e'].
+    """PD control with gravity compensation: H F = g + M_0 [k_p e + k_d e'].
 
-    Errors as in ``ModelTorque``; no inertia is computed, and the wanted accelerations don't count.
+    The errors are the same as in ``ModelTorque``. The law computes no inertia forces and ignores the
+    accelerations of the reference.
 
-    model: inverse dynamics, Motion of shape () with accelerations and load -> F, N, (6,), evaluated at rest.
-    inertia: M_0 of twists [v; omega], base frame, (6, 6), constant; it turns the gains of ``ModelTorque``,
-    k_p, 1/s^2, and k_d, 1/s, into stiffness and damping.
+    Attributes
+    ----------
+    model : callable
+        Inverse dynamics: function Motion of shape () with accelerations and load -> F (N), shape (6,). The
+        law evaluates it at rest.
+    inertia : ndarray, shape (6, 6)
+        Constant mass matrix M_0 for twists [v; omega] in the base frame. It converts the gains to stiffness
+        and damping.
+    wanted : callable
+        Function time (s) -> reference Motion.
+    k_p, k_d : float
+        Gains of position (1/s^2) and velocity (1/s).
 
-    Raises ValueError naming the gain that is not finite or negative, or the inertia of another shape.
+    Raises
+    ------
+    ValueError
+        If a gain is negative or not finite, or if ``inertia`` has another shape.
     """
 
     model: Model
@@ -246,23 +269,23 @@ class GravityCompensation(Frozen):
         self._set({"inertia": inertia})
 
     def __call__(self, time: float, state: Motion) -> Array:
-        """Forces, N, (6,), of a state."""
+        """Compute the forces (N), shape (6,), of a state."""
         wrench = self.inertia @ np.concatenate(feedback(self.wanted(time), state, self.k_p, self.k_d))
-        # The wrench commanded is what the legs would hold if its opposite lay on the platform.
+        # At rest the legs apply this wrench if the platform carries the opposite wrench as its load.
         load = -wrench.reshape(2, 3) @ state.R
         zero = np.zeros(3)
         return self.model(Motion._unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))
 
 
 def feedback(wanted: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:
-    """Accelerations, m/s^2 and rad/s^2, each (..., 3), that take the state's errors away."""
+    """Return the feedback accelerations (m/s^2 and rad/s^2) of a state, shape (..., 3) each."""
     turn = vector_from_rotation(wanted.R @ np.swapaxes(state.R, -1, -2))
     a = k_d * (wanted.v - state.v) + k_p * (wanted.t - state.t)
     return a, k_d * (wanted.omega - state.omega) + k_p * turn
 
 
 def along(path: StraightLinePath) -> Wanted:
-    """A path as a wanted motion: at rest at its end afterwards."""
+    """Return a path as a reference motion that remains at rest at its end."""
 
     def wanted(time: float) -> Motion:
         motion = path.sample(min(time, path.tau_f))
@@ -272,12 +295,13 @@ def along(path: StraightLinePath) -> Wanted:
 
 
 def _gains(k_p: float, k_d: float) -> None:
+    """Check the two gains."""
     for name, value in (("k_p", k_p), ("k_d", k_d)):
         number_in(value, name, "a finite gain >= 0", closed=True)
 
 
 def of_six(value: ArrayLike, name: str) -> Array:
-    """One finite number for each of six legs, from one or six; ValueError naming the argument otherwise."""
+    """Return one finite number for each of six legs, from one or six; raise ValueError otherwise."""
     expected = "one finite number or six"
     values = real_array(value, name, expected)
     if values.shape not in ((), (6,)) or not np.isfinite(values).all():

@@ -1,6 +1,6 @@
-"""Fixed steps: states under constant forces carried on by a Runge-Kutta method on rotations, many at once.
+"""Fixed-step integration of many states at once under constant forces, by a Runge-Kutta method on rotations.
 
-Needs NumPy alone.
+Requires NumPy only.
 """
 
 import numpy as np
@@ -16,22 +16,42 @@ from .state_history import motion_of
 def advance(
     plant: ForwardDynamics, state: Motion, F: Array, duration: float, steps: int = 1
 ) -> tuple[Motion, Codes]:
-    """Carry states (...) on for a duration, s, under constant actuator forces F, N, (..., 6).
+    """Integrate states over a duration under constant actuator forces.
 
-    The classical method of fourth order; each step writes its rotations as vectors from the R it begins with
-    (Munthe-Kaas), so R stays orthonormal to rounding. A load of the state stays on, in the platform frame.
-    steps: how many equal steps the duration is cut into, at least 1.
+    The method is the classical Runge-Kutta method of order 4. Each step represents its rotations as rotation
+    vectors relative to the R at its start (Runge-Kutta-Munthe-Kaas), so R remains orthonormal to rounding.
 
-    Returns states without accelerations, with the load, and the status of each, (...), 0 or the first
-    code of ``results.STATUS_TEXT`` that forward dynamics met; such a state is NaN.
+    Parameters
+    ----------
+    plant : ForwardDynamics
+        Forward dynamics of the robot.
+    state : Motion
+        Initial states, shape (...). The load of a state is constant in the platform frame.
+    F : ndarray, shape (..., 6)
+        Actuator forces (N).
+    duration : float
+        Duration (s).
+    steps : int, optional
+        Number of equal steps, at least 1.
 
-    Raises ValueError for steps below 1.
+    Returns
+    -------
+    state : Motion
+        Final states, shape (...), without accelerations and with the load. A state whose status is not 0 is
+        NaN.
+    status : ndarray of int, shape (...)
+        0, or the first code of ``results.STATUS_TEXT`` that forward dynamics returned.
+
+    Raises
+    ------
+    ValueError
+        If ``steps`` is below 1.
     """
     if steps < 1:
         raise ValueError(f"steps: expected at least 1, got {shown(steps)}")
     h = duration / steps
     first = np.zeros(state.shape, dtype=np.int32)
-    # The status of a state that diverges says so.
+    # The status reports a state that diverges.
     with np.errstate(over="ignore", invalid="ignore"):
         for _ in range(steps):
             state, status = _step(plant, state, F, h)
@@ -40,7 +60,7 @@ def advance(
 
 
 def _step(plant: ForwardDynamics, start: Motion, F: Array, h: float) -> tuple[Motion, Codes]:
-    """One step; numbers of a state: [t; phi; v; omega], (..., 12), with R = exp([phi]x) R_start."""
+    """Compute a step of h s; states are [t; phi; v; omega], shape (..., 12), with R = exp([phi]x) R_start."""
     first = np.zeros(start.shape, dtype=np.int32)
 
     def rates(y: Array) -> Array:

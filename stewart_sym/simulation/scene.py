@@ -1,4 +1,4 @@
-"""Scenes: a simulation as a TOML file says it, read and checked into what ``simulate`` takes."""
+"""Scene files: simulations in TOML, validated and converted to the arguments of ``simulate``."""
 
 import os
 from collections.abc import Callable, Mapping
@@ -56,8 +56,8 @@ _OPTIONS = (
     "stop_conditions",
     "on_force_limit",
 )
-"""What a scene hands on to ``simulate`` by these names."""
-# Rates at which a path's end is one at rest, m/s and rad/s.
+"""Fields of a scene that are passed to ``simulate`` under the same name."""
+# Speeds (m/s and rad/s) up to which the platform counts as being at rest at the end of a path.
 _RESTS = 1e-4
 _STATE_KEYS = ("t", "theta", "v", "omega")
 _LOAD_KEYS = ("F_ext", "M_ext")
@@ -71,11 +71,18 @@ _LAW_NEEDS = {
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """A simulation to be run; names and units are those of ``simulate``.
+    """Simulation with all arguments of ``simulate``, under the same names and in the same units.
 
-    law: with ``control_rate``, Hz, its forces are held between samples. load: of the file of a tracked path,
-    None for the state's. files: from which it was read. stated: what the file says of the start and of the
-    legs by key, such as ``state.theta``.
+    Attributes
+    ----------
+    law : callable
+        Force law. With ``control_rate`` (Hz) its forces are constant between samples.
+    load : callable, optional
+        Load in the file of a tracked path; None for the load of ``state``.
+    files : tuple of Path
+        Files from which the scene was read.
+    stated : mapping
+        Values in the file for the initial state and the actuation, by key, for example ``state.theta``.
     """
 
     robot: Robot
@@ -94,18 +101,32 @@ class Scene:
     stated: Mapping[str, Any] = field(default_factory=dict)
 
     def run(self, progress: Progress | None = None) -> SimulationResult:
-        """Run the simulation; progress and what is raised: as for ``simulate``, with the scene's file."""
+        """Run the simulation with the errors of ``simulate``, preceded by the name of the scene file."""
         options = {name: getattr(self, name) for name in _OPTIONS}
         with errors_of("".join(f"{file}: " for file in self.files[:1])):
             return simulate(self.robot, self.state, self.law, self.duration, **options, progress=progress)
 
 
 def read_scene(path: str | os.PathLike[str]) -> Scene:
-    """Read a scene file (TOML, schema 1); the files that it names are looked for beside it.
+    """Read a scene file.
 
-    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
-    read and for every break of the schema, of this file or of one it names; ImportError where a spline needs
-    SciPy.
+    Parameters
+    ----------
+    path : str or path-like
+        TOML file, schema 1. Relative file names in it refer to its folder.
+
+    Returns
+    -------
+    Scene
+        Validated scene.
+
+    Raises
+    ------
+    ValueError
+        If this file or a file named in it cannot be read or violates its schema. The message is one line,
+        ``file: key: expected value (at line n)``.
+    ImportError
+        If a spline requires SciPy, which is not installed.
     """
     source = toml_reader.file_name(path)
     with toml_reader.toml_tables(source, "scene of simulate") as d:
@@ -113,10 +134,11 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
 
 
 def _scene(d: Mapping[str, Any], source: str) -> Scene:
+    """Convert the tables of a scene file to a scene."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "actuation"))
     toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
-    # What is wrong in this file comes before what is wrong in another.
+    # Errors in this file are reported before errors in other files.
     legs = _actuation(top["actuation"], f"{file}actuation.")
     options: dict[str, Any] = {
         key: toml_reader.positive(top[key], file + key) if key in top else default
@@ -152,12 +174,13 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
 
 
 def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
-    """Reject a scene that starts nowhere or in two places; a tracking one starts on its path by itself."""
+    """Reject a scene with no initial state or with two; computed torque starts on its path by default."""
     if "initial_state" in top:
         start = toml_reader.choice(top["initial_state"], STARTS, f"{file}initial_state")
         if law != "computed_torque":
             raise ValueError(
-                f'{file}initial_state: expected [actuation] law = "tracking" with "{start}", got "{law}"'
+                f'{file}initial_state: expected [actuation] type = "computed_torque" with "{start}", '
+                f'got "{law}"'
             )
         if "state" in top:
             raise ValueError(f'{file}initial_state: expected no [state] with "{start}"')
@@ -166,7 +189,7 @@ def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
 
 
 def _actuation(value: object, prefix: str) -> dict[str, Any]:
-    """The law of the legs, its numbers checked; which keys there may be depends on the law."""
+    """Return the checked values of the table ``actuation``; its valid keys depend on ``type``."""
     every = ("type", *(key for checks in _LAW_KEYS.values() for key in checks))
     law = toml_reader.choice(
         toml_reader.checked_table(value, prefix, every, ("type",))["type"], tuple(_LAW_KEYS), f"{prefix}type"
@@ -177,6 +200,7 @@ def _actuation(value: object, prefix: str) -> dict[str, Any]:
 
 
 def _not_negative(value: object, where: str) -> Any:
+    """Return one number or six, each >= 0; raise ValueError otherwise."""
     numbers = toml_reader.per_leg(value, where)
     if (np.asarray(numbers) < 0.0).any():
         raise ValueError(f"{where}: expected numbers >= 0, got {shown(value)}")
@@ -194,10 +218,11 @@ _LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
         "rate": toml_reader.positive,
     },
 }
-"""By law: its keys, each with the check of its value."""
+"""Keys of each actuation type, with the function that checks the value."""
 
 
 def _thresholds(value: object, prefix: str) -> StopConditions:
+    """Convert the table ``stop_conditions``."""
     table = toml_reader.checked_table(value, prefix, _THRESHOLD_KEYS)
     numbers = {key: toml_reader.positive(given, prefix + key) for key, given in table.items()}
     with errors_of(prefix):
@@ -205,12 +230,13 @@ def _thresholds(value: object, prefix: str) -> StopConditions:
 
 
 def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], prefix: str) -> dict[str, Array]:
+    """Return the vectors of a table by key."""
     table = toml_reader.checked_table(value, prefix, keys, needed)
     return {key: toml_reader.vector(given, prefix + key) for key, given in table.items()}
 
 
 def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:
-    """The motion along a path or that of a file; warns of one that ends in motion before the run does."""
+    """Return the reference motion from a path or a file; warn if a file ends in motion too early."""
     if path in PAPER_PATHS:
         return along(path_for(robot, path).path)
     found = trajectory_for(robot, file)
@@ -220,13 +246,13 @@ def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:
     speed, turning = (float(np.linalg.norm(rate)) for rate in (last.v, last.omega))
     if whole < duration and max(speed, turning) > _RESTS:
         rates = f"{speed:.2g} m/s and {turning:.2g} rad/s, at {whole:.6g} s of a run of {duration:g} s"
-        text = f"ends in motion, {rates}: the law then wants rest at once"
+        text = f"the motion ends while moving ({rates}); the reference is at rest afterwards"
         warn(f"{found.source}: {text}", TrajectoryWarning)
     return followed(found)
 
 
 def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:
-    """The state to start from; without one, the start of the path."""
+    """Return the initial state; without values, the start of the reference motion."""
     if given is None:
         assert wanted is not None
         start = wanted(0.0)
@@ -237,7 +263,7 @@ def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mappi
 
 
 def _load_of(motion: Motion) -> Array | None:
-    """[F_ext; M_ext], (6,), of a motion of shape (); None without a load."""
+    """Return [F_ext; M_ext], shape (6,), of a motion of shape (), or None without a load."""
     load = motion.F_ext, motion.M_ext
     if load[0] is None and load[1] is None:
         return None
@@ -245,6 +271,7 @@ def _load_of(motion: Motion) -> Array | None:
 
 
 def _law(robot: Robot, legs: Mapping[str, Any], state: Motion, wanted: Wanted | None) -> ForceLaw:
+    """Create the force law of the table ``actuation``."""
     if legs["type"] == "constant_force":
         constant: Array = legs["forces"]
         return lambda time, state: constant

@@ -1,7 +1,7 @@
-"""Simulation: the machine set free under the forces of its legs, integrated until a time or a limit.
+"""Simulation of a robot under actuator forces until a given time or a stop condition.
 
-Orientation lives in a local chart, the rotation vector from a center that moves along, so that no attitude
-is special and R stays orthonormal to rounding.
+The integrated coordinates of the orientation are a local chart: the rotation vector relative to a center that
+follows the motion. No orientation is singular in this chart, and R remains orthonormal to rounding.
 """
 
 from __future__ import annotations
@@ -42,18 +42,18 @@ from .stop_conditions import StopConditions, Watch, det_sign, need_between
 
 Method = Literal["DOP853", "Radau"]
 Progress = Callable[[float], None]
-"""Called with the share that is done, 0 to 1."""
+"""Function that is called with the completed fraction, 0 to 1."""
 OnForceLimit = Literal["stop", "saturate"]
 METHODS = ("DOP853", "Radau")
 ON_FORCE_LIMIT = ("stop", "saturate")
 CHART_RADIUS = 1.0
-"""Angle from its center, rad, at which a chart is left for a new one; charts end at 2 pi."""
+"""Rotation angle (rad) from the center at which a new chart begins; a chart is singular at 2 pi."""
 LONGEST = 86_400.0
-"""Longest duration of a run, s: a day, which takes hours."""
+"""Longest duration of a simulation (s): one day, which takes hours to compute."""
 MOST_INSTANTS = 10_000_000
-"""Largest number of instants of a trace, and of calls of a law."""
+"""Largest number of output samples, and of calls of a sampled law."""
 RTOL_RANGE = (1e-13, 1e-2)
-"""From where rounding is the error of a step to where the run is no longer that of the machine."""
+"""Range of ``rtol``: below it rounding errors dominate, above it the solution is meaningless."""
 _SQUARES_FINITE = 1e150
 
 
@@ -75,64 +75,94 @@ def simulate(
     on_force_limit: OnForceLimit = "stop",
     progress: Progress | None = None,
 ) -> SimulationResult:
-    """Integrate the machine's motion from a state, under actuator forces, for a duration, s.
-
-    A run stops before its end where a leg or the angle of a joint reaches a limit of the robot, or a leg a
-    threshold; the place is a root of
-    the interpolated motion, to rounding. Limits are looked at ``WATCHED`` times a step: a leg that passes one
-    and is back within that is not seen. A singular pose that is crossed, where det H changes its sign, is
-    seen however short the time near it; the run then ends where the condition number passes its threshold.
-
-    Where the robot's drives have friction or an efficiency below 1, forces are those of the motors, N times
-    torque, and legs stick and slip: one that sticks does not move at all. ``SimulationResult.drives`` has
-    what they lost.
+    """Integrate the equations of motion from an initial state under actuator forces.
 
     Parameters
     ----------
     robot : Robot
-        The machine.
+        Robot model.
     initial_state : Motion or {"path"}
-        Motion of shape (); its accelerations don't count, its load F_ext, M_ext stays on. "path": that which
-        the law, one with a wanted motion, wants at the start.
-    forces : array_like or ForceLaw
-        N, (6,), or a law (time, state) -> N, (6,). A law must depend on its arguments alone, unless there is
-        a rate: then it is called at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
+        Initial state, shape (), in the base frame. Its accelerations are ignored; its load F_ext, M_ext is
+        constant in the platform frame. "path" starts at the start of the reference motion of a law.
+    forces : array_like, shape (6,), or callable
+        Actuator forces (N), or a law (time, state) -> forces (N), shape (6,). Without ``control_rate`` a law
+        must depend on its arguments only.
     duration : float
-        Length of the run, s, at most ``LONGEST``.
+        Duration (s), at most 86400.
     control_rate : float, optional
-        Of the calls of a law, Hz, at most ``MOST_INSTANTS`` of them; None: as often as the integration needs.
-    load : Load, optional
-        (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
+        Sampling rate of the law (Hz), with at most 10^7 samples. The law is called once per sample, and its
+        forces are constant in between. By default the integrator calls it as often as necessary.
+    load : callable, optional
+        Function (time, state) -> [F_ext; M_ext] (N and N m) in the platform frame, shape (6,). It replaces
+        the load of the initial state.
     formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
+        Corrected equations or equations as printed.
     backend : {"c", "numpy", "reference"}, optional
-        What computes.
-    method : Method, optional
-        "DOP853", or "Radau" where springs or dampers are stiff.
+        Implementation of forward dynamics.
+    method : {"DOP853", "Radau"}, optional
+        Integration method: explicit Runge-Kutta of order 8, or implicit for stiff springs and dampers.
     rtol : float, optional
-        Relative error of a step, in ``RTOL_RANGE``.
+        Relative error tolerance of a step, from 1e-13 to 1e-2.
     atol : float, optional
-        Absolute error of a step, in m, rad, m/s and rad/s.
+        Absolute error tolerance of a step (m, rad, m/s, and rad/s).
     output_step : float, optional
-        s, between instants of the trace, at most ``MOST_INSTANTS``; None: as integrated.
+        Time step of the result (s), with at most 10^7 samples; by default the steps of the integrator.
     stop_conditions : StopConditions, optional
-        None for the default ones.
-    on_force_limit : OnForceLimit, optional
-        Where a force reaches the robot's force_limit, the run ends ("stop"), or the force is clipped to it
-        ("saturate") and ``saturation`` reports it.
-    progress : Progress, optional
-        Called now and then with the share done, 0 to 1.
+        Limits of the model; by default ``StopConditions()``.
+    on_force_limit : {"stop", "saturate"}, optional
+        Effect of the force limit of the robot: "stop" ends the simulation there, "saturate" clips the forces
+        and reports it in ``saturation``.
+    progress : callable, optional
+        Function that is called with the completed fraction, 0 to 1.
 
     Returns
     -------
     SimulationResult
-        Shapes and units are documented there.
+        States, forces, and energies over time, and the stop event.
 
     Raises
     ------
     ValueError
-        Naming the argument: unknown options, numbers out of range, a state in which the machine has no
-        accelerations, forces that are not six numbers; ImportError without SciPy.
+        If an argument is invalid, if the initial state has no accelerations, or if a law or a load does not
+        return six finite numbers.
+    ImportError
+        If SciPy is not installed.
+
+    See Also
+    --------
+    forward_dynamics : Accelerations of single states.
+    LegSprings : Passive legs with stiffness and damping.
+    ComputedTorque : Tracking control by inverse dynamics.
+
+    Notes
+    -----
+    A simulation stops before its end if a leg or a joint angle reaches a limit of the robot or a stop
+    condition. The stop time is a root of the interpolated motion, accurate to rounding. Limits are checked at
+    five times in each step; a limit that is exceeded and satisfied again in between is not detected. The sign
+    of det H detects each crossing of a singularity; the simulation then stops at the time at which the
+    condition number reaches ``max_condition``.
+
+    If the drives of the robot have friction or an efficiency below 1, the forces are motor forces (motor
+    torque times transmission ratio), and each leg sticks or slips. A sticking leg does not move.
+    ``SimulationResult.drive_work`` contains the dissipated energy.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> state = ss.PAPER_PATHS["I"].path.sample(0.0)
+    >>> run = ss.simulate(robot, state, forces=np.zeros(6), duration=0.1, output_step=0.05)
+    >>> run.stop.reason
+    'completed'
+    >>> run.t[:, 2].round(4)
+    array([0.4   , 0.3884, 0.3535])
+
+    Without forces the platform falls until it reaches a singular pose:
+
+    >>> run = ss.simulate(robot, state, forces=np.zeros(6), duration=1.0)
+    >>> run.stop.reason, round(run.stop.time, 3)
+    ('singular', 0.206)
     """
     instance(robot, Robot, "robot")
     law = _law(forces)
@@ -145,14 +175,14 @@ def simulate(
         need_between(control_rate, "control_rate", 0.0, math.inf)
         if duration * control_rate > MOST_INSTANTS:
             raise ValueError(
-                f"rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most {MOST_INSTANTS} calls "
-                f"in {duration:g} s, got {shown(control_rate)}"
+                f"control_rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most "
+                f"{MOST_INSTANTS} calls in {duration:g} s, got {shown(control_rate)}"
             )
     check_rtol(rtol)
     check_output_step(output_step, duration)
     for name, function, call in (
         ("load", load, "(time, state) -> six numbers"),
-        ("progress", progress, "(share)"),
+        ("progress", progress, "(fraction)"),
     ):
         if function is not None and not callable(function):
             raise ValueError(f"{name}: expected a function {call}, got {type(function).__name__}")
@@ -176,8 +206,8 @@ def simulate(
     if robot.drive is not None and losses(robot.drive):
         if robot.offsets is not None:
             raise ValueError(
-                "robot: expected offsets or friction of the drives, got both: legs that stick are simulated "
-                "without offsets"
+                "robot: expected joint offsets or drive friction, got both: stick-slip friction is supported "
+                "for robots without joint offsets only"
             )
         run.sticking = StickSlip(robot, robot.drive, run.accelerations, run._loaded)
     stop = run.through(start, float(duration), control_rate)
@@ -198,11 +228,20 @@ def simulate(
 
 @dataclass(eq=False)
 class _Run:
-    """One run's parts, and the integration from state to state.
+    """Parts and current state of one simulation, and its integration over all charts.
 
-    y, center: numbers of the chart at ``time``, s, and its center. step: that which is tried next, s, None
-    where the solver finds one. sampled: what the law commanded last, N, (6,), None unless it is sampled.
-    fault: the last status that is not 0. unknown: which input left the last accelerations without numbers.
+    Attributes
+    ----------
+    y, center : ndarray
+        Chart coordinates at ``time`` (s), and the center of the chart.
+    step : float, optional
+        Size of the next trial step (s); None if the solver chooses it.
+    sampled : ndarray, shape (6,), optional
+        Last forces of a sampled law (N).
+    fault : int
+        Last nonzero status.
+    unknown : str
+        Message about the input for which the last accelerations were not finite.
     """
 
     robot: Robot
@@ -225,7 +264,7 @@ class _Run:
     center: Array = field(init=False)
 
     def through(self, state: Motion, duration: float, rate: float | None) -> StopEvent:
-        """Go from sample to sample of the law, or in one go, until the end or a stop."""
+        """Integrate until the end or a stop condition, with one call of a sampled law per sample."""
         self.y = np.concatenate([state.t, np.zeros(3), state.v, state.omega])
         self.center = np.array(state.R)
         sample = 0
@@ -246,7 +285,7 @@ class _Run:
         return StopEvent("completed", duration, None, f"ran to its end at {duration:g} s")
 
     def _chart(self, end: float) -> StopEvent | None:
-        """Integrate in one chart, to its rim or to ``end``, and go over to a chart of its own."""
+        """Integrate in one chart until its boundary or ``end``, and change to the next chart."""
         first = None if self.step is None else min(self.step, end - self.time)
         modes = () if self.sticking is None else self.sticking.modes
         solver = self.solver(self._rates, self.time, self.y, end, first_step=first, **self.tolerances)
@@ -264,7 +303,7 @@ class _Run:
                 piece = piece._replace(end=change.time)
             stop = self.watch.first(piece, self.actuators)
             if stop is not None:
-                # A stop where the step begins leaves no piece but the first, which the trace needs.
+                # A stop at the start of a step adds no piece, but the history requires at least one.
                 if stop.time > piece.start or not self.pieces:
                     self.pieces.append(piece._replace(end=stop.time))
                 return stop
@@ -277,25 +316,25 @@ class _Run:
         return None
 
     def _changed(self, piece: Piece) -> StopEvent | None:
-        """Go on after a leg has come to rest or broken away at the end of a piece."""
+        """Continue after a leg has changed between sticking and slipping at the end of a piece."""
         assert self.sticking is not None
         self.time, self.step = piece.end, None
         self._recenter(piece.interpolant(piece.end))
         if piece.end <= piece.start and len(self.pieces) > 1:
             self.pieces.pop()
         if self.sticking.stalled:
-            text = f"legs stick and slip without end at {piece.end:.9g} s"
+            text = f"legs alternate endlessly between sticking and slipping at {piece.end:.9g} s"
             return StopEvent("step_failed", piece.end, None, text)
         self._settle()
         return None
 
     def _recenter(self, y: Array) -> None:
-        """Go over to a chart whose center is where the state is."""
+        """Move the center of the chart to the current orientation."""
         self.center = orthonormal(rotation_from_vector(y[3:6]) @ self.center)
         self.y = np.concatenate([y[:3], np.zeros(3), y[6:]])
 
     def _settle(self, first: bool = False) -> None:
-        """Decide which legs stick; these are at rest then."""
+        """Decide which legs stick, and set their rates to zero."""
         if self.sticking is None:
             return
         state = self._state()
@@ -304,11 +343,13 @@ class _Run:
         self.y = np.concatenate([self.y[:6], still.v, still.omega])
 
     def _state(self) -> Motion:
+        """Return the current state."""
         return motion_of(self.y, self.center)
 
     def _rates(self, time: float, y: Array) -> Array:
+        """Compute the time derivative of the chart coordinates, shape (12,)."""
         if not np.abs(y).max() < _SQUARES_FINITE:
-            # A step that is far too long, which the solver shortens.
+            # NaN makes the solver shorten a step that is much too long.
             return np.full_like(y, math.nan)
         state = Motion._unchecked(turned_by(y[3:6], self.center), y[:3], omega=y[9:], v=y[6:9])
         if self.sticking is not None:
@@ -326,6 +367,7 @@ class _Run:
         return np.concatenate([state.v, one_vector_rate(y[3:6], state.omega), acceleration])
 
     def _loaded(self, time: float, state: Motion) -> Motion:
+        """Return a state with its load."""
         F_ext, M_ext = self.constant
         if self.load is not None:
             wrench = real_array(self.load(time, state), "load", "six numbers, [F_ext; M_ext]")
@@ -335,13 +377,14 @@ class _Run:
         return Motion._unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
 
     def _reason(self) -> str:
+        """Return the reason for a failed step."""
         if self.unknown:
             return self.unknown
         return STATUS_TEXT[self.fault] if self.fault else "forces or accelerations grow without bound"
 
 
 def _unknown(time: float, state: Motion, F: Array) -> str:
-    """A line about a load or forces that are no finite numbers; nothing where both are."""
+    """Return a message if the load or the forces are not finite, otherwise an empty string."""
     for name, value in (("load", state.external_wrench()), ("forces", F)):
         if not np.isfinite(value).all():
             return f"{name}: expected six finite numbers at {time:.9g} s, got {shown(value)}"
@@ -349,30 +392,31 @@ def _unknown(time: float, state: Motion, F: Array) -> str:
 
 
 def check_duration(duration: object) -> None:
-    """Reject, by ValueError, what is no number > 0 and at most ``LONGEST``, s."""
+    """Raise ValueError unless the duration (s) is a number > 0 and at most ``LONGEST``."""
     need_between(duration, "duration", 0.0, math.inf)
     number_in(duration, "duration", f"at most {LONGEST:g} s, a day", high=LONGEST, closed=True)
 
 
 def check_rtol(rtol: object) -> None:
-    """Reject, by ValueError, what is no number in ``RTOL_RANGE``."""
+    """Raise ValueError unless ``rtol`` is a number in ``RTOL_RANGE``."""
     low, high = RTOL_RANGE
     number_in(rtol, "rtol", f"a number in [{low:g}, {high:g}]", low, high, closed=True)
 
 
 def check_output_step(output_step: float | None, duration: float) -> None:
-    """Reject, by ValueError, what is no number > 0, or makes more than ``MOST_INSTANTS`` of a duration, s."""
+    """Raise ValueError unless the step (s) is > 0 and gives at most ``MOST_INSTANTS`` samples."""
     if output_step is None:
         return
     need_between(output_step, "output_step", 0.0, math.inf)
     if duration > MOST_INSTANTS * output_step:
         raise ValueError(
             f"output_step: expected at least {duration / MOST_INSTANTS:g} s, for at most {MOST_INSTANTS} "
-            f"instants in {duration:g} s, got {shown(output_step)}"
+            f"samples in {duration:g} s, got {shown(output_step)}"
         )
 
 
 def _law(forces: ArrayLike | ForceLaw) -> ForceLaw:
+    """Return a force law; constant forces become a law."""
     if callable(forces):
         return forces
     constant = real_array(forces, "forces", "six finite numbers or a law")
@@ -382,10 +426,11 @@ def _law(forces: ArrayLike | ForceLaw) -> ForceLaw:
 
 
 def _state(given: Motion | str, law: ForceLaw) -> Motion:
+    """Return the initial state, from the reference motion of the law for "path"."""
     if isinstance(given, str):
         wanted = getattr(law, "reference", None)
         if given != "path" or wanted is None:
-            text = 'a Motion, or "path" with a law that follows one'
+            text = 'a Motion, or "path" with a law that has a reference motion'
             raise ValueError(f"initial_state: expected {text}, got {shown(given)}")
         start: Motion = wanted(0.0)
         return Motion(
@@ -398,6 +443,7 @@ def _state(given: Motion | str, law: ForceLaw) -> Motion:
 
 
 def _solver(method: str) -> Any:
+    """Return the integrator class of SciPy."""
     with needed_for("simulation"):
         from scipy import integrate
     return getattr(integrate, method)

@@ -1,4 +1,4 @@
-"""A simulated run as it is handed back: why it stopped, states and forces over time, saturation."""
+"""Result of a simulation: stop event, states and forces over time, and force saturation."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from ..robot.robot import Robot
 from .actuator_models import ForceLaw
 
 Load = Callable[[float, Motion], ArrayLike]
-"""(time, s, state) -> [F_ext; M_ext], N and N m, platform frame, (6,)."""
+"""Function (time in s, state) -> [F_ext; M_ext] (N and N m) in the platform frame, shape (6,)."""
 WATCHED = 5
-"""Instants of each step at which limits are looked at."""
+"""Number of times in each step at which limits are checked."""
 
-# Lobatto's rule of six points: instants of a step from -1 to 1, both ends among them, and their weights.
+# Gauss-Lobatto quadrature with six points on [-1, 1], including both ends, and its weights.
 _INNER = math.sqrt((7.0 - 2.0 * math.sqrt(7.0)) / 21.0), math.sqrt((7.0 + 2.0 * math.sqrt(7.0)) / 21.0)
 _LOBATTO = np.array([-1.0, -_INNER[1], -_INNER[0], _INNER[0], _INNER[1], 1.0])
 _SHARES = np.array([1.0 / 15.0, (14.0 - math.sqrt(7.0)) / 30.0, (14.0 + math.sqrt(7.0)) / 30.0])
@@ -34,20 +34,20 @@ _WEIGHTS = np.concatenate([_SHARES, _SHARES[::-1]])
 
 @dataclass(frozen=True)
 class StopEvent:
-    """Why and when a run ended.
+    """Reason and time of the end of a simulation.
 
     Attributes
     ----------
     reason : str
-        "completed" (it ran to its end), "length_limits", "speed_limit", "force_limit",
-        "joint_angle_limit", "singular", "zero_length", "joint_singularity" or "step_failed" (no step is small
-        enough).
+        "completed" if the simulation ran to its end; otherwise "length_limits", "speed_limit", "force_limit",
+        "joint_angle_limit", "singular", "zero_length", "joint_singularity", or "step_failed" (no step size
+        satisfies the tolerance).
     time : float
-        s.
+        Time (s).
     leg : int
-        Its number from 1, None where no leg is to blame.
+        Number of the leg, from 1; None if the reason does not concern a single leg.
     message : str
-        All of it in one line.
+        Description in one line.
     """
 
     reason: str
@@ -58,14 +58,14 @@ class StopEvent:
 
 @dataclass(frozen=True, eq=False)
 class ForceSaturation:
-    """How long and by how much each leg's actuator was commanded more than its limit; zeros if it never was.
+    """Duration and amount of excess of each commanded force over its limit; zeros without saturation.
 
     Attributes
     ----------
-    duration : ndarray
-        s, (6,); where the law is not sampled, right to a small part of a step.
-    max_excess : ndarray
-        The largest force beyond the limit, N, (6,).
+    duration : ndarray, shape (6,)
+        Saturated time (s). For a law that is not sampled it is accurate to a small fraction of a step.
+    max_excess : ndarray, shape (6,)
+        Largest force beyond the limit (N).
     """
 
     duration: Array
@@ -74,18 +74,18 @@ class ForceSaturation:
 
 @dataclass(frozen=True, eq=False)
 class DriveWork:
-    """What the motors did in a run and what their drives' friction took of it.
+    """Work of the motors and energy dissipated by the friction of the drives in a simulation.
 
     Attributes
     ----------
-    done : ndarray
-        Work of each motor, J, (6,).
-    lost : ndarray
-        Energy that friction of its drive dissipated, J, (6,).
-    friction : ndarray
-        N times torque less the leg's force, N, (n, 6), at the instants of the trace.
-    sticks : ndarray of bool
-        Which legs stick, (n, 6).
+    done : ndarray, shape (6,)
+        Work of each motor (J).
+    lost : ndarray, shape (6,)
+        Energy dissipated by the friction of each drive (J).
+    friction : ndarray, shape (n, 6)
+        Motor force less leg force (N) at the times of the history.
+    sticks : ndarray of bool, shape (n, 6)
+        True for sticking legs.
     """
 
     done: Array
@@ -96,26 +96,27 @@ class DriveWork:
 
 @dataclass(frozen=True, eq=False)
 class StateHistory:
-    """States and forces at n instants; SI units, base frame.
+    """States, forces, and energies at n times, in SI units and the base frame.
 
     Attributes
     ----------
-    time : ndarray
-        s, (n,).
-    R : ndarray
-        (n, 3, 3).
-    t, v : ndarray
-        m and m/s, (n, 3).
-    omega : ndarray
-        Rad/s, (n, 3).
-    F : ndarray
-        Actuator forces, N, (n, 6); of a robot whose drives have friction those of the motors, N times torque.
-    L : ndarray
-        Leg lengths, m, (n, 6).
-    kinetic_energy, potential_energy : ndarray
-        Energy of the platform, the twelve leg parts and the drives' rotors, J, (n,), with the exact
-        kinematics of the legs in either formulation; the potential energy is that of weight, zero at the base
-        frame's origin.
+    time : ndarray, shape (n,)
+        Time (s).
+    R : ndarray, shape (n, 3, 3)
+        Rotation matrix.
+    t, v : ndarray, shape (n, 3)
+        Position (m) and velocity (m/s) of the reference point.
+    omega : ndarray, shape (n, 3)
+        Angular velocity (rad/s).
+    F : ndarray, shape (n, 6)
+        Actuator forces (N). For a robot with drive friction these are motor forces (motor torque times
+        transmission ratio).
+    L : ndarray, shape (n, 6)
+        Leg lengths (m).
+    kinetic_energy, potential_energy : ndarray, shape (n,)
+        Energy (J) of the platform, the twelve leg parts, and the rotors of the drives, with the exact
+        kinematics of the legs in either formulation. The potential energy is due to gravity; it is zero at
+        the origin of the base frame.
     """
 
     time: Array
@@ -130,45 +131,50 @@ class StateHistory:
 
     @property
     def energy(self) -> Array:
-        """Kinetic and potential energy, J, (n,)."""
+        """Sum of kinetic and potential energy (J), shape (n,)."""
         return self.kinetic_energy + self.potential_energy
 
     @property
     def motion(self) -> Motion:
-        """The states as a Motion of shape (n,) without accelerations."""
+        """States as a Motion of shape (n,) without accelerations."""
         return Motion(R=self.R, t=self.t, omega=self.omega, v=self.v)
 
 
 class Actuators(NamedTuple):
-    """The law and the limits, N, (6,), inf for none, to which the forces it commands are clipped."""
+    """Force law and the force limits (N), shape (6,), at which forces are clipped; inf without a limit."""
 
     law: ForceLaw
     limit: Array
 
     def at(self, time: float, state: Motion, sampled: Array | None) -> Array:
-        """Forces of one state, N, (6,); sampled: what the law commanded last, None unless sampled."""
+        """Compute the forces of one state (N), shape (6,), from the law or from its last sample."""
         return self.clipped(six_forces(self.law(time, state), time) if sampled is None else sampled)
 
     def commanded(self, when: Array, states: Motion, sampled: Array | None) -> Array:
-        """Forces that the law commands at n instants, N, (n, 6)."""
+        """Compute the forces that the law commands at n times (N), shape (n, 6)."""
         if sampled is not None:
             return np.broadcast_to(sampled, (len(when), 6))
         rows = zip(when.tolist(), states, strict=True)
         return np.array([six_forces(self.law(time, state), time) for time, state in rows]).reshape(-1, 6)
 
     def forces(self, when: Array, states: Motion, sampled: Array | None) -> Array:
-        """Forces that act at n instants, N, (n, 6)."""
+        """Compute the forces that act at n times (N), shape (n, 6)."""
         return self.clipped(self.commanded(when, states, sampled))
 
     def clipped(self, F: Array) -> Array:
-        """Forces (..., 6) within the limits."""
+        """Clip forces (N), shape (..., 6), to the limits."""
         return np.minimum(np.maximum(F, -self.limit), self.limit)
 
 
 class Piece(NamedTuple):
-    """An accepted step: its times, the interpolant of the chart's numbers, the center, the sampled forces.
+    """Accepted step: its times (s), the interpolant of the chart coordinates, and the center of the chart.
 
-    sampled: as the law commanded them; None where the law is not sampled. modes: which legs stick and slip.
+    Attributes
+    ----------
+    sampled : ndarray, shape (6,), optional
+        Forces that a sampled law commands (N); None for other laws.
+    modes : tuple of int
+        Mode of each leg: sticking or slipping.
     """
 
     start: float
@@ -181,18 +187,18 @@ class Piece(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class SimulationResult(StateHistory):
-    """A run: its trace, why it stopped, how its forces saturated, and any instant between by ``at``.
+    """Result of a simulation: history, stop event, force saturation, and states at any time by ``at``.
 
     Attributes
     ----------
     stop : StopEvent
-        Why and where the run ended.
+        Reason and time of the end.
     saturation : ForceSaturation
-        What clipping left out, by leg.
+        Duration and amount of clipping of each leg.
     drive_work : DriveWork, optional
-        Work of the motors and what friction took of it; None for a robot whose drives have none.
+        Work of the motors and dissipated energy; None for a robot without drive friction.
     has_load : bool
-        Whether an external wrench acted on the platform.
+        True if an external wrench acts on the platform.
     """
 
     stop: StopEvent
@@ -205,14 +211,14 @@ class SimulationResult(StateHistory):
 
     @property
     def step_count(self) -> int:
-        """How many steps the integration took."""
+        """Number of integration steps."""
         return len(self._pieces)
 
     @property
     def dense_history(self) -> StateHistory:
-        """States and forces at six instants of each step: for peaks and integrals, whatever the rows are.
+        """States and forces at six times in each step, for peaks and integrals.
 
-        Where one step ends and the next begins an instant stands twice, with the forces of either.
+        The boundary between two steps occurs twice, with the forces of each step.
         """
         when = [
             np.append(piece.start + 0.5 * (piece.end - piece.start) * (1.0 + _LOBATTO[:-1]), piece.end)
@@ -223,26 +229,26 @@ class SimulationResult(StateHistory):
 
     @property
     def dense_weights(self) -> Array:
-        """Weights, s, (n,), whose sum with numbers at the instants of ``dense_history`` is their integral."""
+        """Quadrature weights (s), shape (n,), for integrals over the times of ``dense_history``."""
         return np.concatenate([0.5 * (piece.end - piece.start) * _WEIGHTS for piece in self._pieces])
 
     def at(self, times: ArrayLike) -> StateHistory:
-        """States and forces at given times, interpolated to the accuracy of the run.
+        """Interpolate states and forces to the accuracy of the simulation.
 
         Parameters
         ----------
-        times : array_like
-            Within the run, s, (n,).
+        times : array_like, shape (n,)
+            Times within the simulation (s).
 
         Returns
         -------
         StateHistory
-            Shapes and units are documented there.
+            States, forces, and energies at ``times``.
 
         Raises
         ------
         ValueError
-            For times outside the run or of another shape.
+            If a time is outside the simulation, or if ``times`` has another shape.
         """
         when = real_array(times, "times", "times of shape (n,)")
         end = self.stop.time
@@ -255,13 +261,13 @@ class SimulationResult(StateHistory):
 
 
 def motion_of(y: Array, center: Array, F_ext: Array | None = None, M_ext: Array | None = None) -> Motion:
-    """The chart's numbers [t; phi; v; omega], (..., 12), as states under a load."""
+    """Convert chart coordinates [t; phi; v; omega], shape (..., 12), to states with a load."""
     R = rotation_from_vector(y[..., 3:6]) @ center
     return Motion._unchecked(R, y[..., :3], y[..., 9:], y[..., 6:9], F_ext=F_ext, M_ext=M_ext)
 
 
 class LegStates(NamedTuple):
-    """Points, lengths, rates and directions of the legs; with offset joints H and the joints' sines too."""
+    """Points, lengths, rates, and directions of the legs; with joint offsets also H and the joint sines."""
 
     q: Array
     L: Array
@@ -272,7 +278,7 @@ class LegStates(NamedTuple):
 
 
 def leg_states(robot: Robot, state: Motion) -> LegStates:
-    """Leg kinematics without the rejections of ``inverse_kinematics``: a watched leg may come to nothing."""
+    """Compute leg kinematics without the checks of ``inverse_kinematics``, even for very short legs."""
     if robot.offsets is not None:
         with np.errstate(all="ignore"):
             moving = joint_motion(robot, state)
@@ -292,7 +298,7 @@ def sampled_at(
     when: Array,
     of: NDArray[np.intp] | None = None,
 ) -> StateHistory:
-    """The trace at times within the pieces; of: the piece of each, None for the last that has begun."""
+    """Return the history at times (s); ``of`` is the piece of each time, by default the last begun."""
     n = len(when)
     y, centers, F = np.empty((n, 12)), np.empty((n, 3, 3)), np.empty((n, 6))
     if of is None:
@@ -315,7 +321,7 @@ def sampled_at(
 
 
 def saturation_of(actuators: Actuators, pieces: Sequence[Piece]) -> ForceSaturation:
-    """What the commanded forces exceed their limits by, in all pieces."""
+    """Compute duration and amount by which the commanded forces exceed their limits, over all pieces."""
     time, excess = np.zeros(6), np.zeros(6)
     for piece in pieces if np.isfinite(actuators.limit).any() else ():
         when = np.linspace(piece.start, piece.end, WATCHED + 1)
@@ -327,7 +333,7 @@ def saturation_of(actuators: Actuators, pieces: Sequence[Piece]) -> ForceSaturat
 
 
 def _share_above_zero(start: Array, end: Array) -> Array:
-    """Share, 0 to 1, of the straight line from one number to another that is above zero."""
+    """Compute the fraction, 0 to 1, of the line between two numbers that is above zero."""
     above = np.maximum(start, 0.0) + np.maximum(end, 0.0)
     with np.errstate(invalid="ignore"):
         share = above / (np.abs(start) + np.abs(end))
@@ -335,7 +341,7 @@ def _share_above_zero(start: Array, end: Array) -> Array:
 
 
 def output_times(pieces: Sequence[Piece], end: float, step: float | None) -> Array:
-    """Times of a run's results, s: ends of steps, or every ``step`` s."""
+    """Return the output times (s): the ends of the steps, or every ``step`` s."""
     if step is None:
         return np.unique([pieces[0].start, *(piece.end for piece in pieces)])
     grid = np.arange(math.floor(end / step * (1.0 + 1e-12)) + 1) * step
@@ -343,7 +349,7 @@ def output_times(pieces: Sequence[Piece], end: float, step: float | None) -> Arr
 
 
 def six_forces(value: ArrayLike, time: float) -> Array:
-    """What a law returned, as six numbers; ValueError if it is anything else."""
+    """Return the result of a law as six numbers; raise ValueError for another shape."""
     F = real_array(value, "forces", "six numbers")
     if F.shape != (6,):
         raise ValueError(f"forces: expected six numbers from the law at {time:g} s, got shape {F.shape}")

@@ -1,9 +1,9 @@
-"""Dry friction of the drives in a simulation: each leg sticks or slips, and changes where it must.
+"""Dry friction of the drives in a simulation, with transitions of each leg between sticking and slipping.
 
-A leg sticks while the motor's force, less that with which the leg holds still, is within what friction can
-be; its rate of length is zero then, and stays so exactly. Else it slips against the friction of
-``drives.friction``. Between two changes the machine is smooth, so that any method integrates it; the changes
-are roots of the interpolated motion.
+A leg sticks while the motor force minus the leg force that keeps the leg at rest is within the limits of
+friction. Its length rate is exactly zero then. Otherwise the leg slips with the friction of
+``drives.friction``. The motion is smooth between two transitions, so that any integrator applies; a
+transition is a root of the interpolated motion.
 """
 
 from __future__ import annotations
@@ -26,21 +26,21 @@ from ..robot.robot import LEGS, Robot
 from .state_history import WATCHED, Actuators, DriveWork, Piece, motion_of
 
 Plant = Callable[[Motion, Array], tuple[Array, int]]
-"""(state, forces of the legs, N, (6,)) -> [a; alpha], (6,), status."""
+"""Function (state, leg forces (N), shape (6,)) -> [a; alpha], shape (6,), and status."""
 Modes = tuple[int, ...]
-"""For each of six legs: 0 sticks, 1 slips and extends, -1 slips and retracts."""
+"""Mode of each of six legs: 0 sticks, 1 slips and extends, -1 slips and retracts."""
 STUCK: Modes = (0,) * LEGS
 
 _UNIT = np.eye(LEGS)
 _HALVINGS = 40
 _MOST_SIGNS = 20
 _MOST_CHANGES = 100
-"""Changes of legs, one after the other, in which no time goes by."""
+"""Largest number of successive transitions at the same time."""
 _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(5)
 
 
 class Change(NamedTuple):
-    """A leg, counted from 0, that comes to rest or, with a direction, breaks away; time in s."""
+    """Transition of a leg (from 0) at a time (s): to rest (direction 0), or to slipping in a direction."""
 
     time: float
     leg: int
@@ -48,7 +48,7 @@ class Change(NamedTuple):
 
 
 class Found(NamedTuple):
-    """[a; alpha], forces of the legs, between their parts and of friction, N, and L_ddot, (..., 6) each."""
+    """[a; alpha], leg forces, forces between leg parts, friction (N), and L_ddot, shape (..., 6) each."""
 
     acceleration: Array
     F: Array
@@ -60,9 +60,12 @@ class Found(NamedTuple):
 
 @dataclass(eq=False)
 class StickSlip:
-    """The drives' friction of one run, and in which mode each leg is.
+    """Drive friction of one simulation, and the current mode of each leg.
 
-    loaded: (time, state) -> the state with its load.
+    Attributes
+    ----------
+    loaded : callable
+        Function (time, state) -> state with its load.
     """
 
     robot: Robot
@@ -74,23 +77,23 @@ class StickSlip:
     _stalled: int = field(default=0)
 
     def __post_init__(self) -> None:
-        """Reject screws that only their rotor's inertia moves."""
+        """Reject a self-locking screw, which only the inertia of its rotor can move."""
         for leg in np.flatnonzero(self.drive.backdrive_efficiency <= 0.0).tolist():
             raise ValueError(
                 f"robot: drive: leg {leg + 1}: backdrive_efficiency: expected a number > 0 in a simulation, "
-                f"got {self.drive.backdrive_efficiency[leg]:g}, of a screw that locks itself"
+                f"got {self.drive.backdrive_efficiency[leg]:g} (self-locking screw)"
             )
 
     # State of the legs
 
     def begin(self, time: float, state: Motion, motor: Array) -> Motion:
-        """Set the modes of a first state: legs at rest stick if they can."""
+        """Set the modes of an initial state: legs at rest stick if friction permits."""
         L_dot = leg_rates(self.robot, state).L_dot
         self.modes = tuple(int(sign) for sign in np.sign(L_dot))
         return self.settled(time, state, motor)
 
     def settled(self, time: float, state: Motion, motor: Array) -> Motion:
-        """Modes anew of the legs at rest, and the state with their rates of length exactly zero."""
+        """Update the modes of legs at rest, and return the state with their length rates set to zero."""
         modes, change = list(self.modes), self.pending
         self.pending = None
         resting = [leg for leg in range(LEGS) if modes[leg] == 0]
@@ -105,7 +108,7 @@ class StickSlip:
         return still
 
     def _at_rest(self, state: Motion, resting: list[int]) -> Motion:
-        """States (...) without the part of their twist that changes the lengths of some legs."""
+        """Remove the part of the twist that changes the lengths of some legs, for states of shape (...)."""
         if not resting:
             return state
         twist = np.zeros((*state.shape, 6))
@@ -117,7 +120,7 @@ class StickSlip:
         return Motion._unchecked(state.R, state.t, omega, v, F_ext=state.F_ext, M_ext=state.M_ext)
 
     def _decided(self, state: Motion, motor: Array, modes: list[int], resting: list[int]) -> Modes:
-        """Consistent modes of legs at rest: first all stick, then the worst one changes, one by one."""
+        """Find consistent modes of the legs at rest: all stick at first, then the worst leg changes."""
         if not resting:
             return tuple(modes)
         for leg in resting:
@@ -139,7 +142,7 @@ class StickSlip:
     def _contradiction(
         self, state: Motion, motor: Array, modes: Modes, resting: list[int]
     ) -> tuple[float, int, int] | None:
-        """The leg at rest that contradicts its mode most: by how much, its number, its better mode."""
+        """Return the leg at rest that violates its mode most: violation, index, and better mode."""
         found = self.solved(state, motor, modes)
         if found.status:
             return None
@@ -159,7 +162,7 @@ class StickSlip:
         return worst if worst[0] > 1e-12 else None
 
     def _holding(self, found: Found) -> tuple[Array, Array]:
-        """Least and largest force of the motors, N, (6,), with which legs stick."""
+        """Compute the smallest and largest motor forces (N), shape (6,), at which legs stick."""
         rest, load = constant_part(self.drive, np.zeros(LEGS)), np.abs(found.within)
         down, up = (load_share(self.drive, found.within, np.full(LEGS, sign)) for sign in (-1.0, 1.0))
         return found.F - rest - down * load, found.F + rest + up * load
@@ -167,18 +170,18 @@ class StickSlip:
     # Dynamics
 
     def solved(self, state: Motion, motor: Array, modes: Modes | None = None) -> Found:
-        """Accelerations of states (...) with their load under the motors' forces, N, (..., 6), in modes."""
+        """Compute the accelerations of loaded states (...) under motor forces (N), shape (..., 6)."""
         modes = self.modes if modes is None else modes
         sign = np.array(modes, dtype=np.float64)
         legs = leg_rates(self.robot, state)
         left = motor - self._viscous * legs.L_dot - sign * constant_part(self.drive, legs.L_dot)
         if sign.all() and not self._rotors_count:
-            # F + sign mu |F| = left: F has the sign of left, and mu goes by the direction of power.
+            # F + sign mu |F| = left: F has the sign of left, and mu depends on the direction of power.
             F = left / (1.0 + sign * np.sign(left) * load_share(self.drive, left, sign))
             accelerations, status = self._accelerations(state, F[..., None, :])
             acceleration = accelerations[..., 0, :]
             return Found(acceleration, F, F, motor - F, product(legs.J, acceleration) + legs.own, status)
-        # Accelerations are linear in the forces: without any, and with one leg's at a time.
+        # Accelerations are affine in the forces: evaluate without forces, then with one leg at a time.
         answers, status = self._accelerations(state, self._probes)
         first = answers[..., 0, :]
         try:
@@ -193,7 +196,7 @@ class StickSlip:
         return Found(acceleration, F, within, motor - F, product(legs.J, acceleration) + legs.own, 0)
 
     def _accelerations(self, state: Motion, forces: Array) -> tuple[Array, int]:
-        """[a; alpha] of states (...) under each of m forces, N, (..., m, 6) or (m, 6), first status not 0."""
+        """Compute [a; alpha], shape (..., m, 6), of states (...) under m forces (N), and the status."""
         if not state.shape:
             rows = [self.plant(state, F) for F in forces]
         else:
@@ -205,9 +208,9 @@ class StickSlip:
     def _forces_of(
         self, left: Array, sign: Array, legs: LegRates, first: Array, B: Array
     ) -> tuple[Array, Array]:
-        """Forces of the legs and those between their parts, N, (..., 6), by accelerations first + B F.
+        """Compute leg forces and forces between leg parts (N), shape (..., 6), for accelerations first + B F.
 
-        left: the motors' forces less the friction that no force changes, N, (..., 6).
+        ``left`` contains the motor forces minus the load-independent friction (N), shape (..., 6).
         """
         own, by = np.zeros(LEGS), _UNIT
         if self._rotors_count:
@@ -220,7 +223,7 @@ class StickSlip:
             right = np.where(resting, -(product(legs.J, first) + legs.own), left)
         within = left
         for _ in range(_MOST_SIGNS):
-            # Friction in proportion to the force between the parts, of the sign that this is taken to have.
+            # Load-dependent friction is linear for an assumed sign of the force between the leg parts.
             share = sign * np.sign(within) * load_share(self.drive, within, sign)
             F = _solved(A + share[..., None] * by, right - share * own)
             before, within = within, own + product(by, F)
@@ -230,30 +233,31 @@ class StickSlip:
 
     @cached_property
     def _rotors_count(self) -> bool:
-        """Whether the force between a leg's parts differs from its actuator's, and friction goes by it."""
+        """True if load-dependent friction depends on rotor inertia."""
         drive = self.drive
         lossy = np.any(drive.efficiency != 1.0) or np.any(drive.backdrive_efficiency != 1.0)
         return bool(lossy and np.any(drive.rotor_inertia))
 
     @cached_property
     def _viscous(self) -> Array:
+        """Viscous friction coefficients (N s/m), shape (6,)."""
         return viscous(self.drive)
 
     @cached_property
     def _probes(self) -> Array:
-        """No forces of the legs, and the scale's of one after another, N, (7, 6)."""
+        """Force vectors with no force and with the reference force in one leg each (N), shape (7, 6)."""
         return self._scale * np.eye(LEGS + 1, LEGS, -1)
 
     @cached_property
     def _scale(self) -> float:
-        """A force of the size of the machine's weight, N."""
+        """Reference force: the weight of the robot (N)."""
         mass = self.robot.M + float(np.sum(self.robot.m_d + self.robot.m_u))
         return mass * (float(np.linalg.norm(self.robot.g)) or 1.0)
 
     # Changes
 
     def first_change(self, piece: Piece, actuators: Actuators) -> Change | None:
-        """The first change within a piece, None if there is none."""
+        """Return the first transition within a piece, or None."""
         when = np.linspace(piece.start, piece.end, WATCHED + 1)
         margins = self._margins(when, piece, actuators)
         found = []
@@ -272,17 +276,17 @@ class StickSlip:
 
     @property
     def stalled(self) -> bool:
-        """Whether legs change on and on and no time goes by."""
+        """True if legs change their modes again and again at the same time."""
         return self._stalled > _MOST_CHANGES
 
     def _root(self, leg: int, start: float, end: float, piece: Piece, actuators: Actuators) -> float:
-        """Where a leg's margin comes to zero on the way to an end at which it is below."""
+        """Return the time (s) before ``end`` at which the margin of a leg becomes zero."""
         from scipy.optimize import brentq
 
         def margin(time: float) -> float:
             return float(self._margins(np.array([time]), piece, actuators)[0, leg])
 
-        # A leg that has just begun to slip has no rate yet.
+        # The rate of a leg is zero when it begins to slip.
         for _ in range(_HALVINGS):
             if margin(start) > 0.0:
                 return float(brentq(margin, start, end, xtol=1e-15 * max(end, 1.0), rtol=1e-14))
@@ -294,25 +298,25 @@ class StickSlip:
         return piece.start
 
     def _margins(self, when: Array, piece: Piece, actuators: Actuators) -> Array:
-        """For each leg, (n, 6): its rate in the direction in which it slips, m/s, or what holds it, N."""
+        """Return the margin of each leg, shape (n, 6): slip speed (m/s), or remaining friction force (N)."""
         state = motion_of(piece.interpolant(when).T, piece.center)
         found = np.array(self.modes) * leg_rates(self.robot, state).L_dot
         resting = np.array(self.modes) == 0
         if resting.any():
             motor, holding = self._forces(when, piece, actuators)
             low, high = self._holding(holding)
-            # Rounding does not move a leg.
+            # Rounding errors must not move a leg.
             slack = 1e-12 * (np.abs(motor) + np.abs(holding.F))
             found[:, resting] = (np.minimum(high - motor, motor - low) + slack)[:, resting]
         return found
 
     def _forces(self, when: Array, piece: Piece, actuators: Actuators) -> tuple[Array, Found]:
-        """Forces of the motors, N, (n, 6), and the solution for the legs at times within a piece."""
+        """Return the motor forces (N), shape (n, 6), and the solution of the legs at times within a piece."""
         state, motor = self.at(when, piece, actuators)
         return motor, self.solved(state, motor, piece.modes)
 
     def at(self, when: Array, piece: Piece, actuators: Actuators) -> tuple[Motion, Array]:
-        """States with their load at n times within a piece, and the motors' forces, N, (n, 6)."""
+        """Return the loaded states at n times within a piece, and the motor forces (N), shape (n, 6)."""
         states = self.moving(motion_of(piece.interpolant(when).T, piece.center), piece.modes)
         rows = [self.loaded(time, state) for time, state in zip(when.tolist(), states, strict=True)]
         load = {
@@ -324,14 +328,14 @@ class StickSlip:
         return states, actuators.forces(when, states, piece.sampled)
 
     def moving(self, state: Motion, modes: Modes | None = None) -> Motion:
-        """The state without what errors of the integration move legs that stick."""
+        """Remove the motion of sticking legs that is due to integration errors."""
         modes = self.modes if modes is None else modes
         return self._at_rest(state, [leg for leg in range(LEGS) if modes[leg] == 0])
 
     # Results
 
     def results(self, pieces: tuple[Piece, ...], actuators: Actuators, times: Array) -> DriveWork:
-        """Work and losses over a run, and friction at times within it, s, (n,)."""
+        """Compute work and losses over a simulation, and friction at n times (s) within it."""
         of = np.searchsorted([piece.start for piece in pieces], times, side="right") - 1
         friction = [
             self._forces(times[j : j + 1], pieces[i], actuators)[1].friction for j, i in enumerate(of)
@@ -341,7 +345,7 @@ class StickSlip:
         return DriveWork(done, lost, np.array(friction).reshape(-1, LEGS), sticks)
 
     def _work(self, pieces: tuple[Piece, ...], actuators: Actuators) -> tuple[Array, Array]:
-        """Work of the motors and what friction took of it, J, (6,) each."""
+        """Compute the work of the motors and the energy dissipated by friction (J), shape (6,) each."""
         done, lost = np.zeros((2, LEGS))
         for piece in pieces:
             half = 0.5 * (piece.end - piece.start)
@@ -353,4 +357,5 @@ class StickSlip:
 
 
 def _solved(A: Array, y: Array) -> Array:
+    """Return the solution of A x = y, shape (..., 6)."""
     return np.asarray(np.linalg.solve(A, y[..., None])[..., 0])

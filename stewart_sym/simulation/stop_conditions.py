@@ -1,4 +1,4 @@
-"""Where a simulated run stops: limits of the legs, singular poses and joints, watched during each step."""
+"""Conditions that stop a simulation: leg limits, singular poses, and joint singularities."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ from ..robot.robot import Robot
 from .state_history import WATCHED, Actuators, LegStates, Piece, StopEvent, leg_states, motion_of
 
 NEAR_SINGULAR, CROSSING = 48, 49
-"""Columns of the watched margins: condition number of H, and det H on the side where the run began."""
+"""Columns of the margins for the condition number of H and for the sign of det H relative to the start."""
 
 
 @dataclass(frozen=True)
 class StopConditions:
-    """Where a run stops because the model ends, besides the robot's own limits.
+    """Limits of the model at which a simulation stops, in addition to the limits of the robot.
 
     Attributes
     ----------
     max_condition : float, optional
-        Scaled condition number of H (see ``scaled_condition_number``), > 1; inf: a run goes through singular
-        poses.
+        Largest scaled condition number of H (see ``scaled_condition_number``), > 1. With inf the simulation
+        continues through singular poses.
     min_length : float, optional
-        Of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
+        Smallest leg length (m), > 0; by default a thousandth of the characteristic length of the robot.
     min_joint_sine : float, optional
-        Sine of the angle between a leg and its universal axis, > 0 and < 1.
+        Smallest sine of the angle between a leg and the fixed axis of its universal joint, between 0 and 1.
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If a value is outside its range.
     """
 
     max_condition: float = 1e6
@@ -48,7 +48,7 @@ class StopConditions:
     min_joint_sine: float = 1e-3
 
     def __post_init__(self) -> None:
-        """Check every threshold."""
+        """Check each value."""
         ranges = {
             "max_condition": (1.0, math.inf),
             "min_length": (0.0, math.inf),
@@ -63,9 +63,18 @@ class StopConditions:
 
 @dataclass(frozen=True, eq=False)
 class Watch:
-    """Everything that stops a run, as numbers that are positive while all is well.
+    """Margins of all stop conditions; a margin is positive while its condition is satisfied.
 
-    force_limit: N, (6,); inf where forces are clipped instead. side: sign of det H at the start of the run.
+    Attributes
+    ----------
+    robot : Robot
+        Robot with limits.
+    thresholds : StopConditions
+        Limits of the model.
+    force_limit : ndarray, shape (6,)
+        Limits of the actuator forces (N); inf if forces are clipped.
+    side : float
+        Sign of det H at the start of the simulation.
     """
 
     robot: Robot
@@ -74,7 +83,7 @@ class Watch:
     side: float
 
     def first(self, piece: Piece, actuators: Actuators) -> StopEvent | None:
-        """The first stop in a piece, None if there is none."""
+        """Return the first stop event in a piece, or None."""
         when = np.linspace(piece.start, piece.end, WATCHED + 1)
         margins = self._margins(when, piece, actuators)
         below = margins <= 0.0
@@ -86,13 +95,13 @@ class Watch:
             start = float(when[max(i - 1, 0)])
             time = start if i == 0 else self._root(row, start, float(when[i]), piece, actuators)
             if row == CROSSING:
-                # The condition number passes its threshold on the way, too shortly to be seen itself.
+                # The condition number exceeds its limit too briefly to be detected itself.
                 time = self._root(NEAR_SINGULAR, start, time, piece, actuators)
             roots.append((time, row))
         return self._stop(*min(roots), piece, actuators)
 
     def _root(self, row: int, start: float, end: float, piece: Piece, actuators: Actuators) -> float:
-        """Where a margin comes to zero; an end of the span where it doesn't within."""
+        """Return the time (s) at which a margin becomes zero, or an end of the span without a zero."""
         from scipy.optimize import brentq
 
         def margin(time: float) -> float:
@@ -105,9 +114,10 @@ class Watch:
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
     def _margins(self, when: Array, piece: Piece, actuators: Actuators) -> Array:
-        """(n, 50): six each of shortest, longest, speed, force, length zero, joint sine, angle at the base.
+        """Compute the margins at n times (s), shape (n, 50).
 
-        Six of angle at the platform; condition, side of H.
+        Six columns each: minimum length, maximum length, speed, force, zero length, joint sine, base joint
+        angle, and platform joint angle. The last two columns: condition number and sign of det H.
         """
         robot = self.robot
         state = motion_of(piece.interpolant(when).T, piece.center)
@@ -129,7 +139,7 @@ class Watch:
         return np.concatenate(margins, axis=-1)
 
     def _angles(self, legs: LegStates, state: Motion) -> Array:
-        """Angles of the joints at base and platform, (2, n, 6); 0 where none has a limit."""
+        """Return joint angles at base and platform (rad), shape (2, n, 6); 0 without angle limits."""
         if not self.robot.has_joint_angle_limits:
             return np.zeros((2, *legs.L.shape))
         return np.stack(angles_from(self._neutral, legs.s, state.R))
@@ -139,6 +149,7 @@ class Watch:
         return neutral_directions(self.robot)
 
     def _singular_margins(self, legs: LegStates) -> tuple[Array, Array]:
+        """Compute the margins of the condition number and of the sign of det H, shape (n, 1) each."""
         if self.thresholds.max_condition == math.inf:
             none = np.ones((len(legs.L), 1))
             return none, none
@@ -147,6 +158,7 @@ class Watch:
         return near[:, None], self.side * np.linalg.det(H)[:, None]
 
     def _stop(self, time: float, row: int, piece: Piece, actuators: Actuators) -> StopEvent:
+        """Create the stop event for a column of the margins at a time (s)."""
         robot, leg = self.robot, row % 6
         at = np.array([time])
         state = motion_of(piece.interpolant(at).T, piece.center)
@@ -171,7 +183,7 @@ class Watch:
                 f"{robot.force_limit[leg]:g} N",
             ),
             ("zero_length", f"length {length} is near zero"),
-            ("joint_singularity", "lies nearly along the fixed axis of its universal joint"),
+            ("joint_singularity", "is nearly parallel to the fixed axis of its universal joint"),
             *(
                 (
                     "joint_angle_limit",
@@ -184,18 +196,18 @@ class Watch:
 
 
 def _scaled_H(legs: LegStates, size: float) -> Array:
-    """H^T with its moments over a length, (..., 6, 6)."""
+    """Return H^T with its moments divided by a length (m), shape (..., 6, 6)."""
     if legs.H is not None:
         return np.asarray(np.swapaxes(legs.H, -1, -2) / np.repeat([1.0, size], 3))
     return np.concatenate([legs.s, cross(legs.q, legs.s) / size], axis=-1)
 
 
 def det_sign(robot: Robot, state: Motion) -> float:
-    """Sign of det H."""
+    """Return the sign of det H."""
     return float(np.sign(np.linalg.det(_scaled_H(leg_states(robot, state), platform_size(robot)))))
 
 
 def need_between(value: object, name: str, low: float, high: float) -> None:
-    """Reject, by ValueError, what is no number between two others."""
+    """Raise ValueError unless a value is a number strictly between two others."""
     text = f"a number > {low:g}" + (f" and < {high:g}" if math.isfinite(high) else "")
     number_in(value, name, text, low, high)

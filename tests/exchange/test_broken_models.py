@@ -312,5 +312,5 @@ def test_a_note_against_the_model_is_not_taken(exported: dict[str, ss.ExportedMo
     start = text.index("{&quot;k&quot;: [[")
     path.write_text(text[:start] + text[start:].replace("[[-0.17", "[[-0.27", 1), encoding="utf-8")
     found = ss.import_model(path)
-    assert "k: the model says otherwise than the note, the model is taken" in found.assumptions
+    assert "k: the model contradicts the note; the model is used" in found.assumptions
     np.testing.assert_allclose(found.robot.k, robot.k, rtol=0, atol=1e-12)

@@ -62,7 +62,7 @@ def test_a_part_that_simulators_reject_is_named_with_the_file(folder: Path, run:
     (folder / "bad.toml").write_text(text, encoding="utf-8")
     err = run("export", "bad.toml", "--format", "mjcf", "-o", "m.xml", code=2).err.splitlines()
     assert err[-1].startswith("stewart-sym: error: bad.toml: platform: inertia: physically impossible")
-    assert 'accept "platform-inertia"' in err[-1]
+    assert 'add "platform-inertia" to suppress_warnings' in err[-1]
     assert not (folder / "m.xml").exists()
 
 

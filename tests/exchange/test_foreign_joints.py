@@ -246,7 +246,7 @@ def test_ball_constraints_close_a_urdf_as_its_loops_do(tmp_path: Path) -> None:
         written(ss.ExportedModel(*urdf(made, seed, drake=False)), tmp_path / "beside.urdf")
     )
     assert alone.robot.to_dict() == beside.robot.to_dict()
-    assert "left out: what NAME.loops.json would state: friction of closures, armatures, and notes" in (
+    assert "left out: contents of NAME.loops.json: friction of closures, armatures, and notes" in (
         alone.assumptions
     )
 

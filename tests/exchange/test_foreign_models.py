@@ -172,17 +172,18 @@ LEFT_OUT = {
     "servo": (
         "mjcf",
         ('<motor name="leg_1" joint="leg_1"', '<position joint="leg_1"'),
-        "gain, bias and dynamics of actuator of joint 'leg_1': force_limit is what limits their forces",
+        "gain, bias and dynamics of actuator of joint 'leg_1': force_limit follows from "
+        "limits of their forces",
     ),
     "tendon": (
         "mjcf",
         ('<motor name="leg_1" joint="leg_1"', '<motor tendon="rope"/><motor name="leg_1" joint="leg_1"'),
-        "actuator of tendon 'rope', which is no slide's",
+        "actuator of tendon 'rope', which does not drive a prismatic joint",
     ),
     "motor of a hinge": (
         "mjcf",
         ('<motor name="leg_1" joint="leg_1"', '<motor joint="base_1_1"/><motor name="leg_1" joint="leg_1"'),
-        "actuator of joint 'base_1_1', which is no slide's",
+        "actuator of joint 'base_1_1', which does not drive a prismatic joint",
     ),
     "spring and damper": (
         "mjcf",

@@ -285,7 +285,7 @@ def test_few_noisy_poses_are_one_line(robot: ss.Robot, excited: ss.Excitation, r
     F = motor_forces(robot, excited.motion)[:rows]
     base = ss.base_parameters(robot, excited.motion)
     for drive in (None, ("coulomb",)):
-        with pytest.raises(ValueError, match=r"\A(noise|motion): expected|\Amotion: excites"):
+        with pytest.raises(ValueError, match=r"\A(pose_noise|motion): expected|\Amotion: excites"):
             ss.identify(robot, measured[:rows], F, SIGMA, base, noise, drive_terms=drive)
 
 

@@ -90,7 +90,7 @@ def test_what_a_motion_does_excite_can_be_identified() -> None:
     base = ss.base_parameters(machine, motion)
     rejects(r"motion: excites \d+ of 100 base parameters", ss.identify, machine, motion[:10], F[:10], 1.0)
     other = dataclasses.replace(machine, b=1.01 * machine.b)
-    rejects("base: found for a machine of another b", ss.identify, other, motion, F, 1.0, base)
+    rejects("base_parameters: expected the b of the robot", ss.identify, other, motion, F, 1.0, base)
     found = ss.identify(machine, motion, F, 1.0, base)
     truth = base.matrix @ ss.inertial_parameters(machine).values
     assert np.max(np.abs(found.values - truth) / found.std) < 0.01

@@ -358,7 +358,7 @@ def test_a_lag_that_explains_a_part_is_named_after_what_is_missing() -> None:
     F = found.F + late - ss.inverse_dynamics(machine, found.excitation.motion).F
     missing = np.zeros_like(F)
     missing[:, 2] = 8.0 * np.cos(17.0 * np.pi * np.arange(len(F)) / len(F))
-    for off, place, words in ((0.0, 0, "shift those of one by it"), (missing, -1, "a part of it")):
+    for off, place, words in ((0.0, 0, "by this amount"), (missing, -1, "part of the residual")):
         doubts = ss.identify(
             machine, found.measured_motion, F + off, 1.0, found.estimate.base, found.pose_noise
         ).warnings

@@ -37,9 +37,9 @@ def test_possible_machines_are_not_named_and_impossible_ones_are() -> None:
     for name, shift, words in (
         ("C_p3", -1e6, "C_p3: expected no negative value"),
         ("J_u2_yy", -1e6, "leg 2: second moment"),
-        ("M", -1e6, "platform: least pseudo-inertia"),
+        ("M", -1e6, "platform: smallest pseudo-inertia"),
         # The upper part's first moment calls for more mass than platform and legs have.
-        ("h_u4_x", 1e6, "platform: least pseudo-inertia"),
+        ("h_u4_x", 1e6, "platform: smallest pseudo-inertia"),
     ):
         wrong = values.copy()
         wrong[place[name]] += shift

@@ -213,7 +213,7 @@ def test_in_the_least_time_there_is_one_motion() -> None:
 
 def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
     robot, path = limited_case(0, friction=False)
-    with pytest.raises(ValueError, match="expected viscous friction, a resistance of windings or an efficie"):
+    with pytest.raises(ValueError, match="expected viscous friction, a winding resistance, or an efficie"):
         parameterize_path(robot, path, minimize="energy", duration=1e3, grid_size=50)
     rejects('minimize: expected a duration for "energy"', parameterize_path, robot, path, minimize="energy")
     with pytest.raises(ValueError, match='duration: applies to minimize "energy" or "peak_force"'):

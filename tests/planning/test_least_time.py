@@ -101,7 +101,7 @@ def test_a_faster_motion_breaks_a_limit() -> None:
     ("limits", "message"),
     [
         (PathLimits(force=1e-3), "at rest at s ="),
-        (PathLimits(force=np.inf), "expected a limit of force, speed or acceleration, there is none"),
+        (PathLimits(force=np.inf), "expected a limit of force, speed, or acceleration, got none"),
     ],
 )
 def test_what_bounds_no_motion_or_allows_none_is_one_line(limits: PathLimits, message: str) -> None:

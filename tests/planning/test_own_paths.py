@@ -88,9 +88,13 @@ def own_plan() -> TimedPath:
 
 LIMITS = PathLimits(speed=1.0, acceleration=50.0)
 RATES = (
-    r"^path: expected rates by s that are those of the poses: the length of leg \d changes by \S+ m from s = "
+    r"^path: expected velocities equal to the derivatives of the poses by s: the length of leg \d changes by "
+    r"\S+ m from s = "
 )
-JUMP = r"^path: expected rates by s that do not jump, and accelerations that are theirs: the rate of leg \d "
+JUMP = (
+    r"^path: expected continuous velocities, and accelerations equal to their derivatives by s: "
+    r"the rate of leg \d "
+)
 
 
 @pytest.mark.parametrize(
@@ -170,6 +174,6 @@ def test_the_limit_that_no_slow_motion_keeps_is_named_with_its_place() -> None:
     robot = dataclasses.replace(with_limits(robot, path), C_p=np.full(6, 1e10))
     with pytest.raises(
         ValueError,
-        match=r"none was found: force of leg 1 is \S+ times its limit near s = 0\.\d+ of the path$",
+        match=r"was found: force of leg 1 is \S+ times its limit near s = 0\.\d+ of the path$",
     ):
         parameterize_path(robot, path, limits=PathLimits(jerk=1e3), grid_size=10)

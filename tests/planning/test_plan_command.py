@@ -259,7 +259,7 @@ def limited(limit: str) -> str:
         (HEAD + "via = []\n", "via: expected at least 2 via poses, got 0 (at line 3)"),
         (HEAD, "via: expected either via poses or via_file"),
         (HEAD + FIRST + SECOND.replace("0.1", "nan"), "via 2: t: expected 3 finite numbers"),
-        (PLAN.replace("0.1", "9.0"), "via 2: out of reach, it breaks the limit of leg length of leg"),
+        (PLAN.replace("0.1", "9.0"), "via 2: out of reach, the pose exceeds the limit of leg length of leg"),
         (
             limited("max_condition = 12.0").replace("[0.1", "[900.0"),
             "via poses: lengths of 450.2 m beside",
@@ -270,7 +270,7 @@ def limited(limit: str) -> str:
                 words,
             )
             for x, words in (
-                ("9.0", "via 2: out of reach, the nearest that its freedom allows breaks the limit of"),
+                ("9.0", "via 2: out of reach, the nearest pose within its tolerance exceeds the limit of"),
                 ("900.0", "via poses: lengths of 450.2 m beside"),
             )
         ),
@@ -309,7 +309,7 @@ def test_a_singular_start_is_rejected(folder: Path) -> None:
     robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
     (folder / "flat.toml").write_text(robot)
     text = PLAN.replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
-    check_rejected(folder, text, "via 1: expected a regular pose, it is singular")
+    check_rejected(folder, text, "via 1: expected a regular pose, got a singular pose")
 
 
 HEXAPOD = DOCS / "examples" / "hexapod.toml"

@@ -167,9 +167,7 @@ def test_no_path_joins_the_ends_of_path_III() -> None:
     bound = 1e-12 * np.prod(np.linalg.norm(H, axis=-2), axis=-1)
     assert determinants[0] < -bound[0]
     assert determinants[1] > bound[1]
-    with pytest.raises(
-        ValueError, match="via pose 2: every path to it from via pose 1 crosses a singular pose"
-    ):
+    with pytest.raises(ValueError, match="via pose 2: every path from via pose 1 crosses a singular pose"):
         plan_path(robot, (first, last))
 
 
@@ -246,5 +244,7 @@ def test_a_limit_that_stands_in_the_way_is_named(monkeypatch: pytest.MonkeyPatch
     R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
     costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
     highest = 1.01 * float(costs.plain_conditions(R, t)[0].max())
-    with pytest.raises(ValueError, match=r"^via pose 2: .* pose 1, none was found: condition number stands"):
+    with pytest.raises(
+        ValueError, match=r"^via pose 2: .* pose 1 was found; limiting constraint: condition number$"
+    ):
         plan_path(robot, poses, PoseLimits(condition=highest))

@@ -209,5 +209,5 @@ def test_motors_of_a_run_do_the_work_that_its_drives_account_for(bare: ss.Robot,
 
 def test_offsets_beside_friction_of_the_drives_are_named(robot: ss.Robot) -> None:
     both = dataclasses.replace(robot, offsets=ss.JointOffsets(axis_offset=0.01))
-    with pytest.raises(ValueError, match="expected offsets or friction of the drives, got both"):
+    with pytest.raises(ValueError, match="expected joint offsets or drive friction, got both"):
         ss.simulate(both, HOME, np.zeros(6), 0.01)

@@ -1,1 +1,1 @@
-"""Formats of other programs: each is written from, or read as, a model of bodies and joints."""
+"""Formats of other programs, written from or read into a model of bodies and joints."""

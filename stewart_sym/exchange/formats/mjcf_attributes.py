@@ -1,4 +1,4 @@
-"""Attributes of MJCF elements: with classes, of actuators as general ones, and without disabled flags."""
+"""Attributes of MJCF elements: class defaults, general actuators, and effects of disabled flags."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping

@@ -18,9 +18,21 @@ _DENSITY = 1000.0
 
 
 def solid(given: Mapping[str, str], R: Array, center: Array, where: str) -> Solid | None:
-    """The body of a geom, in the frame that R, (3, 3), and center, (3,), are in; None of one without a mass.
+    """Compute the mass properties of a geom in the frame of R, (3, 3), and center, (3,); None without mass.
 
-    given: attributes, those of its class among them. Raises ValueError for a heavy geom of another type.
+    Parameters
+    ----------
+    given : mapping
+        Attributes, including defaults of the class.
+    R, center : ndarray
+        Orientation and position of the geom.
+    where : str
+        Location in messages.
+
+    Raises
+    ------
+    ValueError
+        If the mass of the type of geom is not supported.
     """
     mass = number(given["mass"], f"{where}: mass") if "mass" in given else None
     density = number(given.get("density"), f"{where}: density", _DENSITY)
@@ -45,7 +57,7 @@ def solid(given: Mapping[str, str], R: Array, center: Array, where: str) -> Soli
             raise ValueError(f"{where}: fromto: expected a type with two ends, got a sphere")
         along = ends[3:] - ends[:3]
         R, center = frame_along(direction(along, f"{where}: fromto")), 0.5 * (ends[:3] + ends[3:])
-        # Across the line the first size counts alone, whatever others are stated.
+        # Only the first size is used perpendicular to the line.
         size = np.append(np.repeat(size, _SIZES[kind] - 1), 0.5 * float(np.linalg.norm(along)))
     volume, squares = _volume(kind, size)
     mass = density * volume if mass is None else mass
@@ -54,7 +66,7 @@ def solid(given: Mapping[str, str], R: Array, center: Array, where: str) -> Soli
 
 
 def _sizes(given: Mapping[str, str], count: int, where: str) -> Array:
-    """The first sizes, (count,), of at most three."""
+    """Return the first sizes, shape (count,), of at most three."""
     text = given.get("size")
     words = (text or "").split()
     few = text if len(words) > _MOST_SIZES else " ".join(words[:count])
@@ -65,7 +77,7 @@ def _sizes(given: Mapping[str, str], count: int, where: str) -> Array:
 
 
 def _volume(kind: str, size: Array) -> tuple[float, Array]:
-    """Volume, m^3, and mean squares of the coordinates, m^2, (3,)."""
+    """Return the volume (m^3), and the mean squares of the coordinates (m^2), shape (3,)."""
     if kind == "box":
         return 8.0 * float(np.prod(size)), size**2 / 3.0
     if kind in ("sphere", "ellipsoid"):
@@ -76,7 +88,7 @@ def _volume(kind: str, size: Array) -> tuple[float, Array]:
     squares = cylinder * np.array([r**2 / 4.0, r**2 / 4.0, half**2 / 3.0])
     if kind == "cylinder":
         return cylinder, squares / cylinder
-    # Two half spheres, their centers of mass 3/8 of the radius outside the ends.
+    # The centers of mass of the two half spheres are 3/8 of the radius outside the ends.
     ball = 4.0 / 3.0 * math.pi * r**3
     squares += ball * np.array([r**2 / 5.0, r**2 / 5.0, r**2 / 5.0 + half**2 + 0.75 * r * half])
     return cylinder + ball, squares / (cylinder + ball)

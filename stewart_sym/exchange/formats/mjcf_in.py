@@ -1,4 +1,4 @@
-"""MJCF, MuJoCo's format, as a model."""
+"""Import of MJCF, the format of MuJoCo."""
 
 import xml.etree.ElementTree as ET
 from dataclasses import replace
@@ -40,17 +40,17 @@ _JOINT_KEYS = (
     *("stiffness", "springref", "springyield", "springdamper", "frictionloss"),
     *("solreflimit", "solimplimit", "solreffriction", "solimpfriction"),
 )
-"""All that MuJoCo knows of a joint."""
+"""All attributes of a joint in MuJoCo."""
 _PASSED_OVER = (
     *("compiler", "option", "size", "custom", "default", "asset", "visual", "statistic", "worldbody"),
     *("equality", "actuator", "keyframe", "sensor", "contact", "extension"),
 )
-"""Sections that are read, or that say nothing of how a machine moves by itself."""
+"""Sections that are read, or that do not affect the passive motion of a robot."""
 _ALIGNED = "freejoint align: MuJoCo moves to the center of mass, and turns, the frame"
 
 
 class _Push(NamedTuple):
-    """What an actuator does to its joint: least and largest force, N, (2,), damping and armature."""
+    """Effect of an actuator on its joint: range of the force (N), shape (2,), damping, and armature."""
 
     where: str
     forces: Array
@@ -59,14 +59,15 @@ class _Push(NamedTuple):
 
 
 def model(root: ET.Element, loops: str | None = None) -> Model:
-    """The model; ValueError of one line says what of the file can't be read, and where."""
+    """Convert the elements of a file to a model; raise ValueError with a location on failure."""
     return _Reader(root).model()
 
 
 class _Reader:
-    """Reads one file; elements of the same name, as of included files, are read one after another."""
+    """Reader of one file; repeated elements, for example of included files, are read in order."""
 
     def __init__(self, root: ET.Element) -> None:
+        """Read the global settings of the file."""
         for element in root.iter():
             if element.tag in ("include", "replicate", "attach", "composite", "flexcomp"):
                 where = f"{element.tag}{at_line(element)}"
@@ -106,6 +107,7 @@ class _Reader:
         self.servos: list[str] = []
 
     def model(self) -> Model:
+        """Read the model."""
         for world in self.root.findall("worldbody"):
             self._inside(world, WORLD, np.eye(3), np.zeros(3), None)
         if self.total > 0.0:
@@ -133,7 +135,7 @@ class _Reader:
             actuators, other = ", ".join(where), f"{most:g} N, the other's, is force_limit"
             self.left_out.append(f"the limit of {least:g} N in one direction of {actuators}: {other}")
         if self.servos:
-            limited = "force_limit is what limits their forces, not their controls"
+            limited = "force_limit follows from limits of their forces, not of their controls"
             self.left_out.append(f"gain, bias and dynamics of {', '.join(self.servos)}: {limited}")
         return Model(
             self.root.get("model", "MuJoCo Model"),
@@ -149,6 +151,7 @@ class _Reader:
     # Defaults
 
     def _default(self, element: ET.Element, outer: dict[str, dict[str, str]], name: str) -> None:
+        """Read the defaults of a class and of its subclasses."""
         own = {tag: dict(values) for tag, values in outer.items()}
         for each in element:
             if each.tag != "default":
@@ -159,7 +162,7 @@ class _Reader:
             self._default(each, own, "main")
 
     def _of(self, element: ET.Element, inherited: str | None) -> dict[str, str]:
-        """Attributes of an element with those of its class, without what a flag switches off."""
+        """Return the attributes of an element with the defaults of its class, without disabled ones."""
         name = element.get("class") or inherited or "main"
         if name not in self.classes and name != "main":
             raise ValueError(f"{element.tag} {element.get('name', '')!r}: class {name!r}: missing")
@@ -170,7 +173,7 @@ class _Reader:
     # Tree
 
     def _inside(self, element: ET.Element, name: str, R: Array, t: Array, inherited: str | None) -> None:
-        """Sites and bodies of a body or of a frame in it; R, t: of the element in the world."""
+        """Read sites and bodies of a body or frame with the pose R, t in the world frame."""
         for each in element:
             if each.tag == "body":
                 self._body(each, name, R, t, inherited)
@@ -185,6 +188,7 @@ class _Reader:
                 self.sites[each.attrib["name"]] = name, R @ turn, inside
 
     def _body(self, element: ET.Element, parent: str, R: Array, t: Array, inherited: str | None) -> None:
+        """Read a body with its joints, inertia, and children."""
         name = element.get("name") or f"body {len(self.bodies)}"
         where = f"body {name!r}"
         inherited = element.get("childclass") or inherited
@@ -210,6 +214,7 @@ class _Reader:
         self._inside(element, name, R, t, inherited)
 
     def _joints(self, element: ET.Element, name: str, inherited: str | None) -> list[tuple[Attributes, str]]:
+        """Return attributes and kinds of the joints of a body."""
         found: list[tuple[Attributes, str]] = []
         for each in element:
             if each.tag == "freejoint":
@@ -229,6 +234,7 @@ class _Reader:
         return found
 
     def _joint(self, given: Attributes, kind: str, parent: str, child: str, R: Array, where: str) -> Joint:
+        """Create a joint from its attributes."""
         name = given.get("name") or f"joint {len(self.joints) + 1}"
         where = f"{where}: joint {name!r}"
         toml_reader.checked_table(given, f"{where}: ", _JOINT_KEYS)
@@ -257,20 +263,21 @@ class _Reader:
         )
 
     def _range(self, given: Attributes, key: str, flag: str, where: str) -> Array:
-        """Limits on both sides, (2,); infinite where there are none."""
+        """Return lower and upper limits, shape (2,); infinite without limits."""
         stated = given.get(flag, "auto")
         limited = stated == "true" or (stated == "auto" and self.autolimits and key in given)
         default = (0.0, 0.0) if key == "range" else None
         return numbers(given.get(key), 2, f"{where}: {key}", default) if limited else np.array(_ENDLESS)
 
     def _larger(self, limits: Array, where: str) -> float:
-        """One limit of a force in both directions."""
+        """Return one force limit for both directions, and record different limits."""
         low, high = np.abs(limits)
         if low != high:
             self.uneven.setdefault((min(low, high), max(low, high)), []).append(where)
         return float(max(low, high))
 
     def _with_inertia(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
+        """Return the body with its mass properties."""
         given = element.find("inertial")
         if given is None or self.from_geoms:
             parts = self._solids(element, inherited, where)
@@ -287,7 +294,7 @@ class _Reader:
         return replace(body, mass=mass, center=center, inertia=0.5 * (inertia + inertia.T))
 
     def _aligns(self, element: ET.Element) -> bool:
-        """Return True if MuJoCo moves the frame of a body to its inertial frame: if it carries no other."""
+        """Return True if MuJoCo moves the body frame to the inertial frame (free body without children)."""
         free = element.find("freejoint")
         if free is None or element.find(".//body") is not None:
             return False
@@ -295,14 +302,14 @@ class _Reader:
         return (self.aligning if stated == "auto" else stated) == "true"
 
     def _axes_of_inertia(self, element: ET.Element, where: str) -> Array | None:
-        """Return the principal axes in the body's frame, (3, 3), or None if the file does not state them."""
+        """Return the principal axes in the body frame, (3, 3), or None if the file does not contain them."""
         given = element.find("inertial")
         if given is None or self.from_geoms or "fullinertia" in given.attrib:
             return None
         return self._turn(given.attrib, where)
 
     def _solids(self, element: ET.Element, inherited: str | None, where: str) -> list[Solid]:
-        """What has a mass of its own among the geoms of a body, and of frames in it."""
+        """Return the mass properties of the geoms of a body, including geoms in frames."""
         found = []
         for each in element:
             if each.tag == "geom":
@@ -320,10 +327,11 @@ class _Reader:
         return found
 
     def _pose(self, given: Attributes, where: str) -> tuple[Array, Array]:
-        """Orientation (3, 3) and position (3,)."""
+        """Return orientation, shape (3, 3), and position, shape (3,)."""
         return self._turn(given, where), numbers(given.get("pos"), 3, f"{where}: pos", _ZERO)
 
     def _turn(self, given: Attributes, where: str) -> Array:
+        """Return the orientation, shape (3, 3)."""
         if "quat" in given:
             quaternion = numbers(given["quat"], 4, f"{where}: quat")
             if not quaternion.any():
@@ -344,7 +352,7 @@ class _Reader:
         return np.eye(3)
 
     def _euler(self, angles: Array) -> Array:
-        """Rotation by ``eulerseq``: small letters are axes that turn along, capital ones fixed axes."""
+        """Compute the rotation by ``eulerseq``: small letters are moving axes, capital letters fixed axes."""
         R = np.eye(3)
         for letter, angle in zip(self.order, angles, strict=True):
             vector = angle * np.eye(3)["xyz".index(letter.lower())]
@@ -355,6 +363,7 @@ class _Reader:
     # Closures and drives
 
     def _closure(self, element: ET.Element) -> None:
+        """Read a loop closure or a weld."""
         name = element.get("name") or f"{element.tag} {len(self.joints) + 1}"
         where = f"equality: {element.tag} {name!r}"
         if element.tag not in ("connect", "weld"):
@@ -380,7 +389,7 @@ class _Reader:
                     raise ValueError(f"{where}: {expected} (freejoint align), got bodies")
             least = None if kind == "spherical" else _ZERO
             here = numbers(element.get("anchor"), 3, f"{where}: anchor", least)
-            # The pose of the second body in the first one, of which the point is the second one's.
+            # The pose of the second body relative to the first one; the anchor is in the second body.
             pose = numbers(element.get("relpose"), 7, f"{where}: relpose", np.zeros(7))
             if kind == "fixed" and pose[3:].any():
                 here, there = pose[:3], here
@@ -392,6 +401,7 @@ class _Reader:
         self.joints.append(cut)
 
     def _site(self, name: str | None, where: str) -> tuple[str, Array, Array]:
+        """Return the body, orientation, and position of a site."""
         if name is None:
             raise ValueError(f"{where}: expected site1 and site2, got one")
         if name not in self.sites:
@@ -399,7 +409,7 @@ class _Reader:
         return self.sites[name]
 
     def _driven(self) -> list[Joint]:
-        """The joints with the limits of the actuators that push them."""
+        """Return the joints with the limits of their actuators."""
         pushes: dict[str, list[_Push]] = {}
         slides = {joint.name for joint in self.joints if joint.kind == "prismatic"}
         for section in self.root.findall("actuator"):
@@ -408,7 +418,7 @@ class _Reader:
                 joint = given.get("joint", given.get("jointinparent"))
                 where = actuator(given)
                 if joint not in slides:
-                    self.left_out.append(f"{where}, which is no slide's")
+                    self.left_out.append(f"{where}, which does not drive a prismatic joint")
                 else:
                     pushes.setdefault(joint, []).append(self._push(given, where))
         return [
@@ -416,6 +426,7 @@ class _Reader:
         ]
 
     def _push(self, given: Attributes, where: str) -> _Push:
+        """Return the effect of an actuator on its joint."""
         forces = self._range(given, "forcerange", "forcelimited", where)
         if all(given.get(key, usual) == usual for key, usual in MOTOR.items()):
             controls = self._range(given, "ctrlrange", "ctrllimited", where)
@@ -429,7 +440,7 @@ class _Reader:
         return _Push(where, times(gear, forces), damping, armature)
 
     def _pushed(self, joint: Joint, pushes: list[_Push]) -> Joint:
-        """The joint with what all that push it do together, the force within its own limits."""
+        """Return the joint with the combined effect of its actuators, limited by its own force limits."""
         where, limits = self.forces.get(joint.name, ("", np.array(_ENDLESS)))
         if pushes:
             where = " and ".join(each.where for each in pushes)
@@ -444,13 +455,14 @@ class _Reader:
 
 
 def _in_inertial_frame(body: Body, axes: Array | None) -> tuple[Body, bool]:
-    """Move the frame of a body to its inertial frame; return True as well if MuJoCo takes the same axes.
+    """Move the frame of a body to its inertial frame; return True as well if the axes in MuJoCo are known.
 
-    axes: principal axes, (3, 3), in the body's frame, or None if MuJoCo computes them.
+    The argument ``axes`` contains the principal axes in the body frame, shape (3, 3), or is None if MuJoCo
+    computes them.
     """
     known = axes is not None
     if axes is None:
-        # MuJoCo has the largest moment first.
+        # MuJoCo sorts the moments in descending order.
         axes = np.linalg.eigh(body.inertia)[1][:, ::-1]
         moments = np.diag(body.inertia)
         if not (body.inertia - np.diag(moments)).any() and np.all(np.diff(moments) <= 0.0):
@@ -462,7 +474,7 @@ def _in_inertial_frame(body: Body, axes: Array | None) -> tuple[Body, bool]:
 
 
 def _least_turn(z: Array) -> Array:
-    """The smallest rotation of (0, 0, 1) into a direction, (3,); into (0, 0, -1) that about x."""
+    """Return the smallest rotation of (0, 0, 1) to a direction, shape (3,); for (0, 0, -1) it is about x."""
     across = np.array([-z[1], z[0], 0.0])
     sine = float(np.linalg.norm(across))
     axis = across / sine if sine > _STRAIGHT else np.array([1.0, 0.0, 0.0])
@@ -470,7 +482,7 @@ def _least_turn(z: Array) -> Array:
 
 
 def _has_joint(frame: ET.Element) -> bool:
-    """Whether a frame, or one in it, has a joint of the body that it is in."""
+    """Return True if a frame, or a frame in it, contains a joint."""
     return any(
         each.tag in ("joint", "freejoint") or (each.tag == "frame" and _has_joint(each)) for each in frame
     )

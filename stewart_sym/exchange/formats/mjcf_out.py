@@ -1,4 +1,4 @@
-"""A model as MJCF, MuJoCo's format: universal joints as two hinges, closures as ``connect`` constraints."""
+"""Export to MJCF (MuJoCo): universal joints as two hinges, loop closures as ``connect`` constraints."""
 
 import json
 import xml.etree.ElementTree as ET
@@ -10,16 +10,16 @@ from ..model import WORLD, Body, Joint, Model, Shape
 from .xml_text import added, document
 
 TIMESTEP = 0.0005
-"""Time step in the file, s: half of the time constant of its closures, as MuJoCo needs for stability."""
+"""Time step in the file (s): half the time constant of loop closures, for stability in MuJoCo."""
 _TIME_CONSTANT = 2.0 * TIMESTEP
 _STIFFEST = 0.9999
-"""The largest impedance of a constraint that MuJoCo takes."""
+"""Largest impedance of a constraint in MuJoCo."""
 _KINDS = {"prismatic": "slide", "revolute": "hinge", "universal": "hinge", "spherical": "ball"}
 _TENSOR = ([0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2])
 
 
 def written(model: Model) -> tuple[str, None]:
-    """The file."""
+    """Return the content of the file."""
     root = ET.Element("mujoco", model=model.name)
     added(root, "compiler", angle="radian", autolimits="true")
     added(root, "option", timestep=TIMESTEP, gravity=model.gravity, integrator="implicitfast")
@@ -44,7 +44,7 @@ def written(model: Model) -> tuple[str, None]:
 
 
 def _scenery(root: ET.Element) -> None:
-    """A light sky, and light from where one looks."""
+    """Add a light sky and a headlight."""
     visual = added(root, "visual")
     added(visual, "headlight", ambient="0.3 0.3 0.3", diffuse="0.5 0.5 0.5")
     sky = {"type": "skybox", "builtin": "gradient", "rgb1": "0.9 0.93 0.96", "rgb2": "0.6 0.67 0.75"}
@@ -52,7 +52,7 @@ def _scenery(root: ET.Element) -> None:
 
 
 def _defaults(root: ET.Element) -> None:
-    """Shapes touch what else is in a scene, but not each other; closures are as stiff as can be."""
+    """Set the defaults: shapes collide with other objects only, and loop closures are stiff."""
     default = added(root, "default")
     added(default, "geom", contype="1", conaffinity="0", density="0")
     stiff = [_STIFFEST, _STIFFEST, 0.001, 0.5, 2]
@@ -61,7 +61,7 @@ def _defaults(root: ET.Element) -> None:
 
 
 def _inside(parent: ET.Element, model: Model, body: Body) -> None:
-    """What a body holds: shapes, sites of closures, and the bodies that it carries."""
+    """Add the contents of a body: shapes, sites of loop closures, and the bodies that it carries."""
     for shape in body.shapes:
         _shape(parent, shape, [*body.color, 1.0])
     for joint in model.joints:
@@ -77,6 +77,7 @@ def _inside(parent: ET.Element, model: Model, body: Body) -> None:
 
 
 def _body(parent: ET.Element, model: Model, carrier: Body, body: Body, joint: Joint) -> None:
+    """Add a body with its joint and inertia."""
     turn = carrier.R.T @ body.R
     quaternion = None if np.array_equal(body.R, carrier.R) else quaternion_from_rotation(turn)
     element = added(parent, "body", name=body.name, pos=model.origin(joint), quat=quaternion)
@@ -86,6 +87,7 @@ def _body(parent: ET.Element, model: Model, carrier: Body, body: Body, joint: Jo
 
 
 def _joint(element: ET.Element, model: Model, joint: Joint) -> None:
+    """Add the elements of a joint."""
     if joint.kind == "free":
         added(element, "freejoint", name=joint.name)
         return
@@ -107,6 +109,7 @@ def _joint(element: ET.Element, model: Model, joint: Joint) -> None:
 
 
 def _shape(parent: ET.Element, shape: Shape, color: list[float]) -> None:
+    """Add a shape."""
     if shape.length:
         ends = np.concatenate([shape.start, shape.end])
         added(parent, "geom", type="cylinder", size=shape.radius, fromto=ends, rgba=color)

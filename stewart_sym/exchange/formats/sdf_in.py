@@ -1,4 +1,4 @@
-"""SDF, the format of Gazebo, as a model."""
+"""Import of SDF, the format of Gazebo."""
 
 import re
 import xml.etree.ElementTree as ET
@@ -36,12 +36,14 @@ _KINDS = {
 }
 _TRUE = ("true", "True", "TRUE", "1")
 _AXES_OF_MODEL, _NAMED_FRAMES = (1, 4), (1, 6)
-"""Last versions in which axes are in the frame of the model, and in which poses call what they are relative
-to ``frame`` and axes may have ``use_parent_model_frame``."""
+"""Last versions with axes in the frame of the model, and with the old names of frames.
+
+Up to the second version, poses have ``frame`` and axes may have ``use_parent_model_frame``.
+"""
 
 
 def model(root: ET.Element, loops: str | None = None) -> Model:
-    """The model; ValueError of one line says what of the file can't be read, and where."""
+    """Convert the elements of a file to a model; raise ValueError with a location on failure."""
     world = root.find("world")
     models = [*root.findall("model"), *root.findall("world/model")]
     for tag in ("include", "world/include"):
@@ -65,7 +67,7 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
 
 
 def _version(root: ET.Element) -> tuple[int, ...]:
-    """The version of the format, which says what frames poses and axes are in."""
+    """Return the version of the format, which determines the frames of poses and axes."""
     text = root.get("version", "")
     if not re.fullmatch(r"1\.\d{1,4}(\.\d+)*", text):
         got = shown(text) if text else "none"
@@ -74,16 +76,17 @@ def _version(root: ET.Element) -> tuple[int, ...]:
 
 
 def _notes(root: ET.Element, model: ET.Element) -> str | None:
-    """Text of the notes, by whichever prefix a file calls their namespace."""
+    """Return the text of the notes, for any prefix of their namespace."""
     names = [key.partition(":")[2] for each in root.iter() for key in each.attrib if each.get(key) == SPACE]
     found = (model.findtext(f"{name}:notes" if name else "notes") for name in names)
     return next((text for text in found if text is not None), None)
 
 
 class _Reader:
-    """Bodies and joints of one model."""
+    """Reader of the bodies and joints of one model."""
 
     def __init__(self, element: ET.Element, version: tuple[int, ...]) -> None:
+        """Read all bodies and joints."""
         for tag in ("model", "include"):
             for each in element.findall(tag):
                 got = shown(each.get("name") or each.findtext("uri", "").strip())
@@ -113,7 +116,7 @@ class _Reader:
         self.joints += [self._ball(each, i) for i, each in enumerate(element.findall(BALL), 1)]
 
     def _own(self, element: ET.Element, where: str) -> tuple[Array, Array]:
-        """Orientation and position that an element states."""
+        """Return orientation and position in the pose of an element."""
         pose = element.find("pose")
         if pose is None or not (pose.text or "").strip():
             return _still()
@@ -125,7 +128,7 @@ class _Reader:
         return (rotation_from_rpy(unit * values[3:]) if values[3:].any() else np.eye(3)), values[:3]
 
     def _pose(self, name: str, seen: tuple[str, ...] = ()) -> tuple[Array, Array]:
-        """Orientation and position of a link, joint or frame in the world."""
+        """Return orientation and position of a link, joint, or frame in the world frame."""
         if name in self.found:
             return self.found[name]
         if name not in self.named:
@@ -140,7 +143,7 @@ class _Reader:
         return R, t
 
     def _frame(self, element: ET.Element, where: str) -> str:
-        """The frame that the pose of an element names; empty where it names none."""
+        """Return the frame of the pose of an element, or an empty string without one."""
         pose = element.find("pose")
         if pose is None:
             return ""
@@ -151,6 +154,7 @@ class _Reader:
         return pose.get("relative_to") or pose.get("frame") or ""
 
     def _relative(self, element: ET.Element) -> str:
+        """Return the frame of the pose of an element, with the default for its type."""
         stated = self._frame(element, f"{element.tag} {element.get('name')!r}")
         if stated:
             return stated
@@ -159,6 +163,7 @@ class _Reader:
         return element.get("attached_to") or "__model__" if element.tag == "frame" else "__model__"
 
     def _body(self, link: ET.Element) -> Body:
+        """Create the body of a link."""
         name = link.attrib["name"]
         where, (R, t) = f"link {name!r}", self._pose(name)
         if (link.findtext("gravity") or "").strip() in ("false", "0"):
@@ -181,7 +186,7 @@ class _Reader:
         return Body(name, R, t, mass, center, turn @ inertia @ turn.T)
 
     def _assume(self, given: ET.Element, name: str, where: str) -> None:
-        """Note what an inertial does not state."""
+        """Record default values for missing values of an inertial."""
         missing = {"mass": "1 kg"} if _value(given, "mass") is None else {}
         missing |= {
             key: "1 kg m^2" for key in ("ixx", "iyy", "izz") if _value(given, f"inertia/{key}") is None
@@ -200,6 +205,7 @@ class _Reader:
             )
 
     def _joint(self, element: ET.Element) -> Joint:
+        """Create a joint."""
         name, kind, where = joint_of(element, _KINDS)
         ends = [_text(element, end) for end in ("parent", "child")]
         parent, child = (self._link(end, where) for end in ends)
@@ -214,7 +220,7 @@ class _Reader:
         return self._turning(found, axes, where)
 
     def _link(self, name: str, where: str) -> str:
-        """Find the link that a frame, as joints may name since SDF 1.7, is fixed to; the link of a link."""
+        """Return the link that a frame is fixed to, because joints may refer to frames since SDF 1.7."""
         seen = []
         while name not in self.placed:
             seen.append(name)
@@ -235,7 +241,7 @@ class _Reader:
         return name
 
     def _ball(self, element: ET.Element, number_: int) -> Joint:
-        """Read a closure as Drake has it, which has no name."""
+        """Read a ball constraint of Drake, which has no name."""
         where = f"{BALL} {number_}"
         bodies = [_value(element, f"{BALL}_body_{end}") or "" for end in "AB"]
         one, other = (self._link(name, where) for name in bodies)
@@ -248,7 +254,7 @@ class _Reader:
         )
 
     def _expressed_in(self, axis: ET.Element, where: str) -> str:
-        """The frame that an axis is in; empty where it is that of its joint."""
+        """Return the frame of an axis, or an empty string for the frame of its joint."""
         xyz, of_model = axis.find("xyz"), _value(axis, "use_parent_model_frame")
         if xyz is not None and xyz.get("expressed_in"):
             return xyz.get("expressed_in", "")
@@ -261,6 +267,7 @@ class _Reader:
         return "__model__" if _is_true(of_model) else ""
 
     def _turning(self, joint: Joint, axes: list[ET.Element | None], where: str) -> Joint:
+        """Return the joint with its axes, damping, and limits."""
         directions, damping = [], []
         limits, effort, speed = (-np.inf, np.inf), np.inf, np.inf
         for axis in axes:
@@ -303,14 +310,17 @@ def _value(element: ET.Element, path: str = ".") -> str | None:
 
 
 def _is_true(text: str | None) -> bool:
+    """Return True for a text that means true."""
     return (text or "").strip() in _TRUE
 
 
 def _still() -> tuple[Array, Array]:
+    """Return the identity pose."""
     return np.eye(3), np.zeros(3)
 
 
 def _text(element: ET.Element, tag: str) -> str:
+    """Return the text of a child element; raise ValueError if it is missing."""
     found = (element.findtext(tag) or "").strip()
     if not found:
         raise ValueError(f"joint {element.get('name')!r}: {tag}: missing")

@@ -1,6 +1,6 @@
-"""A model as SDF, the format of Gazebo and of Drake: a world with a model of links and joints.
+"""Export to SDF (Gazebo and Drake): a world with a model of links and joints.
 
-Gazebo closes loops by joints, which Drake rejects; Drake closes them by constraints of its own.
+Gazebo closes loops with joints, which Drake rejects; Drake has its own constraints for loop closures.
 """
 
 import json
@@ -14,12 +14,12 @@ from ..model import WORLD, Body, Joint, Model, Shape
 from .xml_text import NO_LIMIT, TENSOR, added, document
 
 SPACE = "urn:stewart-sym"
-"""XML namespace of what the format has no place for."""
+"""XML namespace of contents that the format cannot represent."""
 NOTES = "stewart_sym:notes"
 BALL = "drake:ball_constraint"
-"""Closure of a loop as Drake reads it, in SDF and URDF."""
+"""Element for a loop closure in Drake, in SDF and URDF."""
 DRAKE = "http://drake.mit.edu"
-"""XML namespace of elements for Drake alone."""
+"""XML namespace of elements for Drake only."""
 _KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "universal", "spherical": "ball"}
 _PLUGIN = {"filename": "gz-sim-apply-joint-force-system", "name": "gz::sim::systems::ApplyJointForce"}
 
@@ -35,6 +35,7 @@ def written_for_drake(model: Model) -> tuple[str, None]:
 
 
 def _document(model: Model, drake: bool) -> str:
+    """Return the content of the file."""
     root = ET.Element("sdf", {"version": "1.9", "xmlns:stewart_sym": SPACE})
     if drake:
         root.set("xmlns:drake", DRAKE)
@@ -75,12 +76,13 @@ def _ball(parent: ET.Element, joint: Joint) -> None:
 
 
 def _allowed(name: str) -> str:
-    """A name of a model: ``::`` and surrounding ``__`` have a meaning of their own there."""
+    """Return a valid name of a model, because ``::`` and surrounding ``__`` have a special meaning in SDF."""
     plain = name.replace("::", ":").strip("_")
     return plain or "machine"
 
 
 def _link(parent: ET.Element, body: Body) -> None:
+    """Add a link."""
     link = added(parent, "link", name=body.name)
     added(link, "pose", _pose(body.t, body.R))
     inertial = added(link, "inertial")
@@ -93,10 +95,12 @@ def _link(parent: ET.Element, body: Body) -> None:
 
 
 def _pose(place: Array, R: Array) -> Array:
+    """Return a pose as position and roll, pitch, yaw."""
     return np.concatenate([place, rpy_from_rotation(R)])
 
 
 def _joint(parent: ET.Element, model: Model, joint: Joint, drake: bool) -> None:
+    """Add a joint."""
     element = added(parent, "joint", name=joint.name, type=_KINDS[joint.kind])
     added(element, "parent", "base" if joint.parent == WORLD else joint.parent)
     added(element, "child", joint.child)
@@ -114,6 +118,7 @@ def _joint(parent: ET.Element, model: Model, joint: Joint, drake: bool) -> None:
 
 
 def _limits(axis: ET.Element, joint: Joint, drake: bool) -> None:
+    """Add the limits of an axis."""
     limit = added(axis, "limit")
     low, high = joint.travel(NO_LIMIT)
     added(limit, "lower", low)
@@ -121,13 +126,14 @@ def _limits(axis: ET.Element, joint: Joint, drake: bool) -> None:
     if np.isfinite(joint.effort):
         added(limit, "effort", joint.effort)
     elif drake and not joint.driven:
-        # Drake gives every other joint an actuator.
+        # Drake adds an actuator to every joint without this limit.
         added(limit, "effort", 0.0)
     if np.isfinite(joint.speed):
         added(limit, "velocity", joint.speed)
 
 
 def _shapes(link: ET.Element, body: Body) -> None:
+    """Add the visuals and collisions of a body."""
     color = [*body.color, 1.0]
     for number, shape in enumerate(body.shapes, 1):
         for tag in ("visual", "collision"):
@@ -141,6 +147,7 @@ def _shapes(link: ET.Element, body: Body) -> None:
 
 
 def _geometry(element: ET.Element, shape: Shape) -> None:
+    """Add the geometry of a shape."""
     geometry = added(element, "geometry")
     kind = added(geometry, "cylinder" if shape.length else "sphere")
     added(kind, "radius", shape.radius)

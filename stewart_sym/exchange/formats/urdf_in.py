@@ -1,4 +1,4 @@
-"""URDF, the format of ROS, and the file of its loops as a model."""
+"""Import of URDF, the format of ROS, and of its loops file."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
@@ -40,7 +40,7 @@ _CLOSURE_KEYS = ("name", "type", "link_1", "point_1_m", "link_2", "point_2_m", "
 
 
 def model(root: ET.Element, loops: str | None) -> Model:
-    """The model; ValueError of one line says what of the files can't be read, and where."""
+    """Convert the contents of both files to a model; raise ValueError with a location on failure."""
     apart = _apart_from_world(root)
     bodies, joints = _tree(root)
     balls = root.findall(BALL)
@@ -63,13 +63,13 @@ def model(root: ET.Element, loops: str | None) -> Model:
     notes = given.get("notes", {})
     left_out = tuple(_left_out(root))
     if loops is None:
-        left_out += ("what NAME.loops.json would state: friction of closures, armatures, and notes",)
+        left_out += ("contents of NAME.loops.json: friction of closures, armatures, and notes",)
     moving = (*joints, *closures)
     return Model(root.get("name", ""), gravity, tuple(bodies), moving, notes, left_out, armatures=True)
 
 
 def _apart_from_world(root: ET.Element) -> dict[str, str]:
-    """Give a link that is carried but called as the world is another name; the new name by the old."""
+    """Rename a carried link with the name of the world; return the new name by the old name."""
     children = root.findall("joint/child")
     ends = [*root.findall("joint/parent"), *children]
     if WORLD not in (child.get("link") for child in children):
@@ -85,6 +85,7 @@ def _apart_from_world(root: ET.Element) -> dict[str, str]:
 
 
 def _left_out(root: ET.Element) -> Iterator[str]:
+    """Yield contents of the file that a model cannot represent."""
     if root.find("gazebo") is not None:
         yield "section 'gazebo' of the file"
     for each in root.findall("joint"):
@@ -101,6 +102,7 @@ def _left_out(root: ET.Element) -> Iterator[str]:
 
 
 def _loops(text: str) -> dict[str, Any]:
+    """Check the tables of the loops file."""
     found = toml_reader.checked_table(json_table(text, "loops"), "loops: ", _FILE_KEYS)
     if not isinstance(found.get("closures", []), list):
         raise ValueError("loops: closures: expected a list")
@@ -110,6 +112,7 @@ def _loops(text: str) -> dict[str, Any]:
 
 
 def _closure(given: object, number_: int, names: set[str], apart: dict[str, str]) -> Joint:
+    """Read a loop closure from the loops file."""
     where = f"loops: closure {number_}: "
     table = toml_reader.checked_table(
         given, where, _CLOSURE_KEYS, ("link_1", "point_1_m", "link_2", "point_2_m")
@@ -132,7 +135,7 @@ def _closure(given: object, number_: int, names: set[str], apart: dict[str, str]
 
 
 def _ball(given: ET.Element, number_: int, names: set[str], apart: dict[str, str]) -> Joint:
-    """Read a closure as Drake has it, which has no name."""
+    """Read a ball constraint of Drake, which has no name."""
     where, ends, points = f"{BALL} {number_}", [], []
     for body, point in (("body_A", "p_AP"), ("body_B", "p_BQ")):
         found = {key: given.find(f"{BALL}_{key}") for key in (body, point)}
@@ -152,11 +155,11 @@ def _ball(given: ET.Element, number_: int, names: set[str], apart: dict[str, str
 
 
 def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
-    """Bodies, each after what carries it, and joints; the root is the world, beside itself by name."""
+    """Return bodies, each after its carrier, and joints; the root link is the world or fixed to it."""
     for each in root.iter():
         if each.tag.startswith("xacro:"):
             where = f"{each.tag}{at_line(each)}"
-            raise ValueError(f"{where}: expected URDF as xacro expands it, got what it has to expand")
+            raise ValueError(f"{where}: expected URDF expanded by xacro, got an unexpanded xacro element")
     links = {name_of(each, "robot"): each for each in root.findall("link")}
     carried: dict[str, ET.Element] = {}
     for each in root.findall("joint"):
@@ -196,7 +199,7 @@ def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
 
 
 def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) -> tuple[Body, Joint]:
-    """A link with the joint that carries it."""
+    """Return a link with the joint that carries it."""
     name, kind, where = joint_of(element, _KINDS)
     turn, place = _origin(element, where)
     R, t = after((parent.R, parent.t), turn, place)
@@ -222,6 +225,7 @@ def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) ->
 
 
 def _body(link: ET.Element, R: Array, t: Array) -> Body:
+    """Return the body of a link."""
     name = link.attrib["name"]
     given = link.find("inertial")
     if given is None:
@@ -235,6 +239,7 @@ def _body(link: ET.Element, R: Array, t: Array) -> Body:
 
 
 def _origin(element: ET.Element, where: str) -> tuple[Array, Array]:
+    """Return orientation, shape (3, 3), and position, shape (3,), of an element."""
     origin = element.find("origin")
     if origin is None:
         return np.eye(3), np.zeros(3)
@@ -244,5 +249,6 @@ def _origin(element: ET.Element, where: str) -> tuple[Array, Array]:
 
 
 def _end(joint: ET.Element, end: str) -> str:
+    """Return the name of the parent or child link of a joint."""
     found = joint.find(end)
     return "" if found is None else found.get("link", "")

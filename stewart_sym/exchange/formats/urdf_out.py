@@ -1,6 +1,6 @@
-"""A model as URDF, the format of ROS, with a file beside it for what that has no place for: its loops.
+"""Export to URDF (ROS), with a second file for contents that URDF cannot represent, such as loop closures.
 
-URDF has joints with one axis alone: a universal joint is two with a link without mass between them.
+URDF joints have one axis only: a universal joint becomes two joints with a massless link in between.
 """
 
 import xml.etree.ElementTree as ET
@@ -15,16 +15,16 @@ from .sdf_out import BALL, DRAKE
 from .xml_text import NO_LIMIT, TENSOR, added, document
 
 ROOT = "base"
-"""Link that is fixed to the world."""
+"""Name of the link that is fixed to the world."""
 GENERATOR = "stewart-sym export"
 _KINDS = {"prismatic": "prismatic", "revolute": "continuous", "free": "floating"}
 
 
 def written(model: Model) -> tuple[str, str]:
-    """The file and that of its loops."""
+    """Return the content of the model file and of the loops file."""
     tree = in_single_axes(model, ("universal", "spherical"), lambda joint, body: Body(""))
     root = ET.Element("robot", {"name": model.name, "xmlns:drake": DRAKE})
-    # By this name, simulators find that the base does not move.
+    # Simulators recognize a fixed base by this name.
     added(root, "link", name=WORLD)
     held = added(root, "joint", name="fixed_base", type="fixed")
     added(held, "parent", link=WORLD)
@@ -53,7 +53,7 @@ def _ball(root: ET.Element, joint: Joint) -> None:
 
 
 def _loops(model: Model) -> dict[str, Any]:
-    """What closes the loops, and what else the format has no place for."""
+    """Return loop closures and other contents that the format cannot represent."""
     closures = [
         {
             "name": joint.name,
@@ -77,6 +77,7 @@ def _loops(model: Model) -> dict[str, Any]:
 
 
 def _link(root: ET.Element, body: Body) -> None:
+    """Add a link."""
     link = added(root, "link", name=_name(body.name))
     if body.mass:
         inertial = added(link, "inertial")
@@ -97,6 +98,7 @@ def _link(root: ET.Element, body: Body) -> None:
 
 
 def _geometry(element: ET.Element, shape: Shape) -> None:
+    """Add the geometry of a shape."""
     geometry = added(element, "geometry")
     if shape.length:
         added(geometry, "cylinder", radius=shape.radius, length=shape.length)
@@ -105,6 +107,7 @@ def _geometry(element: ET.Element, shape: Shape) -> None:
 
 
 def _joint(root: ET.Element, model: Model, joint: Joint) -> None:
+    """Add a joint."""
     element = added(root, "joint", name=joint.name, type=_KINDS[joint.kind])
     added(element, "parent", link=_name(joint.parent))
     added(element, "child", link=_name(joint.child))
@@ -122,7 +125,7 @@ def _joint(root: ET.Element, model: Model, joint: Joint) -> None:
 
 
 def _transmission(root: ET.Element, joint: Joint) -> None:
-    """An actuator of force on a joint, as ROS's controllers look for it."""
+    """Add a force actuator to a joint, in the form that the controllers of ROS expect."""
     element = added(root, "transmission", name=f"{joint.name}_transmission")
     added(element, "type", "transmission_interface/SimpleTransmission")
     driven = added(element, "joint", name=joint.name)
@@ -132,4 +135,5 @@ def _transmission(root: ET.Element, joint: Joint) -> None:
 
 
 def _name(body: str) -> str:
+    """Return the name of the link of a body."""
     return ROOT if body == WORLD else body

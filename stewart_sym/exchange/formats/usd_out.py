@@ -1,7 +1,8 @@
-"""A model as USD in text, with the schemas of UsdPhysics, as Isaac Sim and Omniverse read it.
+"""Export to USD text with UsdPhysics schemas (Isaac Sim and Omniverse).
 
-UsdPhysics has no universal joint: it is two revolute ones with a small body between them. The articulation is
-a tree from the base through leg 1 to the platform; the closures of the other legs are joints outside of it.
+UsdPhysics has no universal joint: it becomes two revolute joints with a small body in between. The
+articulation is a tree from the base through leg 1 to the platform; the loop closures of the other legs are
+joints outside of the articulation.
 """
 
 import json
@@ -29,7 +30,7 @@ HEADER = f"""#usda 1.0
 """
 """First lines of every file."""
 _CROSS_MASS, _CROSS_INERTIA = 0.1, 1e-3
-"""Mass and inertia of the body between two axes, over the lower part's: its mass stays at rest."""
+"""Mass and inertia of the body between two axes, relative to the lower part; its mass remains at rest."""
 _KINDS = {
     "prismatic": "PhysicsPrismaticJoint",
     "revolute": "PhysicsRevoluteJoint",
@@ -40,7 +41,7 @@ _PER_DEGREE = np.pi / 180.0
 
 @dataclass(frozen=True)
 class _Prim:
-    """A prim: kind, name, schemas that it takes, attributes as lines, prims inside."""
+    """Prim with kind, name, applied schemas, attribute lines, and child prims."""
 
     kind: str
     name: str
@@ -50,6 +51,7 @@ class _Prim:
     about: tuple[str, ...] = ()
 
     def text(self, indent: int = 0) -> Iterator[str]:
+        """Yield the lines of the prim."""
         pad = "    " * indent
         yield f'{pad}def {self.kind} "{self.name}"'
         about = [*self.about]
@@ -67,7 +69,7 @@ class _Prim:
 
 
 def written(model: Model) -> tuple[str, None]:
-    """The file."""
+    """Return the content of the file."""
     tree = in_single_axes(model, ("universal",), _cross)
     name = json.dumps(model.name, ensure_ascii=False)
     root = _Prim("Xform", _ROOT, ("PhysicsArticulationRootAPI",), about=(f"doc = {name}",))
@@ -85,11 +87,13 @@ def written(model: Model) -> tuple[str, None]:
 
 
 def _cross(joint: Joint, body: Body) -> Body:
+    """Create the body between two axes."""
     moment = _CROSS_INERTIA * float(np.trace(body.inertia))
     return Body("", mass=_CROSS_MASS * body.mass, inertia=moment * np.eye(3))
 
 
 def _scene(model: Model) -> _Prim:
+    """Create the physics scene with gravity."""
     gravity = np.zeros(3) if model.gravity is None else model.gravity
     size = float(np.linalg.norm(gravity))
     direction = gravity / size if size else gravity
@@ -101,7 +105,7 @@ def _scene(model: Model) -> _Prim:
 
 
 def _parts() -> _Prim:
-    """Parts touch what else is in a scene, but not each other."""
+    """Create a collision group: parts collide only with other objects of a scene."""
     lines = [
         f"rel collection:colliders:includes = </{_ROOT}>",
         f"rel physics:filteredGroups = </{_ROOT}/parts>",
@@ -110,9 +114,10 @@ def _parts() -> _Prim:
 
 
 def _body(body: Body) -> _Prim:
+    """Create the prim of a body."""
     shapes = [_shape(shape, number, body.color) for number, shape in enumerate(body.shapes, 1)]
     if body.name == WORLD:
-        # Held by a joint, so that its mass is of no account; without one it would be found from the shapes.
+        # The mass of the fixed base has no effect, but without it the mass would be computed from the shapes.
         schemas, lines = ("PhysicsRigidBodyAPI", "PhysicsMassAPI"), ["float physics:mass = 1.0"]
         return _Prim("Xform", _BASE, schemas, lines, shapes)
     moments, axes = np.linalg.eigh(body.inertia)
@@ -128,6 +133,7 @@ def _body(body: Body) -> _Prim:
 
 
 def _shape(shape: Shape, number: int, color: tuple[float, ...]) -> _Prim:
+    """Create the prim of a shape."""
     lines = [
         f"double radius = {spelled(shape.radius)}",
         f"color3f[] primvars:displayColor = [{_tuple(color)}]",
@@ -140,6 +146,7 @@ def _shape(shape: Shape, number: int, color: tuple[float, ...]) -> _Prim:
 
 
 def _joint(model: Model, joint: Joint, loop: bool) -> _Prim:
+    """Create the prim of a joint."""
     parent, child = model.body(joint.parent), model.body(joint.child)
     place = child.placed(joint.point)
     frame = np.roll(frame_along(joint.axes[0]), 1, axis=-1) if len(joint.axes) else child.R
@@ -174,6 +181,7 @@ def _joint(model: Model, joint: Joint, loop: bool) -> _Prim:
 
 
 def _placed(place: Array, R: Array) -> list[str]:
+    """Return the attributes of a pose."""
     return [
         f"double3 xformOp:translate = {_tuple(place)}",
         f"quatd xformOp:orient = {_quaternion(R)}",
@@ -182,8 +190,10 @@ def _placed(place: Array, R: Array) -> list[str]:
 
 
 def _quaternion(R: Array) -> str:
+    """Return a rotation as a quaternion in USD text."""
     return _tuple(quaternion_from_rotation(R))
 
 
 def _tuple(values: Any) -> str:
+    """Return numbers as a tuple in USD text."""
     return f"({', '.join(spelled(value) for value in np.ravel(values))})"

@@ -1,4 +1,4 @@
-"""XML as elements: read without entities, external files or endless depth, and written with one header."""
+"""XML input without entities, external files, or deep nesting, and XML output with a fixed header."""
 
 import math
 import re
@@ -16,26 +16,29 @@ HEADER = "<?xml version='1.0' encoding='utf-8'?>\n<!-- Written by stewart-sym ex
 """First lines of every XML file that is written."""
 
 TENSOR = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
-"""Places of a symmetric tensor's numbers, by their names in SDF and URDF."""
+"""Indices of the elements of a symmetric tensor, by their names in SDF and URDF."""
 
 NO_LIMIT = 1e16
-"""A limit of this size in SDF and URDF, which need some, is none."""
+"""Value that represents no limit in SDF and URDF, which require limits."""
 _DEEPEST = 100
 _NAMED = re.compile(r"(\w+) '([^']+)'")
 _TAGS = {"body": "link", "link": "body"}
 
 
 class Located(ET.Element):
-    """An element that says in which line of its file it begins."""
+    """Element with the number of its first line in the file."""
 
     line = 0
 
 
 def parsed(text: str) -> ET.Element:
-    """The root of a document, of elements with their lines.
+    """Parse a document to elements with line numbers.
 
-    Raises ValueError for what is no XML, is nested too deeply or declares a document type: entities, which
-    can grow without bound or name other files, come from there alone.
+    Raises
+    ------
+    ValueError
+        If the text is not XML, is nested too deeply, or contains a document type declaration. Only document
+        types define entities, which can grow without bound or refer to other files.
     """
     if not text.strip():
         raise ValueError("expected XML, the file is empty")
@@ -73,7 +76,7 @@ def parsed(text: str) -> ET.Element:
 
 
 def line_named(text: str, root: ET.Element) -> int | None:
-    """Line of the element that a message names first, as in ``joint 'x'``; None where it names none."""
+    """Return the line of the first element named in a message, as in ``joint 'x'``, or None."""
     for kind, name in _NAMED.findall(text):
         found = [each for each in root.iter() if each.get("name") == name]
         exact = [each for each in found if each.tag in (kind, _TAGS.get(kind))]
@@ -83,13 +86,13 @@ def line_named(text: str, root: ET.Element) -> int | None:
 
 
 def document(root: ET.Element) -> str:
-    """Indented text of a document with a newline at its end."""
+    """Return the indented text of a document with a newline at its end."""
     ET.indent(root, " ")
     return HEADER + ET.tostring(root, encoding="unicode") + "\n"
 
 
 def added(parent: ET.Element, tag: str, text: object = None, /, **attributes: object) -> ET.Element:
-    """A new last element with a text and attributes; those that are None are left out."""
+    """Append an element with a text and attributes; attributes with the value None are omitted."""
     given = {name: spelled(each) for name, each in attributes.items() if each is not None}
     element = ET.SubElement(parent, tag, given)
     if text is not None:
@@ -98,14 +101,20 @@ def added(parent: ET.Element, tag: str, text: object = None, /, **attributes: ob
 
 
 def spelled(value: Any) -> str:
-    """A text, a number or numbers with all their digits."""
+    """Convert a text, a number, or numbers to text with all digits."""
     if isinstance(value, str):
         return value
     return " ".join(repr(float(number) + 0.0) for number in np.ravel(value))
 
 
 def numbers(text: str | None, count: int, where: str, default: Any = None, finite: bool = True) -> Array:
-    """Numbers of a text, (count,); ``default`` where there is none, ValueError without one."""
+    """Return the numbers in a text, shape (count,), or ``default`` if the text is None.
+
+    Raises
+    ------
+    ValueError
+        If the text does not contain ``count`` numbers, or is None without a default.
+    """
     if text is None and default is not None:
         return np.array(default, dtype=np.float64)
     expected = "a number" if count == 1 else f"{count} numbers"
@@ -124,7 +133,7 @@ def numbers(text: str | None, count: int, where: str, default: Any = None, finit
 def tensor(
     given: Callable[[str], str | None], where: str, default: tuple[float, float] | None = None
 ) -> Array:
-    """A symmetric tensor, (3, 3), of its numbers by name; ``default``: on the diagonal and beside it."""
+    """Return a symmetric tensor, (3, 3), from named elements; ``default`` is (diagonal, off-diagonal)."""
     found = np.zeros((3, 3))
     for key, (i, j) in TENSOR.items():
         missing = None if default is None else default[i != j]
@@ -133,12 +142,12 @@ def tensor(
 
 
 def number(text: str | None, where: str, default: float | None = None) -> float:
-    """One number, as ``numbers``."""
+    """Return one number like ``numbers``."""
     return float(numbers(text, 1, where, None if default is None else [default])[0])
 
 
 def joint_of(element: ET.Element, kinds: Collection[str]) -> tuple[str, str, str]:
-    """Name and type of a joint, and how errors call it; ValueError for a type that is none of ``kinds``."""
+    """Return name, type, and location of a joint; raise ValueError for types not in ``kinds``."""
     name, kind = element.attrib["name"], element.get("type", "")
     where = f"joint {name!r}"
     if kind not in kinds:
@@ -147,7 +156,7 @@ def joint_of(element: ET.Element, kinds: Collection[str]) -> tuple[str, str, str
 
 
 def interval(low: str | None, high: str | None, where: str) -> tuple[float, float]:
-    """Limits on both sides; infinite where there is none, as one of ``NO_LIMIT`` says."""
+    """Return lower and upper limits; infinite if missing or at least ``NO_LIMIT``."""
     found = [
         float(numbers(text, 1, f"{where}: {name}", default, finite=False)[0])
         for text, name, default in ((low, "lower", [-NO_LIMIT]), (high, "upper", [NO_LIMIT]))
@@ -157,19 +166,19 @@ def interval(low: str | None, high: str | None, where: str) -> tuple[float, floa
 
 
 def largest(text: str | None, where: str) -> float:
-    """A limit of a size; infinite where there is none: not stated, of ``NO_LIMIT``, 0 or negative."""
+    """Return a limit of a magnitude; infinite if missing, at least ``NO_LIMIT``, zero, or negative."""
     found = float(numbers(text, 1, where, [NO_LIMIT], finite=False)[0])
     return found if 0.0 < found < NO_LIMIT else math.inf
 
 
 def turn_limits(limits: Any, joint: str) -> list[str]:
-    """What is left out where the angle of a joint has limits, rad, (2,); those of a robot are of its legs."""
+    """Return a message about limits (rad), shape (2,), of a rotary joint; a robot has leg limits only."""
     low, high = limits
     return [f"limits {low:.4g} to {high:.4g} rad of {joint}"] if np.isfinite([low, high]).any() else []
 
 
 def no_limits(given: Mapping[str, str | None], joint: str) -> list[str]:
-    """What is left out where limits of a drive are 0, by their names: ``largest`` takes them for none."""
+    """Return messages about drive limits of 0, which ``largest`` treats as no limit."""
     return [
         f"limit {key} 0, taken as none, of {joint}"
         for key in ("effort", "velocity")
@@ -178,13 +187,13 @@ def no_limits(given: Mapping[str, str | None], joint: str) -> list[str]:
 
 
 def at_line(element: ET.Element) -> str:
-    """`` at line N``, of an element that a file has."""
+    """Return `` at line N`` for an element of a file."""
     line = getattr(element, "line", 0)
     return f" at line {line}" if line else ""
 
 
 def name_of(element: ET.Element, where: str) -> str:
-    """Attribute ``name``; ValueError without one."""
+    """Return the attribute ``name``; raise ValueError if it is missing."""
     found = element.get("name")
     if not found:
         raise ValueError(f"{where}: {element.tag}{at_line(element)}: expected a name, got none")

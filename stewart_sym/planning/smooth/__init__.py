@@ -1,1 +1,1 @@
-"""Smooth motions along a path: with a limit of jerk, and those of a given duration that take least energy."""
+"""Smooth motions along a path: with jerk limits, or with least energy or peak force in a given duration."""

@@ -1,4 +1,4 @@
-"""What is made least along a path, with derivatives by the spline of its rates: energy or a peak force."""
+"""Costs of a motion along a path, energy or peak force, with derivatives with respect to the rate spline."""
 
 from dataclasses import dataclass
 
@@ -11,16 +11,17 @@ from ..timing.motor_terms import MotorTerms
 from ..timing.path_terms import Terms
 from .rate_spline import WEIGHTS, in_cells
 
-# Share of the mean weight on a leg within which the kink of its torque, where efficiency changes, is rounded.
+# Relative load of a leg below which the kink of its torque at a change of the efficiency is smoothed.
 _ROUNDED = 1e-2
 
 
 @dataclass(frozen=True, eq=False)
 class EnergyCost:
-    """Electrical energy, J, as ``drive_effort`` states it: work at the motors' shafts, heat of the windings.
+    """Electrical energy (J) as in ``drive_effort``: work at the motor shafts plus heat of the windings.
 
-    With G = N times torque, counted along the motion: the integral of size(L_dot) G + heat G^2 over time. The
-    coefficients are those of the axial forces and of the rotors' part, so counted, by (x'', y, sqrt(y), 1).
+    The motor force G (motor torque times transmission ratio) is positive in the direction of motion. The
+    energy is the time integral of |L_dot| G + heat G^2. ``axial`` and ``rotor`` contain the coefficients of
+    the axial forces and rotor forces, with the same sign convention, for (x'', y, sqrt(y), 1).
     """
 
     axial: Array
@@ -35,7 +36,7 @@ class EnergyCost:
 
     @classmethod
     def of(cls, motors: MotorTerms) -> "EnergyCost":
-        """The cost by terms at the ends of all parts of cells; Stribeck's part is left out."""
+        """Create the cost from terms at the ends of all parts of cells, without the Stribeck force."""
         drive, side = motors.drive, np.sign(motors.rate)
         rotor = np.concatenate([motors.rotor, np.zeros_like(motors.rotor)])
         axial = side * (motors.force - rotor)
@@ -57,7 +58,7 @@ class EnergyCost:
         )
 
     def __call__(self, v: Array) -> tuple[float, Array, Array]:
-        """Energy and its first and second derivatives by y, y' and y'' at the samples; convex parts alone."""
+        """Compute the energy, its gradient, and a positive semidefinite Hessian by y, y', and y''."""
         y, y_1 = v[..., 0, None], v[..., 1, None]
         root = np.sqrt(y)
         a, b, d, e = self.axial
@@ -85,19 +86,25 @@ class EnergyCost:
         return value, by, twice
 
 
-# How much nearness to the usual motion counts, over the spread of the bound.
+# Weight of the distance to the usual motion, relative to the error of the smooth maximum.
 _USUAL = 1.0
 
 
 @dataclass(frozen=True, eq=False)
 class PeakCost:
-    """Largest force, N, as log(mean of exp(sharpness force)) / sharpness: the sharper, the nearer.
+    """Smooth approximation of the peak force (N): log(mean of exp(sharpness force)) / sharpness.
 
-    A little of the mean of y / usual + usual / y is added: of many motions with one peak it takes one near
-    to a usual motion, which stops nowhere.
+    The approximation improves with the sharpness. A small multiple of the mean of y / usual + usual / y
+    selects, among motions with the same peak, one close to a usual motion, which does not stop.
 
-    form: coefficients of the forces, N, by (x'', y, sqrt(y), 1), (4, cells, 5, 6). sharpness: 1/N. usual: y
-    of that motion, (cells, 5).
+    Attributes
+    ----------
+    form : ndarray, shape (4, cells, 5, 6)
+        Coefficients of the forces (N) for (x'', y, sqrt(y), 1).
+    sharpness : float
+        Sharpness (1/N).
+    usual : ndarray, shape (cells, 5)
+        Values y of the usual motion.
     """
 
     form: Array
@@ -106,15 +113,16 @@ class PeakCost:
 
     @classmethod
     def of(cls, terms: Terms, usual: Array, v: Array, sharpness: float) -> "PeakCost":
-        """The cost by terms at the ends of all parts of cells; usual, v: y and derivatives of two motions.
+        """Create the cost from terms at the ends of all parts of cells, and from two motions.
 
-        sharpness: over the peak of the second.
+        The motions are y with derivatives. ``usual`` is the usual motion; ``sharpness`` is relative to the
+        peak force of the motion ``v``.
         """
         form = np.stack([in_cells(x[:, :LEGS]) for x in (terms.a, terms.b, terms.d, terms.e)])
         return cls(form, sharpness / float(np.abs(_forces(form, v)).max()), usual[..., 0])
 
     def __call__(self, v: Array) -> tuple[float, Array, Array]:
-        """Cost and its first and second derivatives by y, y' and y'' at the samples; convex parts alone."""
+        """Compute the cost, its gradient, and a positive semidefinite Hessian by y, y', and y''."""
         a, b, d, _ = self.form
         y, F = v[..., 0, None], _forces(self.form, v)
         side, size, sharpness = np.sign(F), np.abs(F), self.sharpness
@@ -134,7 +142,7 @@ class PeakCost:
 
 
 def _forces(form: Array, v: Array) -> Array:
-    """Forces of the legs at the samples, N, (cells, 5, 6)."""
+    """Compute the leg forces at the samples (N), shape (cells, 5, 6)."""
     a, b, d, e = form
     y, y_1 = v[..., 0, None], v[..., 1, None]
     return np.asarray(0.5 * a * y_1 + b * y + d * np.sqrt(y) + e)

@@ -1,8 +1,9 @@
-"""The square y of a parameter's rate as a quadratic spline of the parameter x, on even cells from 0 to 1.
+"""Squared rate y of a parameter x as a quadratic spline on even cells from 0 to 1.
 
-Any two motions along a path differ by y alone: x'' = dy/dx / 2, and x''' = sqrt(y) d2y/dx2 / 2. That of least
-cost within limits is found by a primal-dual interior-point method that never leaves them. Costs and limits
-are sums over samples, so that the matrix of every step has three diagonals on either side.
+Two motions along a path differ by y only: x'' = dy/dx / 2, and x''' = sqrt(y) d2y/dx2 / 2. The motion of
+least cost within limits is computed by a primal-dual interior-point method whose iterates are always
+feasible. Costs and limits are sums over samples, so that the matrix of each step is banded with three upper
+diagonals.
 """
 
 from collections.abc import Callable
@@ -15,26 +16,26 @@ from ...io.extras import needed_for
 from ..timing.phase_plane import PhasePath
 
 PARTS = 4
-"""Parts of each cell: samples are at their ends, five in a cell."""
+"""Parts of each cell; the samples are at their ends, five in a cell."""
 SHARES = np.linspace(0.0, 1.0, PARTS + 1)
-"""Where the samples of a cell are, from 0 to 1."""
+"""Relative positions of the samples in a cell, 0 to 1."""
 WEIGHTS = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90.0
-"""Weights of a cell's samples in an integral over it, by Boole's rule."""
+"""Quadrature weights of the samples of a cell (Boole's rule)."""
 _ACTIVE = 3
 
 
 class RateSpline(NamedTuple):
-    """Splines with a number of cells: cells + 2 coefficients, three of them in each cell."""
+    """Splines with a number of cells; they have cells + 2 coefficients, three of them in each cell."""
 
     cells: int
 
     @property
     def edges(self) -> Array:
-        """Edges of the cells, (cells + 1,)."""
+        """Edges of the cells, shape (cells + 1,)."""
         return np.linspace(0.0, 1.0, self.cells + 1)
 
     def basis(self, shares: Array) -> Array:
-        """y, dy/dx and d2y/dx2 at shares of a cell by its three coefficients, (k, 3, 3)."""
+        """Compute y, dy/dx, and d2y/dx2 at positions in a cell from its three coefficients, (k, 3, 3)."""
         z, n = shares, float(self.cells)
         one = np.ones_like(z)
         value = np.stack([0.5 * (1.0 - z) ** 2, 0.5 + z - z * z, 0.5 * z * z], axis=-1)
@@ -42,12 +43,12 @@ class RateSpline(NamedTuple):
         return np.stack([value, rate, n * n * np.stack([one, -2.0 * one, one], axis=-1)], axis=1)
 
     def values(self, c: Array, shares: Array = SHARES) -> Array:
-        """y and its two derivatives at shares of every cell, (cells, k, 3)."""
+        """Compute y and its two derivatives at relative positions in every cell, shape (cells, k, 3)."""
         inside, basis = np.lib.stride_tricks.sliding_window_view(c, _ACTIVE), self.basis(shares)
         return np.asarray((inside @ basis.reshape(-1, _ACTIVE).T).reshape(self.cells, *basis.shape[:2]))
 
     def gradient(self, by_values: Array) -> Array:
-        """Derivative by the coefficients of one by values at the samples, (cells, 5, 3)."""
+        """Convert a gradient by values at the samples, shape (cells, 5, 3), to coefficients."""
         each = by_values.reshape(self.cells, -1) @ self.basis(SHARES).reshape(-1, _ACTIVE)
         found = np.zeros(self.cells + 2)
         for j in range(_ACTIVE):
@@ -55,7 +56,7 @@ class RateSpline(NamedTuple):
         return found
 
     def band(self, by_values: Array) -> Array:
-        """Second derivative by the coefficients of one by values, (cells, 5, 3, 3), as an upper band."""
+        """Convert a Hessian by values, shape (cells, 5, 3, 3), to coefficients, as an upper band."""
         basis = self.basis(SHARES)
         pairs = basis[:, :, None, :, None] * basis[:, None, :, None, :]
         each = by_values.reshape(self.cells, -1) @ pairs.reshape(-1, _ACTIVE**2)
@@ -67,7 +68,7 @@ class RateSpline(NamedTuple):
         return found
 
     def phase(self, c: Array) -> PhasePath:
-        """The path in the phase plane."""
+        """Return the path in the phase plane."""
         first, last = self.values(c, np.array([0.0, 1.0])).transpose(1, 0, 2)
         x = np.append(first[:, 0], last[-1, 0])
         free = np.full_like(x, np.inf)
@@ -75,38 +76,38 @@ class RateSpline(NamedTuple):
 
 
 def in_cells(nodes: Array) -> Array:
-    """Values at the ends of all parts, (4 cells + 1, ...), at the samples of each cell, (cells, 5, ...)."""
+    """Return values at the ends of all parts, (4 cells + 1, ...), by cells, shape (cells, 5, ...)."""
     starts = [nodes[part:-1:PARTS] for part in range(PARTS)]
     return np.stack([*starts, nodes[PARTS::PARTS]], axis=1)
 
 
-# The spline of least cost
+# Minimization of a cost
 
 _STEPS = 400
 _CENTRING = 0.15
 _KEPT = 0.99
 _SHORTEST = 1e-9
-# Of a step at least this share of what its slope promises is gained, but for rounding.
+# Smallest decrease of a step relative to its slope (Armijo condition), and tolerance for rounding errors.
 _FALL, _SAME = 1e-4, 1e-12
-# A fine for another duration over what one costs.
+# Penalty of an error of the duration, relative to its multiplier.
 _FINE = 1.5
-# Duality gap at which the search ends, over the cost.
+# Relative duality gap at which the search ends.
 GAP = 1e-7
 
 
 class Rooms(NamedTuple):
-    """r limits at the samples: k . (1, sqrt(y), 1 / sqrt(y), y, y', y'') >= 0, (cells, 5, r, 6)."""
+    """r limits at the samples: k . (1, sqrt(y), 1 / sqrt(y), y, y', y'') >= 0, shape (cells, 5, r, 6)."""
 
     k: Array
 
     def values(self, v: Array) -> Array:
-        """How far limits are, (cells, 5, r), at y and its derivatives, (cells, 5, 3)."""
+        """Compute the distances from the limits, (cells, 5, r), from y and its derivatives, (cells, 5, 3)."""
         root = np.sqrt(v[..., :1])
         terms = np.concatenate([np.ones_like(root), root, 1.0 / root, v], axis=-1)
         return np.asarray((self.k @ terms[..., None])[..., 0])
 
     def rates(self, v: Array) -> tuple[Array, Array]:
-        """Their derivatives, (cells, 5, r, 3), and the second ones by y, (cells, 5, r)."""
+        """Compute their derivatives, shape (cells, 5, r, 3), and second derivatives by y, (cells, 5, r)."""
         y = v[..., 0, None]
         found = self.k[..., 3:].copy()
         found[..., 0] += 0.5 * self.k[..., 1] * y**-0.5 - 0.5 * self.k[..., 2] * y**-1.5
@@ -114,11 +115,11 @@ class Rooms(NamedTuple):
 
 
 Cost = Callable[[Array], tuple[float, Array, Array]]
-"""y and its derivatives at the samples -> cost, derivatives (cells, 5, 3), second ones (cells, 5, 3, 3)."""
+"""Function: y and derivatives at the samples -> cost, gradient (cells, 5, 3), Hessian (cells, 5, 3, 3)."""
 
 
 def duration(spline: RateSpline, v: Array) -> tuple[float, Array, Array]:
-    """Time along a spline, as a ``Cost``."""
+    """Compute the duration of a motion as a ``Cost``."""
     weight = WEIGHTS / spline.cells
     by, twice = np.zeros_like(v), np.zeros((*v.shape, 3))
     by[..., 0] = -0.5 * weight * v[..., 0] ** -1.5
@@ -126,10 +127,10 @@ def duration(spline: RateSpline, v: Array) -> tuple[float, Array, Array]:
     return float(np.sum(weight * v[..., 0] ** -0.5)), by, twice
 
 
-# Ratios of steps may overflow, and costs of steps that are too long have no value: such steps are left out.
+# Too long steps cause overflows and undefined costs; the line search rejects them.
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")
 def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | None = None) -> Array:
-    """Coefficients of least cost from some that keep all limits; time: the duration, where it is given."""
+    """Minimize a cost from feasible coefficients; with ``time`` the duration is fixed."""
     with needed_for("a motion"):
         from scipy.linalg import solveh_banded
     v = spline.values(c)
@@ -165,7 +166,7 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
         moved = spline.values(step)
         change = mu / g - multiplier - multiplier / g * np.einsum("ikra,ika->ikr", slope, moved)
         share = _share(rooms, v, moved, g)
-        # Cost, barrier and a fine for another duration fall along the step.
+        # The merit function contains cost, barrier, and the penalty of an error of the duration.
         before, falls = merit(v, g, f), float(pull @ step) + fine * abs(late)
         while share > _SHORTEST:
             there = v + share * moved
@@ -175,7 +176,7 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
                 break
             share *= 0.5
         else:
-            # So near a limit its distance is rounding: nothing is gained any more.
+            # The distance from a limit has reached rounding errors, so no further progress is possible.
             break
         c, v = c + share * step, there
         falling = change < 0.0
@@ -190,7 +191,7 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
 
 
 def _share(rooms: Rooms, v: Array, moved: Array, g: Array) -> float:
-    """Largest share of a step that leaves a part of the distance from every limit."""
+    """Return the largest fraction of a step that preserves a part of the distance from every limit."""
     falling = moved[..., 0] < 0.0
     share = min(1.0, 0.9 * float(np.min(-v[..., 0][falling] / moved[..., 0][falling], initial=np.inf)))
     while share > _SHORTEST and np.any(rooms.values(v + share * moved) <= (1.0 - _KEPT) * g):

@@ -1,7 +1,7 @@
-"""Smooth motions along a path within limits: least time; least energy or peak force in a given time.
+"""Smooth motions along a path within limits: least time, or least energy or peak force in a given time.
 
-The path's parameter is eased, s = s(x), so that rest at the ends needs no rate 0 of x; y = x'^2 is a
-quadratic spline. Every limited quantity is then a sum of y, dy/dx, sqrt(y) and, for jerk, d2y/dx2.
+The path parameter is eased, s = s(x), so that rest at the ends does not require x' = 0; y = x'^2 is a
+quadratic spline. Every limited quantity is a sum of terms in y, dy/dx, sqrt(y), and, for jerk, d2y/dx2.
 """
 
 import functools
@@ -22,12 +22,12 @@ from .costs import PeakCost
 from .rate_spline import PARTS, Cost, RateSpline, Rooms, duration, in_cells, least
 
 Shown = Callable[[float], None]
-"""Called with the share of a search that is done."""
+"""Function that is called with the completed fraction of a search."""
 
 _ROUNDS = 12
 _MARGIN = 5e-5
 _MORE = 1.2
-# Largest share of a limit at the places between the samples that are checked.
+# Largest utilization of a limit at the checked positions between the samples.
 _AIM = 1.0 - 2e-5
 _BETWEEN = np.linspace(0.0, 1.0, 201)
 _TURNS = 3
@@ -35,16 +35,21 @@ _ROOM, _SLOWER = 0.9, 0.9
 _SLOWEST = 1e-6
 _STEP = 1e-5
 _NEARER = 0.01
-# Sharpness of the costs by which the least peak force is found, one after another.
+# Successive values of the sharpness in the minimization of the peak force.
 _SHARPER = (30.0, 100.0, 300.0, 1000.0)
 
 
 @dataclass(frozen=True, eq=False)
 class SmoothPath:
-    """Terms of an eased path at samples and between; jerk: limits of the legs', m/s^3, (6,), or infinite.
+    """Terms of an eased path at the samples and in between, and jerk limits of the legs (m/s^3), shape (6,).
 
-    legs: first to third derivatives of the lengths by x at samples, then between, (3, n, 6) each. places: s
-    between.
+    Attributes
+    ----------
+    legs : tuple of ndarray
+        First to third derivatives of the leg lengths by x at the samples and in between, shape (3, n, 6)
+        each.
+    places : ndarray, shape (n,)
+        Parameters s in between.
     """
 
     spline: RateSpline
@@ -60,7 +65,7 @@ class SmoothPath:
     def of(
         cls, source: Source, lengths: Callable[[Array], Array], ease: Ease, cells: int, jerk: Array
     ) -> "SmoothPath":
-        """A path by the source of its terms and ``lengths``, x -> derivatives of the legs' lengths by x."""
+        """Create the path from the source of its terms and from the function of its length rates."""
         spline = RateSpline(cells)
         nodes = np.linspace(0.0, 1.0, PARTS * cells + 1)
         fine = (spline.edges[:-1, None] + _BETWEEN / cells).ravel()
@@ -69,14 +74,14 @@ class SmoothPath:
         return cls(spline, nodes, ease, source(nodes), source(fine), each, jerk, places)
 
     def profile(self, c: Array) -> Profile:
-        """The motion of coefficients."""
+        """Return the motion of given coefficients."""
         return Profile.of(self.spline.phase(c), self.ease)
 
     @np.errstate(invalid="ignore")
     def used(self, c: Array) -> Array:
-        """Compute the used shares of the limits in every cell, (cells, m): of the terms, then of jerk.
+        """Compute the utilization of the limits in every cell, shape (cells, m), jerk last.
 
-        NaN if the spline is below 0 in a cell.
+        It is NaN if the spline is negative in a cell.
         """
         v = self.spline.values(c, _BETWEEN)
         parts = [self.between.used(v[..., 0], 0.5 * v[..., 1])]
@@ -86,7 +91,10 @@ class SmoothPath:
         return np.asarray(np.concatenate(parts, axis=-1).max(axis=1))
 
     def rooms(self, c: Array, margin: Array) -> Rooms:
-        """Limits at the samples, less a margin, (4 cells + 1, m), friction as at the rates of c."""
+        """Return the limits at the samples minus a margin, shape (4 cells + 1, m).
+
+        Friction is evaluated at the rates of c.
+        """
         v = self.spline.values(c)
         rate = np.sqrt(np.append(v[:, :-1, 0].ravel(), v[-1, -1, 0]))
         room, count = 1.0 - margin, self.at.quantities
@@ -111,7 +119,7 @@ class SmoothPath:
         return Rooms(in_cells(k))
 
     def fastest(self, shown: Shown) -> Array:
-        """Coefficients of least time."""
+        """Compute the coefficients of least time."""
         c = np.ones(self.spline.cells + 2)
         free = float(self._free().min())
         while c[0] > _SLOWEST and self.used(c).max() > 1.0 - (1.0 - _ROOM) * free:
@@ -119,7 +127,7 @@ class SmoothPath:
         return self._settled(c, functools.partial(duration, self.spline), None, shown)
 
     def _free(self) -> Array:
-        """Shares of the limits that holding the machine leaves for a motion in every cell, (cells, m)."""
+        """Return the remaining part of each limit after the static load in every cell, (cells, m)."""
         held = self.between.held()
         if np.isfinite(self.jerk).any():
             held = np.concatenate([held, np.zeros_like(self.legs[1][0])], axis=-1)
@@ -127,11 +135,11 @@ class SmoothPath:
         return np.asarray(np.maximum(1.0 - most, 0.0))
 
     def cheapest(self, cost: Cost, start: Array, time: float, shown: Shown) -> Array:
-        """Coefficients of least cost in a duration, from those of a faster motion."""
+        """Compute the coefficients of least cost in a duration, from a faster motion."""
         return self._settled(self._lasting(start, time), cost, time, shown)
 
     def gentlest(self, start: Array, time: float, shown: Shown) -> Array:
-        """Coefficients of least peak force in a duration, from those of a faster motion."""
+        """Compute the coefficients of least peak force in a duration, from a faster motion."""
         c = start = self._lasting(start, time)
         for turn, sharpness in enumerate(_SHARPER):
             cost = PeakCost.of(self.at, self.spline.values(start), self.spline.values(c), sharpness)
@@ -143,32 +151,32 @@ class SmoothPath:
         return c
 
     def _settled(self, c: Array, cost: Cost, time: float | None, shown: Shown) -> Array:
-        """Coefficients of least cost that keep all limits between the samples too."""
+        """Compute the coefficients of least cost that are also within the limits between the samples."""
         most = _ROOM * _beside(self._free(), np.minimum)
         margin = np.minimum(_MARGIN, most)
         turns, start = (1 if self.at.motors is None else _TURNS), c
         for turn in range(_ROUNDS):
             shown(turn / _ROUNDS)
             rooms = self.rooms(c, margin)
-            # The search begins far within the limits; for a given duration at a motion that takes as long.
+            # The search starts far within the limits; with a given duration, at a motion of this duration.
             begin = self._slowed(_ROOM * c if time is None else start, rooms)
             c = least(self.spline, begin, rooms, cost, time)
             excess = np.maximum(self.used(c) - _AIM, 0.0)
-            # Nearly at a stop the spline may be below 0 between the samples.
+            # The spline may be negative between the samples if the motion nearly stops.
             stops = time is not None and bool(np.isnan(excess).any())
             if stops or (turn >= turns and excess.max() <= 0.5 * (1.0 - _AIM)):
                 break
             if turn + 1 >= turns:
-                # Before, what is too much is of friction at the rates of another motion.
+                # In earlier rounds the excess is due to friction at the rates of another motion.
                 margin = np.minimum(margin + _MORE * _beside(excess, np.maximum), most)
         return c if time is None else self._between(start, c, time)
 
     def _lasting(self, c: Array, time: float) -> Array:
-        """Coefficients of the same motion, slower or faster, that takes a time."""
+        """Scale the coefficients of a motion to a duration."""
         return np.asarray(c * (duration(self.spline, self.spline.values(c))[0] / time) ** 2)
 
     def _between(self, start: Array, c: Array, time: float) -> Array:
-        """Coefficients as near to c as limits allow, toward those of a motion far within them."""
+        """Return the blend closest to c, toward a motion far within the limits, that satisfies the limits."""
         share = 0.0
         while share < 1.0:
             found = self._lasting((1.0 - share) * c + share * start, time)
@@ -178,7 +186,7 @@ class SmoothPath:
         return start
 
     def _slowed(self, c: Array, rooms: Rooms) -> Array:
-        """Coefficients, slowed until all limits are kept."""
+        """Scale the coefficients down until all limits are satisfied."""
         share = 1.0
         while share > _SLOWEST:
             if rooms.values(self.spline.values(share * c)).min() > 0.0:
@@ -189,20 +197,20 @@ class SmoothPath:
         names = (*self.at.all_names, *(f"jerk of leg {leg + 1}" for leg in range(LEGS)))
         where = self.places[cell * len(_BETWEEN)]
         raise ValueError(
-            f"limits: expected limits that some slow and smooth motion keeps, none was found: {names[k]} is "
+            f"limits: no slow and smooth motion within the limits was found: {names[k]} is "
             f"{used[cell, k]:.4g} times its limit near s = {where:.6g} of the path"
         )
 
 
 def _beside(cells: Array, of_two: np.ufunc) -> Array:
-    """Values of cells, (cells, m), at the samples, (4 cells + 1, m): at an edge that of both sides."""
+    """Expand values of cells, (cells, m), to the samples, (4 cells + 1, m), combining both sides of edges."""
     found = np.concatenate([np.repeat(cells, PARTS, axis=0), cells[-1:]])
     found[PARTS:-1:PARTS] = of_two(cells[:-1], cells[1:])
     return found
 
 
 def _bounded(k: Array, limit: Array) -> Array:
-    """Rows over their limits, without those that no limit bounds anywhere; one that does not bound is 1."""
+    """Divide rows by their limits, and remove quantities without a limit; single unbounded rows become 1."""
     kept = np.isfinite(limit).any(axis=0)
     k, limit = k[:, kept], limit[:, kept]
     none = ~np.isfinite(limit)
@@ -212,7 +220,7 @@ def _bounded(k: Array, limit: Array) -> Array:
 
 
 def eased(path: Path, ease: Ease) -> Path:
-    """The path by the parameter of an ease."""
+    """Return the path as a function of the eased parameter."""
 
     def by_x(x: Array) -> Motion:
         s, rate, second = ease(x, np.ones_like(x), np.zeros_like(x))
@@ -222,11 +230,11 @@ def eased(path: Path, ease: Ease) -> Path:
 
 
 def length_rates(robot: Robot, path: Path, x: Array) -> Array:
-    """First to third derivatives of the legs' lengths by the parameter of an eased path, (3, n, 6)."""
+    """Compute first to third derivatives of the leg lengths by the eased parameter, shape (3, n, 6)."""
 
     middle = np.clip(x, _STEP, 1.0 - _STEP)
     before, at, after = (leg_accelerations(robot, path(middle + step)) for step in (-_STEP, 0.0, _STEP))
-    # Through three points: at the ends the derivative there, elsewhere at the middle one.
+    # Parabola through three points: one-sided derivatives at the ends, central ones elsewhere.
     bend = ((x - middle) / _STEP**2)[:, None] * (after - 2.0 * at + before)
     legs = inverse_kinematics(robot, path(x))
     assert legs.L_ddot is not None
@@ -234,7 +242,7 @@ def length_rates(robot: Robot, path: Path, x: Array) -> Array:
 
 
 def _jerk(legs: Array, v: Array) -> Array:
-    """Third derivatives of the lengths by time, m/s^3, (n, 6)."""
+    """Compute the third derivatives of the leg lengths by time (m/s^3), shape (n, 6)."""
     y, y_1, y_2 = v.T[..., None]
     L_1, L_2, L_3 = legs
     return np.asarray(np.sqrt(y) * (L_3 * y + 1.5 * L_2 * y_1 + 0.5 * L_1 * y_2))

@@ -1,1 +1,1 @@
-"""How fast a path may be traveled: what it takes of a machine, and the phase plane of its parameter."""
+"""Path parameterization: limited quantities along a path, and the phase plane of the path parameter."""

@@ -1,4 +1,4 @@
-"""The grid of a path: its terms, and by how much limits are tightened so that they hold between the nodes."""
+"""Grid of a path: its terms, and margins of the limits that prevent violations between the nodes."""
 
 import functools
 from collections.abc import Callable
@@ -12,36 +12,40 @@ from .path_terms import Terms
 from .phase_plane import Bounds, Profile, bounds_of, fastest
 
 Source = Callable[[Array], Terms]
-"""Parameters s, (n,) -> terms there."""
+"""Function: parameters s, shape (n,) -> terms at these parameters."""
 
-# Share by which all limits are tightened from the start, so that neither rounding nor a kink exceeds one.
+# Relative initial margin of all limits, which covers rounding errors and kinks.
 _MARGIN = 1e-5
 AIM = 1.0 - 4e-6
-"""Largest share of a limit at the places of a cell that are checked: between them a little more is used."""
+"""Largest utilization at the checked samples of a cell; slightly larger values may occur in between."""
 IDLE = 1e-3
-"""A limit is active from this share below it on."""
-# Places of a cell that are checked: denser toward the ends, where friction grows as the root of the way.
+"""Relative distance from a limit up to which the limit is active."""
+# Checked samples of a cell, denser near its ends, where friction is a square root of the distance.
 _SHARES = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25))
 _PARTS = 4
-# Limits are tightened by this times the excess, so that few rounds suffice.
+# Factor of the excess by which limits are tightened, so that few rounds suffice.
 _MORE = 1.25
 _SECANTS = 5
-# Of what holding the machine leaves, limits are tightened by no more than this share.
+# Largest margin of a limit, relative to the part that remains after the static load.
 _FREE = 0.9
-# Where a limit is exceeded by more than this share between nodes, tightening alone does not help.
+# Relative excess between nodes from which a cell is divided instead of tightening the limits.
 _ROUGH = 5e-4
-# Nodes are at least this share of a cell apart.
+# Smallest distance of nodes, relative to a cell.
 _APART = 0.05
-# Bounds that depend on the motion are updated at most so often, until rates change by no more than a share.
+# Largest number of updates of bounds that depend on the motion, and the relative change that ends them.
 TURNS = 12
 _SAME = 1e-3
 
 
 class Grid(NamedTuple):
-    """Nodes s, (n,), terms there, and shares by which limits are tightened, (n, m), those of speed last.
+    """Nodes s, shape (n,), terms at the nodes, and relative margins of the limits, shape (n, m), speed last.
 
-    rate, second: s' and s'' of the motion found last, (n,), 0 before; friction and limits of power are taken
-    from these. between: terms at the places of every cell that are checked.
+    Attributes
+    ----------
+    between : callable
+        Function that returns the terms at the checked samples of every cell.
+    rate, second : ndarray, shape (n,)
+        s' and s'' of the previous motion, 0 at first. Friction and power limits are linearized there.
     """
 
     source: Source
@@ -54,9 +58,9 @@ class Grid(NamedTuple):
 
     @classmethod
     def of(cls, source: Source, s: Array) -> "Grid":
-        """A grid of nodes s and of those between them at which s'' has no effect on a quantity."""
+        """Create a grid of nodes s and of the zeros of the coefficients of s'' in between."""
         zeros = np.sort(_zeros(source, s))
-        # A node so near another that rounding shows in the step between them is left out.
+        # Nodes very close to another node are omitted, because rounding errors dominate such steps.
         zeros = zeros[np.diff(zeros, prepend=-np.inf) > _APART * (s[1] - s[0])]
         near = np.abs(s[:, None] - zeros).min(axis=1, initial=np.inf) <= _APART * (s[1] - s[0])
         near[[0, -1]] = False
@@ -64,7 +68,7 @@ class Grid(NamedTuple):
 
     @classmethod
     def at(cls, source: Source, s: Array) -> "Grid":
-        """A grid of just these nodes."""
+        """Create a grid of given nodes."""
         terms = source(s)
         none = np.zeros(len(s))
         margin = np.full((len(s), terms.quantities), _MARGIN)
@@ -73,12 +77,12 @@ class Grid(NamedTuple):
         return cls(source, s, terms, between, margin, none, none)
 
     def after(self, profile: Profile, share: float = 1.0) -> "Grid":
-        """The grid with the rates of a motion along the path, times a share."""
+        """Return the grid with the rates of a motion along the path, multiplied by a factor."""
         square, second = (np.interp(self.s, profile.phase.s, x) for x in (profile.phase.x, profile.second))
         return self._replace(rate=share * np.sqrt(square), second=share**2 * second)
 
     def fastest(self, turns: int = TURNS) -> tuple["Grid", Profile]:
-        """The fastest motion, in turns where bounds depend on its rates, and the grid with these."""
+        """Compute the fastest motion and the new grid, with updates of rate-dependent bounds."""
         grid, motors = self, self.terms.motors
         for _ in range(turns):
             profile = Profile.of(fastest(grid.s, grid.bounds()))
@@ -86,7 +90,7 @@ class Grid(NamedTuple):
                 break
             rate = np.sqrt(profile.phase.x)
             done = np.abs(rate - grid.rate).max() <= _SAME * rate.max()
-            # A limit of power has tangents from rates at which it is kept.
+            # The tangent of a power limit requires rates within the limit.
             share = 1.0 if grid.rate.any() else motors.share_within_power(profile.phase.x, profile.second)
             grid = grid.after(profile, share)
             if done:
@@ -94,7 +98,7 @@ class Grid(NamedTuple):
         return grid, profile
 
     def bounds(self) -> Bounds:
-        """What the tightened limits allow at the nodes."""
+        """Compute the bounds at the nodes from the tightened limits."""
         before, after = beside(self.terms.signs)
         twice = np.flatnonzero((before != after).any(axis=-1))
         index = np.append(np.arange(len(self.s)), twice)
@@ -104,7 +108,7 @@ class Grid(NamedTuple):
         return bounds_of(rows, terms.caps * room[:, -1] ** 2, twice)
 
     def divided(self, used: Array) -> "Grid":
-        """Cells in which a limit is exceeded, or none is active, in parts."""
+        """Divide the cells in which a limit is exceeded or no limit is active."""
         most = used.max(axis=-1)
         chosen = (most.max(axis=-1) > 1.0 + _ROUGH) | (most.min(axis=-1) < 1.0 - IDLE)
         inner = np.linspace(0.0, 1.0, _PARTS + 1)[1:-1]
@@ -112,7 +116,7 @@ class Grid(NamedTuple):
         return Grid.at(self.source, np.union1d(self.s, start + step * inner))
 
     def tightened(self, used: Array, turn: int) -> "Grid":
-        """Limits lower by what was exceeded beside each node, by more from turn to turn, from 1."""
+        """Reduce the limits by the excess next to each node, more in each round ``turn``, from 1."""
         excess = np.maximum(used.max(axis=1) - AIM, 0.0)
         none = np.zeros((1, excess.shape[1]))
         beside = np.maximum(np.concatenate([excess, none]), np.concatenate([none, excess]))
@@ -120,13 +124,13 @@ class Grid(NamedTuple):
         return self._replace(margin=np.minimum(self.margin + _MORE**turn * beside, most))
 
     def used(self, profile: Profile) -> Array:
-        """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""
+        """Compute the utilization of the limits in every cell, shape (cells, samples, m), speed last."""
         _, square, second = profile.inside(_SHARES)
         return self.between().used(square, second)
 
 
 def _zeros(source: Source, s: Array) -> Array:
-    """Where the effect of s'' on a quantity or the rate of a leg with friction passes zero."""
+    """Find the zeros of the coefficients of s'' and of the rates of legs with friction."""
     a = source(s).crossings
     cell, row = np.nonzero(a[:-1] * a[1:] < 0.0)
     low, high = s[cell], s[cell + 1]

@@ -1,15 +1,17 @@
-"""What a path takes of the motors, as rows that are linear in s'': torque, current and power within limits.
+"""Motor limits along a path (torque, current, and power) as bounds that are linear in s''.
 
-N times a motor's torque is rotor + F_t + friction, F_t = F - rotor what passes through the screw. Efficiency
-makes that the larger of two branches, and size(L_dot) over L_dot times it
+The motor force (motor torque times transmission ratio) is rotor + F_t + friction. F_t = F - rotor is the
+force through the screw. Because of the efficiency, the motor force in the direction of motion, that is times
+L_dot / |L_dot|, is the larger one of two branches
 
-    G = max(G_p, G_q),    slopes p = 1 / eta where the motor drives the leg, q = eta' where the leg drives it.
+    G = max(G_p, G_q),    slopes p = 1 / eta (motor drives the leg), q = eta' (leg drives the motor).
 
-Each branch is linear in s'', s'^2 and s' but for the smoothed sign, Stribeck's part and the limit of torque
-that a limit of power is, P / L_dot. The first two are taken at the rates of the motion found last, the third
-as its tangent there, which is never above it. G <= limit is G_p <= limit and G_q <= limit; G >= -limit is
-G_p >= -limit or G_q >= -limit, two forms of one row. Where the rate of a leg passes zero the sign of dL/ds is
-that of either side, whatever the time: the bounds before it and after it are two.
+Each branch is linear in s'', s'^2, and s', except for the smoothed sign, the Stribeck force, and the torque
+limit P / |L_dot| of a power limit. The first two are evaluated at the rates of the previous motion. The third
+is replaced by its tangent there, which is never above it. The bound G <= limit is G_p <= limit and
+G_q <= limit. The bound G >= -limit is G_p >= -limit or G_q >= -limit, two forms of one row. At a zero of the
+rate of a leg the sign of dL/ds differs on both sides at any speed, so there are separate bounds before and
+after it.
 """
 
 from collections.abc import Sequence
@@ -32,15 +34,16 @@ from ...motion.motion import Motion
 from ...robot.drive import Drive
 from ...robot.robot import LEGS, Robot
 
-# A leg whose rate is less than this share of its largest along the path may move either way.
+# Relative rate below which a leg may move in either direction.
 _STILL = 1e-9
 _SLOWER, _SLOWEST = 0.85, 1e-3
 
 
 class Rows(NamedTuple):
-    """low <= a s'' + b s'^2 + d s' + e <= high at n parameters, in one of two forms.
+    """Bounds low <= a s'' + b s'^2 + d s' + e <= high at n parameters, in one of two forms.
 
-    a, b, d, e: (n, r, 2), low, high: (n, r). The forms differ where just low bounds.
+    The arrays a, b, d, and e have shape (n, r, 2), low and high have shape (n, r). The forms differ only in
+    rows without an upper bound.
     """
 
     a: Array
@@ -52,27 +55,37 @@ class Rows(NamedTuple):
 
     @classmethod
     def of_one_form(cls, parts: Sequence[Array], low: Array, high: Array) -> "Rows":
-        """Rows whose forms are the same; parts: a, b, d, e, (n, r) each."""
+        """Create rows with equal forms from the parts a, b, d, e, shape (n, r) each."""
         a, b, d, e = (np.stack([part, part], axis=-1) for part in parts)
         return cls(a, b, d, e, low, high)
 
     @classmethod
     def together(cls, parts: Sequence["Rows"]) -> "Rows":
-        """All rows of several."""
+        """Concatenate rows."""
         return cls(*(np.concatenate(each, axis=1) for each in zip(*parts, strict=True)))
 
     def form_at(self, square: Array, second: Array) -> tuple[Array, ...]:
-        """a, b, d, e, (n, r), of the form that is larger at s'^2 and s'', (n,)."""
+        """Return a, b, d, e, shape (n, r), of the larger form at s'^2 and s'', shape (n,)."""
         x, u = square[:, None, None], second[:, None, None]
         larger = np.argmax(self.a * u + self.b * x + self.d * np.sqrt(x) + self.e, axis=-1)[..., None]
         return tuple(np.take_along_axis(part, larger, axis=-1)[..., 0] for part in self[:4])
 
 
 class MotorTerms(NamedTuple):
-    """Coefficients at n parameters.
+    """Coefficients of the motors at n parameters.
 
-    force: a, b, d, e of the leg forces, (4, n, 6). rotor: a, b of what turns the rotors, (2, n, 6).
-    rate: L_dot by s, (n, 6). effort: limits of N times torque, N, power: W, (6,) each.
+    Attributes
+    ----------
+    drive : Drive
+        Drive of the robot.
+    force : ndarray, shape (4, n, 6)
+        Coefficients a, b, d, e of the leg forces.
+    rotor : ndarray, shape (2, n, 6)
+        Coefficients a, b of the rotor forces.
+    rate : ndarray, shape (n, 6)
+        Derivatives of the leg lengths by s.
+    effort, power : ndarray, shape (6,)
+        Limits of the motor force (N) and of the power (W).
     """
 
     drive: Drive
@@ -84,20 +97,20 @@ class MotorTerms(NamedTuple):
 
     @classmethod
     def of(cls, robot: Robot, by_parameter: Motion, force: Array, rate: Array) -> "MotorTerms":
-        """Terms of a motion by parameter; without a drive the motor's torque is the force of its leg."""
+        """Create the terms of a motion by parameter; without a drive the motor force is the leg force."""
         drive = Drive(lead=np.array(2.0 * np.pi)) if robot.drive is None else robot.drive
         by_current = np.where(drive.torque_constant > 0.0, drive.torque_constant, 1.0) * drive.current_limit
         effort = np.abs(drive.transmission_ratio) * np.minimum(drive.torque_limit, by_current)
         return cls(drive, force, rotor_terms(robot, by_parameter), rate, effort, drive.power_limit)
 
     def at(self, index: Indices) -> "MotorTerms":
-        """The terms at some of the parameters."""
+        """Return the terms at some of the parameters."""
         parts = {name: getattr(self, name)[:, index] for name in ("force", "rotor")}
         return self._replace(**parts, rate=self.rate[index])
 
     @property
     def limited(self) -> bool:
-        """Whether any motor has a limit beside its speed."""
+        """True if a motor has a limit other than speed."""
         return bool(np.isfinite(self.effort).any() or np.isfinite(self.power).any())
 
     @property
@@ -109,23 +122,23 @@ class MotorTerms(NamedTuple):
 
     @property
     def signs(self) -> Array:
-        """Signs of the rates of the legs, (n, 6), 0 of one that moves neither way."""
+        """Signs of the leg rates, shape (n, 6); 0 for legs that may move in either direction."""
         return np.where(np.abs(self.rate) <= _STILL * np.abs(self.rate).max(), 0.0, np.sign(self.rate))
 
     @property
     def crossings(self) -> Array:
-        """What changes the rows where it passes zero, (n, k)."""
+        """Quantities whose zeros change the rows, shape (n, k)."""
         if not losses(self.drive):
             return np.asarray(self.force[0])
         slopes = [self.rotor[0] + x * (self.force[0] - self.rotor[0]) for x in self._slopes(np.array(1.0))]
         return np.concatenate([self.rate, *slopes], axis=-1)
 
     def used(self, square: Array, second: Array) -> Array:
-        """Compute the shares of the limits of torque or current and of power at places of cells, (c, k, 12).
+        """Compute the utilization of torque or current and of power at samples of cells, shape (c, k, 12).
 
-        square, second: s'^2 and s'', (c, k), from one end of each cell to the other. Both ends belong to the
-        cell: friction has the sign that it has inside. A place includes the points between it and the next
-        one at which the efficiency changes or a leg turns back.
+        The arrays ``square`` and ``second`` are s'^2 and s'', shape (c, k), from one end of each cell to the
+        other. Both ends belong to the cell: friction has the same sign as inside. A sample includes the
+        points up to the next sample at which the efficiency changes or a leg reverses.
         """
         x, u = square[..., None], second[..., None]
         (a, b, d, e), (r_a, r_b), rate = (
@@ -151,7 +164,7 @@ class MotorTerms(NamedTuple):
         return np.concatenate([torque / self.effort, power / self.power], axis=-1)
 
     def share_within_power(self, x: Array, second: Array) -> float:
-        """A factor on s' at the nodes with which the limits of power are kept; x: s'^2."""
+        """Return a factor on s' at the nodes that satisfies the power limits; ``x`` is s'^2."""
         share = 1.0
         while (
             share > _SLOWEST
@@ -161,7 +174,7 @@ class MotorTerms(NamedTuple):
         return share
 
     def at_rest(self) -> Array:
-        """Shares of the limits of torque that are used where the motion is very slow, (n, 12)."""
+        """Compute the utilization of the torque limits in very slow motion, shape (n, 12)."""
         F = self.force[3]
         sign = np.sign(self.rate)
         p, q = self._slopes(np.array(1.0))
@@ -170,9 +183,16 @@ class MotorTerms(NamedTuple):
         return np.concatenate([effort / self.effort, np.zeros_like(effort)], axis=-1)
 
     def rows(self, rate: Array, second: Array, room: Array, signs: Array) -> Rows:
-        """Rows at s' and s'' of the motion found last, (n,), all 0 where there is none.
+        """Return the rows, linearized at s' and s'' of the previous motion, shape (n,), or 0 without one.
 
-        room: by which limits are multiplied, (n, 12). signs: of the rates of the legs, (n, 6); 0: either.
+        Parameters
+        ----------
+        rate, second : ndarray, shape (n,)
+            s' and s'' of the previous motion.
+        room : ndarray, shape (n, 12)
+            Factors of the limits.
+        signs : ndarray, shape (n, 6)
+            Signs of the leg rates; 0 for legs that may move in either direction.
         """
         side, size, still, dry, damping = self._friction(rate, signs)
         effort, power = self.effort * room[:, :LEGS], self.power * room[:, LEGS:]
@@ -180,8 +200,8 @@ class MotorTerms(NamedTuple):
         branches = [self._branch(each, side, damping, dry * ~still) for each in self._slopes(size)]
         kink = self._kink(rate[:, None], side, dry, damping)
         below = kink < -np.minimum(effort, most - slope * rate[:, None])
-        # Where both branches rise from the kink, what is below the limit there parts two ways, of which that
-        # of the last motion is taken.
+        # If both branches rise from the kink, a limit above the kink separates two feasible intervals of s'';
+        # the interval of the previous motion is used.
         opposite = branches[0][0] * branches[1][0] < 0.0
         p, q = (
             a * second[:, None] + b * rate[:, None] ** 2 + d * rate[:, None] + e for a, b, d, e in branches
@@ -191,7 +211,7 @@ class MotorTerms(NamedTuple):
         )
         upper = branches if self._lossy else branches[1:]
         free = opposite & ~(below & rate.any())
-        # Friction of a leg that may move either way acts against both.
+        # The friction of a leg that may move in either direction reduces both limits.
         effort = np.where(still, effort - dry, effort)
         rising = np.array([0.0, 0.0, 1.0, 0.0])[:, None, None] * slope
         torque = _rows(upper, lower, effort, free)
@@ -200,21 +220,21 @@ class MotorTerms(NamedTuple):
 
     @property
     def _lossy(self) -> bool:
-        """Whether the branches differ."""
+        """True if the branches differ."""
         return bool(np.any(self.drive.efficiency != 1.0) or np.any(self.drive.backdrive_efficiency != 1.0))
 
     def _slopes(self, size: Array) -> tuple[Array, Array]:
-        """p and q at sizes of the smoothed sign."""
+        """Return p and q for magnitudes of the smoothed sign."""
         one = np.ones(LEGS)
         driving, driven = (load_share(self.drive, way * one, one) for way in (1.0, -1.0))
         return 1.0 + size * driving, 1.0 - size * driven
 
     def _friction(self, rate: Array, signs: Array) -> tuple[Array, Array, Flags, Array, Array]:
-        """Sign of the rate and its smoothed size, which legs are still, dry and viscous friction; (n, 6)."""
+        """Return sign and smoothed magnitude of the rate, resting legs, dry friction, viscous friction."""
         still = signs == 0.0
-        # Where all are, an eased path begins or ends: friction there is that beside it.
+        # If all legs rest, an eased path begins or ends, and friction is continuous there.
         still = still & ~still.all(axis=-1, keepdims=True)
-        # At rest the sign is that with which the motion begins or ends.
+        # At rest the sign is the direction in which the motion begins or ends.
         away = np.abs(self.rate * np.maximum(rate, np.finfo(np.float64).tiny)[:, None])
         smoothed = smooth_sign(away, np.asarray(self.drive.regularization_speed))
         size = np.where(still | (np.asarray(self.drive.regularization_speed) == 0.0), 1.0, smoothed)
@@ -223,7 +243,7 @@ class MotorTerms(NamedTuple):
         return side, size, still, dry, viscous(self.drive) * np.abs(self.rate)
 
     def _branch(self, slope: Array, side: Array, damping: Array, dry: Array) -> Array:
-        """a, b, d, e of G with one slope, (4, n, 6)."""
+        """Return a, b, d, e of the branch of G with one slope, shape (4, n, 6)."""
         rotor = np.concatenate([self.rotor, np.zeros_like(self.rotor)])
         found = side * (rotor + slope * (self.force - rotor))
         found[2] += damping
@@ -231,7 +251,7 @@ class MotorTerms(NamedTuple):
         return np.asarray(found)
 
     def _kink(self, z: Array, side: Array, dry: Array, damping: Array) -> Array:
-        """G where F_t changes its sign, N, (n, 6); NaN where s'' does not change F_t."""
+        """Compute G at the sign change of F_t (N), shape (n, 6); NaN if s'' does not change F_t."""
         (a, b, d, e), (r_a, r_b) = self.force, self.rotor
         with np.errstate(divide="ignore", invalid="ignore"):
             second = -((b - r_b) * z**2 + d * z + e) / (a - r_a)
@@ -239,9 +259,9 @@ class MotorTerms(NamedTuple):
 
 
 def directions(rate: Array) -> Array:
-    """Return the signs of rates by s at places of cells, (c, k, 6), at both ends those inside the cell.
+    """Return the signs of leg rates at samples of cells, (c, k, 6), with the inner signs at both ends.
 
-    Legs whose rate is rounding all along have the sign 0.
+    Legs whose rates are rounding errors everywhere have the sign 0.
     """
     size, signs = np.abs(rate), np.sign(rate)
     still = _STILL * size.max()
@@ -251,9 +271,9 @@ def directions(rate: Array) -> Array:
 
 
 def _at_zeros(zero: Array, first: Array, last: Array) -> Array:
-    """Interpolate sizes at zeros of ``zero``, (c, k, 6), between places, (c, k - 1, 6); 0 without a zero.
+    """Interpolate magnitudes at the zeros of ``zero``, (c, k, 6), between samples, (c, k - 1, 6); else 0.
 
-    first, last: values at each place as the first and as the last of two.
+    ``first`` and ``last`` are the values of each sample as the first and as the last one of two.
     """
     low, high = zero[:, :-1], zero[:, 1:]
     passes = low * high < 0.0
@@ -262,14 +282,17 @@ def _at_zeros(zero: Array, first: Array, last: Array) -> Array:
 
 
 def beside(signs: Array) -> tuple[Array, Array]:
-    """Signs before and after each node, (n, m), of signs at nodes: where one is 0, that of the next node."""
+    """Return the signs before and after each node, shape (n, m); a sign of 0 is replaced by its neighbor."""
     padded = np.concatenate([signs[1:2], signs, signs[-2:-1]])
     before, after = (np.where(signs == 0.0, part, signs) for part in (padded[:-2], padded[2:]))
     return before, after
 
 
 def _tangent(power: Array, speed: Array, rate: Array, still: Flags) -> tuple[Array, Array]:
-    """most, slope: G <= most - slope s' is the tangent of G <= power / (speed s') at a rate; inf, 0: none."""
+    """Return most and slope: G <= most - slope s' is the tangent of G <= power / (speed s').
+
+    The values are inf and 0 without a power limit.
+    """
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         limit = power / (speed * rate)
         slope = limit / rate
@@ -278,7 +301,7 @@ def _tangent(power: Array, speed: Array, rate: Array, still: Flags) -> tuple[Arr
 
 
 def _rows(upper: list[Array], lower: Array, limit: Array, free: Flags) -> Rows:
-    """Branches that are to stay below a limit, and two, one of which is to stay above it unless free."""
+    """Return upper bounds of branches, and a lower bound for one of two forms unless ``free``."""
     none = np.full_like(limit, np.inf)
     below = [Rows.of_one_form(tuple(branch), -none, limit) for branch in upper]
     a, b, d, e = lower
@@ -286,7 +309,7 @@ def _rows(upper: list[Array], lower: Array, limit: Array, free: Flags) -> Rows:
 
 
 def rotor_terms(robot: Robot, by_parameter: Motion) -> Array:
-    """a and b of the forces that turn the rotors, (2, n, 6), of a motion by parameter."""
+    """Compute a and b of the rotor forces, shape (2, n, 6), of a motion by parameter."""
     if not robot.has_rotors:
         return np.zeros((2, *by_parameter.shape, LEGS))
     assert by_parameter.a is not None

@@ -1,4 +1,4 @@
-"""Whether a path's rates are those of its poses, and its accelerations those of its rates."""
+"""Consistency checks of the poses, velocities, and accelerations of a path."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from ...motion.motion import Motion
 from ...robot.robot import Robot
 from .path_terms import Path
 
-# Changes are compared over so many steps: short ones tell where rates jump, long ones what is off by little.
+# Numbers of steps of the comparisons: short ones detect discontinuities, long ones small errors.
 _STRETCHES = (16, 512)
-# Rates may be off by a share of the largest one, and so many times the noise of what they are rates of.
+# Tolerance of a rate relative to the largest one, and as a multiple of the noise of its integral.
 _OFF, _NOISE = 1e-3, 8.0
-# Lengths may be off by a share of the longest way of a leg, their rates jump by a share of the largest.
+# Tolerance of a length relative to the longest way of a leg, and of a jump relative to the largest rate.
 _OF_WAY, _OF_RATE = 1e-6, 1e-3
 
 
 def need_motions(path: Path, ends: Array) -> None:
-    """Reject a function that gives no motion with accelerations for each of the first and last s, (2,)."""
+    """Raise ValueError unless a path returns motions with accelerations at two s, shape (2,)."""
     found = path(ends)
     instance(found, Motion, "path")
     if found.a is None or found.alpha is None:
@@ -30,10 +30,10 @@ def need_motions(path: Path, ends: Array) -> None:
 
 
 def need_rates(robot: Robot, path: Path, s: Array) -> None:
-    """Reject a path whose rates contradict its poses, or jump, by the lengths of legs at many s, (n,).
+    """Raise ValueError if the leg rates of a path contradict the leg lengths, or jump, at s, shape (n,).
 
-    Over each step a length changes by the step times a rate between those at its ends, wherever accelerations
-    jump: what the trapezoidal rule may be off by is known.
+    Over each step a length changes by the step times a rate between its values at both ends, even if the
+    accelerations jump. The error of the trapezoidal rule is therefore bounded.
     """
     legs = inverse_kinematics(robot, path(s))
     assert legs.L_ddot is not None
@@ -43,21 +43,21 @@ def need_rates(robot: Robot, path: Path, s: Array) -> None:
         legs.L,
         legs.L_dot,
         _OF_WAY * most * float(s[-1] - s[0]),
-        "expected rates by s that are those of the poses: the length of leg {} changes by {:.4g} m from s = "
-        "{:.6g} to {:.6g}, {:.4g} m by its rates",
+        "expected velocities equal to the derivatives of the poses by s: the length of leg {} changes by "
+        "{:.4g} m from s = {:.6g} to {:.6g}, but by {:.4g} m according to the velocities",
     )
     _need_changes(
         s,
         legs.L_dot,
         legs.L_ddot,
         _OF_RATE * most,
-        "expected rates by s that do not jump, and accelerations that are theirs: the rate of leg {} changes "
-        "by {:.4g} m from s = {:.6g} to {:.6g}, {:.4g} m by its accelerations",
+        "expected continuous velocities, and accelerations equal to their derivatives by s: the rate of leg "
+        "{} changes by {:.4g} m from s = {:.6g} to {:.6g}, but by {:.4g} m according to the accelerations",
     )
 
 
 def _need_changes(s: Array, x: Array, rate: Array, least: float, text: str) -> None:
-    """Reject numbers, (n, 6), that change otherwise than their rates say, by ``least`` or more."""
+    """Raise ValueError if values, shape (n, 6), differ from the integrals of their rates."""
     step = np.diff(s)[:, None]
     said = np.cumsum(0.5 * step * (rate[1:] + rate[:-1]), axis=0)
     room = np.cumsum(step * (0.5 * np.abs(np.diff(rate, axis=0)) + _OFF * np.abs(rate).max()), axis=0)

@@ -1,12 +1,12 @@
-"""What a path takes of a machine: forces and leg rates as functions of how fast the path is traveled.
+"""Limited quantities along a path as functions of the rate of the path parameter.
 
-Along a path of parameter s each limited quantity is
+Along a path with parameter s each limited quantity is
 
-    a s'' + b s'^2 + d s' + e,    ' the derivative by time,
+    a s'' + b s'^2 + d s' + e,    ' the derivative by time.
 
-since the equations of motion M [a; alpha] + C [v; omega] + g + friction = H F + W_ext are linear in the
-accelerations, quadratic in the rates and have friction in proportion to these: d is the viscous friction,
-e what weight and load take at rest.
+The reason is the form of the equations of motion M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
+They are linear in the accelerations and quadratic in the velocities, and viscous friction is proportional to
+the velocities. Therefore d is the viscous friction, and e is the static part due to weight and load.
 """
 
 from __future__ import annotations
@@ -30,28 +30,28 @@ from ...robot.robot import LEGS, Robot
 from .motor_terms import MotorTerms, Rows
 
 Path = Callable[[Array], Motion]
-"""Parameters s, (n,) -> motion of shape (n,) whose rates are derivatives by s, loads included."""
+"""Function: parameters s, shape (n,) -> motion with derivatives with respect to s, including loads."""
 
 
 @dataclass(frozen=True)
 class PathLimits:
-    """Limits of a plan beside those of the robot; None: no limit.
+    """Limits of a motion along a path, which replace or extend the limits of the robot; None means no limit.
 
     Attributes
     ----------
     force, speed : float or sequence of float, optional
-        Of each actuator, N and m/s, one number or six; None: the robot's. The speed limit of a drive's motor
-        counts beside it.
+        Limits of each actuator (N and m/s), one number or six; by default the limits of the robot. The speed
+        limit of the motors applies in addition.
     acceleration, jerk : float or sequence of float, optional
-        Of the leg lengths, m/s^2 and m/s^3, one number or six. With a limit of jerk accelerations are 0 at
-        both ends.
+        Limits of the leg lengths (m/s^2 and m/s^3), one number or six. With a jerk limit the accelerations
+        are 0 at both ends.
     platform_speed, platform_turn_rate : float, optional
-        Of the reference point, m/s, and of the platform's rotation, rad/s.
+        Limits of the speed of the reference point (m/s) and of the angular velocity of the platform (rad/s).
 
     Raises
     ------
     ValueError
-        Naming the limit that is not > 0.
+        If a limit is not > 0.
     """
 
     force: object = None
@@ -62,6 +62,7 @@ class PathLimits:
     platform_turn_rate: float | None = None
 
     def __post_init__(self) -> None:
+        """Check the limits."""
         for name in ("force", "speed", "acceleration", "jerk"):
             value = getattr(self, name)
             object.__setattr__(self, name, None if value is None else six_positive(value, name))
@@ -71,7 +72,7 @@ class PathLimits:
 
 
 def six_positive(value: object, where: str) -> tuple[float, ...]:
-    """One number > 0 for all legs or six of them; infinity is no limit."""
+    """Return six numbers > 0 from one or six; infinity means no limit."""
     given = list(value) if isinstance(value, list | tuple | np.ndarray) else [value] * 6
     if len(given) != 6:
         raise ValueError(f"{where}: expected one number or six, got {shown(value)}")
@@ -81,10 +82,16 @@ def six_positive(value: object, where: str) -> tuple[float, ...]:
 
 
 class Terms(NamedTuple):
-    """Coefficients at n parameters of m limited quantities, (n, m) each, and their limits, (m,).
+    """Coefficients of m limited quantities at n parameters, shape (n, m) each, and their limits, shape (m,).
 
-    caps: largest s'^2 that the speed limits allow, (n,). names: of the quantities, for messages. motors: what
-    the path takes of the motors, where these have limits beside their speed.
+    Attributes
+    ----------
+    caps : ndarray, shape (n,)
+        Largest s'^2 within the speed limits.
+    names : tuple of str
+        Names of the quantities in messages.
+    motors : MotorTerms, optional
+        Terms of the motors, if they have limits other than speed.
     """
 
     a: Array
@@ -98,28 +105,28 @@ class Terms(NamedTuple):
 
     @property
     def all_names(self) -> tuple[str, ...]:
-        """Names of the quantities that are limited: of the coefficients, of the motors, and speed."""
+        """Names of all limited quantities: of the coefficients, of the motors, and speed."""
         return (*self.names, *(() if self.motors is None else self.motors.names), "speed")
 
     @property
     def quantities(self) -> int:
-        """How many quantities are limited."""
+        """Number of limited quantities."""
         return len(self.all_names)
 
     @property
     def crossings(self) -> Array:
-        """What changes the bounds of s'' where it passes zero, (n, k)."""
+        """Quantities whose zeros change the bounds of s'', shape (n, k)."""
         return self.a if self.motors is None else np.concatenate([self.a, self.motors.crossings], axis=-1)
 
     def values(self, square: Array, second: Array) -> Array:
-        """The quantities, (n, m), at s'^2 and s'', (n,)."""
+        """Compute the quantities, shape (n, m), from s'^2 and s'', shape (n,)."""
         x = square[:, None]
         return np.asarray(self.a * second[:, None] + self.b * x + self.d * np.sqrt(x) + self.e)
 
     def used(self, square: Array, second: Array) -> Array:
-        """Compute the used shares of the limits at places of cells, (c, k, quantities), of speed last.
+        """Compute the utilization of the limits at samples of cells, shape (c, k, quantities), speed last.
 
-        square, second: s'^2 and s'', (c, k), from one end of each cell to the other.
+        ``square`` and ``second`` are s'^2 and s'', shape (c, k), from one end of each cell to the other.
         """
         values = self.values(square.ravel(), second.ravel())
         parts = [(np.abs(values) / self.limit).reshape(*square.shape, -1)]
@@ -129,7 +136,7 @@ class Terms(NamedTuple):
         return np.concatenate([*parts, speed[..., None]], axis=-1)
 
     def held(self) -> Array:
-        """Shares of the limits that are used at rest or in slow motion, (n, quantities)."""
+        """Compute the utilization of the limits at rest or in slow motion, shape (n, quantities)."""
         parts = [np.abs(self.e) / self.limit]
         if self.motors is not None:
             parts.append(self.motors.at_rest())
@@ -137,19 +144,25 @@ class Terms(NamedTuple):
 
     @property
     def signs(self) -> Array:
-        """Signs of the rates of the legs, (n, 6), where these change bounds."""
+        """Signs of the leg rates, shape (n, 6), if they change the bounds."""
         return np.ones((len(self.a), LEGS)) if self.motors is None else self.motors.signs
 
     def at(self, index: Indices) -> Terms:
-        """The terms at some of the parameters."""
+        """Return the terms at some of the parameters."""
         nodes = {name: getattr(self, name)[index] for name in ("a", "b", "d", "e", "caps")}
         return self._replace(**nodes, motors=None if self.motors is None else self.motors.at(index))
 
     def rows(self, rate: Array, second: Array, room: Array, signs: Array) -> Rows:
-        """What bounds s'', limits times room, (n, quantities).
+        """Return the bounds of s'', with limits multiplied by ``room``, shape (n, quantities).
 
-        rate, second: s' and s'' of the motion found last, (n,). signs: of the rates of the legs, (n, 6), 0:
-        either.
+        Parameters
+        ----------
+        rate, second : ndarray, shape (n,)
+            s' and s'' of the previous motion.
+        room : ndarray, shape (n, quantities)
+            Factors of the limits.
+        signs : ndarray, shape (n, 6)
+            Signs of the leg rates; 0 for legs that may move in either direction.
         """
         count = len(self.limit)
         most = self.limit * room[:, :count]
@@ -160,7 +173,7 @@ class Terms(NamedTuple):
 
 
 def traveled(motion: Motion, rate: Array | float, second: Array | float) -> Motion:
-    """Motion in time of a motion by parameter, at s' and s'', (n,)."""
+    """Convert a motion by parameter to a motion in time, with s' and s'', shape (n,)."""
     z, u = (np.broadcast_to(np.asarray(x, dtype=np.float64), motion.shape)[..., None] for x in (rate, second))
     assert motion.a is not None
     assert motion.alpha is not None
@@ -172,9 +185,9 @@ def traveled(motion: Motion, rate: Array | float, second: Array | float) -> Moti
 def terms_along(
     robot: Robot, path: Path, s: Array, limits: PathLimits, formulation: Formulation, motors: bool = False
 ) -> Terms:
-    """Coefficients at parameters s, (n,): of forces, of leg accelerations and motors where they are limited.
+    """Compute the coefficients of forces, limited accelerations, and motors at s, shape (n,).
 
-    motors: with those of the motors in any case. Raises ValueError at poses that have no forces.
+    With ``motors`` the terms of the motors are always included. Raises ValueError for unsolvable poses.
     """
     motion, forces_along = path(s), forces_of(robot, formulation, "c")
 
@@ -183,7 +196,7 @@ def terms_along(
 
     still, ahead, back = forces(0.0, 0.0), forces(1.0, 0.0), forces(-1.0, 0.0)
     if not np.isfinite(still).all():
-        inverse_dynamics(robot, motion, formulation)  # which names the poses
+        inverse_dynamics(robot, motion, formulation)  # Raises an error that names the poses.
     columns = [(forces(0.0, 1.0) - still, 0.5 * (ahead + back) - still, 0.5 * (ahead - back), still)]
     limit = [force_limits(robot, limits)]
     names = [f"force of leg {leg + 1}" for leg in range(6)]
@@ -204,21 +217,22 @@ def terms_along(
 
 
 def force_limits(robot: Robot, limits: PathLimits) -> Array:
-    """Force limits of the actuators, N, (6,)."""
+    """Return the force limits of the actuators (N), shape (6,)."""
     return robot.force_limit if limits.force is None else np.array(limits.force)
 
 
 def leg_accelerations(robot: Robot, motion: Motion) -> Array:
-    """Second derivatives of the legs' lengths, (n, 6), of a motion with accelerations."""
+    """Return the second derivatives of the leg lengths, shape (n, 6), of a motion with accelerations."""
     found = inverse_kinematics(robot, motion).L_ddot
     assert found is not None
     return found
 
 
 def limited_speeds(robot: Robot, motion: Motion, L_dot: Array, limits: PathLimits) -> tuple[Array, Array]:
-    """Sizes of the rates that are limited, m/s and rad/s, (n, m), and their limits, (m,), inf for none.
+    """Return magnitudes of limited speeds (m/s and rad/s), shape (n, m), and their limits, (m,), or inf.
 
-    Those of the legs and of the drives' motors, of the reference point and of the platform's rotation.
+    The speeds are the rates of the legs and motors, the speed of the reference point, and the angular
+    velocity of the platform.
     """
     speeds = [L_dot, *(np.linalg.norm(x, axis=-1, keepdims=True) for x in (motion.v, motion.omega))]
     legs = robot.speed_limit if limits.speed is None else np.array(limits.speed)

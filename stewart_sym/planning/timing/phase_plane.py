@@ -1,14 +1,15 @@
-"""The fastest s' along a path, backward and forward in the phase plane of s and s'.
+"""Fastest s' along a path by a backward and a forward pass in the phase plane of s and s'.
 
-In a cell of the grid s'' is linear in s, so that x = s'^2 is quadratic: dx/ds = 2 s''. At each node s'' lies
-between the largest of the lower and the smallest of the upper bounds
+In a cell of the grid s'' is linear in s, so that x = s'^2 is quadratic: dx/ds = 2 s''. At each node s'' is
+between the largest lower and the smallest upper bound
 
-    s'' >= (-limit - e - b x - d sqrt(x)) / a,    s'' <= (limit - e - b x - d sqrt(x)) / a    (a > 0),
+    s'' >= (-limit - e - b x - d sqrt(x)) / a,    s'' <= (limit - e - b x - d sqrt(x)) / a    (a > 0).
 
-so every step is the first root of some quadratics in sqrt(x). Backward: the largest x from which the machine
-can still come to rest at the end. Forward: the largest x that it reaches below these. Without viscous
-friction the x that are possible at a node are one interval; with it there may be more, which are not used.
-Bounds may have two forms, one of which is to hold, and may jump at a node.
+Every step is therefore the first root of quadratic equations in sqrt(x). The backward pass computes the
+largest x from which the robot can stop at the end. The forward pass computes the largest x that it reaches
+below these values. Without viscous friction the feasible x at a node are an interval; with viscous friction
+there may be further intervals, which are not used. A bound may have two forms, one of which must be
+satisfied, and may jump at a node.
 """
 
 import itertools
@@ -20,19 +21,24 @@ import numpy as np
 from ...io.array_types import Array, Flags, Indices
 from .motor_terms import Rows
 
-# A quantity on which s'' has less than this share of its largest effect along the path does not bound s''.
+# Relative effect of s'' on a quantity, compared with its largest one, below which it does not bound s''.
 _NO_EFFECT = 1e-9
-# Nodes whose pairs of bounds are in memory at a time.
+# Number of nodes in a block, which limits the memory for pairs of bounds.
 _BLOCK = 64
 _SAMPLES = 65
 _ROUNDS = 4
 
 
 class Bounds(NamedTuple):
-    """At n nodes: s'' >= low, s'' <= high, x <= cap, (n,).
+    """Bounds at n nodes: s'' >= low, s'' <= high, and x <= cap, shape (n,).
 
-    low, high: by (1, x, sqrt(x)) of m quantities in two forms, (n + j, 3, 2, m): after each node, then before
-    those j at which bounds jump. before: which of them end at the node, (n,).
+    Attributes
+    ----------
+    low, high : ndarray, shape (n + j, 3, 2, m)
+        Coefficients of (1, x, sqrt(x)) for m quantities in two forms: after each node, followed by the j
+        bounds before nodes at which they jump.
+    before : ndarray of int, shape (n,)
+        Index of the bounds before each node.
     """
 
     low: Array
@@ -42,9 +48,14 @@ class Bounds(NamedTuple):
 
 
 class PhasePath(NamedTuple):
-    """At n nodes s: x = s'^2; s'' at the start and at the end of each cell, (n - 1,).
+    """Path in the phase plane at n nodes s: x = s'^2, and s'' at start and end of each cell, shape (n - 1,).
 
-    most: the largest x at which any s'' is possible, (n,). stops: from which rest at the end can be reached.
+    Attributes
+    ----------
+    most : ndarray, shape (n,)
+        Largest x at which some s'' is feasible.
+    stops : ndarray, shape (n,)
+        Largest x from which rest at the end can be reached.
     """
 
     s: Array
@@ -56,14 +67,14 @@ class PhasePath(NamedTuple):
 
 
 def bounds_of(rows: Rows, caps: Array, twice: Indices) -> Bounds:
-    """Bounds of s'' by rows, and of x by these and by caps, (n + j,).
+    """Compute the bounds of s'' from rows, and of x from rows and caps, shape (n + j,).
 
-    twice: nodes at which bounds jump, (j,).
+    ``twice`` contains the j nodes at which bounds jump.
     """
     effect = np.abs(rows.a).max(axis=-1)
     least_a = _NO_EFFECT * effect.max(axis=0)
     free = effect <= least_a
-    # Of one form alone, as by a leg that the motors do not see: a bound far away.
+    # A single form without effect, for example of a leg without motor load, becomes a distant bound.
     slight = np.abs(rows.a) < least_a[..., None]
     a = np.where(slight, np.copysign(least_a[..., None], rows.a), rows.a)
     a = np.where(free[..., None], 1.0, a)
@@ -73,7 +84,7 @@ def bounds_of(rows: Rows, caps: Array, twice: Indices) -> Bounds:
     low[..., 0] += np.where(a > 0.0, least, most) / a
     high[..., 0] += np.where(a > 0.0, most, least) / a
     low[free], high[free] = (-np.inf, 0.0, 0.0), (np.inf, 0.0, 0.0)
-    # Quantities that s'' does not change bound x by themselves.
+    # Quantities that do not depend on s'' bound x directly.
     above = first_root(rows.e - most, rows.b, rows.d).max(axis=-1)
     below = first_root(least - rows.e, -rows.b, -rows.d).max(axis=-1)
     alone = np.where(free, np.minimum(above, below), np.inf).min(axis=-1)
@@ -89,7 +100,7 @@ def bounds_of(rows: Rows, caps: Array, twice: Indices) -> Bounds:
 
 
 def _first_contradiction(low: Array, high: Array) -> Array:
-    """Least z at which no s'' is above all lower and below all upper bounds, (n,)."""
+    """Return the smallest z for which no s'' satisfies all lower and upper bounds, shape (n,)."""
     first = np.full(len(low), np.inf)
     for below, above in itertools.product(_by_forms(low), _by_forms(high)):
         gap = below[:, :, None, :, None] - above[:, None, :, None, :]
@@ -99,27 +110,28 @@ def _first_contradiction(low: Array, high: Array) -> Array:
 
 
 def _by_forms(side: Array) -> tuple[Array, Array]:
-    """Finite bounds whose forms are the same, in one, then the others; NaN gives no root.
+    """Split finite bounds into bounds with equal forms (one form) and others; NaN gives no root.
 
-    Of each node as many as there are at any.
+    The number of bounds is the largest one of all nodes.
     """
     finite, same = np.isfinite(side[..., 0, 0]), (side[..., 0, :] == side[..., 1, :]).all(axis=-1)
     return _chosen(side[:, :, :1], finite & same), _chosen(side, finite & ~same)
 
 
 def _chosen(side: Array, chosen: Flags) -> Array:
+    """Move the chosen bounds to the front; others are NaN."""
     order = np.argsort(~chosen, axis=1, kind="stable")[:, : int(chosen.sum(axis=1).max(initial=0))]
     return np.take_along_axis(np.where(chosen[..., None, None], side, np.nan), order[..., None, None], axis=1)
 
 
 def _bounding(side: Array) -> Array:
-    """Bounds of quantities that bound s'' anywhere, or just one."""
+    """Remove the quantities that never bound s'', but keep at least one."""
     kept = np.isfinite(side[..., 0]).any(axis=(0, 2))
     return side[:, kept] if kept.any() else side[:, :1]
 
 
 def first_root(c_0: Array, c_1: Array, c_2: Array) -> Array:
-    """Least z > 0 with c_0 + c_1 z^2 + c_2 z = 0 where c_0 < 0; inf where there is none."""
+    """Return the smallest z > 0 with c_0 + c_1 z^2 + c_2 z = 0 for c_0 < 0, or inf without one."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         square = c_2 * c_2 - 4.0 * c_1 * c_0
         below = c_2 + np.sqrt(np.where(square >= 0.0, square, np.nan))
@@ -127,7 +139,7 @@ def first_root(c_0: Array, c_1: Array, c_2: Array) -> Array:
 
 
 def fastest(s: Array, bounds: Bounds) -> PhasePath:
-    """The fastest s' from rest to rest."""
+    """Compute the fastest s' from rest to rest."""
     step = np.diff(s)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         stops = _stops(step, bounds)
@@ -137,7 +149,7 @@ def fastest(s: Array, bounds: Bounds) -> PhasePath:
 
 
 def _stops(step: Array, bounds: Bounds) -> Array:
-    """Largest x at each node from which rest at the end can be reached."""
+    """Compute the largest x at each node from which rest at the end can be reached."""
     stops = np.zeros(len(bounds.cap))
     ways = _ways(step, bounds.low[: len(step)])
     for i in range(len(step) - 1, -1, -1):
@@ -147,14 +159,14 @@ def _stops(step: Array, bounds: Bounds) -> Array:
 
 
 def _ways(step: Array, side: Array) -> Array:
-    """In c + a x + b sqrt(x), x + step times bounds: c, 4 a, b, b^2 - 4 a c of each step, (n, 4, 2, m)."""
+    """Return c, 4 a, b, b^2 - 4 a c of x + step times bounds = c + a x + b sqrt(x), shape (n, 4, 2, m)."""
     c, a, b = np.moveaxis(side * step[:, None, None, None], 1, 0)
     a = 4.0 * (1.0 + a)
     return np.stack([c, a, b, np.where(np.isfinite(c), b * b - a * c, np.nan)], axis=1)
 
 
 def _first_of_all(way: Array, value: float) -> float:
-    """Least x at which any quantity's is a value; of its two forms the greater."""
+    """Return the smallest x at which any quantity equals a value; the larger one of its two forms counts."""
     c, a, b, square = way
     below = b + np.sqrt(square + a * value)
     one, other = np.where(below > 0.0, 2.0 * (value - c) / below, np.inf)
@@ -162,7 +174,7 @@ def _first_of_all(way: Array, value: float) -> float:
 
 
 def _most_left(h: float, low: Array, top: float) -> tuple[float, float]:
-    """x in [0, top] at which x - h low(x) is largest, and that."""
+    """Return the x in [0, top] that maximizes x - h low(x), and the maximum."""
     at_top, near = top - h * _tightest(low, top), top * (1.0 - 2e-6)
     if at_top >= near - h * _tightest(low, near):
         return top, at_top
@@ -176,7 +188,7 @@ def _most_left(h: float, low: Array, top: float) -> tuple[float, float]:
 
 
 def _starts(step: Array, bounds: Bounds, stops: Array) -> Array:
-    """Largest x at each node that is reached from rest and can be stopped from."""
+    """Compute the largest x at each node that is reachable from rest and from which the robot can stop."""
     x = np.zeros(len(stops))
     low, rising, ends = bounds.low, -bounds.high, bounds.before[1:].tolist()
     ways, now, least = _ways(step, rising[ends]), 0.0, _tightest(low[0], 0.0)
@@ -192,14 +204,14 @@ def _starts(step: Array, bounds: Bounds, stops: Array) -> Array:
 
 
 def _tightest(side: Array, x: float) -> float:
-    """``lowest`` at one node, where x is a number."""
+    """Return ``lowest`` at one node for a number x."""
     c, a, b = side
     one, other = c + a * x + b * math.sqrt(x)
     return float(max(np.minimum(one, other).tolist()))
 
 
 def _largest(h: float, low: Array, top: float, needed: float) -> float:
-    """Largest x <= top from which the step back to the node before is not too steep."""
+    """Return the largest x <= top from which the step back to the previous node is not too steep."""
     c, a, b = h * low
     c, a = c + needed, 1.0 - a
     twice = b + np.copysign(np.sqrt(b * b + 4.0 * a * c), b)
@@ -212,24 +224,26 @@ def _largest(h: float, low: Array, top: float, needed: float) -> float:
 
 
 def lowest(low: Array, x: Array | float) -> Array:
-    """What lower bounds, (..., 3, 2, m), leave of s'' at x: the easier form of each, the tightest of all."""
+    """Evaluate lower bounds of s'', shape (..., 3, 2, m), at x: smaller form, largest of all bounds."""
     return np.asarray(_values(low, x).min(axis=-2).max(axis=-1))
 
 
 def highest(high: Array, x: Array | float) -> Array:
-    """What upper bounds leave of s'' at x, likewise."""
+    """Evaluate upper bounds of s'' at x: the larger form, the smallest of all bounds."""
     return np.asarray(_values(high, x).max(axis=-2).min(axis=-1))
 
 
 def _values(side: Array, x: Array | float) -> Array:
+    """Evaluate bounds at x."""
     at = np.asarray(x)[..., None, None]
     return np.asarray(side[..., 0, :, :] + side[..., 1, :, :] * at + side[..., 2, :, :] * np.sqrt(at))
 
 
 def _seconds(step: Array, bounds: Bounds, x: Array) -> tuple[Array, Array]:
-    """s'' at the start and the end of each cell: the same share of what is possible at both nodes.
+    """Compute s'' at start and end of each cell, at the same relative position between both bounds.
 
-    Where s'' has no bound at one of them, as near to the same at both as the other's bounds allow.
+    If s'' is unbounded at one of the nodes, the two values are as close as the bounds of the other node
+    permit.
     """
     start, end = slice(len(x) - 1), bounds.before[1:]
     low = lowest(bounds.low[start], x[:-1]), lowest(bounds.low[end], x[1:])
@@ -243,11 +257,11 @@ def _seconds(step: Array, bounds: Bounds, x: Array) -> tuple[Array, Array]:
     return first, total - first
 
 
-# Parameter over time: in each cell s'' is linear in s, so s, s' and s'' are sums of exponentials of time
+# Parameter over time. In each cell s'' is linear in s, so s, s', and s'' are sums of exponentials of time.
 
 
 class Place(NamedTuple):
-    """s, s' and s'' at some instants, (n,) each."""
+    """Values of s, s', and s'', shape (n,) each."""
 
     s: Array
     rate: Array
@@ -255,9 +269,9 @@ class Place(NamedTuple):
 
 
 class Ease(NamedTuple):
-    """s from start to end as a polynomial of x from 0 to 1 whose first rates at both ends are 0.
+    """Polynomial s(x) from start to end, x from 0 to 1, whose first ``rests`` derivatives are 0 at both ends.
 
-    A motion from rest has a rate of x above 0 everywhere: with two such rates s'' begins at 0 too.
+    For a motion from rest the rate x' is positive everywhere. With two zero derivatives s'' also starts at 0.
     """
 
     start: float
@@ -265,7 +279,7 @@ class Ease(NamedTuple):
     rests: int
 
     def __call__(self, x: Array, rate: Array, second: Array) -> Place:
-        """s, s' and s'' at x, x' and x''."""
+        """Compute s, s', and s'' from x, x', and x''."""
         way = self.end - self.start
         if self.rests == 1:
             share, by, twice = x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x), 6.0 - 12.0 * x
@@ -277,9 +291,12 @@ class Ease(NamedTuple):
 
 
 class Profile(NamedTuple):
-    """A path's parameter over time; times of the nodes, s, (n,), from 0.
+    """Path parameter over time, with the times of the nodes (s), shape (n,), from 0.
 
-    ease: the parameter as a function of that of the phase plane; None: they are the same.
+    Attributes
+    ----------
+    ease : Ease, optional
+        Parameter as a function of the parameter of the phase plane; None if they are equal.
     """
 
     phase: PhasePath
@@ -288,35 +305,36 @@ class Profile(NamedTuple):
 
     @classmethod
     def of(cls, phase: PhasePath, ease: Ease | None = None) -> "Profile":
-        """The profile of a path in the phase plane."""
+        """Create the profile of a path in the phase plane."""
         return cls(phase, np.concatenate([[0.0], np.cumsum(durations(phase))]), ease)
 
     @property
     def nodes(self) -> Place:
-        """s, s' and s'' at the nodes."""
+        """Values of s, s', and s'' at the nodes."""
         return self._eased(self.phase.s, np.sqrt(self.phase.x), self.second)
 
     def slowed(self, share: float) -> "Profile":
-        """The same with all rates multiplied by a share."""
+        """Return the profile with all rates multiplied by a factor."""
         phase = self.phase
         squared = {name: share**2 * getattr(phase, name) for name in ("x", "first", "last")}
         return Profile.of(phase._replace(**squared), self.ease)
 
     def _eased(self, x: Array, rate: Array, second: Array) -> Place:
+        """Apply the ease."""
         return Place(x, rate, second) if self.ease is None else self.ease(x, rate, second)
 
     @property
     def duration(self) -> float:
-        """Duration of the whole path, s."""
+        """Duration of the whole path (s)."""
         return float(self.times[-1])
 
     @property
     def second(self) -> Array:
-        """s'' at the nodes, at the start of the cell after each."""
+        """s'' at the nodes, at the start of the following cell."""
         return np.append(self.phase.first, self.phase.last[-1])
 
     def at(self, times: Array) -> Place:
-        """s, s' and s'' at times from 0 to the duration, s."""
+        """Return s, s', and s'' at times (s) from 0 to the duration."""
         phase = self.phase
         cell = np.clip(np.searchsorted(self.times, times, side="right") - 1, 0, len(phase.first) - 1)
         tau = times - self.times[cell]
@@ -325,18 +343,18 @@ class Profile(NamedTuple):
         cosine, sine, lift = _exponentials(slope * tau**2)
         moved = rate * tau * sine + second * tau**2 * lift
         moved = np.clip(moved, 0.0, np.diff(phase.s)[cell])
-        # Rounding makes no motion turn back where it ends: friction would be that of the other way.
+        # Rounding errors must not reverse the motion at its end, because friction would change its sign.
         rate = np.maximum(rate * cosine + second * tau * sine, 0.0)
         return self._eased(phase.s[cell] + moved, rate, second + slope * moved)
 
     def inside(self, shares: Array) -> tuple[Array, Array, Array]:
-        """s, s'^2 and s'' at shares of every cell, (cells, shares)."""
+        """Return s, s'^2, and s'' at relative positions in every cell, shape (cells, positions)."""
         step, rate, second = self._steps(shares)
         place = self._eased(self.phase.s[:-1, None] + step, rate, second)
         return place.s, place.rate**2, place.second
 
     def times_inside(self, shares: Array) -> Array:
-        """Return the times of shares of every cell, s, (cells, shares)."""
+        """Return the times (s) of relative positions in every cell, shape (cells, positions)."""
         step, rate, second = self._steps(shares)
         first = self.phase.first[:, None]
         return self.times[:-1, None] + _durations(
@@ -344,27 +362,27 @@ class Profile(NamedTuple):
         )
 
     def _steps(self, shares: Array) -> tuple[Array, Array, Array]:
-        """Return way since the start of the cell, s' and s'' of the phase plane at shares of every cell."""
+        """Return distance from the start of the cell, s', and s'' at relative positions in every cell."""
         phase, h = self.phase, np.diff(self.phase.s)[:, None]
         step = h * shares
         second = phase.first[:, None] + (phase.last - phase.first)[:, None] * shares
         square = phase.x[:-1, None] + (phase.first[:, None] + second) * step
         if phase.x[-1] == 0.0:
-            # The motion ends at rest: remove the rate that rounding leaves.
+            # The motion ends at rest, but rounding errors give a small rate.
             square[-1] = np.where(np.broadcast_to(shares, square.shape)[-1] == 1.0, 0.0, square[-1])
         return step, np.sqrt(np.maximum(square, 0.0)), second
 
 
 def durations(phase: PhasePath) -> Array:
-    """Return the time of each cell, s."""
+    """Return the duration of each cell (s)."""
     rate = np.sqrt(phase.x)
     return _durations(np.diff(phase.s), rate[:-1] + rate[1:], phase.last - phase.first)
 
 
 def _durations(h: Array, rates: Array, change: Array) -> Array:
-    """Return the times of steps h, s: 2 artanh(sqrt(c) h / rates) / sqrt(c), c = change / h.
+    """Return the durations (s) of steps h: 2 artanh(sqrt(c) h / rates) / sqrt(c), c = change / h.
 
-    rates: sum of s' at both ends. change: of s'', linear in s, along the step.
+    ``rates`` is the sum of s' at both ends; ``change`` is the change of s'', which is linear in s.
     """
     moving = np.where(rates > 0.0, rates, 1.0)
     plain, y = 2.0 * h / moving, change * h / moving**2
@@ -376,7 +394,7 @@ def _durations(h: Array, rates: Array, change: Array) -> Array:
 
 
 def _exponentials(y: Array) -> tuple[Array, Array, Array]:
-    """cosh(r), sinh(r) / r and (cosh(r) - 1) / r^2 of r^2 = y; cosines and sines where y < 0."""
+    """Return cosh(r), sinh(r) / r, and (cosh(r) - 1) / r^2 for r^2 = y; trigonometric functions if y < 0."""
     root = np.sqrt(np.abs(y))
     safe = np.where(root > 1e-4, root, 1.0)
     half = 0.5 * safe
