@@ -107,6 +107,7 @@ class ForceKernel(Frozen):
         motion: Motion | Sequence[Array | None],
         threads: int = 1,
         on_singular: OnSingular = "raise",
+        *,
         out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> Array:
         """Actuator forces of every pose of a motion, (37).
@@ -148,6 +149,7 @@ class ForceKernel(Frozen):
             self._shared(out[1].size, threads, partial(self._run, arrays, *out))
             return out[0]
         instance(motion, Motion, "motion")
+        motion = cast("Motion", motion)
         option(on_singular, ON_SINGULAR, "on_singular")
         if on_singular == "damped" and self.fidelity != "general":
             raise ValueError(f'on_singular: "damped" needs fidelity "general", this one is "{self.fidelity}"')
@@ -203,6 +205,7 @@ class ForceKernel(Frozen):
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
         threads: int = 1,
+        *,
         out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> tuple[Array, NDArray[np.int32]]:
         """Actuator forces of motions in columns, for programs that keep each component by itself.
