@@ -125,6 +125,7 @@ class ForceKernel(Frozen):
         motion: Motion | Sequence[Array | None],
         threads: int = 1,
         on_singular: OnSingular = "raise",
+        *,
         out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> Array:
         """Compute the actuator forces of every pose of a motion, (37).
@@ -170,6 +171,7 @@ class ForceKernel(Frozen):
             self._shared(out[1].size, threads, partial(self._run, arrays, *out))
             return out[0]
         instance(motion, Motion, "motion")
+        motion = cast("Motion", motion)
         option(on_singular, ON_SINGULAR, "on_singular")
         if on_singular == "damped" and self.fidelity != "general":
             raise ValueError(f'on_singular: "damped" needs fidelity "general", this one is "{self.fidelity}"')
@@ -225,6 +227,7 @@ class ForceKernel(Frozen):
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
         threads: int = 1,
+        *,
         out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> tuple[Array, NDArray[np.int32]]:
         """Compute the actuator forces of motions in columns, with consecutive values of each component.

@@ -198,7 +198,7 @@ def test_given_arrays_that_do_not_fit_are_named() -> None:
     assert kernel.forces(arrays, out=(F, status)) is F
     assert (F == kernel.forces(motion)).all()
     assert kernel.forces(motion, out=(np.zeros((4, 6)), status)).tobytes() == F.tobytes()
-    rejects("on_singular: does not apply with out", kernel.forces, motion, 1, "nan", (F, status))
+    rejects("on_singular: does not apply with out", kernel.forces, motion, 1, "nan", out=(F, status))
     rejects("motion: expected a Motion", kernel.forces, arrays)
     frozen = F.copy()
     frozen.setflags(write=False)
