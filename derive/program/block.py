@@ -192,7 +192,7 @@ class Builder:
             return expr
         for step in self.steps:
             if step.name == name and step.expr != expr:
-                raise ValueError(f"{name}: expected a name of its own, it stands for {step.expr}")
+                raise ValueError(f"{name}: the name is used for {step.expr}; choose another name")
             if step.name == name:
                 return step.symbol
         self.steps.append(Step(name, expr, equation, meaning))

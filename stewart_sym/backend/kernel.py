@@ -55,8 +55,7 @@ def offset_kernel(robot: Robot, formulation: str) -> str:
     need_offset_formulation(formulation)
     if robot.offsets is not None and robot.offsets.has_spinning_parts:
         raise ValueError(
-            'robot: offsets: platform_joint: expected "spherical", since no kernel has other ones; '
-            "inverse_dynamics computes them"
+            'robot: offsets: platform_joint: expected "spherical", got "universal"; use inverse_dynamics'
         )
     return OFFSET_KERNEL
 

@@ -198,7 +198,7 @@ def _recipe(
 ) -> "_Recipe":
     compiler = find_compiler()
     if compiler is None:
-        raise CompilerError("no C compiler found: install gcc or clang, set CC, or `pip install ziglang`")
+        raise CompilerError("no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`")
     macros = tuple(f"-D{macro}={value}" for macro, value in sorted((defines or {}).items()))
     return _Recipe(name, dict(sources), compiler, (*base, *macros, *flags))
 
@@ -216,7 +216,7 @@ class _Recipe:
         for where, words in (("CC", self.compiler.command), ("flags", self.flags)):
             for flag in _REJECTED.intersection(words):
                 raise ValueError(
-                    f"{where}: {flag} is rejected, it changes the arithmetic of the whole process"
+                    f"{where}: {flag} changes the arithmetic of the whole process; remove the flag"
                 )
 
     def key(self) -> str:
@@ -355,8 +355,8 @@ def _open(recipe: _Recipe, key: str) -> ctypes.CDLL:
             f"the compiled library {recipe.name} can't be stored or loaded: {error}"
         ) from error
     warnings.warn(
-        "compiled libraries are kept for this process alone, expected $STEWART_SYM_CACHE to name a folder "
-        f"that you alone may write: {fault}",
+        f"compiled libraries are kept for this process alone ({fault}); set STEWART_SYM_CACHE to a folder "
+        "that only you may write",
         RuntimeWarning,
         stacklevel=2,
     )
@@ -401,7 +401,7 @@ def _cache_directory() -> Path:
     directory.mkdir(mode=0o700, parents=True, exist_ok=True)
     directory = directory.resolve()
     if not _is_ours(directory.stat()):
-        raise PermissionError(f"{directory} belongs to, or may be written by, somebody else")
+        raise PermissionError(f"{directory} is owned or writable by another user")
     return directory
 
 

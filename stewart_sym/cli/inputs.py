@@ -60,9 +60,9 @@ def trajectory_of(
     few = resample(trajectory, arguments.rate)
     if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
         warn(
-            f"{source}: {len(few.time)} instant{'s' * (len(few.time) > 1)} of "
-            f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at a rate of {arguments.rate:g} Hz, of "
-            f"{len(trajectory.time)} rows; the motion between them is not computed"
+            f"{source}: {len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(trajectory.time)} rows in "
+            f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at {arguments.rate:g} Hz; the motion between "
+            "them is not computed; raise --rate"
         )
     return few
 

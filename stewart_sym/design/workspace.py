@@ -171,9 +171,8 @@ def workspace(
     if found.codes[0] and not result.is_known:
         sizes = f"{result.error:.2g} and {result.volume:.2g} {result.unit}"
         warn(
-            f"workspace: the error exceeds the volume ({sizes}), {found.codes[0]} of {result.samples} poses "
-            "are within the limits; volume and extents are unknown; "
-            "examine more poses, or give narrower ranges of positions and rotations",
+            f"workspace: the error exceeds the volume ({sizes}; {found.codes[0]} of {result.samples} poses "
+            "within the limits); volume and extents are unknown; increase samples, or narrow the bounds",
             WorkspaceWarning,
         )
     return result

@@ -113,8 +113,8 @@ def export_model(robot: Robot, format: str) -> ExportedModel:  # noqa: A002 # th
     if robot.offsets is not None and robot.offsets.has_spinning_parts:
         # No format has an actuator whose force turns what it pushes.
         raise ValueError(
-            f'{format}: offsets.platform_joint: expected "spherical", upper parts that turn in the lower '
-            "ones have no place there"
+            f'{format}: offsets.platform_joint: expected "spherical", got "universal", which the format does '
+            "not support"
         )
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)

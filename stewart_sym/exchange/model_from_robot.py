@@ -69,8 +69,8 @@ def possible(robot: Robot, reader: str) -> Robot:
     for name, text in faults:
         if name not in robot.suppressed_warnings:
             raise ValueError(
-                f'{text}: {reader} rejects it; correct it, or let the robot file accept "{name}" '
-                "to have the nearest possible tensor written"
+                f"{text}: {reader} rejects it; correct it, or write the nearest possible tensor with "
+                f'suppress_warnings = ["{name}"] in the robot file'
             )
         warn(
             f"{text}: {reader} rejects it, the nearest possible tensor is written [{name}]",
@@ -99,7 +99,7 @@ def _leg_frames(robot: Robot, s: Array) -> Array:
     sine = np.linalg.norm(y, axis=-1, keepdims=True)
     bad = [i for i in range(LEGS) if sine[i] < _LEAST_SINE]
     if bad:
-        raise ValueError(f"{legs_text(bad)}: expected a fixed axis across the leg at home, got one along it")
+        raise ValueError(f"{legs_text(bad)}: fixed axis along the leg at home; change axes or home pose")
     y = y / sine
     return np.stack([s, y, np.cross(s, y)], axis=-1)
 

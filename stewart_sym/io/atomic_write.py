@@ -217,7 +217,7 @@ def must_replace(
     if content is not None and path.exists() and path.read_bytes() == content:
         return False
     if any(path.exists() and each.exists() and path.samefile(each) for each in inputs):
-        raise ValueError(f"{path}: is an input, name another folder")
+        raise ValueError(f"{path}: is an input; name another folder")
     if not force and digest(path) != ours.get(name, ""):
         raise ValueError(f"{path}: {_OTHERS}")
     return True

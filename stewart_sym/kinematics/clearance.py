@@ -148,7 +148,7 @@ def angles_from(neutral: Array, S: Array, R: Array) -> tuple[Array, Array]:
 def neutral_directions(robot: Robot) -> Array:
     """Unit vectors of the legs at the home pose, (6, 3), in both frames; ValueError where none is stated."""
     if robot.home_position is None:
-        raise ValueError("robot: home: joint angles are from the home pose, expected home")
+        raise ValueError("robot: home_position: missing; joint angles refer to the home pose")
     S = _along_legs(robot, at_rest(np.eye(3), robot.home_position))
     return np.asarray(S / np.linalg.norm(S, axis=-1, keepdims=True))
 

@@ -75,7 +75,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     check(choice, robot)
     missing = _left_out(robot, choice)
     if missing:
-        warn(f"{missing}; for all of it choose fidelity general")
+        warn(f"{missing}; choose fidelity general to include it")
     if choice.language != "c":
         progress(f"generating {choice.language}")
         return _of_language(robot, choice, missing)

@@ -52,7 +52,7 @@ def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] 
         for name in gone:
             path = directory / name
             if any(each.exists() and path.samefile(each) for each in inputs):
-                raise ValueError(f"{path}: is an input, name another folder")
+                raise ValueError(f"{path}: is an input; name another folder")
             if not force and digest(path) != ours[name]:
                 raise ValueError(
                     f"{path}: was edited and is not part of this kit; use --force to remove it, or rename it"

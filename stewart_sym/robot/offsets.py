@@ -81,7 +81,7 @@ class JointOffsets(Frozen):
             )
         elif found["platform_axis"].any() or found["wrist_offset"].any():
             raise ValueError(
-                'platform_joint: expected "universal" beside platform_axis and wrist_offset, got "spherical"'
+                'platform_joint: expected "universal" with platform_axis or wrist_offset, got "spherical"'
             )
         self._set(found)
 

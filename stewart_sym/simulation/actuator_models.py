@@ -167,7 +167,7 @@ class ModelTorque:
         """Forces, N, (6,), of a state."""
         wanted = self.wanted(time)
         if wanted.a is None or wanted.alpha is None:
-            raise ValueError("wanted: expected a motion with accelerations, got none")
+            raise ValueError("reference: expected a motion with accelerations, got none")
         a, alpha = feedback(wanted, state, self.k_p, self.k_d)
         a, alpha = wanted.a + a, wanted.alpha + alpha
         rates = state.omega, state.v, alpha, a

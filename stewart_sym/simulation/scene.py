@@ -157,7 +157,7 @@ def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
         start = toml_reader.choice(top["initial_state"], STARTS, f"{file}initial_state")
         if law != "computed_torque":
             raise ValueError(
-                f'{file}initial_state: expected [actuation] law = "tracking" with "{start}", got "{law}"'
+                f'{file}initial_state: "{start}" requires [actuation] type = "computed_torque", got "{law}"'
             )
         if "state" in top:
             raise ValueError(f'{file}initial_state: expected no [state] with "{start}"')

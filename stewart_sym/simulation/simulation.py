@@ -145,8 +145,8 @@ def simulate(
         need_between(control_rate, "control_rate", 0.0, math.inf)
         if duration * control_rate > MOST_INSTANTS:
             raise ValueError(
-                f"rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most {MOST_INSTANTS} calls "
-                f"in {duration:g} s, got {shown(control_rate)}"
+                f"control_rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most "
+                f"{MOST_INSTANTS} calls in {duration:g} s, got {shown(control_rate)}"
             )
     check_rtol(rtol)
     check_output_step(output_step, duration)

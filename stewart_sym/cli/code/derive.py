@@ -71,7 +71,7 @@ def _derived(progress: Progress) -> tuple[list[dict[str, Any]], dict[str, str]]:
 
 
 def _operations(module: str) -> int | None:
-    """Return the total operations with friction of a generated module, or None if it does not contain them."""
+    """Return the total operations with friction of a generated module, or None if it lacks them."""
     import ast
 
     for node in ast.parse(module).body:

@@ -133,5 +133,5 @@ def _motion(robot: Robot, name: str, log: Path | None, prefix: str) -> Motion:
         raise ValueError(f"{found.source}: {where}: {reason}")
     crossed = crossing_warning(robot, found)
     if crossed is not None:
-        warn(f"{crossed}; errors are shares of a peak that the instants happen to have", SingularPoseWarning)
+        warn(f"{crossed}; the peak force and all relative errors depend on the samples", SingularPoseWarning)
     return found.motion

@@ -278,7 +278,7 @@ class _Case:
         F = ForceKernel(robot).forces(motion)
         peak = float(np.abs(F).max())
         if peak == 0.0:
-            raise ValueError(f"{name}: all forces are zero, errors can't be shares of them")
+            raise ValueError(f"{name}: all forces are zero; relative errors are undefined")
         condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
         largest = np.abs(F).max(axis=-1)
         spread = np.linspace(0, len(F) - 1, min(SAMPLED, len(F))).round().astype(int).tolist()

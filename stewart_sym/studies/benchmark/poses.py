@@ -57,7 +57,7 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
         robot = dasgupta1998()
         R, t, omega, v, alpha, a = _near_the_paths(rng, count)
     elif robot.base_joint != "universal":
-        raise ValueError(f"{robot.name}: expected universal base joints, the baselines have no others")
+        raise ValueError(f"{robot.name}: expected universal base joints, which the baselines require")
     else:
         if robot.has_rotors:
             warn(f"{robot.name}: timed without its rotors, which the baselines do not have")

@@ -142,7 +142,7 @@ def name_points(
         for drawn in (*written, *lines):
             if drawn is not None:
                 drawn.remove()
-    raise ValueError("names of points: expected room for all of them in the picture")
+    raise ValueError("point labels: not enough room in the plot; draw fewer points")
 
 
 def log_numbers(axis: Axis) -> None:

@@ -348,7 +348,7 @@ def _need_forces(robot: Robot, where: str) -> None:
         found = inverse_dynamics(robot, slow, backend="numpy", on_singular="nan")
     if found.status == NOT_FINITE:
         raise ValueError(
-            f"robot {robot.name}: expected numbers whose forces do not overflow, at {where} they do"
+            f"robot {robot.name}: forces overflow at {where}; use smaller numbers in the robot file"
         )
 
 
