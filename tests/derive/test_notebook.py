@@ -36,10 +36,11 @@ sys.meta_path.insert(0, Missing())
 """
 
 
-def test_the_readme_says_what_it_needs_and_how_to_open_it() -> None:
-    readme = (REPOSITORY / "README.md").read_text(encoding="utf-8")
-    assert 'pip install ".[notebook]"' in readme
-    assert "jupyter lab derive/derivation.ipynb" in readme
+def test_the_readme_names_it_and_a_page_says_what_it_needs_and_how_to_open_it() -> None:
+    assert "`derive/derivation.ipynb`" in (REPOSITORY / "README.md").read_text(encoding="utf-8")
+    page = (REPOSITORY / ".docs" / "explanation" / "checks.md").read_text(encoding="utf-8")
+    assert 'pip install ".[notebook]"' in page
+    assert "jupyter lab derive/derivation.ipynb" in page
 
 
 def test_every_cell_is_committed_as_executed_in_order_without_error() -> None:
