@@ -273,8 +273,8 @@ def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) 
     log = write(tmp_path / "log.csv", NAMES, poses())
     for rate, words in (("0.1", "1 sample of"), ("2", "5 samples of"), ("5", "")):
         told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", "--rate", rate).err
-        expected = f"log.csv: {words} 2 s at a rate of {rate} Hz, of 41 rows; the motion between"
-        assert expected in told if words else "at a rate" not in told
+        expected = f"log.csv: {words} 41 rows in 2 s at {rate} Hz; the motion between"
+        assert expected in told if words else "raise --rate" not in told
 
 
 def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:

@@ -156,7 +156,7 @@ def sinusoids(per_period: float, frequency: float, start: float) -> tuple[Array,
 def test_few_rows_a_period_are_named_and_their_errors_held(per_period: float, start: float) -> None:
     time, values, second = sinusoids(per_period, 2.0, start)
     trajectory, said = read(time, values)
-    assert sum("rows are too far apart" in line for line in said) == 1, said
+    assert sum("rows too far apart" in line for line in said) == 1, said
     noise, off = trajectory.noise, np.abs(trajectory.noise.coordinates[2] - second)
     sd = np.sqrt([np.interp(time, noise.grid, column) for column in noise.covariance[:, :, 5].T]).T
     wrong = off > 0.01 * np.abs(second).max(axis=0)

@@ -25,7 +25,8 @@ class Spread:
     turn : float
         Standard deviation of angles (rad).
     rate : float
-        Standard deviation of rates and accelerations, relative to the time of free fall over the radius.
+        Standard deviation of rates and accelerations, in units of the radius and of the time sqrt(radius /
+        gravity).
     """
 
     shift: float
