@@ -232,7 +232,7 @@ def stack_key(function: Function, choice: Choice, suffix: str = "") -> str:
 
 @cache
 def _stack() -> dict[str, Any]:
-    """Read the measured stack sizes: ``by`` is the compiler, ``bytes`` the size by function and precision."""
+    """Read the stack sizes: ``by`` names compiler and processors, ``bytes`` has the size of each function."""
     found: dict[str, Any] = json.loads((resources("stewart_sym.kit") / "stack.json").read_text())
     return found
 

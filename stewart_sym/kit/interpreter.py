@@ -314,7 +314,7 @@ def _rotated(function: str, at: Numbers) -> Found:
 def _solvers(names: Iterable[str]) -> dict[str, Callable[..., Any]]:
     """Return replacements of the functions that solve linear systems.
 
-    ``singular_status`` returns OK, because no test motion has a short leg near a joint singularity.
+    ``singular_status`` returns OK, because H is well-conditioned in all test motions.
     """
     known: dict[str, Callable[..., Any]] = {
         "eliminate": _eliminate,
