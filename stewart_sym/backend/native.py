@@ -258,9 +258,7 @@ def _candidates() -> Iterator[tuple[str, ...]]:
 
 @functools.cache
 def _version(command: tuple[str, ...]) -> str:
-    """Return the first line of ``--version``; raise CompilerError, which is not cached, if the command
-    fails.
-    """
+    """Return the first line of ``--version``; raise CompilerError, uncached, if the command fails."""
     try:
         with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
             code, output = _run((*command, "--version"), _VERSION_TIMEOUT, Path(folder))
@@ -272,9 +270,7 @@ def _version(command: tuple[str, ...]) -> str:
 
 
 def _run(command: Sequence[str], timeout: float, folder: Path) -> tuple[int, str]:
-    """Run a command in ``folder``, which also contains its temporary files; return the exit code and the
-    output.
-    """
+    """Run a command in ``folder``, also for temporary files; return the exit code and the output."""
     # The first error is recognized only in English messages.
     env = {"PATH": os.defpath, **os.environ, "LC_ALL": "C"}
     env |= dict.fromkeys(("TMPDIR", "TMP", "TEMP", "ZIG_LOCAL_CACHE_DIR"), str(folder))
@@ -391,9 +387,7 @@ def _turn_of_process(directory: Path, key: str) -> Iterator[None]:
 
 
 def _cache_directory() -> Path:
-    """Return the cache folder, created if missing; raise OSError if it is unusable or other users may write
-    it.
-    """
+    """Return the cache folder, created if missing; raise OSError if it is unusable or not exclusive."""
     try:
         directory = _cache_location()
     except RuntimeError as error:  # pathlib found no home
@@ -428,9 +422,7 @@ def _is_ours(status: os.stat_result) -> bool:
 
 
 def _find(directory: Path, stem: str) -> Path | None:
-    """Return the cached library whose bytes match its name, because loading a truncated one could kill the
-    process.
-    """
+    """Return the cached library whose bytes match its name; a truncated one could kill the process."""
     for path in sorted(directory.glob(f"{stem}-*{_SUFFIX}")):
         with contextlib.suppress(OSError):
             status = path.lstat()

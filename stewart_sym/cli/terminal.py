@@ -35,9 +35,7 @@ def progress_line() -> Iterator[Progress]:
 
 
 class _Line:
-    """Progress line with the current step and, if the completed fraction is known, a bar and the remaining
-    time.
-    """
+    """Progress line with the current step and, for known fractions, a bar and the remaining time."""
 
     def __init__(self) -> None:
         """Start without a task."""
@@ -63,9 +61,7 @@ class _Line:
 
 
 def _bar(share: float, passed: float) -> str:
-    """Format a bar, the percentage, and the remaining time; ``passed`` is the time since the start of the
-    task (s).
-    """
+    """Format a bar, the percentage, and the remaining time; ``passed`` is the elapsed time (s)."""
     full = round(_WIDTH * share)
     left = "" if share <= 0.0 else f", {_time(passed * (1.0 - share) / share)} left"
     return f"[{'#' * full}{' ' * (_WIDTH - full)}] {100.0 * share:3.0f} %{left}"

@@ -99,9 +99,7 @@ def result_file(path: Path, beginnings: Sequence[str], force: bool = False) -> I
 
 @contextlib.contextmanager
 def _spooled(out: TextIO) -> Iterator[TextIO]:
-    """Open a temporary file without a name, whose text is copied to ``out`` if the block ends without an
-    error.
-    """
+    """Open a temporary file, whose text is copied to ``out`` if the block ends without an error."""
     with tempfile.TemporaryFile("w+", encoding="utf-8", newline="\n") as stream:
         yield stream
         stream.seek(0)
@@ -110,9 +108,7 @@ def _spooled(out: TextIO) -> Iterator[TextIO]:
 
 
 def _mode(target: Path) -> int:
-    """Return the permissions of a file that replaces ``target``: the same, or the permissions of a new
-    file.
-    """
+    """Return the permissions of ``target``, or the permissions of a new file if it does not exist."""
     with contextlib.suppress(FileNotFoundError):
         return target.stat().st_mode & 0o777
     mask = os.umask(0)
@@ -283,9 +279,7 @@ def _locked(path: Path) -> Iterator[bool]:
 
 
 def _remove_left_behind(folder: Path) -> None:
-    """Remove temporary files and folders of killed processes, except files that were moved out of their
-    place.
-    """
+    """Remove temporary files and folders of killed processes, except files moved out of their place."""
     with contextlib.suppress(OSError):
         for name in filter(_TEMPORARY.fullmatch, os.listdir(folder)):
             with contextlib.suppress(OSError):
@@ -307,9 +301,7 @@ def _remove_if_left(path: Path) -> None:
 
 
 def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) -> None:
-    """Move the staged files to ``target``, and existing files and ``gone`` to ``replaced``; on error move
-    none.
-    """
+    """Move staged files to ``target``, and existing files and ``gone`` to ``replaced``, or none."""
     new = {path.relative_to(staged): path for path in sorted(staged.rglob("*")) if path.is_file()}
     with contextlib.ExitStack() as undo:
         for folder in sorted({target, *((target / file).parent for file in new)}):

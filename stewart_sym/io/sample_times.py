@@ -94,8 +94,7 @@ def even_clock(times: Array) -> Clock | None:
 
 
 def _chance(gaps: Array) -> float | None:
-    """Compute the probability that steps of one and two units, shape (n,), in random order are as even as a
-    clock.
+    """Compute the probability that steps of one and two units, (n,), are by chance as even as a clock.
 
     About n orders of the same number of long steps are as even. None means too few steps of either kind.
     """

@@ -190,9 +190,7 @@ def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
 
 
 def _beginning_of_long(source: str) -> str:
-    """Return the first line of a file that exceeds the size of TOML files, or an empty text for other
-    files.
-    """
+    """Return the first line of a file that exceeds the size of TOML files, otherwise ""."""
     if not os.path.isfile(source) or os.path.getsize(source) <= MOST_BYTES:
         return ""
     with open(source, "rb") as stream:
@@ -228,9 +226,7 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
 
 
 def _key_twice(error: str, text: str) -> str:
-    """Return the text about a repeated key if the error of the parser contains only its line, or an empty
-    text.
-    """
+    """Return text about a repeated key if the parser error contains only its line, otherwise ""."""
     place = _TWICE.match(error)
     key, equals, _ = text.split("\n")[int(place[1]) - 1].partition("=") if place else ("", "", "")
     return f"{safe_text(key.strip())}: given twice: " if equals else ""

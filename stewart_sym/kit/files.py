@@ -207,8 +207,7 @@ def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
 
 
 def _errors(vectors_of: list[Vector]) -> Array:
-    """Compute the median and the largest relative error bound of the ordinary vectors (rounding units), shape
-    (2,).
+    """Compute median and largest relative error bound of the ordinary vectors (rounding units), (2,).
 
     The relative error bound of a vector is the largest ratio of a bound to the largest value of the same
     array. Without ordinary vectors both results are nan.

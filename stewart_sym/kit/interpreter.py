@@ -122,8 +122,9 @@ class KitInterpreter:
         return _flat({"F": D - x, "D": D, "x": x, "K": found.K, "H": H, "c": c})
 
     def joint_reactions(self, at: Numbers) -> Found:
-        """Compute F_s, F_u, F_p, F_c, M_p, and M_u of (21), (26)-(29), and (17); ``at`` also contains
-        bearing, shape (6,).
+        """Compute F_s, F_u, F_p, F_c, M_p, and M_u of (21), (26)-(29), and (17).
+
+        ``at`` also contains the bearing distances, shape (6,).
         """
         robot, axial = self._legs_side_by_side, (self.inverse_dynamics(at)["x"], array(at["bearing"]))
         found = self._every_output.leg_reactions(ON_ARRAYS, robot.leg, robot, _motion(at), *axial)
@@ -137,9 +138,7 @@ class KitInterpreter:
         return self._of_model(function, at) if own is None else own(at)
 
     def _of_model(self, what: str, at: Numbers, **given: Any) -> Found:
-        """Evaluate a function of the closed form; the functions in ``FORCED`` also take F of ``at``, shape
-        (6,).
-        """
+        """Evaluate a function of the closed form; functions in ``FORCED`` also take F of ``at``, (6,)."""
         motion = SimpleNamespace(**vars(_motion(at)), **given)
         forces = [list(array(at["F"]))] if what in FORCED else []
         return _flat(getattr(_closed_form(self._rotors), what)(ON_ARRAYS, self._model, motion, *forces))

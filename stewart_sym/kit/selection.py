@@ -173,9 +173,7 @@ class _Search:
     # ------------------------------------------------------------ sensitivities
 
     def _ratios(self, forces: Forces, near: bool, only: Container[str] | None = None) -> dict[str, Array]:
-        """Compute the largest ratio of the change of a force to its bound for each constant or some
-        constants, shape (n,).
-        """
+        """Compute the largest ratio of force change to bound for each (or some) constant, shape (n,)."""
         tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(PRECISIONS[self.precision]).eps)
         # Near a joint singularity, bounds may be so large that incorrect results pass.
         wide = tolerance.max(axis=-1) > SHARE[self.precision] * np.abs(forces.F).max(axis=-1)
@@ -199,9 +197,7 @@ class _Search:
     # ------------------------------------------------------------ motions
 
     def _sound(self, pool: Arrays, near: bool) -> tuple[Arrays, Forces]:
-        """Select well-conditioned motions in the precision, apply the compensating loads, and compute the
-        forces.
-        """
+        """Select well-conditioned motions, apply the compensating loads, and compute the forces."""
         kind = PRECISIONS[self.precision]
         pool = {name: rounded(value, kind) for name, value in pool.items()}
         good = np.all([np.isfinite(pool[name].reshape(len(pool["t"]), -1)).all(axis=1) for name in MOTION], 0)
@@ -253,9 +249,7 @@ class _Search:
         return {name: np.array(row) + 0.0 for name, row in rows.items()}
 
     def _kinds(self) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-        """Return accelerations and loads at rest or in free fall, and rates in motion (SI units, three
-        digits).
-        """
+        """Return accelerations and loads at rest or in free fall, and rates in motion (SI, three digits)."""
         size, g = self._size, self.robot.g
         pace = float(significant(np.sqrt(np.linalg.norm(g) / size), 2)) or 1.0
         weight = float(significant(self.robot.M * pace**2 * size, 2)) or 1.0
@@ -276,9 +270,7 @@ class _Search:
         return size_of(self.robot)
 
     def _places(self, draw: Any, count: int, near: bool) -> Iterator[tuple[Array, Array]]:
-        """Yield rotations, and positions near the example; with ``near``, one leg is near the fixed axis of
-        its joint.
-        """
+        """Yield rotations, and positions near the example or with a leg near the fixed axis of its joint."""
         center = self.robot.p.mean(axis=0)
         for _ in range(count):
             turn, over = whole_turn(int(draw.randint(3, 31)), *map(int, draw.randint(-4, 5, 3)))
@@ -317,9 +309,7 @@ class _Search:
 
 
 def _along(names: tuple[str, str], amount: float, size: float, *axes: int) -> dict[str, Any]:
-    """Return rates about the first three axes, and rates times the size of the machine along the other three
-    axes.
-    """
+    """Return rates about the first three axes, and rates times the machine size along the others."""
     turn, shift = (np.isin(np.arange(first, first + 3), axes) for first in (0, 3))
     return {names[0]: significant(amount * turn, 3), names[1]: significant(amount * size * shift, 3)}
 

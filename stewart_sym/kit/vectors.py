@@ -213,9 +213,7 @@ def _kinematic_inputs(
 
 
 def _torque_inputs(interpreter: KitInterpreter, motion: Numbers) -> dict[str, Array]:
-    """Return the forces of a motion, and rates near the thresholds of friction; half of the motors are
-    back-driven.
-    """
+    """Return forces and rates near the thresholds of friction; half of the motors are back-driven."""
     F = significant(values(interpreter.forces(motion)["F"]), 4)
     L_dot = values(interpreter.inverse_kinematics(motion)["L_dot"])
     at = np.array([interpreter.drives["smoothing"], interpreter.drives["stribeck_speed"], L_dot])
@@ -225,9 +223,7 @@ def _torque_inputs(interpreter: KitInterpreter, motion: Numbers) -> dict[str, Ar
 
 
 def _rotation_inputs(function: str, motion: Numbers) -> dict[str, Array]:
-    """Return angles and a quaternion that are exact or rounded equally on every machine, with the rates of
-    the motion.
-    """
+    """Return angles or a quaternion that every machine rounds equally, with the rates of the motion."""
     first, second = motion["omega"], motion["alpha"]
     if function == "motion_from_rpy":
         sine, cosine = (np.array(parts) for parts in (_SINES, _COSINES))
@@ -261,9 +257,7 @@ def _answers(found: Found, kind: type, margin: float) -> tuple[dict[str, Array],
 
 
 def _input(robot: Robot, motion: Motion, kind: type) -> dict[str, Array]:
-    """Return the fields of a ``stewart_motion``; raise ValueError if the load, a multiple of the weight,
-    overflows.
-    """
+    """Return the fields of a ``stewart_motion``; raise ValueError if the load overflows."""
     found = {name: rounded(np.ravel(getattr(motion, name)), kind) for name in MOTION}
     if not all(np.isfinite(value).all() for value in found.values()):
         precision = next(name for name, known in PRECISIONS.items() if known is kind)

@@ -133,9 +133,7 @@ def _data(view: "Viewer") -> dict[str, object]:
 
 
 def _legs(view: "Viewer") -> object:
-    """Return the peaks, limits, standard deviations, and limit status of each leg, as ``forces`` reports
-    them.
-    """
+    """Return peaks, limits, standard deviations, and limit status of each leg, as in ``forces``."""
     import numpy as np
 
     from ...drives.leg_limits import limited_angles

@@ -238,9 +238,7 @@ def _compiled(
 
 
 def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
-    """Prepare the kernel with the constants of the robot; return None if its precision cannot represent
-    them.
-    """
+    """Prepare the kernel of a robot; return None if its precision cannot represent the constants."""
     formulation, precision = cast(Any, candidate.formulation), cast(Precision, candidate.precision)
     try:
         return ForceKernel(robot, formulation, precision, candidate.fidelity, warns=False)
@@ -322,9 +320,7 @@ def _or_infinite(difference: NDArray[Any]) -> Array:
 
 
 def _ways(robot: Robot) -> dict[str, Callable[[Motion], Array]]:
-    """Return other implementations of `exact` general: functions that compute F, shape (n, 6), of a
-    motion.
-    """
+    """Return other implementations of `exact` general: functions of a motion that return F, (n, 6)."""
 
     def way(backend: Backend) -> Callable[[Motion], Array]:
         prepared = prepared_kernel(robot, "exact", backend)
@@ -338,9 +334,7 @@ def _tasks(
     kernels: Mapping[Candidate, ForceKernel],
     ways: Mapping[str, Callable[[Motion], Array]],
 ) -> dict[tuple[Candidate | str, str], Task]:
-    """Return the timed tasks: "one pose" and "batch" of each kernel, and the other implementations with key
-    "".
-    """
+    """Return the timed tasks: "one pose" and "batch" of each kernel, and "" of other implementations."""
     few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))
     tasks: dict[tuple[Candidate | str, str], Task] = {}
     for candidate, kernel in kernels.items():

@@ -175,9 +175,7 @@ def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
 
 
 def _heights(given: Sequence[Point]) -> Callable[[float], float]:
-    """Return the vertical position of an error; zeros are in a band below all others, infinite errors
-    above.
-    """
+    """Return the vertical position of an error; zeros are below all others, infinite errors above."""
     drawn = [e for point in given for e in point.errors.values() if 0.0 < e < math.inf] or [1.0]
     none = 10.0 ** (math.floor(math.log10(min(drawn))) - 1)
     beyond = 10.0 ** (math.ceil(math.log10(max(drawn))) + 1)

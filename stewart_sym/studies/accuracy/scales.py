@@ -186,9 +186,7 @@ def _case(rng: np.random.Generator, robot: Robot, ragged: bool, poses: int) -> t
 
 
 def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
-    """Return at most ``count`` well-conditioned motions, as fast as free fall, with loads for a platform of 1
-    kg.
-    """
+    """Return up to ``count`` well-conditioned motions at free-fall speed, with loads for 1 kg."""
     drawn = random_motions(rng, robot, _DRAWS * count, _SPREAD, _STANDARD_GRAVITY, 1.0)
     # For most machines the first few motions are sufficient.
     for number in (len(drawn.t) // 8, len(drawn.t)):
@@ -339,9 +337,7 @@ def figure(data: Scales) -> Figure:
 
 
 def _panel(axes: Axes, data: Scales, axis: int, places: Array) -> None:
-    """Draw largest errors as lines with markers, medians as thin lines, and the bound as a horizontal
-    line.
-    """
+    """Draw largest errors as lines with markers, medians as thin lines, and the bound."""
     for name, style in _STYLE.items():
         if name not in data.errors:
             continue

@@ -203,9 +203,7 @@ def leg_frame(leg: Numbers, at: Numbers) -> Numbers:
 
 
 def _named(numbers: Matrix, sizes: Mapping[str, int]) -> Numbers:
-    """Split numbers into quantities in the order of ``sizes``; nine are a matrix by rows, six a symmetric
-    matrix.
-    """
+    """Split numbers into quantities in the order of ``sizes``; nine or six numbers are a matrix."""
     parts: list[Matrix] = casadi.vertsplit(numbers, [0, *itertools.accumulate(sizes.values())])
     found = dict(zip(sizes, parts, strict=True))
     for name, part in found.items():

@@ -132,9 +132,7 @@ def _columns(poses: Poses, flags: Flags) -> Runner:
 
 
 def _in_columns(array: Array) -> Array:
-    """Copy rows to an array in which each row is aligned to a cache line, at different positions within
-    pages.
-    """
+    """Copy rows to an array with rows aligned to cache lines at different positions within pages."""
     width, count = array.shape
     stride = 8 * (-(-count // 8) | 1)
     room = np.zeros(width * stride + 7)
@@ -384,9 +382,7 @@ def _on_all_cores(run: Callable[[int], object]) -> Callable[[int], None]:
 
 
 def _speedup(poses: int, one: Sequence[float], many: Sequence[float]) -> Figures:
-    """Return the speedup of all cores relative to one core in each round; 0 poses mean arithmetic without
-    memory access.
-    """
+    """Return the speedup of all cores in each round; 0 poses mean arithmetic without memory access."""
     raw = tuple(slow / fast for slow, fast in zip(one, many, strict=True))
     return sampled(cores=CORES, poses=poses, raw=raw) | {"unit": "times as fast as one core"}
 

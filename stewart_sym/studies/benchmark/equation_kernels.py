@@ -105,9 +105,7 @@ def _expected_equations(robot: Robot, motion: Motion, F: Array) -> Sequence[Arra
 
 
 def _expected_derivatives(robot: Robot, motion: Motion, F: Array) -> tuple[Array, ...]:
-    """Compute F and its derivatives by pose, twist, and acceleration, (n, 6, 6), by fourth-order finite
-    differences.
-    """
+    """Compute F and its derivatives, (n, 6, 6), by fourth-order finite differences."""
     step = 1e-4 * float(np.abs(robot.b).max())
     steps = step * np.repeat([1.0, 1.0 / float(np.abs(robot.p).max())], 3)
 
@@ -139,9 +137,7 @@ def _other_rates(linear: str, angular: str) -> Callable[[Motion, Array], Motion]
 
 
 def _expected_linearization(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
-    """Compute acceleration, A, and B: dF is zero for constant forces, and [dphi] rotates with the
-    platform.
-    """
+    """Compute acceleration, A, and B; dF is zero, and [dphi] rotates with the platform."""
     _, by_pose, by_twist, by_acceleration = _expected_derivatives(robot, motion, F)
     inverse = np.linalg.inv(by_acceleration)
     A, B = np.zeros((*F.shape[:-1], 12, 12)), np.zeros((*F.shape[:-1], 12, 6))

@@ -90,9 +90,7 @@ def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
 
 
 def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
-    """Sample poses near the pose at which the height of the platform above the base equals the mean radius of
-    the base.
-    """
+    """Sample poses near a pose at a height above the base equal to the mean radius of the base."""
     center = robot.b.mean(axis=0)
     size = float(np.linalg.norm(robot.b - center, axis=-1).mean())
     up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])

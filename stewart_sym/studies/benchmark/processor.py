@@ -105,9 +105,7 @@ def widest(library: ctypes.CDLL, function: str) -> int | None:
 
 @functools.lru_cache(maxsize=4)
 def _disassembled(tool: str, library: str) -> dict[str, str]:
-    """Return the instructions of every function of a library; none if the tool fails or on other processors
-    than x86.
-    """
+    """Return the instructions of every function of a library; none if the tool fails or without x86."""
     command = [tool, "-d", "--no-show-raw-insn", library]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode or "x86-64" not in done.stdout:

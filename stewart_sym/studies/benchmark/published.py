@@ -63,9 +63,7 @@ def _shares(found: Figures) -> str:
 
 
 def _builds(found: Figures) -> str:
-    """Format times of all C code by instructions and flags with cycles, the clock, and the resulting
-    limits.
-    """
+    """Format times and cycles of all C code by instructions and flags, the clock, and the limits."""
     made = found["builds"]
     rows = [
         (

@@ -156,9 +156,7 @@ _LEAP = 0.5
 
 
 def _broken(run: PathRun, leg: int, leap: float) -> tuple[Array, Array]:
-    """Return time and fraction with a gap at each change of sign of F and each large change of the
-    fraction.
-    """
+    """Return time and fraction with a gap at each sign change of F and large change of the fraction."""
     changes = np.diff(np.sign(run.F[:, leg])) != 0
     after = np.flatnonzero(changes | (np.abs(np.diff(run.fraction[:, leg])) > leap)) + 1
     return np.insert(run.time, after, np.nan), np.insert(run.fraction[:, leg], after, np.nan)

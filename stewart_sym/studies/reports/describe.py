@@ -149,9 +149,7 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
 
 
 def _sides(robot: Robot) -> list[tuple[str, str]]:
-    """Return a row about the effect of gravity on both sides of the base, if the base is normal to an
-    axis.
-    """
+    """Return a row about the effect of gravity on both sides of a base normal to an axis."""
     axis = int(np.argmax(np.abs(robot.g)))
     flat = np.ptp(robot.b[:, axis]) < 0.5 * radius(robot.b)
     if not flat or abs(robot.g[axis]) <= _ALONG * np.linalg.norm(robot.g):
@@ -241,9 +239,7 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
 
 
 def _side(robot: Robot, home: HomePose) -> str:
-    """Describe the side of the base at the home pose, and the sign of the leg load if gravity determines
-    it.
-    """
+    """Describe the side of the base at home, and the sign of the leg load if gravity determines it."""
     direction, rule, _ = home.side
     text = f"{_vector(direction)} of the base, {rule}"
     pull = float(direction @ robot.g)

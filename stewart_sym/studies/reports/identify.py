@@ -137,9 +137,7 @@ def from_measurement(
 
 
 def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> tuple[str, ...]:
-    """Return warnings about forces of another magnitude than the robot file gives, and about implausible
-    noise.
-    """
+    """Return warnings about forces of another magnitude, and about an implausible noise."""
     said = []
     if found.normalized_residual < _LEAST_MISFIT:
         said.append(
@@ -309,9 +307,7 @@ def _report(
     tables: Mapping[str, str | Mapping[str, Array]],
     data: Mapping[str, Any],
 ) -> Report:
-    """Create a report of text lines and a table of the base parameters with their numbers, shape (n,) by
-    name.
-    """
+    """Create a report of text lines and a table of the base parameters with columns (n,) by name."""
     columns = (values.tolist() for values in numbers.values())
     head = ("name", "formula", "unit", *numbers)
     rows = list(zip(base.names, base.formulas, base.units, *columns, strict=True))

@@ -153,9 +153,7 @@ def _broken(breaks: list[float], time: Array, *values: Array) -> tuple[Array, ..
 
 
 def _bound(distance: Array, F: Array, window: float) -> float:
-    """Return a bound of the forces, shape (n, 6), without samples within a fraction of the window (s) from a
-    crossing.
-    """
+    """Return a bound of the forces, (n, 6), except near a crossing (fraction of the window, s)."""
     largest = float(np.nanmax(np.where((distance > 0.05 * window)[:, None], np.abs(F), 0.0), initial=0.0))
     return 1.1 * largest or 1.0
 

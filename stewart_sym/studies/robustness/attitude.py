@@ -96,9 +96,7 @@ def _rewritten(name: str, pose: Motion, theta: Array, first: Array, second: Arra
 
 
 def _angle_rates(theta: Array, motion: Motion) -> tuple[Array, Array]:
-    """Compute rates of the angles from omega = E theta' and alpha = E theta'' + E' theta' in 50-digit
-    arithmetic.
-    """
+    """Compute theta' and theta'' from omega = E theta', alpha = E theta'' + E' theta' with 50 digits."""
     y, z = (digits.mpf(float(angle)) for angle in theta[1:])
     sy, cy, sz, cz = digits.sin(y), digits.cos(y), digits.sin(z), digits.cos(z)
     E = digits.matrix([[cz * cy, -sz, 0], [sz * cy, cz, 0], [-sy, 0, 1]])

@@ -193,9 +193,7 @@ def _short(seed: int) -> Family:
 
 
 def _limits(seed: int) -> Family:
-    """Compute forward kinematics for lengths near a limit; the error is 0 for the correct status, otherwise
-    1.
-    """
+    """Compute forward kinematics near a length limit; the error is 0 for the correct status, else 1."""
     rng = np.random.default_rng(seed)
     robot = random_machine(rng)
     motion = random_motion(rng, robot)

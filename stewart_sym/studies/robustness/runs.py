@@ -43,9 +43,7 @@ def families() -> list[Family]:
 
 
 def _across() -> Family:
-    """Simulate a free fall of the robot of the paper over the crossing of Path III; error over the
-    tolerance.
-    """
+    """Simulate a free fall over the crossing of Path III; error over the tolerance."""
     robot = dasgupta1998()
     path, crossing = PAPER_PATHS["III"].path, crossing_of_path_III()
     moving = path.sample(crossing - 0.1)
@@ -133,9 +131,7 @@ def _stiff() -> Family:
 
 
 def _long() -> Family:
-    """Return the largest energy change of a frictionless machine on springs until a time, relative to the
-    kinetic energy.
-    """
+    """Return the largest energy change until a time, relative to the kinetic energy."""
     robot = without_friction(random_machine(np.random.default_rng(8)))
     start = _moving(robot)
     springs = LegSprings.in_equilibrium(robot, start, stiffness=1e2 * robot.M * GRAVITY / machine_size(robot))
@@ -170,9 +166,7 @@ def _long() -> Family:
 
 
 def _fixed_drift(robot: Robot, state: Motion, springs: LegSprings, count: int) -> Array:
-    """Return the energy change at each fixed step (J), shape (count,), with constant spring forces during a
-    step.
-    """
+    """Return the energy change at each fixed step (J), (count,), with constant forces during a step."""
     plant = ForwardDynamics(robot)
     energy = np.empty(count)
     for i in range(count):

@@ -146,9 +146,7 @@ _prepared_truth = lru_cache(maxsize=1)(Truth)
 
 
 def _forces(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
-    """Return forces and statuses; a robot with overflowing constants, which is an error, has status
-    NOT_FINITE.
-    """
+    """Return forces and statuses; a robot with overflowing constants has status NOT_FINITE."""
     try:
         kernel = ForceKernel(robot)
     except ValueError:

@@ -69,9 +69,7 @@ def _finished(plant: Any) -> Any:
 
 
 def _inertia(mass: float, center: Array, inertia: Array) -> Any:
-    """Return the inertia of a body without validation, because no rigid body can have the tensors of the
-    paper.
-    """
+    """Return an unvalidated inertia, because no rigid body can have the tensors of the paper."""
     if mass == 0:
         return tree.SpatialInertia.Zero()
     unit = inertia / mass + center @ center * np.eye(3) - np.outer(center, center)
@@ -81,9 +79,7 @@ def _inertia(mass: float, center: Array, inertia: Array) -> Any:
 
 
 def _prepared(plant: Any, at: States) -> list[tuple[Any, ...]]:
-    """Prepare the arguments of the call for every pose: positions with rates, accelerations, and body
-    forces.
-    """
+    """Prepare the arguments for every pose: positions with rates, accelerations, and body forces."""
     motion, legs = at.motion, at.legs
     count = len(motion.R)
     q = [legs.coordinates.reshape(count, -1), quaternion_from_rotation(motion.R), motion.t]

@@ -83,9 +83,7 @@ def _xml(robot: Robot) -> str:
 
 
 def _option(gravity: Array) -> str:
-    """Return the options: the fastest solver for this model, without warm start and unrequested
-    computations.
-    """
+    """Return the options: the fastest solver, without warm start and unrequested computations."""
     off = " ".join(f'{name}="disable"' for name in ("contact", "sensor", "warmstart", "island"))
     return (
         f'<option gravity="{_text(gravity)}" solver="Newton" jacobian="dense" iterations="1" tolerance="0">'

@@ -52,8 +52,7 @@ def pinocchio_rnea(robot: Robot, motion: Motion) -> Called:
 
 
 def _model_of_legs(robot: Robot) -> tuple[Any, list[int]]:
-    """Build six chains, revolute about k, revolute about y, prismatic along s; return the joints of the upper
-    parts.
+    """Build six chains, revolute about k and y, prismatic along s; return joints of upper parts.
 
     The joint of a lower part precedes the joint of its upper part.
     """
@@ -71,9 +70,7 @@ def _model_of_legs(robot: Robot) -> tuple[Any, list[int]]:
 
 
 def _prepared(at: States, joints: int, upper: list[int]) -> list[tuple[Any, ...]]:
-    """Prepare the arguments of ``rnea`` for every pose: q, v, a, and external forces in the frames of the
-    bodies.
-    """
+    """Prepare the arguments of ``rnea`` for every pose: q, v, a, and external forces in body frames."""
     motion, legs = at.motion, at.legs
     R, omega, count = motion.R, motion.omega, len(motion.R)
     quaternions = quaternion_from_rotation(R)[:, _W_LAST]

@@ -140,9 +140,7 @@ def _across(rng: np.random.Generator, direction: Array) -> Array:
 
 
 def _inertia(rng: np.random.Generator, legs: str) -> Array:
-    """Compute the inertia, divided by mass and size squared, of four mass points, which is always
-    physical.
-    """
+    """Compute a physical inertia of four mass points, divided by mass and size squared."""
     points = 0.15 * rng.normal(size=(4, 3)) * (np.array([1.0, 0.0, 0.0]) if legs == "slender" else 1.0)
     if legs != LEGS[0]:
         along, across = np.mean(points[:, 0] ** 2), np.mean(points[:, 1:] ** 2)

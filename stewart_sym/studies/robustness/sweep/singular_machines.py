@@ -116,9 +116,7 @@ def _regulus(rng: np.random.Generator) -> Points:
 
 
 def _nearly_alike(rng: np.random.Generator, points: Points, groups: tuple[tuple[int, ...], ...]) -> Points:
-    """Move the points to the finer grid, and place the legs of each group near its first leg, at a random
-    distance.
-    """
+    """Move points to the finer grid, and the legs of each group near its first leg."""
     base, platform = (2**_FINE * each for each in points)
     for first, *others in groups:
         shared = rng.uniform(0, _FINE)

@@ -114,9 +114,7 @@ def condition_of(found: NDArray[Any]) -> Array:
 
 
 def _of_forces(found: NDArray[Any], column: int) -> SimpleNamespace:
-    """Return the results of one kernel, shape (n,): error in rounding units, condition numbers of problem and
-    pose.
-    """
+    """Return the results of one kernel, (n,): error (rounding units) and condition numbers."""
     condition = condition_of(found)
     return SimpleNamespace(
         kernel=KERNELS[column],
