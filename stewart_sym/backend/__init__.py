@@ -1,1 +1,1 @@
-"""Kernels as they run: compiled C through ctypes, NumPy, and which fidelities there are."""
+"""Execution of the kernels: compiled C through ctypes, NumPy, and the available fidelity levels."""

@@ -1,4 +1,4 @@
-"""The C kernels through ctypes: arrays of poses in, arrays and statuses out."""
+"""C kernels called through ctypes, with arrays of poses as input and arrays and statuses as output."""
 
 import ctypes
 import functools
@@ -22,20 +22,20 @@ from .kernel import MOTION, defines_of, offset_numbers, overflows, robot_kernel,
 
 
 def c_sources(name: str) -> dict[str, str]:
-    """File name -> text of the generated C of one kernel."""
+    """Return the generated C sources of one kernel, text by file name."""
     return {file: generated_c(file) for file in (*HEADERS, f"stewart_{name}.h", f"stewart_{name}.c")}
 
 
 def generated_c(file: str) -> str:
-    """Text of a file of the generated C."""
+    """Read a file of the generated C."""
     return (files("stewart_sym.generated") / "c" / file).read_text(encoding="utf-8")
 
 
 @functools.cache
 def library(name: str, defines: tuple[str, ...] = (), flags: tuple[str, ...] = ()) -> ctypes.CDLL:
-    """The compiled C of one kernel, with macros defined; flags: after those of every library.
+    """Compile and load the C code of one kernel with macros; ``flags`` follow the common compiler flags.
 
-    Raises native.CompilerError where there is no working compiler.
+    Raises native.CompilerError without a working compiler.
     """
     macros = dict.fromkeys((*defines, *defines_of(name)), 1)
     return native.load(f"stewart_{name}", c_sources(name), flags, macros)
@@ -43,24 +43,27 @@ def library(name: str, defines: tuple[str, ...] = (), flags: tuple[str, ...] = (
 
 @dataclass(frozen=True, eq=False)
 class CKernel(Frozen):
-    """The C kernel of one formulation with one robot's numbers. Calls release the interpreter lock."""
+    """C kernel of one formulation with the constants of one robot; calls release the interpreter lock."""
 
     name: str
     numbers: Array
 
     @classmethod
     def prepare(cls, robot: Robot, formulation: str) -> "CKernel":
-        """Compile or find the kernel and lay out the robot."""
+        """Compile the kernel or load it from the cache, and store the constants of the robot."""
         name = robot_kernel(robot, formulation)
         library(name)
         return cls(name, read_only(robot_numbers(robot, takes_rotors(name))))
 
     def forces(self, motion: Motion) -> InverseDynamicsResult:
-        """Inverse dynamics of every pose; NaN where the status is not 0."""
+        """Compute the inverse dynamics of every pose; results are NaN if the status is not 0."""
         return InverseDynamicsResult(**self._run("inverse_dynamics", motion))
 
     def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
-        """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
+        """Compute the joint reactions of every pose; results are NaN if the status is not 0.
+
+        ``bearing`` contains the bearing distances (m), shape (6,).
+        """
         return JointReactionsResult(**self._run("joint_reactions", motion, np.ascontiguousarray(bearing)))
 
     def _run(self, function: str, motion: Motion, *given: Array) -> dict[str, Any]:
@@ -76,10 +79,27 @@ def results_of(
     given: Iterable[Array | None] = (),
     apart: bool = False,
 ) -> dict[str, Any]:
-    """What a C function of many poses writes, by name: arrays, NaN where the status is not 0, and the status.
+    """Call a C function for many poses, and return its results and the status by name.
 
-    shapes: of the parts of one pose. given: arrays that the function takes after the motion. apart: whether
-    it takes the results one by one and not as a structure.
+    Parameters
+    ----------
+    function : ctypes function
+        C function.
+    model : ndarray
+        Constants of the kernel.
+    motion : Motion
+        Poses and rates.
+    shapes : mapping of str to tuple of int
+        Shape of each result for one pose.
+    given : iterable of ndarray or None
+        Arrays that the function takes after the motion.
+    apart : bool
+        True if the function takes the result arrays as separate arguments instead of a structure.
+
+    Returns
+    -------
+    dict
+        Result arrays, NaN if the status is not 0, and the status.
     """
     found = {name: np.full((*motion.shape, *of), np.nan, dtype=model.dtype) for name, of in shapes.items()}
     status = np.zeros(motion.shape, dtype=np.int32)
@@ -89,9 +109,10 @@ def results_of(
 
 
 def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
-    """Call a C function of many poses with a robot's numbers, a motion in their precision, and what follows.
+    """Call a C function for many poses with constants, a motion, and further arguments; return its return
+    value.
 
-    Returns what the function returns.
+    The motion is converted to the precision of the constants.
     """
     with np.errstate(over="ignore"):
         inputs = [contiguous(getattr(motion, name), model.dtype) for name in MOTION]
@@ -100,7 +121,7 @@ def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
 
 @functools.cache
 def function(name: str, part: str, precision: str, what: str) -> Any:
-    """The C function ``stewart_<name>_<what>`` of the library of a kernel's part, for "double" or "float"."""
+    """Return the C function ``stewart_<name>_<what>`` of a part of a kernel for "double" or "float"."""
     defines = ("STEWART_FLOAT",) if precision == "float" else ()
     return getattr(library(f"{name}_{part}", defines), f"stewart_{name}_{what}")
 
@@ -108,16 +129,38 @@ def function(name: str, part: str, precision: str, what: str) -> Any:
 def prepared_model(
     prepare: Any, robot: Robot, count: int, precision: str, rotors: bool = False, offsets: bool = False
 ) -> NDArray[Any]:
-    """So many constants that a C function prepares from a robot, with its rotors where the kernel takes them.
+    """Prepare the constants of a robot with the function ``prepare`` of a kernel, and return them read-only.
 
-    offsets: whether the kernel is that of offset joints. They are read-only, where C reads them fastest.
-    Raises ValueError where they overflow.
+    Parameters
+    ----------
+    prepare : ctypes function
+        C function that prepares the constants.
+    robot : Robot
+        Robot.
+    count : int
+        Number of the prepared constants.
+    precision : str
+        "double" or "float".
+    rotors : bool
+        True if the kernel takes rotors.
+    offsets : bool
+        True for the kernel of offset joints.
+
+    Returns
+    -------
+    ndarray, shape (count,)
+        Constants, aligned to a cache line.
+
+    Raises
+    ------
+    ValueError
+        If a constant overflows.
     """
     dtype = np.float64 if precision == "double" else np.float32
     with np.errstate(over="ignore"):
         given = offset_numbers(robot) if offsets else robot_numbers(robot, rotors)
         numbers = given.astype(dtype)
-    # They begin with a line of the cache, so that no vector of constants lies in two.
+    # The constants are aligned to a cache line, so that no vector register load crosses a line.
     size = count * np.dtype(dtype).itemsize
     room = np.zeros(size + 63, dtype=np.uint8)
     first = -room.ctypes.data % 64
@@ -130,22 +173,22 @@ def prepared_model(
 
 
 def pointers(arrays: Iterable[Array | None]) -> Any:
-    """The addresses of arrays as C takes them: a structure of pointers."""
+    """Return the addresses of arrays as a C structure of pointers."""
     found = [address(array) for array in arrays]
     return (ctypes.c_void_p * len(found))(*found)
 
 
 def contiguous(array: Array | None, dtype: Any = None) -> Array | None:
-    """The array as C takes it, of another type if one is given; None for None."""
+    """Return the array in C order, optionally converted to ``dtype``; return None for None."""
     return None if array is None else np.ascontiguousarray(array, dtype=dtype)
 
 
 def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:
-    """Where an entry of a contiguous array lies; null for None."""
+    """Return the address of an entry of a contiguous array, or NULL for None."""
     if array is None:
         return ctypes.c_void_p(None)
     if array.flags.carray and array.size > 0:
-        # Far quicker than the array's interface, which has to serve where an array is read-only or empty.
+        # This is much faster than the array interface, which is required only for read-only or empty arrays.
         start = ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
     else:
         start = array.__array_interface__["data"][0]

@@ -1,6 +1,6 @@
-"""Levels of fidelity: which reduced force kernels there are, and what each says of the machine.
+"""Fidelity levels: available reduced force kernels and the physics that each includes.
 
-A level drops physics of the legs that a scene may not need; each has a kernel of its own.
+A level omits physics of the legs that a scene may not require; each level has its own kernel.
 """
 
 from typing import Any
@@ -12,12 +12,15 @@ from ..robot.robot import Robot
 from .kernel import OFFSET_KERNEL, kernel_name, module, offset_kernel, robot_kernel
 
 FIDELITIES: tuple[str, ...] = tuple(_TABLE)
-"""Names, from everything to nothing but the platform: legs ``general`` (with friction), ``frictionless``,
-``axisymmetric``, ``slender``, ``point_masses``, ``massless``, the last four also with ``_friction``; with
-``_static`` neither velocities nor accelerations."""
+"""Names of the levels, from all physics to the platform alone.
+
+The legs are ``general`` (with friction), ``frictionless``, ``axisymmetric``, ``slender``, ``point_masses``,
+or ``massless``. The last four also exist with ``_friction``. Levels with ``_static`` omit velocities and
+accelerations.
+"""
 
 NO_ROTOR = "no_rotor"
-"""Of a robot whose legs have rotors: everything but them."""
+"""Level of robots with rotors that includes everything except the rotors."""
 
 _DRIVE_TABLE = {
     **_WITH_ROTORS,
@@ -25,18 +28,22 @@ _DRIVE_TABLE = {
     **{name: level for name, level in _TABLE.items() if name != "general"},
 }
 DRIVE_FIDELITIES: tuple[str, ...] = tuple(_DRIVE_TABLE)
-"""Names of a robot whose legs have rotors: ``general`` has all of them, ``reflected`` their masses alone,
-also with ``slender`` and ``massless`` legs; the others have no rotors."""
+"""Names of the levels of a robot whose legs have rotors.
+
+``general`` includes all effects of the rotors, and ``reflected`` only their reflected masses, also with
+``slender`` and ``massless`` legs. The other levels omit the rotors.
+"""
 
 _SAME = {"axisymmetric_static": "slender_static", "point_masses_static": "slender_static"}
 _GENERAL = "general"
 
 
 def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
-    """Levels that there are for a robot: all for ``exact`` and universal base joints.
+    """List the levels that are available for a robot.
 
-    With spherical base joints those without universal joints; ``paper`` has ``general`` alone, and none for
-    legs with rotors. Raises ValueError for an unknown formulation.
+    The formulation ``exact`` with universal base joints has all levels. Spherical base joints have the levels
+    without universal joints. ``paper`` has only ``general``, and no level for legs with rotors. Raises
+    ValueError for an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)
     if robot.offsets is not None:
@@ -53,9 +60,9 @@ def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
 
 
 def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
-    """The level that a name stands for; at rest, axisymmetric legs and point masses are slender ones.
+    """Return the level of a name: at rest, axisymmetric legs and point masses are equivalent to slender legs.
 
-    Raises ValueError naming the levels that there are.
+    Raises ValueError, which lists the available levels, for an unavailable one.
     """
     (robot_kernel if robot.offsets is None else offset_kernel)(robot, formulation)
     name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else fidelity
@@ -70,7 +77,9 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 
 
 def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
-    """Name of the generated force kernel, as in ``stewart_<name>_forces.c``; raises as ``resolved``."""
+    """Return the name of the generated force kernel, as in ``stewart_<name>_forces.c``; raises as
+    ``resolved``.
+    """
     level = resolved(robot, formulation, fidelity)
     if robot.offsets is not None:
         return offset_kernel(robot, formulation)
@@ -79,7 +88,7 @@ def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
 
 
 def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:
-    """Operations per pose: +, -, *, / and sqrt one each, solve included."""
+    """Count the operations per pose: +, -, *, /, and sqrt count one each, including the linear solve."""
     level = resolved(robot, formulation, fidelity)
     if robot.offsets is not None:
         return int(module(f"{OFFSET_KERNEL}_operations").OPERATIONS["forces"])
@@ -90,19 +99,21 @@ def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERA
 
 
 def meaning(fidelity: str, rotors: bool = False) -> str:
-    """What a level says of the machine, in words; rotors: of one whose legs have them."""
+    """Describe the physics of a level; ``rotors`` selects the level of robots with rotors."""
     return str((_DRIVE_TABLE if rotors else _TABLE)[_SAME.get(fidelity, fidelity)]["meaning"])
 
 
 def rotor_of(robot: Robot, fidelity: str) -> str:
-    """What the forces of a level have of the rotors: "all", their "mass" alone or "none"."""
+    """Return the effects of the rotors in the forces of a level: "all", "mass" (reflected mass), or
+    "none".
+    """
     if not robot.has_rotors or fidelity not in _WITH_ROTORS:
         return "none"
     return "all" if fidelity == _GENERAL else "mass"
 
 
 def knows_axes(robot: Robot, fidelity: str) -> bool:
-    """Whether a level's kernel has the axes of universal joints."""
+    """Return True if the kernel of a level includes the axes of universal joints."""
     return bool(_table(robot)[fidelity]["universal"])
 
 

@@ -1,8 +1,8 @@
-"""Compiles C source text into a shared library once, keeps it in a cache and loads it with ctypes.
+"""Compiler of C source text into a shared library, which is cached and loaded with ctypes.
 
-A library is published by one rename, and its file name holds the digest of its bytes, which is checked before
-the loader maps it: the cache is sound without a lock between processes, which only keeps them from compiling
-the same at once.
+A library is published by one rename. Its file name contains the digest of its bytes, which is verified before
+the library is loaded. The cache is therefore consistent without a lock between processes; the lock only
+prevents simultaneous compilation of the same library.
 """
 
 import contextlib
@@ -28,27 +28,29 @@ from dataclasses import dataclass
 from pathlib import Path
 
 COMPILE_TIMEOUT = 300.0
-"""Seconds that one run of the compiler may take."""
+"""Longest duration of one compiler run (s)."""
 
 _VERSION_TIMEOUT = 60.0
 _STALE_SECONDS = 24 * 3600.0
 
 _NATIVE = "-march=native"
-# Code on Windows is position independent anyway, and clang rejects the flag there.
+# Code on Windows is always position independent, and clang rejects the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
 FLAGS = ("-O3", "-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off", _NATIVE)
-"""Of the compiler, for every library of this machine."""
+"""Compiler flags of libraries for this machine."""
 
 PORTABLE_FLAGS = (
     *("-O2", "-std=c99", *_POSITION, "-shared", "-fvisibility=hidden"),
     *("-fno-math-errno", "-ffp-contract=off"),
 )
-"""For a library that is given away: it runs on any processor of this kind, and shows only what it exports."""
+"""Compiler flags of libraries that are distributed: any processor of the same architecture, exported symbols
+only.
+"""
 # A library linked with one of these switches the whole process to flush-to-zero.
 _REJECTED = frozenset({"-Ofast", "-ffast-math", "-funsafe-math-optimizations"})
 _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 
-# The lines of /proc/cpuinfo that name the model and its instruction sets (x86; Arm; RISC-V; POWER).
+# Lines of /proc/cpuinfo with the model and its instruction sets (x86, Arm, RISC-V, POWER).
 _PROCESSOR_LINES = frozenset(
     {"vendor_id", "cpu family", "model", "model name", "stepping", "flags"}
     | {"Features", "CPU implementer", "CPU architecture", "CPU variant", "CPU part"}
@@ -58,12 +60,13 @@ _PROCESSOR_LINES = frozenset(
 _loaded: dict[str, ctypes.CDLL] = {}
 _turns: dict[str, threading.Lock] = {}
 _lock = threading.Lock()
-# A child forked while a compiler starts would hold its pipes open, and their end is waited for.
+# A child process that is forked while a compiler starts would inherit its pipes, and the parent would wait
+# for their end.
 _starting = threading.RLock()
 
 
 def _renew_locks() -> None:
-    """Give a forked child locks of its own: the threads that owned them are not in it."""
+    """Create new locks in a forked child, because the threads that own the old locks do not exist there."""
     global _lock, _starting
     _lock, _starting = threading.Lock(), threading.RLock()
     _turns.clear()
@@ -78,26 +81,30 @@ if hasattr(os, "register_at_fork"):
 
 
 class CompilerError(RuntimeError):
-    """No library could be built or loaded; one line. ``log`` is all that the compiler printed, or empty."""
+    """Error of building or loading a library, in one line; ``log`` is the output of the compiler, or
+    empty.
+    """
 
     def __init__(self, message: str, log: str = "") -> None:
-        """Fold ``message`` into one line."""
+        """Join the lines of ``message``."""
         super().__init__(" ".join(message.split()))
         self.log = log
 
 
 @dataclass(frozen=True)
 class Compiler:
-    """A C compiler that answered: ``command`` as run, program first, and the first line of its version."""
+    """Working C compiler: ``command`` begins with the program, ``version`` is the first line of its
+    version.
+    """
 
     command: tuple[str, ...]
     version: str
 
 
 def find_compiler() -> Compiler | None:
-    """Return the first that works of ``$CC``, cc, gcc, clang and the ``ziglang`` wheel, or None.
+    """Return the first working compiler of ``$CC``, cc, gcc, clang, and the ``ziglang`` wheel, or None.
 
-    ``$CC`` may hold arguments. If it is set and does not work, nothing else is tried: CompilerError.
+    ``$CC`` may contain arguments. If it is set and does not work, CompilerError is raised.
     """
     requested = os.environ.get("CC", "").strip()
     if requested:
@@ -114,22 +121,39 @@ def load(
     flags: Sequence[str] = (),
     defines: Mapping[str, str | int] | None = None,
 ) -> ctypes.CDLL:
-    """Return the shared library made of ``sources``, compiled only if no cache holds it.
+    """Load the shared library of ``sources``, compiled only if the cache does not contain it.
 
-    name: letters, digits and underscores; begins the library's file name and stands in errors.
-    sources: file name -> text; ``.c`` files are compiled, ``.h`` files lie beside them.
-    flags: added after the default flags. defines: macro -> value.
+    The cache is ``$STEWART_SYM_CACHE``, otherwise the cache folder of the user. A cache that is read-only, or
+    that other users may write, is replaced by a temporary folder with a RuntimeWarning. Calls into the
+    library release the interpreter lock. A repeated call returns the same object.
 
-    The cache is ``$STEWART_SYM_CACHE``, else the user's cache folder; one that can't be written, or that
-    others may write, is replaced by a temporary folder, with a RuntimeWarning. Calls into the library
-    release the interpreter lock. Loading the same thing again returns the same object.
+    Parameters
+    ----------
+    name : str
+        Letters, digits, and underscores; start of the file name of the library, and its name in errors.
+    sources : mapping of str to str
+        Text by file name; ``.c`` files are compiled, ``.h`` files are in the same folder.
+    flags : sequence of str
+        Compiler flags after the default flags.
+    defines : mapping of str to str or int, optional
+        Values of macros.
 
-    Raises CompilerError if there is no compiler, or it fails; ValueError for a flag that is rejected.
+    Returns
+    -------
+    ctypes.CDLL
+        Loaded library.
+
+    Raises
+    ------
+    CompilerError
+        If there is no compiler, or it fails.
+    ValueError
+        If a flag changes the floating-point arithmetic of the process.
     """
     recipe = _recipe(name, sources, flags, defines)
     key = recipe.key()
     with _lock:
-        # One compiler for each library, so that threads can have several compiled side by side.
+        # One lock for each library, so that threads can compile several libraries simultaneously.
         turn = _turns.setdefault(key, threading.Lock())
     with turn:
         if key not in _loaded:
@@ -144,17 +168,17 @@ def compiled(
     flags: Sequence[str] = (),
     base: Sequence[str] = FLAGS,
 ) -> Path:
-    """Compile as ``load`` does, but anew, into ``folder``, past the cache; returns the library, not loaded.
+    """Compile into ``folder`` without the cache; return the path of the library, which is not loaded.
 
-    base: the flags before ``flags``, FLAGS or PORTABLE_FLAGS. Raises as ``load`` does.
+    ``base`` contains the flags before ``flags``, FLAGS or PORTABLE_FLAGS. Raises the errors of ``load``.
     """
     return _compile(folder, _recipe(name, sources, flags, None, base))
 
 
 def ran(command: Sequence[str], folder: Path) -> str:
-    """Run a compiler or one of its tools in ``folder``; returns what it printed.
+    """Run a compiler or one of its tools in ``folder``; return its output.
 
-    Raises CompilerError if it fails, takes longer than COMPILE_TIMEOUT or does not start.
+    Raises CompilerError if it fails, exceeds COMPILE_TIMEOUT, or does not start.
     """
     try:
         code, output = _run(command, COMPILE_TIMEOUT, folder)
@@ -174,14 +198,14 @@ def _recipe(
 ) -> "_Recipe":
     compiler = find_compiler()
     if compiler is None:
-        raise CompilerError("no C compiler found: install gcc or clang, set CC, or `pip install ziglang`")
+        raise CompilerError("no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`")
     macros = tuple(f"-D{macro}={value}" for macro, value in sorted((defines or {}).items()))
     return _Recipe(name, dict(sources), compiler, (*base, *macros, *flags))
 
 
 @dataclass(frozen=True)
 class _Recipe:
-    """All that decides what the library will be."""
+    """All inputs that determine a library."""
 
     name: str
     sources: dict[str, str]
@@ -192,11 +216,11 @@ class _Recipe:
         for where, words in (("CC", self.compiler.command), ("flags", self.flags)):
             for flag in _REJECTED.intersection(words):
                 raise ValueError(
-                    f"{where}: {flag} is rejected, it changes the arithmetic of the whole process"
+                    f"{where}: {flag} changes the arithmetic of the whole process; remove the flag"
                 )
 
     def key(self) -> str:
-        # Native code runs only on processors like this one, hence the processor.
+        # Native code runs only on processors of the same kind, so the key includes the processor.
         parts = [
             self.name,
             sorted(self.sources.items()),
@@ -234,7 +258,7 @@ def _candidates() -> Iterator[tuple[str, ...]]:
 
 @functools.cache
 def _version(command: tuple[str, ...]) -> str:
-    """First line of ``--version``; CompilerError, which is not remembered, if the command does not run."""
+    """Return the first line of ``--version``; raise CompilerError, uncached, if the command fails."""
     try:
         with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
             code, output = _run((*command, "--version"), _VERSION_TIMEOUT, Path(folder))
@@ -246,11 +270,11 @@ def _version(command: tuple[str, ...]) -> str:
 
 
 def _run(command: Sequence[str], timeout: float, folder: Path) -> tuple[int, str]:
-    """Exit code and output; runs in ``folder``, which also takes the compiler's own temporary files."""
-    # Messages in English, so that the first error can be found in them.
+    """Run a command in ``folder``, also for temporary files; return the exit code and the output."""
+    # The first error is recognized only in English messages.
     env = {"PATH": os.defpath, **os.environ, "LC_ALL": "C"}
     env |= dict.fromkeys(("TMPDIR", "TMP", "TEMP", "ZIG_LOCAL_CACHE_DIR"), str(folder))
-    # Zig's own choice is below the home folder, and it does not run at all where that can't be written.
+    # Zig's default is below the home folder, and Zig does not run if that folder is read-only.
     env.setdefault("ZIG_GLOBAL_CACHE_DIR", str(folder))
     with _starting:
         process = subprocess.Popen(
@@ -274,7 +298,7 @@ def _run(command: Sequence[str], timeout: float, folder: Path) -> tuple[int, str
 
 
 def _kill(process: subprocess.Popen[str]) -> None:
-    # The driver's own children (cc1, ld) must go as well: they are of its process group.
+    # The children of the driver (cc1, ld) are in its process group and must be terminated too.
     if sys.platform == "win32":
         process.kill()
     else:
@@ -290,7 +314,7 @@ def _first_error(log: str) -> str:
 
 @functools.cache
 def _processor() -> str:
-    """Model and instruction sets of this machine's processors."""
+    """Describe the model and the instruction sets of the processors of this machine."""
     machine = f"{sys.platform} {platform.machine()} {sys.maxsize}"
     try:
         text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
@@ -301,7 +325,7 @@ def _processor() -> str:
 
 
 def _mac_processor() -> str:
-    # platform.processor() says only "arm" or "i386" there.
+    # platform.processor() returns only "arm" or "i386" on macOS.
     if sys.platform == "darwin":
         question = ("/usr/sbin/sysctl", "-n", "machdep.cpu.brand_string")
         with contextlib.suppress(OSError, subprocess.TimeoutExpired):
@@ -313,13 +337,13 @@ def _mac_processor() -> str:
 
 
 def _open(recipe: _Recipe, key: str) -> ctypes.CDLL:
-    # Also a library that is sound but does not load (a folder mounted noexec) ends in the temporary folder.
+    # A valid library that does not load (a folder mounted noexec) is also rebuilt in the temporary folder.
     try:
         return _open_in(_cache_directory(), recipe, key)
     except OSError as error:
         fault = error
     try:
-        # A library needs no file once it is loaded; where it does (Windows), the folder stays behind.
+        # A loaded library requires no file, except on Windows, where the folder remains.
         with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
             library = _open_in(Path(folder), recipe, key)
     except OSError as error:
@@ -327,8 +351,8 @@ def _open(recipe: _Recipe, key: str) -> ctypes.CDLL:
             f"the compiled library {recipe.name} can't be stored or loaded: {error}"
         ) from error
     warnings.warn(
-        "compiled libraries are kept for this process alone, expected $STEWART_SYM_CACHE to name a folder "
-        f"that you alone may write: {fault}",
+        f"compiled libraries are kept for this process alone ({fault}); set STEWART_SYM_CACHE to a folder "
+        "that only you may write",
         RuntimeWarning,
         stacklevel=2,
     )
@@ -346,23 +370,24 @@ def _open_in(directory: Path, recipe: _Recipe, key: str) -> ctypes.CDLL:
 
 @contextlib.contextmanager
 def _turn_of_process(directory: Path, key: str) -> Iterator[None]:
-    """Wait until no other process builds the same, where the system and the folder have such locks."""
+    """Wait until no other process builds the same library, if the system and the folder support locks."""
     with contextlib.ExitStack() as held:
         with contextlib.suppress(ImportError, OSError):
             import fcntl
 
             path = directory / f"build-{key}.lock"
-            # Of the process, so that a forked child does not wait for itself, and gone when it dies.
+            # The lock belongs to the process: a forked child does not wait for itself, and the lock ends with
+            # the process.
             fcntl.lockf(held.enter_context(path.open("w")), fcntl.LOCK_EX)
             held.callback(path.unlink, missing_ok=True)
-            # Of processes that were killed while they held it.
+            # These folders are from processes that were killed while they had the lock.
             for left in directory.glob(f"build-{key}-*"):
                 shutil.rmtree(left, ignore_errors=True)
         yield
 
 
 def _cache_directory() -> Path:
-    """The cache folder, made if missing; OSError if it can't be used or is not this user's alone."""
+    """Return the cache folder, created if missing; raise OSError if it is unusable or not exclusive."""
     try:
         directory = _cache_location()
     except RuntimeError as error:  # pathlib found no home
@@ -370,7 +395,7 @@ def _cache_directory() -> Path:
     directory.mkdir(mode=0o700, parents=True, exist_ok=True)
     directory = directory.resolve()
     if not _is_ours(directory.stat()):
-        raise PermissionError(f"{directory} belongs to, or may be written by, somebody else")
+        raise PermissionError(f"{directory} is owned or writable by another user")
     return directory
 
 
@@ -390,14 +415,14 @@ def _cache_location() -> Path:
 
 
 def _is_ours(status: os.stat_result) -> bool:
-    """Whether this user owns it and nobody else may write it."""
+    """Return True if this user owns the file and no other user may write it."""
     if sys.platform == "win32":
         return True
     return status.st_uid == os.geteuid() and not status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
 
 
 def _find(directory: Path, stem: str) -> Path | None:
-    """The cached library whose bytes agree with its name: mapping a truncated one could kill the process."""
+    """Return the cached library whose bytes match its name; a truncated one could kill the process."""
     for path in sorted(directory.glob(f"{stem}-*{_SUFFIX}")):
         with contextlib.suppress(OSError):
             status = path.lstat()
@@ -411,8 +436,8 @@ def _digest(path: Path) -> str:
 
 
 def _build(directory: Path, recipe: _Recipe, key: str) -> Path:
-    """Compile in a folder of its own and publish by one rename, over a damaged file if there is one."""
-    # What killed processes left behind goes.
+    """Compile in a temporary folder, and publish by one rename, which also replaces a damaged file."""
+    # Remove files of killed processes.
     for left in directory.glob("build-*"):
         with contextlib.suppress(OSError):
             if time.time() - left.stat().st_mtime > _STALE_SECONDS:
@@ -436,7 +461,7 @@ def _compile(folder: Path, recipe: _Recipe) -> Path:
     library = folder / f"{recipe.name}{_SUFFIX}"
     code, log = _run_compiler(folder, recipe, recipe.flags, library.name)
     if code != 0 and _NATIVE in recipe.flags:
-        # Some compilers do not know the flag, or the assembler not the instructions.
+        # Some compilers do not support the flag, or the assembler does not support the instructions.
         portable = tuple(flag for flag in recipe.flags if flag != _NATIVE)
         code, log = _run_compiler(folder, recipe, portable, library.name)
     if code != 0:
@@ -447,7 +472,7 @@ def _compile(folder: Path, recipe: _Recipe) -> Path:
 
 
 def _run_compiler(folder: Path, recipe: _Recipe, flags: Sequence[str], output: str) -> tuple[int, str]:
-    # Bare file names: no compiler gets to see spaces or foreign letters of the home folder.
+    # Relative file names avoid blanks and non-ASCII characters of the home folder.
     files = sorted(file for file in recipe.sources if file.endswith(".c"))
     libraries = () if sys.platform == "win32" else ("-lm",)
     command = (*recipe.compiler.command, *flags, *files, "-o", output, *libraries)

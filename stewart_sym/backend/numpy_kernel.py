@@ -1,4 +1,4 @@
-"""The NumPy kernels: components of poses as arrays in, arrays and statuses out."""
+"""NumPy kernels, with components of poses as input arrays and arrays and statuses as output."""
 
 import functools
 import math
@@ -17,24 +17,24 @@ from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, of_symbol
 from .kernel import LEG, MOTION, PLATFORM, ROTOR, columns, module, robot_kernel, stored
 
-# Poses that the NumPy kernels take at once: larger arrays do not fit into the cache.
+# Number of poses in one call, because larger arrays do not fit into the cache.
 _AT_ONCE = 1024
 
 
 @dataclass(frozen=True, eq=False)
 class NumpyKernel:
-    """The NumPy kernel of one formulation with one robot."""
+    """NumPy kernel of one formulation with one robot."""
 
     name: str
     robot: Robot
 
     @classmethod
     def prepare(cls, robot: Robot, formulation: str) -> "NumpyKernel":
-        """Choose the module."""
+        """Select the module."""
         return cls(robot_kernel(robot, formulation), robot)
 
     def forces(self, motion: Motion) -> InverseDynamicsResult:
-        """Inverse dynamics of every pose; NaN where the status is not 0."""
+        """Compute the inverse dynamics of every pose; results are NaN if the status is not 0."""
         source, suspect = module(self.name), np.zeros(math.prod(motion.shape), dtype=np.bool_)
 
         def solved(on: Any, robot: Any, part: Any, at: slice) -> Any:
@@ -54,7 +54,9 @@ class NumpyKernel:
         return InverseDynamicsResult(**found, status=status)
 
     def terms(self, motion: Motion) -> dict[str, Array]:
-        """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
+        """Compute D, K, H, and c of every pose without a solve or status; values are finite if H is
+        singular.
+        """
 
         def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
             return vars(module(self.name).terms(on, robot, part))
@@ -63,7 +65,10 @@ class NumpyKernel:
         return on_arrays(run, self._robot, motion, shapes)[0]
 
     def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
-        """Joint reactions by name under axial forces x, N, (..., 6); ``bearing`` (6,), m. No status."""
+        """Compute joint reactions by name for axial forces ``x`` (N), shape (..., 6), without a status.
+
+        ``bearing`` contains the bearing distances (m), shape (6,).
+        """
         axial = np.broadcast_to(x, (*motion.shape, 6)).reshape(-1, 6)
 
         def run(on: Any, robot: Any, part: Any, at: slice) -> Any:
@@ -79,7 +84,10 @@ class NumpyKernel:
         return on_arrays(run, self._robot, motion, OUTPUTS["joint_reactions"])[0]
 
     def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
-        """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
+        """Compute the joint reactions of every pose; results are NaN if the status is not 0.
+
+        ``bearing`` contains the bearing distances (m), shape (6,).
+        """
         forces = self.forces(motion)
         found = self.reactions_of(motion, forces.x, bearing)
         _blank(found, forces.status)
@@ -96,10 +104,24 @@ def on_arrays(
     motion: Motion,
     shapes: Mapping[str, tuple[int, ...]],
 ) -> tuple[dict[str, Array], Codes]:
-    """What a function of a generated module finds for every pose: arrays of these shapes, NaN where the
-    status is not 0, and the status.
+    """Evaluate a function of a generated module for every pose; return its results by name, and the status.
 
-    run: from the arithmetic, the robot, a motion and the slice of the poses that it is of to results by name.
+    Parameters
+    ----------
+    run : callable
+        Function of the arithmetic, the robot, a motion, and the slice of its poses, which returns results by
+        name.
+    robot : SimpleNamespace
+        Robot as a structure of a generated module.
+    motion : Motion
+        Poses and rates.
+    shapes : mapping of str to tuple of int
+        Shape of each result for one pose.
+
+    Returns
+    -------
+    tuple of dict and ndarray
+        Result arrays, NaN if the status is not 0, and the status.
     """
     count = math.prod(motion.shape)
     found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
@@ -119,7 +141,7 @@ def on_arrays(
 
 
 def _blank(found: Mapping[str, Array], status: Codes) -> None:
-    """NaN where a status is not 0."""
+    """Set results to NaN if the status is not 0."""
     bad = status != OK
     if bad.any():
         for values in found.values():
@@ -132,7 +154,7 @@ def _arithmetic() -> Any:
 
 
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:
-    """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
+    """Convert a robot to a structure of a generated module; constants of the legs have shape (6, 1)."""
     need_no_offsets(robot)
     legs = {name: columns(of_symbol(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
     leg = {
@@ -144,12 +166,12 @@ def legs_side_by_side(robot: Robot) -> SimpleNamespace:
 
 
 def _components(value: Array, shape: tuple[int, ...]) -> Array:
-    """Components of an array with a leading shape, (components, poses)."""
+    """Return components of an array with a leading shape as shape (components, poses)."""
     return np.ascontiguousarray(value.reshape(math.prod(shape), math.prod(value.shape[len(shape) :])).T)
 
 
 def _store(target: Array, value: Any) -> None:
-    """Puts lists of arrays, one for each component, into an array of poses; legs come before poses."""
+    """Store nested lists of component arrays in an array of poses; leg axes precede the pose axis."""
     if isinstance(value, list):
         for i, each in enumerate(value):
             _store(target[:, i], each)
@@ -158,7 +180,7 @@ def _store(target: Array, value: Any) -> None:
 
 
 def loaded(motion: Motion) -> SimpleNamespace:
-    """The motion with zeros for a load that is not given."""
+    """Return the motion with zeros for a missing load."""
     given = {name: getattr(motion, name) for name in MOTION}
     return SimpleNamespace(
         **{name: np.zeros((*motion.shape, 3)) if value is None else value for name, value in given.items()}

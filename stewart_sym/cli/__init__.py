@@ -1,1 +1,1 @@
-"""The command ``stewart-sym``: a module for each subcommand, in three folders, and what they share."""
+"""Command ``stewart-sym``: one module for each subcommand in three folders, and common modules."""

@@ -1,4 +1,4 @@
-"""Robots and trajectories that a subcommand is given, with a warning for each doubt about them."""
+"""Robots and trajectories that a subcommand reads, with plausibility warnings."""
 
 import argparse
 from pathlib import Path
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
 
 FEW_ROWS = 10
-"""So few rows of a trajectory don't show its motion."""
+"""Number of rows below which a trajectory does not resolve its motion."""
 
 
 def robot_of(source: Path) -> "Robot":
-    """The robot of a file; warns of what is doubtful about it."""
+    """Read the robot of a file, and warn of implausible values."""
     from ..robot.robot import Robot
 
     robot = Robot.from_toml(source)
@@ -27,7 +27,10 @@ def robot_of(source: Path) -> "Robot":
 
 
 def warn_of_doubts(robot: "Robot", source: Path) -> None:
-    """Warn of a robot's doubtful numbers, in one line each; ``source``: the file that gives or names it."""
+    """Warn of implausible values of a robot, one line each.
+
+    ``source`` is the file that contains or references the robot.
+    """
     from ..plausibility.plausibility import find_implausible
     from ..robot.robot import RobotWarning
 
@@ -38,7 +41,7 @@ def warn_of_doubts(robot: "Robot", source: Path) -> None:
 def trajectory_of(
     robot: "Robot", source: Path, arguments: argparse.Namespace, progress: Progress
 ) -> "Trajectory | PoseLog":
-    """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
+    """Read a CSV file of poses or leg lengths as specified by the options, and return poses over time."""
     from ..kinematics.robot_logs import read_log_of
     from ..motion.interpolation import resample
     from ..motion.trajectory import SmoothingOptions
@@ -57,9 +60,9 @@ def trajectory_of(
     few = resample(trajectory, arguments.rate)
     if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
         warn(
-            f"{source}: {len(few.time)} instant{'s' * (len(few.time) > 1)} of "
-            f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at a rate of {arguments.rate:g} Hz, of "
-            f"{len(trajectory.time)} rows; the motion between them is not computed"
+            f"{source}: {len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(trajectory.time)} rows in "
+            f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at {arguments.rate:g} Hz; the motion between "
+            "them is not computed; raise --rate"
         )
     return few
 
@@ -67,7 +70,7 @@ def trajectory_of(
 def stated_noise(
     arguments: argparse.Namespace, form: "TrajectoryFormat"
 ) -> "tuple[float | None, float | None]":
-    """Stated noise of positions, m, and of angles, rad: the options are in the units of the log."""
+    """Convert the noise options from units of the log to m and rad; return (position_std, angle_std)."""
     position, angle = arguments.position_std, arguments.angle_std
     return (
         None if position is None else position * form.meters_per_unit,
@@ -76,9 +79,10 @@ def stated_noise(
 
 
 def log_format(arguments: argparse.Namespace, source: Path | None = None) -> "TrajectoryFormat":
-    """How the options say that a trajectory's file is read.
+    """Return the file format of a trajectory that the options specify.
 
-    source: a file whose row of units states the units that no option does; without it these are open.
+    ``source`` is a file whose unit row supplies the units that no option specifies. Without ``source``, these
+    units remain undefined.
     """
     from ..motion.log_reader import with_units_of
     from ..motion.logs import TrajectoryFormat
@@ -95,7 +99,7 @@ def poses_of(
     arguments: argparse.Namespace,
     progress: Progress,
 ) -> "Trajectory | PoseLog":
-    """Poses of a log that was read as the options say, found from leg lengths if it holds these."""
+    """Return the poses of a log, computed by forward kinematics if the log contains leg lengths."""
     import numpy as np
 
     from ..kinematics.trajectory_checks import side_doubt

@@ -24,9 +24,9 @@ def output(
     plots: bool = False,
     html: bool = False,
 ) -> None:
-    """``-o``, ``--json`` and ``--force``; with ``plots`` ``--no-plots``, with ``html`` ``--html``.
+    """Add ``-o``, ``--json``, and ``--force``, and on request ``--no-plots`` and ``--html``.
 
-    ``default``: a path, words for what happens without the option, or None where it must be given.
+    ``default`` is a path, a description of the default behavior, or None if the option is required.
     """
     text = what if default is None else f"{what}; default: {default}"
     path = default if isinstance(default, Path) else None
@@ -44,7 +44,7 @@ def output(
 
 
 def json_file(parser: argparse.ArgumentParser) -> None:
-    """``--json``, and ``--force`` of all that is written."""
+    """Add ``--json``, and ``--force``, which applies to all written files."""
     parser.add_argument(
         "--json",
         metavar="FILE",
@@ -69,34 +69,34 @@ def valued(
     default: Any = None,
     metavar: str | None = None,
 ) -> None:
-    """An option with a value, whose default, if any, ends its help."""
+    """Add an option with a value, and append its default, if any, to the help."""
     said = f"{text}; default: {f'{default:g}' if isinstance(default, float) else default}"
     said = text if default is None else said
     parser.add_argument(f"--{name}", type=kind, default=default, metavar=metavar, help=said)
 
 
 def chosen(parser: argparse._ActionsContainer, name: str, choices: Sequence[str], text: str = "") -> None:
-    """An option with one of some values, the first by default."""
+    """Add an option whose value is one of ``choices``; the first one is the default."""
     said = "; ".join(filter(None, (text, f"default: {choices[0]}")))
     parser.add_argument(f"--{name}", choices=choices, default=choices[0], help=said)
 
 
 def path_name(text: str) -> Path:
-    """A name of a file or folder."""
+    """Parse the name of a file or folder."""
     if not text.strip():
         raise argparse.ArgumentTypeError("expected a name, got nothing")
     return Path(text)
 
 
 def folder_name(text: str) -> Path:
-    """A name of a folder: what is written there are files, none of which goes to standard output."""
+    """Parse the name of a folder; reject ``-``, because several files cannot go to standard output."""
     if text == "-":
         raise argparse.ArgumentTypeError("expected a folder, got - for standard output")
     return path_name(text)
 
 
 def finite(text: str) -> float:
-    """A finite number."""
+    """Parse a finite number."""
     with contextlib.suppress(ValueError):
         number = float(text)
         if math.isfinite(number):
@@ -105,7 +105,7 @@ def finite(text: str) -> float:
 
 
 def positive(text: str) -> float:
-    """A number above 0."""
+    """Parse a number above 0."""
     number = finite(text)
     if number <= 0.0:
         raise argparse.ArgumentTypeError(f"expected a number > 0, got {text!r}")
@@ -113,7 +113,7 @@ def positive(text: str) -> float:
 
 
 def whole(text: str) -> int:
-    """A whole number, 0 or more."""
+    """Parse a whole number, 0 or more."""
     with contextlib.suppress(ValueError):
         number = int(text)
         if number >= 0:
@@ -122,7 +122,7 @@ def whole(text: str) -> int:
 
 
 def log_options(parser: argparse.ArgumentParser) -> None:
-    """Options of how a trajectory's file is read."""
+    """Add the options for reading the file of a trajectory."""
     group = log_form(parser)
     valued(
         group,
@@ -148,13 +148,18 @@ def log_options(parser: argparse.ArgumentParser) -> None:
 
 
 def noise_options(parser: argparse._ActionsContainer, text: str, position: str, angle: str) -> None:
-    """``--position-std`` and ``--angle-std``; ``text``: of the help, with what is meant and its unit."""
+    """Add ``--position-std`` and ``--angle-std``.
+
+    ``text`` is a help template with placeholders for the quantity and its unit.
+    """
     for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
         valued(parser, f"{name}-std", positive, text.format(what, kind), metavar="STD")
 
 
 def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
-    """Options of names, units and marks in a trajectory's file, and the pose near its first leg lengths."""
+    """Add the options for columns, units, and delimiters of a trajectory file, and for the initial pose
+    guess.
+    """
     group = parser.add_argument_group("trajectory file")
     group.add_argument(
         "--pose-guess",
@@ -195,7 +200,7 @@ def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
 
 
 def column_names(text: str) -> dict[str, str]:
-    """Pairs NAME=HEADER, with commas."""
+    """Parse pairs NAME=HEADER, separated by commas."""
     pairs = [pair.partition("=") for pair in text.split(",")]
     names = {name.strip(): given.strip() for name, _, given in pairs}
     if not all(sign and name.strip() and given.strip() for name, sign, given in pairs) or len(names) < len(
@@ -206,5 +211,5 @@ def column_names(text: str) -> dict[str, str]:
 
 
 def formulation(parser: argparse.ArgumentParser) -> None:
-    """``--formulation``."""
+    """Add ``--formulation``."""
     chosen(parser, "formulation", ("exact", "paper"), "equations: exact (corrected), or paper (as printed)")

@@ -1,4 +1,6 @@
-"""Where a result goes: terminal, folder, JSON or HTML file; never over inputs nor files of others."""
+"""Output of results to the terminal, a folder, or a JSON or HTML file, without overwriting inputs or other
+files.
+"""
 
 import argparse
 import contextlib
@@ -15,31 +17,44 @@ from ..studies.common.report import Report, write
 from .terminal import PROGRAM, progress_line
 
 Taker = Callable[[Report], None]
-"""Writes a report where it belongs."""
+"""Function that writes a report to its destinations."""
 
 
 @contextlib.contextmanager
 def results(
     arguments: argparse.Namespace, stem: str | None = None, *tables: str, read: Iterable[Path] = ()
 ) -> Iterator[tuple[Taker, Progress]]:
-    """Give what takes a subcommand's report and what shows its progress.
+    """Return a function that writes the report of a subcommand and a function that displays its progress.
 
-    All is in its place and printed when the block ends well.
+    Files are put in place and the text is printed only if the block ends without an error.
 
     Parameters
     ----------
-    stem : name of the text and the JSON file in the folder ``arguments.output``; None: no folder is written.
-    tables : names of other files there, so that a clash is reported before the work.
-    read : inputs that are no arguments by themselves.
+    arguments : argparse.Namespace
+        Arguments of the subcommand.
+    stem : str or None
+        Name of the text file and the JSON file in the folder ``arguments.output``, without suffix. None
+        writes no folder.
+    *tables : str
+        Names of other files in the folder, so that a conflict is reported before the computation.
+    read : iterable of Path
+        Input files that are not arguments themselves.
+
+    Yields
+    ------
+    Taker
+        Function that writes a report.
+    Progress
+        Function that displays the progress.
 
     Raises
     ------
     ValueError
-        In one line: a file to write that is an input, or that another wrote or changed.
+        If an output file is an input, or was written or changed by another program.
     ImportError
-        Naming the extra, if pictures are wanted and what draws them is missing.
+        If plots are requested and the extra with the plotting packages is not installed.
     OSError
-        Naming the file or folder that can't be written.
+        If a file or folder cannot be written.
     """
     from ..io.atomic_write import result_file, result_folder
     from ..io.json_text import json_text
@@ -102,19 +117,19 @@ def results(
 
 
 def _need_another(option: str, path: Path, *others: Path | None) -> None:
-    """ValueError if another result goes to the file to write."""
+    """Raise ValueError if another result is written to the same file."""
     if path in others:
         raise ValueError(f"{option} {path}: another result has the same file; name another file")
 
 
 def need_html(option: str, target: Path) -> None:
-    """ValueError if the name of a file for HTML says that it is of another kind."""
+    """Raise ValueError if the file name has a suffix other than .html or .htm."""
     if target.suffix.lower() not in ("", ".html", ".htm"):
         raise ValueError(f"{option} {target}: the file name must end in .html")
 
 
 def _paths(arguments: argparse.Namespace) -> list[Path]:
-    """The inputs among the arguments."""
+    """Return the input files among the arguments."""
     values = {
         name: value for name, value in vars(arguments).items() if name not in ("output", "json", "html")
     }
@@ -123,13 +138,15 @@ def _paths(arguments: argparse.Namespace) -> list[Path]:
 
 
 def reject_inputs(option: str, output: Path, *inputs: Path) -> None:
-    """ValueError if the file to write is one of the inputs; ``option``: by which it is named."""
+    """Raise ValueError if the output file ``output`` of ``option`` is one of the inputs."""
     for path in inputs:
         if output.exists() and path.exists() and output.samefile(path):
             raise ValueError(f"{option} {output}: the file is an input; name another file")
 
 
 def need_drawing(otherwise: str = "") -> None:
-    """ImportError that names the extra, and what to do ``otherwise``, if what draws pictures is missing."""
+    """Raise ImportError with the name of the extra and the alternative ``otherwise`` if a plotting package is
+    missing.
+    """
     for package in ("matplotlib", "textalloc"):
         need(package, "drawing", otherwise)

@@ -1,4 +1,4 @@
-"""The terminal: progress, warnings and errors in one line each."""
+"""Progress, warnings, and errors on the terminal, one line each."""
 
 import contextlib
 import os
@@ -17,14 +17,14 @@ from ..studies.common.not_finite import results_noted
 PROGRAM = "stewart-sym"
 
 _WIDTH = 24
-"""Characters of a bar."""
+"""Width of the progress bar (characters)."""
 _PAUSE = 0.2
-"""Seconds between two showings of a task."""
+"""Shortest time between two updates of the progress line (s)."""
 
 
 @contextlib.contextmanager
 def progress_line() -> Iterator[Progress]:
-    """Show what is being done in one line of a terminal, gone at the end; nothing in a pipe."""
+    """Show the current step in one line of a terminal, erased at the end; show nothing in a pipe."""
     if not sys.stderr.isatty():
         yield silent
         return
@@ -35,15 +35,18 @@ def progress_line() -> Iterator[Progress]:
 
 
 class _Line:
-    """Text and, of a task whose share done is known, a bar and the time left at its pace so far."""
+    """Progress line with the current step and, for known fractions, a bar and the remaining time."""
 
     def __init__(self) -> None:
-        """Begin without a task."""
+        """Start without a task."""
         self._share: float | None = None
         self._began = self._shown = 0.0
 
     def __call__(self, text: str, share: float | None = None) -> None:
-        """Show a step; a share that is lower than before, or the first one, begins another task."""
+        """Show a step.
+
+        A missing fraction, the first fraction, or one that is lower than before starts a new task.
+        """
         now = time.monotonic()
         another = share is None or self._share is None or share < self._share
         self._share = share
@@ -58,7 +61,7 @@ class _Line:
 
 
 def _bar(share: float, passed: float) -> str:
-    """A bar, per cent, and the time left; ``passed``: since the share was 0, s."""
+    """Format a bar, the percentage, and the remaining time; ``passed`` is the elapsed time (s)."""
     full = round(_WIDTH * share)
     left = "" if share <= 0.0 else f", {_time(passed * (1.0 - share) / share)} left"
     return f"[{'#' * full}{' ' * (_WIDTH - full)}] {100.0 * share:3.0f} %{left}"
@@ -71,10 +74,11 @@ def _time(seconds: float) -> str:
 
 @contextlib.contextmanager
 def warnings_in_lines(*sources: object, options: Collection[str] | None = None) -> Iterator[None]:
-    """Show the block's warnings at its end, one line each; those of an error come before it.
+    """Print the warnings of the block at its end, one line each, before the error message of the block.
 
-    NumPy's warnings of operations that overflow are one line together, of the inputs ``sources``, if a result
-    of the block contains a number that is not finite. options: as of ``one_line``.
+    NumPy's overflow warnings are combined into one line that names the inputs ``sources``. This line is
+    printed only if a result of the block contains a non-finite number. ``options`` are the options of
+    ``one_line``.
     """
     lines: list[str] = []
     overflows: list[str] = []
@@ -98,7 +102,10 @@ def warnings_in_lines(*sources: object, options: Collection[str] | None = None) 
 
 
 def one_line(error: object, options: Collection[str] | None = None) -> str:
-    """An error or warning in one line; options: of the subcommand, None for those of logs among them."""
+    """Format an error or a warning as one line.
+
+    ``options`` are the options of the subcommand; None accepts all options of trajectory files.
+    """
     if isinstance(error, MemoryError):
         return f"out of memory: {error}" if str(error) else "out of memory"
     if isinstance(error, OSError) and error.strerror:
@@ -108,7 +115,7 @@ def one_line(error: object, options: Collection[str] | None = None) -> str:
     return safe_text(_ARGUMENT.sub(partial(_as_option, options), " ".join(text.split())))
 
 
-# What the library's messages give as an argument in Python is an option of the same name here.
+# Messages of the library name arguments of TrajectoryFormat. The command line has options of the same names.
 _ARGUMENT = re.compile(r"TrajectoryFormat\((\w+)=('\w+'|\{[^}]*\})\)")
 
 
@@ -121,5 +128,8 @@ def _as_option(options: Collection[str] | None, found: re.Match[str]) -> str:
 
 
 def give_up_stdout() -> None:
-    """Its reader has gone or its disk is full: the interpreter's own flush at exit must not complain."""
+    """Replace standard output by the null device.
+
+    The reader has closed the pipe or the disk is full, and the interpreter flushes the stream again at exit.
+    """
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -105,7 +105,7 @@ def _leg_frames(robot: Robot, s: Array) -> Array:
     sine = np.linalg.norm(y, axis=-1, keepdims=True)
     bad = [i for i in range(LEGS) if sine[i] < _LEAST_SINE]
     if bad:
-        raise ValueError(f"{legs_text(bad)}: expected a fixed axis across the leg at home, got one along it")
+        raise ValueError(f"{legs_text(bad)}: fixed axis along the leg at home; change axes or home pose")
     y = y / sine
     return np.stack([s, y, np.cross(s, y)], axis=-1)
 

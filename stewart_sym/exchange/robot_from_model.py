@@ -331,7 +331,7 @@ class _Leg:
         y = rotation.cross(k, self.s) if self.lines is None else self.lines.y
         sine = float(np.linalg.norm(y))
         if sine < _OPEN:
-            raise self._error("expected a fixed axis across the leg in the file's pose, got one along it")
+            raise self._error("fixed axis along the leg in the pose of the file; use another pose")
         y = y / sine
         return np.stack([self.s, y, rotation.cross(self.s, y)], axis=-1)
 

@@ -1,1 +1,1 @@
-"""Files and arguments: what is read, checked and written, and what an error says."""
+"""Reading, validation, and writing of files and arguments, with their error messages."""

@@ -1,4 +1,4 @@
-"""What an argument must be, checked in one place so that every rejection is one line that names it."""
+"""Validation of arguments, with one-line errors that name the argument."""
 
 import contextlib
 import math
@@ -10,25 +10,27 @@ from numpy.typing import NDArray
 
 
 def shown(value: object) -> str:
-    """Return a value as it may stand in a one-line message."""
+    """Return a value as text for a one-line message."""
     try:
         text = " ".join(repr(value).split())
     except (ValueError, RecursionError):
-        # Python shows no integer of thousands of digits and nothing nested a thousand deep.
+        # Python raises an error for integers of thousands of digits and for nesting a thousand levels deep.
         return f"{type(value).__name__} too long to show"
     return text if len(text) <= 60 else text[:57] + "..."
 
 
 def safe_text(text: str) -> str:
-    """A text in one line, with its number for each character that does not show as itself.
+    """Replace each nonprintable character of a one-line text by its code point.
 
-    Such are marks of direction, of no width and of control.
+    Such characters are direction marks, zero-width characters, and control characters.
     """
     return "".join(each if each.isprintable() else f"[U+{ord(each):04X}]" for each in text)
 
 
 def real_array(value: object, name: str, expected: str = "real numbers") -> NDArray[np.float64]:
-    """Return a float64 copy; ValueError that says what was ``expected`` if these are no real numbers."""
+    """Return a float64 copy; raise ValueError with the ``expected`` values unless all entries are real
+    numbers.
+    """
     try:
         given: NDArray[Any] = np.asarray(value)
     except ValueError:
@@ -41,7 +43,10 @@ def real_array(value: object, name: str, expected: str = "real numbers") -> NDAr
 
 
 def deviations(sigma: object, name: str, shape: tuple[int, ...], rule: str) -> NDArray[np.float64]:
-    """Return standard deviations spread over a shape; rule: "> 0" or ">= 0", a unit, and over what."""
+    """Return standard deviations broadcast to a shape.
+
+    ``rule`` is "> 0" or ">= 0" with a unit and the meaning of the shape, for the error message.
+    """
     expected = f"standard deviations {rule}"
     values = real_array(sigma, name, expected)
     bad = ~(np.isfinite(values) & (values >= 0.0 if rule.startswith(">=") else values > 0.0))
@@ -56,7 +61,9 @@ def deviations(sigma: object, name: str, shape: tuple[int, ...], rule: str) -> N
 def number_in(
     value: object, name: str, expected: str, low: float = 0.0, high: float = math.inf, closed: bool = False
 ) -> float:
-    """Return one finite number between two others, or one of these if ``closed``; ValueError otherwise."""
+    """Return one finite number between two bounds; ``closed`` includes the bounds; raise ValueError
+    otherwise.
+    """
     with contextlib.suppress(ValueError):
         given = real_array(value, name)
         number = float(given) if given.shape == () else math.nan
@@ -66,7 +73,7 @@ def number_in(
 
 
 def whole_number(value: object, name: str, least: int, expected: str, most: float = math.inf) -> int:
-    """Return a whole number from ``least`` to ``most``; ValueError otherwise."""
+    """Return a whole number from ``least`` to ``most``; raise ValueError otherwise."""
     whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not whole or not least <= value <= most:  # type: ignore[operator]
         raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
@@ -74,9 +81,9 @@ def whole_number(value: object, name: str, least: int, expected: str, most: floa
 
 
 def shaped_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
-    """Return a float64 copy of shape (..., *core); ValueError for anything else.
+    """Return a float64 copy of shape (..., *core); raise ValueError for other shapes.
 
-    batch: whether there may be leading axes.
+    ``batch`` permits leading axes.
     """
     expected = f"(..., {', '.join(str(n) for n in core)})" if batch else str(core)
     array = real_array(value, name, f"real numbers of shape {expected}")
@@ -86,7 +93,7 @@ def shaped_array(value: object, core: tuple[int, ...], name: str, batch: bool = 
 
 
 def finite_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
-    """Return what ``shaped_array`` does, with finite entries; ValueError for anything else."""
+    """Return the array of ``shaped_array`` with finite entries; raise ValueError otherwise."""
     array = shaped_array(value, core, name, batch)
     finite = np.isfinite(array)
     if not np.all(finite):
@@ -96,7 +103,7 @@ def finite_array(value: object, core: tuple[int, ...], name: str, batch: bool = 
 
 
 def leading_shape(leading: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
-    """Return the shape to which the named shapes broadcast; ValueError names the first that does not."""
+    """Broadcast the named shapes; raise ValueError for the first shape that does not broadcast."""
     shape: tuple[int, ...] = ()
     for name, lead in leading.items():
         try:
@@ -109,29 +116,29 @@ def leading_shape(leading: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
 
 
 def instance(value: object, kind: type, name: str) -> None:
-    """Reject, by ValueError, what is no ``kind``."""
+    """Raise ValueError unless a value is an instance of ``kind``."""
     if not isinstance(value, kind):
         raise ValueError(f"{name}: expected a {kind.__name__}, got {type(value).__name__}")
 
 
 def truth(value: object, name: str) -> None:
-    """Reject, by ValueError, what is no truth value."""
+    """Raise ValueError unless a value is True or False."""
     if not isinstance(value, bool | np.bool_):
         raise ValueError(f"{name}: expected True or False, got {shown(value)}")
 
 
 def option(value: object, options: Sequence[str], name: str) -> None:
-    """Reject, by ValueError, what is none of the options."""
+    """Raise ValueError unless a value is one of the options."""
     if not isinstance(value, str) or value not in options:
         raise ValueError(f"{name}: {no_option(value, options)}")
 
 
 def no_option(value: object, options: Sequence[str]) -> str:
-    """What an error says of a value that is none of the options."""
+    """Format the error text for a value that is not one of the options."""
     *others, last = (f'"{text}"' for text in options)
     return f"expected {', '.join(others)}{' or ' if others else ''}{last}, got {shown(value)}"
 
 
 def status_text(name: str) -> str:
-    """Return the name of a status or limit as text reports write it, with blanks."""
+    """Format the name of a status or limit for text reports, with blanks."""
     return name.replace("_", " ")

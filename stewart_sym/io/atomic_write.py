@@ -1,7 +1,7 @@
-"""Writing so that a failure leaves things as they were: one file, or a folder's files all together.
+"""Atomic writing of one file, or of all files of a folder.
 
-What stands in a folder is replaced only where a record there shows that this program wrote it and nobody
-changed it since; a single file has no record, so that its first lines show who wrote it.
+A file in a folder is replaced only if a record in the folder shows that this program wrote it and that it is
+unchanged. A single file has no record; its first lines identify its generator.
 """
 
 import contextlib
@@ -24,21 +24,22 @@ from . import interrupts
 from .json_text import json_text
 
 RECORD = ".stewart-sym.json"
-"""Names and SHA-256 of the files that this program wrote into a folder."""
+"""Record of the names and SHA-256 digests of the files that this program wrote into a folder."""
 
 _PREFIX = ".stewart-sym-"
 _TEMPORARY = re.compile(re.escape(_PREFIX) + "[a-z0-9_]{8}")
 _OTHERS = "exists with other content; use --force to overwrite"
-# A temporary file is locked by the process that made it within this time.
+# The process that creates a temporary file locks it within this time.
 _UNLOCKED_SECONDS = 60.0
 
 
 @contextlib.contextmanager
 def replaced_file(path: Path) -> Iterator[TextIO]:
-    """Open a text file that takes the place of ``path`` only when the block ends well; ``-`` is stdout.
+    """Open a text file that replaces ``path`` only if the block ends without an error; ``-`` is standard
+    output.
 
-    A device or a pipe is written as it is, when the block has ended well. Raises OSError naming ``path``:
-    before the block when it can't be written, and for what goes wrong in writing.
+    A device or a pipe is written directly at the end of the block. Raises OSError with the name ``path``:
+    before the block if the file cannot be written, and for errors during writing.
     """
     if str(path) == "-":
         with named("standard output"), _spooled(sys.stdout) as stream:
@@ -46,7 +47,7 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
         return
     if path.is_dir():
         raise IsADirectoryError(EISDIR, "is a folder, expected a file to write", str(path))
-    # By the name as given: /dev/stdout and a shell's >(...) lead to pipes that have no other.
+    # The path is not resolved, because /dev/stdout and a shell's >(...) refer to pipes without another name.
     if path.exists() and not path.is_file():
         with named(path), open(path, "w", encoding="utf-8") as out, _spooled(out) as stream:
             yield stream
@@ -76,10 +77,10 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
 
 @contextlib.contextmanager
 def result_file(path: Path, beginnings: Sequence[str], force: bool = False) -> Iterator[TextIO]:
-    """Open a text file as ``replaced_file`` does, and let no file of others be replaced.
+    """Open a text file as ``replaced_file`` does, without replacing files of other programs.
 
-    What stands there is this program's own where it is empty or begins with one of ``beginnings``; else
-    ValueError of one line, unless ``force``: before the block, and after it.
+    An existing file belongs to this program if it is empty or begins with one of ``beginnings``. For other
+    files ValueError is raised before and after the block, unless ``force`` is True.
     """
 
     def check() -> None:
@@ -98,7 +99,7 @@ def result_file(path: Path, beginnings: Sequence[str], force: bool = False) -> I
 
 @contextlib.contextmanager
 def _spooled(out: TextIO) -> Iterator[TextIO]:
-    """A file without a name whose text goes to ``out`` when the block ends well."""
+    """Open a temporary file, whose text is copied to ``out`` if the block ends without an error."""
     with tempfile.TemporaryFile("w+", encoding="utf-8", newline="\n") as stream:
         yield stream
         stream.seek(0)
@@ -107,7 +108,7 @@ def _spooled(out: TextIO) -> Iterator[TextIO]:
 
 
 def _mode(target: Path) -> int:
-    """Permissions of a file that takes the place of ``target``: the same, or those of any new file."""
+    """Return the permissions of ``target``, or the permissions of a new file if it does not exist."""
     with contextlib.suppress(FileNotFoundError):
         return target.stat().st_mode & 0o777
     mask = os.umask(0)
@@ -119,12 +120,30 @@ def _mode(target: Path) -> int:
 def result_folder(
     directory: Path, force: bool = False, inputs: Iterable[Path] = (), names: Iterable[str] = ()
 ) -> Iterator[Path]:
-    """Give an empty folder as ``staged_folder`` does, and let no file of others be replaced.
+    """Return an empty folder as ``staged_folder`` does, without replacing files of other programs.
 
-    directory: where the files go; a record of them is kept there. force: replace files of the same names
-    whoever wrote them, but no input. inputs: files that are never replaced. names: of files that will come,
-    checked before the block as well. Raises ValueError of one line for a file that is an input, or that
-    another wrote or changed, and OSError as ``staged_folder``.
+    Parameters
+    ----------
+    directory : Path
+        Folder of the files and of their record.
+    force : bool
+        True also replaces edited files and files of other programs, except inputs.
+    inputs : iterable of Path
+        Files that are never replaced.
+    names : iterable of str
+        Names of files that the block writes, also checked before the block.
+
+    Yields
+    ------
+    Path
+        Empty folder.
+
+    Raises
+    ------
+    ValueError
+        If a file is an input, or was written or changed by another program.
+    OSError
+        As for ``staged_folder``.
     """
     ours = recorded(directory, RECORD)
     for name in names:
@@ -144,13 +163,15 @@ def result_folder(
 
 
 def record(files: Mapping[str, str]) -> str:
-    """Text of a record: names and digests of files."""
+    """Format a record of names and digests of files."""
     generator = f"stewart-sym {version('stewart-sym')}"
     return json_text({"generator": generator, "files": dict(sorted(files.items()))})
 
 
 def recorded(directory: Path, name: str) -> Mapping[str, str]:
-    """Digests of files that this program wrote into a folder, by the record of that name; empty without."""
+    """Read the digests of files that this program wrote into a folder from a record; return {} without a
+    record.
+    """
     path = directory / name
     if not path.is_file():
         return {}
@@ -165,7 +186,7 @@ def recorded(directory: Path, name: str) -> Mapping[str, str]:
 
 
 def digest(path: Path) -> str | None:
-    """SHA-256 of a file's content, None of what is no file."""
+    """Compute the SHA-256 digest of a file; return None if there is no file."""
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
 
 
@@ -177,10 +198,11 @@ def must_replace(
     force: bool,
     inputs: Iterable[Path] = (),
 ) -> bool:
-    """Whether a file of a folder has to be written; ``content`` None: not known yet; ``ours``: as recorded.
+    """Return True if a file of a folder must be written.
 
-    Raises ValueError of one line where what stands there is an input, no file, or another's and ``force`` is
-    not given.
+    ``content`` is None if the content is not known yet, and ``ours`` contains the recorded digests. Raises
+    ValueError for an input, for anything other than a file, and without ``force`` for a file of another
+    program.
     """
     path = directory / name
     if not os.path.lexists(path):
@@ -191,7 +213,7 @@ def must_replace(
     if content is not None and path.exists() and path.read_bytes() == content:
         return False
     if any(path.exists() and each.exists() and path.samefile(each) for each in inputs):
-        raise ValueError(f"{path}: is an input, name another folder")
+        raise ValueError(f"{path}: is an input; name another folder")
     if not force and digest(path) != ours.get(name, ""):
         raise ValueError(f"{path}: {_OTHERS}")
     return True
@@ -199,12 +221,14 @@ def must_replace(
 
 @contextlib.contextmanager
 def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
-    """Give an empty folder whose files move into ``directory``, made if missing, when the block ends well.
+    """Return an empty folder whose files move into ``directory`` if the block ends without an error.
 
-    Files of the same names are replaced, those of the names ``gone`` are removed with the folders that this
-    leaves empty, others stay. All that happens or, whatever goes wrong, nothing: if a file can't be moved, or
-    on an interrupt, those that were are put back. Raises OSError naming ``directory`` before the block if it
-    can't be written, and the file or folder that is in the way.
+    The directory is created if missing. Files of the same names are replaced. Files of the names ``gone`` are
+    removed, and folders that become empty too; other files remain. Either all changes are made or none: after
+    an error or an interrupt, moved files are restored.
+
+    Raises OSError that names ``directory`` if it cannot be written, before the block, or the file or folder
+    that prevents a move.
     """
     target = directory.resolve()
     place = target
@@ -215,7 +239,8 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
     with interrupts.deferred():
         _remove_left_behind(place)
         with _blamed_on(directory):
-            # Inside, as a folder may be a mount point or stand in one that is closed to us.
+            # The temporary folder is inside, because the directory may be a mount point, or its parent may be
+            # read-only.
             temporary = Path(tempfile.mkdtemp(prefix=_PREFIX, dir=place))
         try:
             staged, replaced = temporary / "new", temporary / "old"
@@ -233,9 +258,9 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
 
 @contextlib.contextmanager
 def _locked(path: Path) -> Iterator[bool]:
-    """Lock a file or folder in this block or until the process ends; yields whether it could be locked.
+    """Lock a file or folder during the block, and yield True if it was locked.
 
-    Yields False where there are no such locks.
+    The lock also ends with the process. Systems without such locks yield False.
     """
     if sys.platform == "win32":
         yield False
@@ -254,7 +279,7 @@ def _locked(path: Path) -> Iterator[bool]:
 
 
 def _remove_left_behind(folder: Path) -> None:
-    """Remove temporary files and folders of killed processes, but no file that was moved out of its place."""
+    """Remove temporary files and folders of killed processes, except files moved out of their place."""
     with contextlib.suppress(OSError):
         for name in filter(_TEMPORARY.fullmatch, os.listdir(folder)):
             with contextlib.suppress(OSError):
@@ -276,7 +301,7 @@ def _remove_if_left(path: Path) -> None:
 
 
 def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) -> None:
-    """Move the staged files to ``target``, those in their places and ``gone`` to ``replaced``, or none."""
+    """Move staged files to ``target``, and existing files and ``gone`` to ``replaced``, or none."""
     new = {path.relative_to(staged): path for path in sorted(staged.rglob("*")) if path.is_file()}
     with contextlib.ExitStack() as undo:
         for folder in sorted({target, *((target / file).parent for file in new)}):
@@ -288,7 +313,7 @@ def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) 
         undo.pop_all()
 
 
-# What undoes a step is registered before the step, since an interrupt can come between any two.
+# The undo operation is registered before each step, because an interrupt can occur between any two steps.
 
 
 def _make_folder(folder: Path, undo: contextlib.ExitStack) -> None:
@@ -309,7 +334,7 @@ def _remove_empty(folder: Path) -> None:
 
 
 def _move(new: Path | None, path: Path, old: Path, undo: contextlib.ExitStack) -> None:
-    """Move what is in a place to ``old``, and a new file, if there is one, into it."""
+    """Move an existing file to ``old``, and the new file, if any, to its place."""
     if path.is_dir():
         raise IsADirectoryError(EISDIR, "is a folder, expected a file to replace", str(path))
     undo.callback(_put_back, path, old, new or path)
@@ -331,7 +356,7 @@ def _put_back(path: Path, old: Path, new: Path) -> None:
 
 @contextlib.contextmanager
 def named(path: Path | str) -> Iterator[None]:
-    """Let an OSError that names no file, as of a full disk, name ``path``."""
+    """Add the name ``path`` to an OSError without a file name, such as the error of a full disk."""
     try:
         yield
     except OSError as error:
@@ -342,7 +367,7 @@ def named(path: Path | str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _blamed_on(path: Path) -> Iterator[None]:
-    """Let an OSError name what the user gave instead of a temporary file beside it."""
+    """Replace the temporary file in an OSError by the path of the user."""
     try:
         yield
     except OSError as error:

@@ -1,4 +1,6 @@
-"""Working memory of BLAS, taken while there is room: where there is none, OpenBLAS tries again for ever."""
+"""Early allocation of the work area of BLAS, because OpenBLAS retries endlessly if there is no memory for
+it.
+"""
 
 import functools
 import sys
@@ -6,16 +8,16 @@ from importlib import import_module
 
 import numpy as np
 
-# Largest work area of an OpenBLAS as it is built by default; those of NumPy's and SciPy's wheels are smaller.
+# Largest work area of a default build of OpenBLAS (bytes); NumPy's and SciPy's wheels have smaller ones.
 _WORK_AREA = 1 << 27
-# NumPy and SciPy each bring a library, whose LAPACK takes the area at its first call and keeps it.
+# NumPy and SciPy each include a library, whose LAPACK allocates the work area at its first call.
 _FIRST_CALLS = {"numpy.linalg": "inv", "scipy.linalg": "lu_factor"}
 
 
 def take_work_area() -> None:
-    """Let the libraries of those of NumPy and SciPy that are imported take their work area.
+    """Allocate the work areas of NumPy and SciPy if they are imported.
 
-    Raises MemoryError where there is no room for it.
+    Raises MemoryError if there is not enough memory.
     """
     for module, function in _FIRST_CALLS.items():
         if module in sys.modules:

@@ -1,4 +1,4 @@
-"""Warnings at the user's line; what is done about unsolvable poses: an error, a warning, NaN or damping."""
+"""Warnings at the line of the user, and treatment of unsolvable poses: error, warning, NaN, or damping."""
 
 import contextlib
 import inspect
@@ -13,20 +13,25 @@ OnFault = Literal["raise", "warn", "nan"]
 ON_FAULT = ("raise", "warn", "nan")
 OnSingular = Literal["raise", "warn", "nan", "damped"]
 ON_SINGULAR = (*ON_FAULT, "damped")
-"""The same for solves of H x = c. "damped": where H is singular, damped least squares give forces that hold
-a part of the wrench; poses that are unsolvable for other reasons give a warning."""
+"""Treatments of unsolvable poses for solves of H x = c.
+
+With "damped", damped least squares determine forces that balance a part of the wrench if H is singular. Poses
+that are unsolvable for other reasons give a warning.
+"""
 
 Index = tuple[int, ...]
 _PACKAGE = __name__.partition(".")[0]
 
 
 class SingularPoseWarning(UserWarning):
-    """Some poses have no finite answer; their results are NaN and their status says why."""
+    """Warning of poses without a finite solution; their results are NaN, and their status contains the
+    reason.
+    """
 
 
 @contextlib.contextmanager
 def errors_of(where: str) -> Iterator[None]:
-    """Let a ValueError of the block begin with where it is, such as ``file: key: ``."""
+    """Prefix a ValueError of the block with its location, such as ``file: key: ``."""
     try:
         yield
     except ValueError as error:
@@ -34,7 +39,7 @@ def errors_of(where: str) -> Iterator[None]:
 
 
 def warn(text: str, category: type[Warning] = UserWarning) -> None:
-    """Warn at the line outside this package that has called it, however deep this is."""
+    """Warn at the line outside this package that called it, at any depth of the call stack."""
     frame, level = inspect.currentframe(), 0
     while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == _PACKAGE:
         frame, level = frame.f_back, level + 1
@@ -42,9 +47,9 @@ def warn(text: str, category: type[Warning] = UserWarning) -> None:
 
 
 def report(status: NDArray[Any], name: str, reason: Callable[[Index], str], choice: str) -> None:
-    """Raise ValueError or warn, as ``choice`` of ON_SINGULAR says, if a status is not 0; "damped" warns.
+    """Raise ValueError or warn if a status is not 0, as ``choice`` of ON_SINGULAR specifies; "damped" warns.
 
-    name: the argument that has the pose. reason: why the pose at an index is unsolvable.
+    ``name`` is the argument with the pose, and ``reason`` returns the reason for the pose at an index.
     """
     if choice == "nan" or not status.any():
         return
@@ -57,7 +62,7 @@ def report(status: NDArray[Any], name: str, reason: Callable[[Index], str], choi
 
 
 def first(status: NDArray[Any]) -> tuple[Index, str]:
-    """Index of the first status that is not 0, and what to add to its reason about the others."""
+    """Return the index of the first status that is not 0, and text about the number of the others."""
     where = tuple(int(i) for i in np.argwhere(status)[0])
     more = int(np.count_nonzero(status)) - 1
     return where, f"; {more} more poses are unsolvable too" if more else ""

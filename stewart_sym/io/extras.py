@@ -1,4 +1,4 @@
-"""Optional packages: what is missing is one line that names the extra to install."""
+"""Optional packages, with one-line errors that name the extra to install."""
 
 import contextlib
 import importlib.util
@@ -24,20 +24,20 @@ EXTRAS = {
     "scipy": ("SciPy", "sim"),
     "textalloc": ("textalloc", "plot"),
 }
-"""Name and extra of each optional package, by the name it is imported by."""
+"""Name and extra of each optional package by its import name."""
 
 
 class MissingExtraError(ImportError):
-    """An optional package that is not installed; the message names the extra that brings it."""
+    """Error for an optional package that is not installed; the message names its extra."""
 
 
 def absent(*packages: str) -> tuple[str, ...]:
-    """Those of the optional packages, by the names they are imported by, that are not installed."""
+    """Return the import names of optional packages that are not installed."""
     return tuple(package for package in packages if importlib.util.find_spec(package) is None)
 
 
 def need(package: str, what: str, otherwise: str = "") -> None:
-    """Raise the error of ``needed_for`` at once where a package is not installed: before long work."""
+    """Raise the error of ``needed_for`` before a long computation if a package is not installed."""
     if absent(package):
         raise _missing(package, what, otherwise)
 
@@ -46,9 +46,20 @@ def need(package: str, what: str, otherwise: str = "") -> None:
 def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     """Import optional packages in this block.
 
-    what: the work that needs them, as the subject of the message. otherwise: what helps without them, such as
-    an option, at its end. Raises MissingExtraError in one line: ``<what> needs <package>: pip install
-    "stewart-sym[<extra>]"``, as ``install`` has it; MemoryError without room for SciPy's work area.
+    Parameters
+    ----------
+    what : str
+        Task that requires the packages, as subject of the message.
+    otherwise : str
+        Alternative without the packages, such as an option, as end of the message.
+
+    Raises
+    ------
+    MissingExtraError
+        If a package is missing: ``<what> needs <package>: pip install "stewart-sym[<extra>]"``, with the
+        command of ``install``.
+    MemoryError
+        If there is no memory for the work area of SciPy.
     """
     try:
         yield
@@ -61,7 +72,9 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
 
 
 def install(extra: str) -> str:
-    """Command that adds an extra to this installation: of a source tree, where it was installed from one."""
+    """Return the command that adds an extra to this installation, which may be from a source tree or a
+    URL.
+    """
     name = "stewart-sym"
     texts = (found.read_text("direct_url.json") for found in distributions(name=name))
     source = json.loads(next(filter(None, texts), "{}"))

@@ -1,4 +1,4 @@
-"""Records whose arrays stay read-only, in copies and after a pickle as well.
+"""Base class of records with read-only arrays, also in copies and after unpickling.
 
 A frozen dataclass with arrays derives from ``Frozen``.
 """
@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """Return a read-only view of an array that nobody else holds; the array itself is closed too.
+    """Return a read-only view of an array without other references; the array itself becomes read-only too.
 
-    ``setflags(write=True)`` raises ValueError for the view: NumPy reopens the owner of memory alone.
+    ``setflags(write=True)`` raises ValueError for the view, because NumPy permits it only for the owner of
+    the memory.
     """
     owner = array if array.flags.owndata else array.copy()
     owner.setflags(write=False)
@@ -21,18 +22,18 @@ def read_only(array: NDArray[Any]) -> NDArray[Any]:
 
 
 class Frozen:
-    """Base of frozen dataclasses: array fields are set read-only, and come so out of copies and pickles."""
+    """Base of frozen dataclasses, whose array fields are read-only, also in copies and after unpickling."""
 
     def _set(self, values: Mapping[str, Any]) -> None:
-        """Set fields; arrays become read-only and must be held by nobody else."""
+        """Set fields; arrays become read-only and must not have other references."""
         for name, value in values.items():
             object.__setattr__(self, name, read_only(value) if isinstance(value, np.ndarray) else value)
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Take the state of a copy or a pickle.
+        """Set the state of a copy or a pickle.
 
-        Arrays that arrive writeable, as all do from a deep copy or a pickle, are replaced by read-only
-        copies: they may belong to somebody else, as those of a shallow copy of ``Motion.unchecked`` do.
+        Writeable arrays, as from a deep copy or a pickle, are replaced by read-only copies. They may have
+        other references, as in a shallow copy of ``Motion._unchecked``.
         """
         self._set({name: _own(value) for name, value in state.items()})
 

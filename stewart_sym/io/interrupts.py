@@ -1,4 +1,4 @@
-"""Ending by a signal: Ctrl-C, SIGTERM and SIGHUP undo what has been begun, wherever they arrive."""
+"""Termination by signals: Ctrl-C, SIGTERM, and SIGHUP undo unfinished changes at any time."""
 
 import contextlib
 import signal
@@ -12,10 +12,10 @@ _deferred = False
 
 @contextlib.contextmanager
 def as_interrupts() -> Iterator[None]:
-    """Let signals that end a run raise KeyboardInterrupt in this block; those that are ignored stay so.
+    """Convert terminating signals to KeyboardInterrupt in this block; ignored signals remain ignored.
 
-    An error after a signal is that signal: an extension module interrupted while it is imported raises
-    ImportError.
+    An error after a signal is replaced by the interrupt, because an extension module that is interrupted
+    during its import raises ImportError.
     """
 
     def interrupt(number: int, frame: object) -> None:
@@ -45,28 +45,30 @@ def as_interrupts() -> Iterator[None]:
 
 
 def check() -> None:
-    """Raise KeyboardInterrupt if a signal has arrived: libraries swallow exceptions in their callbacks."""
+    """Raise KeyboardInterrupt if a signal was received, because libraries suppress exceptions in their
+    callbacks.
+    """
     if _received:
         raise KeyboardInterrupt
 
 
 def exit_code() -> int:
-    """Of a run that KeyboardInterrupt ended, as shells have it: 128 and the number of the first signal."""
+    """Return the exit code after KeyboardInterrupt: 128 plus the number of the first signal, as in shells."""
     return 128 + (_received[0] if _received else signal.SIGINT)
 
 
 class deferred:  # noqa: N801 - a context manager
-    """Let signals wait in this block, where ``check`` tells of them; ``defer=False``: raise in an inner one.
+    """Context manager that delays signals until ``check``; ``defer=False`` raises them in an inner block.
 
-    So a temporary file is made and taken away as one, wherever a signal arrives. No generator, as one that is
-    left in the middle would set things back when it is collected.
+    A temporary file is thus created and removed as one step, whenever a signal is received. This is not a
+    generator, because an unfinished generator would restore the state when it is collected.
     """
 
     def __init__(self, defer: bool = True) -> None:
         self._defer = defer
 
     def __enter__(self) -> None:
-        """Let signals wait, or raise KeyboardInterrupt if one waits."""
+        """Start the delay of signals, or raise KeyboardInterrupt if a signal is pending."""
         global _deferred
         self._before = _deferred
         _deferred = self._defer

@@ -1,4 +1,4 @@
-"""Figures as JSON text, in one way wherever this program writes JSON."""
+"""JSON text of results, in one format for all files of this program."""
 
 import json
 import math
@@ -9,12 +9,12 @@ import numpy as np
 
 
 def json_text(data: Any) -> str:
-    """Indented text with a newline at its end; arrays as lists, null for a number that is not finite."""
+    """Format data as indented JSON with a final newline; arrays become lists, and non-finite numbers null."""
     return json.dumps(plain(data), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def plain(value: Any) -> Any:
-    """The same in Python's own numbers, lists and dictionaries."""
+    """Convert arrays, NumPy scalars, mappings, and tuples to numbers, lists, and dictionaries of Python."""
     if isinstance(value, np.ndarray | np.generic):
         value = value.tolist()
     if isinstance(value, Mapping):

@@ -1,6 +1,6 @@
-"""Lines at which the keys of a TOML file stand, which ``tomllib`` does not keep: for messages about values.
+"""Line numbers of the keys of a TOML file, for error messages; ``tomllib`` does not provide them.
 
-Only of texts that ``tomllib`` has accepted: it reads beginnings of the text, to see which has the key.
+The text must be valid TOML: beginnings of the text are parsed to find the line of a key.
 """
 
 import bisect
@@ -12,16 +12,16 @@ from typing import Any
 from .arguments import shown
 
 Path = tuple[str | int, ...]
-"""Keys and, in arrays, places counted from 0."""
+"""Keys and, in arrays, indices from 0."""
 
 STRING = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
 LONG_STRING = r"""\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+"{3,5}+|'{3}(?:[^']|'(?!''))*+'{3,5}+"""
-"""Texts of one line and of several, as regular expressions."""
+"""Regular expressions of strings of one line and of several lines."""
 _TOKEN = re.compile(rf"#[^\n]*+|{LONG_STRING}|{STRING}|[\[\]{{}}\n]")
 
 
 def paths(value: Any, path: Path = ()) -> Iterator[Path]:
-    """Path of each key, table and entry of an array in tables as ``tomllib`` reads them."""
+    """Yield the path of each key, table, and array entry in the tables of ``tomllib``."""
     if isinstance(value, dict | list):
         for key, each in value.items() if isinstance(value, dict) else enumerate(value):
             yield (*path, key)
@@ -29,13 +29,15 @@ def paths(value: Any, path: Path = ()) -> Iterator[Path]:
 
 
 def key_text(key: object) -> str:
-    """A key as messages show it."""
+    """Format a key for messages."""
     plain = isinstance(key, str) and key.isprintable() and len(key) <= 60
     return str(key) if plain else shown(key)
 
 
 def spelled(path: Path) -> str:
-    """A path as messages name it: ``platform.mass``, and ``leg 3: lower.mass`` for the third of an array."""
+    """Format a path for messages: ``platform.mass``, and ``leg 3: lower.mass`` for the third table of an
+    array.
+    """
     found = ""
     for part in path:
         if isinstance(part, int):
@@ -46,8 +48,8 @@ def spelled(path: Path) -> str:
 
 
 def key_line(path: Path, text: str) -> int:
-    """Line, counted from 1, at which a key, a table or an entry of an array begins."""
-    # The text may be cut after each line that ends outside of strings, once its brackets are closed.
+    """Return the line, from 1, at which a key, a table, or an entry of an array begins."""
+    # The text can be cut after each line that ends outside of strings if its brackets are closed.
     cuts, closing = [(0, "")], ""
     for token in _TOKEN.finditer(text):
         if token[0] in ("[", "{"):
@@ -61,7 +63,7 @@ def key_line(path: Path, text: str) -> int:
 
 
 def line_of(message: str, text: str) -> int:
-    """Line of the last key on the path with whose name a message begins; the first where none has one."""
+    """Return the line of the last key whose path is the beginning of a message, or 1 without such a key."""
     found: Path = ()
     name = ""
     try:
@@ -75,7 +77,7 @@ def line_of(message: str, text: str) -> int:
 
 
 def _holds(text: str, path: Path) -> bool:
-    """Whether a text has a key."""
+    """Return True if a text contains a key."""
     value: Any = tomllib.loads(text)
     try:
         for part in path:

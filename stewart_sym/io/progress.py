@@ -1,4 +1,4 @@
-"""Progress of long work: what is being done and, where that is known, the share that is done."""
+"""Progress of long computations: the current step and, if known, the completed fraction."""
 
 from collections.abc import Callable, Collection, Iterator
 from typing import Protocol, TypeVar
@@ -7,19 +7,23 @@ T = TypeVar("T")
 
 
 class Progress(Protocol):
-    """Called with what is being done."""
+    """Callback with the current step."""
 
     def __call__(self, text: str, share: float | None = None) -> None:
-        """``share``: of a task that is done, 0 to 1, never falling while the task lasts; None: not known."""
+        """Report a step.
+
+        ``share`` is the completed fraction of the task, 0 to 1, which does not decrease during the task, or
+        None if it is unknown.
+        """
         ...
 
 
 def silent(text: str, share: float | None = None) -> None:
-    """Show nothing."""
+    """Show no progress."""
 
 
 def tracked(progress: Progress, items: Collection[T], text: Callable[[T], str]) -> Iterator[T]:
-    """The items of a task one by one; what is being done with each is shown before it."""
+    """Yield the items of a task, and report the step of each item before it."""
     for number, item in enumerate(items):
         progress(text(item), number / len(items))
         yield item

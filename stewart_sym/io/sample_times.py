@@ -1,4 +1,4 @@
-"""Times, also in seconds since 1970, as text and as differences, without what is rounded off."""
+"""Sample times, also in seconds since 1970, as text and as differences without rounding errors."""
 
 import math
 from typing import NamedTuple
@@ -7,31 +7,42 @@ import numpy as np
 
 from .array_types import Array
 
-# A double has 15 to 17 digits; with 16 a time of few decimals is printed with these alone.
+# A double has 15 to 17 digits. With 16 digits a time of few decimals is printed without further decimals.
 _FEWEST, _MOST = 6, 16
-# Most decimals of times that are looked for.
+# Largest number of decimals of times.
 _DECIMALS = 15
-# A double next to that of such a number is taken for it only where the numbers are so many doubles apart.
+# A double next to the nearest double of a decimal number is interpreted as this number only if adjacent
+# decimal numbers are at least this many doubles apart.
 _FAR_APART = 16.0
-# Times that are looked at together.
+# Number of times that are processed together.
 _PART = 1 << 10
 
-# Rows that show an even clock; its step in units of what times are rounded to: the least, below which rows
-# may be missing instead, and the most, beyond which rounding tells in no rate.
+# Smallest number of rows of an even clock, and the range of its step in units of the rounding of times.
+# Smaller steps may be caused by missing rows; for larger steps rounding affects no rate.
 _CLOCK_ROWS, _CLOCK_LEAST, _CLOCK_MOST = 20, 2.0, 1e4
-# Steps of two units among those of one that show a clock of less than two, and how unlikely it must be that
-# rows missing at random lie as evenly.
+# Smallest number of steps of two units, and of one unit, that identifies a clock with a step below two units.
+# Largest probability that randomly missing rows are as evenly spaced.
 _LONG_STEPS, _UNLIKELY = 3, 1e-6
-# How far times are off it, in these units: half of one and jitter below that; how near to it the last is it.
+# Largest deviation of times from the clock in these units, half a unit and jitter below half a unit, and
+# largest deviation of the last time.
 _OFF_CLOCK, _LAST = 0.75, 0.1
-# How far apart these are of a clock that is rounded without jitter.
+# Range of the deviations for a clock that is rounded without jitter.
 _EXACT = 1.1
 
 
 class Clock(NamedTuple):
-    """An even clock: times, s, (n,), from the first as written, its step and what they were rounded to, s.
+    """Even clock of rounded times.
 
-    chance: of rows of a clock of whole units that are missing at random to have such times; 0: of none.
+    Attributes
+    ----------
+    times : ndarray, shape (n,)
+        Times from the first time as written (s).
+    step : float
+        Step of the clock (s).
+    rounded : float
+        Unit to which the times were rounded (s).
+    chance : float
+        Probability that a clock of whole units with randomly missing rows has such times; 0 if impossible.
     """
 
     times: Array
@@ -41,14 +52,15 @@ class Clock(NamedTuple):
 
     @property
     def sure(self) -> bool:
-        """Whether the times alone leave no doubt of it."""
+        """True if the times alone identify the clock."""
         return self.chance < _UNLIKELY
 
 
 def even_clock(times: Array) -> Clock | None:
-    """The even clock whose times, s, (n,), are rounded to decimals; None for even times and without any.
+    """Find the even clock whose times (s), shape (n,), were rounded to decimals.
 
-    Rows may be missing: whole numbers of steps lie between those that are there.
+    Rows may be missing: the differences are whole numbers of steps. Returns None for evenly spaced times, and
+    for times without an even clock.
     """
     per_second = parts(times)
     if per_second is None or len(times) < _CLOCK_ROWS:
@@ -57,7 +69,8 @@ def even_clock(times: Array) -> Clock | None:
     count -= count[0]
     gaps = np.diff(count)
     usual = np.quantile(gaps, 0.5, method="lower")
-    # Steps of one and of two units are those of a clock between, or of one of one unit with rows missing.
+    # Steps of one and two units result from a clock with a step between them, or from a clock of one unit
+    # with missing rows.
     short = gaps.min() == 1.0 and usual <= _CLOCK_LEAST
     if not short and (not np.any(gaps % gaps.min()) or not _CLOCK_LEAST <= usual <= _CLOCK_MOST):
         return None
@@ -81,9 +94,9 @@ def even_clock(times: Array) -> Clock | None:
 
 
 def _chance(gaps: Array) -> float | None:
-    """Chance that steps of one and of two units, (n,), in any order are as even as those of a clock.
+    """Compute the probability that steps of one and two units, (n,), are by chance as even as a clock.
 
-    Of the orders of so many long ones about n are. None: too few of either.
+    About n orders of the same number of long steps are as even. None means too few steps of either kind.
     """
     count, long = len(gaps), int(np.count_nonzero(gaps > 1.0))
     if not _LONG_STEPS <= long <= count - _LONG_STEPS:
@@ -93,35 +106,42 @@ def _chance(gaps: Array) -> float | None:
 
 
 def elapsed(times: Array) -> Array:
-    """Times since the first, s, (n,), without what doubles round off: for all that is differentiated.
+    """Return the times since the first time (s), shape (n,), without rounding errors, for differentiation.
 
-    A double keeps seconds since 1970 to 2.4e-7 s, which is much of a millisecond's step. Times that all are
-    the nearest doubles of numbers with a few decimals are taken for these numbers.
+    A double resolves seconds since 1970 to 2.4e-7 s, which is a considerable fraction of a step of a
+    millisecond. If all times are the nearest doubles of numbers with a few decimals, they are interpreted as
+    these numbers.
     """
     return apart(times, times[:1], parts(times))
 
 
 def apart(later: Array, earlier: Array, per_second: float | None) -> Array:
-    """Differences of times, s, that are whole numbers of parts of a second; None: of times as they are."""
+    """Return differences of times (s) that are whole numbers of parts of a second, or plain differences for
+    None.
+    """
     if per_second is None:
         return np.asarray(later - earlier)
     return np.asarray((np.rint(later * per_second) - np.rint(earlier * per_second)) / per_second)
 
 
 def lost(times: Array) -> float:
-    """What doubles may have rounded off the times, s, (n,): 0 where ``elapsed`` restores it."""
+    """Return the possible rounding error of the times (s), shape (n,): 0 if ``elapsed`` recovers the
+    times.
+    """
     return _resolution(times) if parts(times) is None else 0.0
 
 
 def parts(times: Array) -> float | None:
-    """The fewest parts of a second, a power of ten, that times, (n,), are whole numbers of; None for none."""
+    """Return the smallest power of ten for which all times, shape (n,), are whole parts of a second, or
+    None.
+    """
     resolution = _resolution(times)
     starts = range(0, len(times), _PART)
     for decimals in range(_DECIMALS + 1):
         per_second = 10.0**decimals
         if 2.0 * resolution * per_second > 1.0:
             break
-        # A sum of a start and a step may be the double beside the nearest one.
+        # The sum of a start time and a step may be a double adjacent to the nearest one.
         beside = _FAR_APART * resolution * per_second < 1.0
         if all(_whole_numbers(times[i : i + _PART + 1], per_second, beside) for i in starts):
             return per_second
@@ -129,25 +149,27 @@ def parts(times: Array) -> float | None:
 
 
 def _resolution(times: Array) -> float:
-    """What the double of the largest time resolves, s."""
+    """Return the resolution of the double of the largest time (s)."""
     return float(np.spacing(max(times.max(initial=0.0), -times.min(initial=0.0))))
 
 
 def _whole_numbers(times: Array, per_second: float, beside: bool) -> bool:
-    """Whether times are different whole numbers of parts of a second, ``beside``: or next to such."""
+    """Return True if times are different whole parts of a second; ``beside`` permits adjacent doubles."""
     count = np.rint(times * per_second)
     off = np.abs(count / per_second - times)
     return bool((off <= beside * np.spacing(np.abs(times))).all() and (np.diff(count) > 0.0).all())
 
 
 def least_step(times: Array) -> float:
-    """The shortest step of times, s, (n,), that has a duration; 0 of a single one."""
+    """Return the shortest nonzero step of times (s), shape (n,); 0 for a single time."""
     steps = np.diff(times)
     return float(steps[steps > 0.0].min(initial=np.inf)) if np.any(steps > 0.0) else 0.0
 
 
 def time_text(time: float, step: float = 0.0) -> str:
-    """A time, s, with full seconds and the decimals of a step, s; with all that it has without a step."""
+    """Format a time (s) with full seconds and the decimals of ``step`` (s), or with all decimals for step
+    0.
+    """
     digits = _MOST
     if step > 0.0 and time != 0.0:
         digits = math.floor(math.log10(abs(time))) - math.floor(math.log10(min(step, 1.0))) + 1

@@ -1,6 +1,6 @@
-"""Text files read within bounds, and tables of TOML checked key by key; each rejection is one line.
+"""Bounded reading of text files, and validation of TOML tables key by key, with one-line errors.
 
-The prefix or place handed in begins every message: ``file: key: what was expected``.
+Every message begins with the given prefix: ``file: key: expected X, got Y``.
 """
 
 import codecs
@@ -26,25 +26,27 @@ from .array_types import Array
 from .key_lines import LONG_STRING, STRING, key_text, line_of
 
 MOST_BYTES = 1 << 18
-"""Of a TOML file: thirty times what a robot takes with every number of every leg."""
+"""Largest size of a TOML file (bytes), thirty times the size of a robot file with all numbers of each leg."""
 _CHUNK = 1 << 24
 _LINE = 1 << 12
-# Bytes at a table's beginning that show how its header is encoded, and how a row of numbers begins.
+# Number of bytes at the beginning of a table that determine the encoding of its header, and the start of a
+# row of numbers.
 _HEAD = 1 << 16
 _NUMBER = re.compile(rb"[\s\"]*[-+.\d]")
 _MOST = float(np.finfo(np.float64).max)
 
 _TWICE = re.compile(r"Cannot overwrite a value \(at line (\d+)")
 
-# Time and memory of tomllib grow with the square of a dotted key's parts: 300,000 of them take all there is.
+# Time and memory of tomllib increase with the square of the number of parts of a dotted key: 300,000 parts
+# exhaust both.
 _PART = rf"(?:{STRING}|[\w-]++)"
 _LONG_KEY = rf"(?P<long_key>(?<![\w\\-]){_PART}(?:[ \t]*+\.[ \t]*+{_PART}){{15}})"
-# Comments and strings are passed over as wholes: what they hold is no key.
+# Comments and strings are skipped, because they contain no keys.
 _TOKEN = re.compile(rf"#[^\n]*+|{LONG_STRING}|{_LONG_KEY}|{STRING}")
 
 
 def file_name(path: object) -> str:
-    """A path as text; ValueError for what is none."""
+    """Return a path as text; raise ValueError for other types."""
     try:
         return os.fsdecode(path)  # type: ignore[arg-type]
     except TypeError:
@@ -53,10 +55,10 @@ def file_name(path: object) -> str:
 
 @contextlib.contextmanager
 def opened(source: str, what: str, most: int) -> Iterator[BinaryIO]:
-    """A file of ``most`` bytes or fewer, open for reading more than once; ``what`` it is, for messages.
+    """Open a file of at most ``most`` bytes for repeated reading; ``what`` describes the file in messages.
 
-    A pipe is copied to its end; a device is rejected, since some have no end. Raises ValueError of one line,
-    for what goes wrong in the block's reading too.
+    A pipe is copied to its end. A device is rejected, because some devices have no end. Raises ValueError,
+    also for errors of reading in the block.
     """
     cannot = f"{source}: cannot read the {what}"
     with contextlib.ExitStack() as stack:
@@ -71,7 +73,7 @@ def opened(source: str, what: str, most: int) -> Iterator[BinaryIO]:
 
 
 def _again(source: str, most: int, stack: contextlib.ExitStack) -> BinaryIO:
-    """A file as a stream that can be read again, to be closed by the stack."""
+    """Open a file as a seekable stream that the stack closes."""
     mode = os.stat(source).st_mode
     if stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
         raise ValueError("it is a device")
@@ -87,14 +89,14 @@ def _again(source: str, most: int, stack: contextlib.ExitStack) -> BinaryIO:
 
 
 def read_text(source: str, what: str, most: int) -> str:
-    """Text of a UTF-8 file as ``opened``; a byte order mark is dropped."""
+    """Read a UTF-8 file without its byte order mark, with the limits of ``opened``."""
     with opened(source, what, most) as stream, as_utf8(stream, source):
         return stream.read().decode("utf-8-sig")
 
 
 @contextlib.contextmanager
 def as_utf8(stream: BinaryIO, source: str) -> Iterator[None]:
-    """Let an error in decoding the stream be a ValueError that names the first byte that is no UTF-8."""
+    """Convert a decoding error of the stream to ValueError with the position of the first invalid byte."""
     try:
         yield
     except UnicodeDecodeError:
@@ -115,10 +117,11 @@ def as_utf8(stream: BinaryIO, source: str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def table_as_utf8(stream: BinaryIO, source: str) -> Iterator[BinaryIO]:
-    """The stream of a table, or a copy in UTF-8 of one in UTF-16 or with a header in Windows' code page 1252.
+    """Return the stream of a table, or a copy in UTF-8.
 
-    UTF-16 has a byte order mark; the code page is tried where bytes above the numbers are no UTF-8. Raises as
-    ``as_utf8``, for what goes wrong in the block's reading too.
+    A table in UTF-16, which has a byte order mark, and a table with a header in Windows code page 1252 are
+    converted. The code page is assumed if bytes above the numbers are not UTF-8. Raises the errors of
+    ``as_utf8``, also for errors of reading in the block.
     """
     with as_utf8(stream, source), contextlib.ExitStack() as stack:
         head = stream.read(_HEAD)
@@ -158,14 +161,17 @@ _KINDS = {
     "scene of choose-fidelity": ({"motions", "tolerance"},),
     "file of via poses": ({"robot", "via"}, {"robot", "via_file"}),
 }
-"""Kinds of files, each with sets of keys: a file of this kind has one of the sets, others have none."""
+"""Kinds of files with sets of keys: a file of a kind has one of its sets, and other files have none of
+them.
+"""
 
 
 @contextlib.contextmanager
 def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
-    """Tables of a TOML file; ``what``: of ``_KINDS``. Raises ValueError for a file of another kind too.
+    """Read the tables of a TOML file; ``what`` is one of ``_KINDS``.
 
-    To what the block raises about a key of the file, ``source: key: what was expected``, its line is added.
+    Raises ValueError also for a file of another kind. The line is added to errors of the block about a key of
+    the file, ``source: key: expected X, got Y``.
     """
     try:
         text = read_text(source, what, MOST_BYTES)
@@ -184,7 +190,7 @@ def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
 
 
 def _beginning_of_long(source: str) -> str:
-    """First line of a file that is longer than a TOML file may be; empty of any other."""
+    """Return the first line of a file that exceeds the size of TOML files, otherwise ""."""
     if not os.path.isfile(source) or os.path.getsize(source) <= MOST_BYTES:
         return ""
     with open(source, "rb") as stream:
@@ -192,7 +198,7 @@ def _beginning_of_long(source: str) -> str:
 
 
 def _reject_table(first: str, source: str, what: str) -> None:
-    """Reject a file whose first line is that of a table of values."""
+    """Raise ValueError if the first line of a file is a row of a CSV table."""
     if first.count(",") > 1 and "=" not in first and first[0] not in "#[":
         raise ValueError(f"{source}: expected a {what}, got a table of values, as of a CSV file") from None
 
@@ -220,7 +226,7 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
 
 
 def _key_twice(error: str, text: str) -> str:
-    """The key that is given a second time, where the parser's error says only in which line; else nothing."""
+    """Return text about a repeated key if the parser error contains only its line, otherwise ""."""
     place = _TWICE.match(error)
     key, equals, _ = text.split("\n")[int(place[1]) - 1].partition("=") if place else ("", "", "")
     return f"{safe_text(key.strip())}: given twice: " if equals else ""
@@ -251,13 +257,13 @@ _RENAMED = {
     "condition": "max_condition",
     "clearance": "min_clearance",
 }
-"""Former keys of files, and their present names."""
+"""Former keys of files with their present names."""
 
 
 def checked_table(
     value: object, prefix: str, known: Sequence[str], required: Sequence[str] = ()
 ) -> dict[str, Any]:
-    """A table whose keys are all known and that has those required."""
+    """Return a table after validation of its known and required keys."""
     if not isinstance(value, Mapping):
         raise ValueError(f"{prefix.rstrip('.: ')}: expected a table, got {shown(value)}")
     for key in value:
@@ -272,7 +278,8 @@ def checked_table(
 def _meant(key: str, known: Sequence[str]) -> str:
     """Return the keys that an unknown key may mean, or nothing.
 
-    These are its present name, its singular, keys that contain it as a word, or the key spelled most like it.
+    Candidates are its present name, its singular, keys that contain it as a word, or the key with the most
+    similar spelling.
     """
     if _RENAMED.get(key) in known:
         return f'"{_RENAMED[key]}"'
@@ -283,7 +290,7 @@ def _meant(key: str, known: Sequence[str]) -> str:
 
 
 def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: str) -> None:
-    """Reject a table that lacks one of the keys, with a reason."""
+    """Raise ValueError with ``reason`` if a key is missing."""
     for key in keys:
         if key not in table:
             raise ValueError(f"{prefix}{key}: {reason}")
@@ -293,7 +300,7 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
 
 
 def file_beside(value: object, source: str, key: str) -> Path:
-    """The file that a key of another file names, looked for beside that."""
+    """Return the path of a file that a key names, relative to the folder of the file with the key."""
     path = Path(source).parent / one_line(value, f"{source}: {key}")
     if not os.path.exists(path):
         raise ValueError(f"{source}: {key}: expected a file, there is no {path}")
@@ -301,11 +308,13 @@ def file_beside(value: object, source: str, key: str) -> Path:
 
 
 _CONTROL = {"Cc", "Cs", "Zl", "Zp"}
-"""Categories of characters that no line of text holds: control, halves of one, ends of lines."""
+"""Categories of characters that a line of text cannot contain: control characters, surrogates, and line
+ends.
+"""
 
 
 def one_line(value: object, where: str) -> str:
-    """A text of one line that is not blank."""
+    """Return a nonblank text of one line."""
     if isinstance(value, str) and not value.strip():
         raise ValueError(f"{where}: expected text that is not blank, got {shown(value)}")
     text = value if isinstance(value, str) else ""
@@ -317,19 +326,19 @@ def one_line(value: object, where: str) -> str:
 
 
 def title(value: object, where: str) -> str:
-    """A text of one line to be shown anywhere, with the numbers of what is not seen, as ``safe_text``."""
+    """Return a text of one line with code points in place of nonprintable characters, as in ``safe_text``."""
     return safe_text(one_line(value, where))
 
 
 def need_schema(value: object, known: Sequence[int], where: str) -> int:
-    """Number of a schema, one of those known."""
+    """Return the number of a supported schema."""
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer) or value not in known:
         raise ValueError(f"{where}: expected {' or '.join(map(str, known))}, got {shown(value)}")
     return int(value)
 
 
 def number(value: object, where: str, expected: str = "a finite number") -> float:
-    """A finite number and no truth value."""
+    """Return a finite number; reject Booleans."""
     if type(value) is float and math.isfinite(value):
         return value
     if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):
@@ -346,13 +355,13 @@ def number(value: object, where: str, expected: str = "a finite number") -> floa
 
 
 def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
-    """Return nested lists of finite numbers as a new float64 array of just that shape."""
+    """Return nested lists of finite numbers as a new float64 array with exactly this shape."""
     return np.array(_flat(value, shape, where, shape)).reshape(shape)
 
 
 def _flat(value: object, shape: tuple[int, ...], where: str, whole: tuple[int, ...]) -> list[float]:
     items = value.tolist() if isinstance(value, np.ndarray) else value
-    # An entry that is no row says less than the rows together.
+    # The whole rows are more informative in the message than an entry that is not a row.
     if (
         not isinstance(items, list | tuple)
         or len(items) != shape[0]
@@ -361,7 +370,7 @@ def _flat(value: object, shape: tuple[int, ...], where: str, whole: tuple[int, .
         raise ValueError(f"{where}: expected {_finite(whole)}, got {shown(items)}")
     if len(shape) > 1:
         return [entry for item in items for entry in _flat(item, shape[1:], where, whole)]
-    # Nearly all are, and this takes a fifth of the time.
+    # Nearly all entries pass this test, which takes a fifth of the time.
     if all(type(item) is float and math.isfinite(item) for item in items):
         return list(items)
     return [number(item, where, _finite(whole)) for item in items]
@@ -372,12 +381,12 @@ def _finite(shape: tuple[int, ...]) -> str:
 
 
 def vector(value: object, where: str) -> Array:
-    """Three finite numbers, (3,)."""
+    """Return three finite numbers, shape (3,)."""
     return numbers(value, (3,), where)
 
 
 def number_that(allowed: Callable[[float], bool], expected: str) -> Callable[[object, str], float]:
-    """A check of a finite number that is allowed."""
+    """Return a validator of finite numbers that are allowed."""
 
     def checked(value: object, where: str) -> float:
         given = number(value, where)
@@ -393,13 +402,13 @@ not_negative = number_that(lambda x: x >= 0.0, ">= 0")
 
 
 def per_leg(value: object, where: str) -> Array:
-    """One finite number for all six legs or six, as (6,)."""
+    """Return one finite number for all legs or six numbers as shape (6,)."""
     if isinstance(value, list | tuple | np.ndarray):
         return numbers(value, (6,), where)
     return np.full(6, number(value, where, "one finite number or six"))
 
 
 def choice(value: object, options: Sequence[str], where: str) -> str:
-    """One of the options."""
+    """Return a value that is one of the options."""
     option(value, options, where)
     return str(value)

@@ -1,4 +1,4 @@
-"""Tables as the text of a TOML file."""
+"""Formatting of tables as TOML text."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -6,10 +6,10 @@ from typing import Any
 
 
 def toml_text(tables: Mapping[str, Any], inline: bool = True) -> str:
-    """Text of tables of texts, numbers, lists and tables.
+    """Format tables of strings, numbers, lists, and tables as TOML.
 
-    inline: write a table without further tables in one line, unless it is one of the file's own; otherwise
-    every table has a section of its own.
+    ``inline`` writes a table without nested tables in one line, except for the top-level tables of the file.
+    Otherwise every table is a section.
     """
     return "\n".join(_lines(tables, "", inline)) + "\n"
 
@@ -47,5 +47,5 @@ def _value(value: Any) -> str:
         return f"{{ {inside} }}" if inside else "{}"
     if isinstance(value, list | tuple):
         return f"[{', '.join(map(_value, value))}]"
-    # A text, a truth value and a number look as in JSON.
+    # Strings, Booleans, and numbers have the same format as in JSON.
     return json.dumps(value, ensure_ascii=False)

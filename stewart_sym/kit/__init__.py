@@ -1,7 +1,7 @@
-"""The C kit of one robot: a folder that builds, explains itself, and tests itself on its target.
+"""C kit of one robot: a folder of generated code with build files, documentation, and a self-test.
 
-Takes a checked Robot and a ``Choice``; gathers kernels (``parts``), test vectors (``vectors``) and the
-texts of ``derive.package``, and has the files put in place all at once or not at all.
+The package takes a validated Robot and a ``Choice``, collects kernels (``parts``), test vectors
+(``vectors``), and the texts of ``derive.package``, and writes all files or none.
 """
 
 from .files import Kit, kit, kit_names

@@ -1,4 +1,4 @@
-"""The files of a kit as text: kernels, constants, self-test, example, build files, README, manifest."""
+"""Files of a kit as text: kernels, constants, self-test, example, build files, README, and manifest."""
 
 import hashlib
 import json
@@ -43,17 +43,23 @@ from .vectors import rejected, vectors
 
 LICENCE, ROBOT = "LICENSE", "robot.toml"
 MANIFEST = "manifest.json"
-"""What a later run reads to tell its own files from edited ones."""
+"""Record of the files of a kit, from which a later run recognizes edited files."""
 
 _TEXTS = (build.SELFTEST, build.EXAMPLE, LICENCE, ROBOT, "README.md", build.WRAPPER, *build.FILES)
 
 
 @dataclass(frozen=True)
 class Kit:
-    """Files of a kit, name -> content, and operations of the forces per pose.
+    """Files of a kit and the operations of its forces per pose.
 
-    operations: before the robot's numbers were folded in, None without the forces; baked_operations: after,
-    None where nothing was folded in.
+    Attributes
+    ----------
+    files : dict of str to bytes
+        Content of each file by name.
+    operations : int or None
+        Operations of the forces per pose with general constants; None without the forces.
+    baked_operations : int or None
+        Operations of the forces per pose with baked constants; None if the kit is not baked.
     """
 
     files: dict[str, bytes]
@@ -62,11 +68,14 @@ class Kit:
 
 
 def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> Kit:
-    """The kit of a robot. Raises ValueError for an unknown option, or if no pose suits the self-test."""
+    """Generate the files of the kit of a robot.
+
+    Raises ValueError for an unknown option, or if no pose is suitable for the self-test.
+    """
     check(choice, robot)
     missing = _left_out(robot, choice)
     if missing:
-        warn(f"{missing}; for all of it choose fidelity general")
+        warn(f"{missing}; choose fidelity general to include it")
     if choice.language != "c":
         progress(f"generating {choice.language}")
         return _of_language(robot, choice, missing)
@@ -97,7 +106,7 @@ def _left_out(robot: Robot, choice: Choice) -> str:
     if "forces" not in choice.functions:
         return ""
     level = fidelity.resolved(robot, choice.formulation, choice.level)
-    # The digits need no compiler.
+    # The reference in 50-digit arithmetic requires no compiler.
     reduced = Truth(robot, choice.formulation, level).forces
     return left_out(robot, cast("Formulation", choice.formulation), choice.level, reduced)
 
@@ -118,7 +127,7 @@ def _of_language(robot: Robot, choice: Choice, missing: str = "") -> Kit:
 
 
 def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
-    """Names of the files of a kit, without computing its test vectors; raises as ``kit``."""
+    """List the file names of a kit without computing its test vectors; raise the errors of ``kit``."""
     check(choice, robot)
     if choice.language != "c":
         return list(_of_language(robot, choice).files)
@@ -134,7 +143,7 @@ def _sources(machine: Machine, made: Parts) -> dict[str, str]:
 
 
 def _machine(robot: Robot, choice: Choice) -> Machine:
-    """The robot's numbers; those of its drives for a kit with torques."""
+    """Collect the constants of the robot, and of its drives if the kit computes motor torques."""
     shortest, longest = robot.length_limits.T.tolist()
     limits = {"shortest": shortest, "longest": longest}
     limits |= {"force": robot.force_limit.tolist(), "speed": robot.speed_limit.tolist()}
@@ -145,7 +154,7 @@ def _machine(robot: Robot, choice: Choice) -> Machine:
 
 
 def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector]]:
-    """Test vectors by function."""
+    """Compute the test vectors of each function."""
     stems = tuple(function.stem for function in made.functions)
     torques = tuple(stem for stem in stems if stem in STEMS[TORQUE])
     others = tuple(stem for stem in stems if stem not in ("forces", *torques))
@@ -190,7 +199,7 @@ def _readme(
 
 
 def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
-    """Constants folded into the forces that no vector shows; None without such forces."""
+    """List the baked constants of the forces that no test vector checks; return None without baked forces."""
     if "forces" not in choice.functions or not choice.bake:
         return None
     level = fidelity.resolved(robot, choice.formulation, choice.level)
@@ -198,9 +207,10 @@ def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
 
 
 def _errors(vectors_of: list[Vector]) -> Array:
-    """Median and largest relative error bound of the ordinary vectors, (2,), in rounding units; nan without.
+    """Compute median and largest relative error bound of the ordinary vectors (rounding units), (2,).
 
-    That of a vector is the largest bound over the largest answer of the same array.
+    The relative error bound of a vector is the largest ratio of a bound to the largest value of the same
+    array. Without ordinary vectors both results are nan.
     """
     found = [
         max(
@@ -215,13 +225,13 @@ def _errors(vectors_of: list[Vector]) -> Array:
 
 
 def stack_key(function: Function, choice: Choice, suffix: str = "") -> str:
-    """Name of a function's stack in ``stack.json``; suffix: "_batch" for that of its batch."""
+    """Return the key of a function in ``stack.json``; ``suffix`` is "_batch" for its batch function."""
     return f"{function.plain or function.symbol}{suffix} {choice.precision}"
 
 
 @cache
 def _stack() -> dict[str, Any]:
-    """Measured stacks: ``by`` whom, ``bytes`` by function and precision."""
+    """Read the stack sizes: ``by`` names compiler and processors, ``bytes`` has the size of each function."""
     found: dict[str, Any] = json.loads((resources("stewart_sym.kit") / "stack.json").read_text())
     return found
 
@@ -237,13 +247,13 @@ def _manifest(machine: Machine, choice: Choice, files: Mapping[str, bytes]) -> b
 
 
 def _start(robot: Robot, formulation: str) -> Motion:
-    """The pose at which a unit starts: home, or the example's where home has no forces."""
+    """Return the initial pose of an FMU: home, or the pose of the example if home has no solution."""
     home = home_pose(robot)
     return at_rest(np.eye(3), home.t) if home.status == OK else sample(robot, formulation)
 
 
 def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -> bytes:
-    """The co-simulation unit of the forces; it starts at rest at home."""
+    """Build the co-simulation unit of the forces, which starts at rest at the home pose."""
     part = next(part for part in made.parts for function in part.functions if function.stem == "forces")
     (forces,) = part.functions
     machine = replace(_machine(robot, choice), drives=None)
@@ -251,7 +261,7 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
     needed = {"stewart.h", part.header, part.source, *part.shared}
     if forces.subject:
         needed |= {HEADER, SOURCE}
-        # The robot's header has the numbers of its drives as well.
+        # The header of the robot also contains the constants of its drives.
         needed |= {each.header for each in made.parts if TORQUE in each.kinds}
     sources = {name: text for name, text in texts.items() if name in needed}
     pose = {"R": start.R.tolist(), "t": start.t.tolist()}

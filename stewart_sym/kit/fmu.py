@@ -1,6 +1,7 @@
-"""The FMI unit of a kit as one file: compiled, put together and packed so that it repeats to the byte.
+"""FMI unit of a kit as one file, compiled and packed reproducibly to the byte.
 
-FMI 2.0 and co-simulation, as nearly every tool imports just that, Simulink with an FMU block among them.
+The unit supports FMI 2.0 co-simulation, because nearly every tool imports this kind, including the FMU block
+of Simulink.
 """
 
 import io
@@ -14,22 +15,34 @@ from pathlib import Path
 from ..backend import native
 from ..derive.package.fmu import model_identifier
 
-# The earliest that an archive can hold.
+# Earliest date that a zip archive supports.
 _DATE = (1980, 1, 1, 0, 0, 0)
 _SYSTEMS = {"linux": "linux", "win32": "win", "darwin": "darwin"}
 _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 
 
 def packed(symbol: str, texts: Mapping[str, str]) -> bytes:
-    """The bytes of ``<symbol>.fmu``: the unit's texts and, where it can be compiled here, a binary.
+    """Write ``<symbol>.fmu`` to bytes: the texts of the unit and, if it can be compiled on this machine, a
+    binary.
 
-    symbol: of the robot's constants, an identifier. texts: path in the archive -> text, as
-    ``derive.package.fmu.unit`` makes them.
+    Parameters
+    ----------
+    symbol : str
+        Identifier of the constants of the robot.
+    texts : mapping of str to str
+        Text by path in the archive, from ``derive.package.fmu.unit``.
 
-    The same arguments and compiler give the same bytes. Without a compiler, or on a machine for which FMI 2.0
-    has no name, the unit holds its C alone (see ``binary_folder``).
+    Returns
+    -------
+    bytes
+        Content of the archive. Equal arguments and an equal compiler give identical bytes. Without a
+        compiler, or on a platform that FMI 2.0 does not name, the archive contains only C sources (see
+        ``binary_folder``).
 
-    Raises native.CompilerError if the compiler fails.
+    Raises
+    ------
+    native.CompilerError
+        If the compiler fails.
     """
     files = {path: text.encode() for path, text in texts.items()}
     folder = binary_folder()
@@ -45,20 +58,21 @@ def packed(symbol: str, texts: Mapping[str, str]) -> bytes:
 
 
 def binary_folder() -> str | None:
-    """Where a unit made here has its binary, as ``binaries/linux64``; None: it has its C alone.
+    """Return the folder of the binary in a unit built on this machine, such as ``binaries/linux64``.
 
-    Raises native.CompilerError where $CC is set and does not work.
+    Return None if the unit contains only C sources. Raises native.CompilerError if $CC is set and does not
+    work.
     """
     system, machine = _SYSTEMS.get(sys.platform), platform.machine().lower()
     intel = machine in ("x86_64", "amd64", "i386", "i686", "x86")
-    # Importers look there for Apple's own processors as well.
+    # Importers use the same folder for Apple's own processors.
     if system is None or not (intel or system == "darwin") or native.find_compiler() is None:
         return None
     return f"binaries/{system}{64 if sys.maxsize > 2**32 else 32}"
 
 
 def _archive(files: Mapping[str, bytes]) -> bytes:
-    """A zip of the files by path; stored, as compressors differ from one machine to the next."""
+    """Write a zip archive without compression, because the output of compressors depends on the platform."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_STORED) as archive:
         for path, content in sorted(files.items()):

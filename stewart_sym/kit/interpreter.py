@@ -1,9 +1,11 @@
-"""The functions of a kit run on ``Running`` numbers: right answers with bounds of the C's rounding errors.
+"""Interpreter of the functions of a kit on ``Running`` numbers: values with bounds of the rounding errors in
+C.
 
-The forces of a level and the kinematics are interpreted from their trees; every output and the closed form
-run as modules of ``generated``, which are printed from trees. Linear systems are solved by ``running``, whose
-bounds are smaller than those of an elimination that is run. Every function takes the motion of one pose as
-stored and returns what the C writes, flat, in the order of its struct.
+The forces of a fidelity level and the kinematics are interpreted from their syntax trees. The inverse
+dynamics with all outputs and the closed form run as modules of ``generated``, which are printed from trees.
+Linear systems are solved by ``running``, whose bounds are smaller than bounds propagated through an
+elimination. Every function takes the stored motion of one pose and returns the values that the C function
+writes, flattened in the order of its struct.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -37,13 +39,14 @@ Numbers = Mapping[str, Array]
 Found = dict[str, Objects]
 
 NEAR_JOINT_SINGULAR = constants("double")["NEAR_JOINT_SINGULAR"]
-"""Sine of the angle between a leg and its fixed axis below which a third axis takes the place of that one."""
+"""Sine of the angle between a leg and its fixed axis below which a third axis replaces the fixed axis."""
 
-# Rotations and axes are of length one only up to rounding; some forms of the equations assume it.
+# Rotation matrices and axes are normalized only up to rounding, although some forms of the equations assume
+# exact normalization.
 _ORTHONORMAL = ("R", "k")
-# Of double: what errors are measured in.
+# Rounding unit of double precision, the unit of the errors.
 _UNIT = float(np.finfo(np.float64).eps)
-# What repeated turns and one rounding leave of R's orthonormality, in rounding units.
+# Error of the orthonormality of R after repeated rotations and one rounding (rounding units).
 _TURNED = 4.0
 
 ON = Arithmetic(
@@ -54,7 +57,7 @@ ON = Arithmetic(
 
 
 class _OnArrays(OnArrays):
-    """The same for modules of ``generated``: of one pose, the legs of which may be side by side."""
+    """Arithmetic for modules of ``generated`` that evaluate one pose, with the legs in an array."""
 
     def __init__(self) -> None:
         vars(self).update(ON.constants)
@@ -77,11 +80,22 @@ ON_ARRAYS = _OnArrays()
 
 @dataclass(frozen=True, eq=False)
 class KitInterpreter:
-    """The functions of one robot in one formulation.
+    """Functions of one robot in one formulation.
 
-    robot: arrays of ``parts.fields``, as the C holds them. folded: the constants
-    are rounded after they were prepared and not before. drives: arrays of ``stewart_drives``, of a robot that
-    has some.
+    Attributes
+    ----------
+    robot : mapping of str to ndarray
+        Constants named by ``parts.fields``, as stored in C.
+    base_joint : str
+        Type of the base joints, "universal" or "spherical".
+    formulation : str
+        "exact" or "paper".
+    fidelity : str
+        Fidelity level of the forces.
+    folded : bool
+        True if the constants are rounded only after their preparation, as in baked kernels.
+    drives : mapping of str to ndarray
+        Arrays of ``stewart_drives``; empty without drives.
     """
 
     robot: Numbers
@@ -92,55 +106,60 @@ class KitInterpreter:
     drives: Numbers = field(default_factory=dict)
 
     def forces(self, at: Numbers) -> Found:
-        """F of (37) by the regrouped equations of the fidelity, near a joint singularity by those that the C
-        takes there."""
-        # The C evaluates these equations, whether or not rotation and axes are of length one.
+        """Compute F of (37) by the regrouped equations of the fidelity level.
+
+        Near a joint singularity, the equations that C uses there replace them.
+        """
+        # C evaluates these equations for any rotation matrix and axes, whether or not these are normalized.
         given = structure(n.MOTION, at, _exact)
         return _flat(self._forces.run(FORCES, self._forces_model, given))
 
     def inverse_dynamics(self, at: Numbers) -> Found:
-        """F, D, x, K, H, c of (20)-(37)."""
+        """Compute F, D, x, K, H, and c of (20)-(37)."""
         found = self._every_output.terms(ON_ARRAYS, self._legs_side_by_side, _motion(at))
         D, H, c = array(found.D), array(found.H), array(found.c)
         x = running.solve(H, c[:, None])[:, 0]
         return _flat({"F": D - x, "D": D, "x": x, "K": found.K, "H": H, "c": c})
 
     def joint_reactions(self, at: Numbers) -> Found:
-        """F_s, F_u, F_p, F_c, M_p, M_u of (21), (26)-(29), (17); ``at`` also has bearing (6,)."""
+        """Compute F_s, F_u, F_p, F_c, M_p, and M_u of (21), (26)-(29), and (17).
+
+        ``at`` also contains the bearing distances, shape (6,).
+        """
         robot, axial = self._legs_side_by_side, (self.inverse_dynamics(at)["x"], array(at["bearing"]))
         found = self._every_output.leg_reactions(ON_ARRAYS, robot.leg, robot, _motion(at), *axial)
         return _flat({name: _by_leg(value) for name, value in vars(found).items()})
 
     def found(self, function: str, at: Numbers) -> Found:
-        """What a function of ``CALLS`` finds: by the method of its name, or as one of the closed form."""
+        """Compute the results of a function by the method of the same name or by the closed form."""
         if function in reduced_rotation():
             return _rotated(function, at)
         own = getattr(self, function, None)
         return self._of_model(function, at) if own is None else own(at)
 
     def _of_model(self, what: str, at: Numbers, **given: Any) -> Found:
-        """A function of the closed form, of F (6,) of ``at`` as well where it is one of ``FORCED``."""
+        """Evaluate a function of the closed form; functions in ``FORCED`` also take F of ``at``, (6,)."""
         motion = SimpleNamespace(**vars(_motion(at)), **given)
         forces = [list(array(at["F"]))] if what in FORCED else []
         return _flat(getattr(_closed_form(self._rotors), what)(ON_ARRAYS, self._model, motion, *forces))
 
     def derivatives(self, at: Numbers) -> Found:
-        """F and its derivatives by_pose, by_twist, by_acceleration."""
+        """Compute F and its derivatives by_pose, by_twist, and by_acceleration."""
         acting = SimpleNamespace(F=self.forces(at)["F"], status=OK)
         return self._of_model("derivatives", at, acting=acting)
 
     def inverse_kinematics(self, at: Numbers) -> Found:
-        """L and L_dot, (2), (5)."""
+        """Compute L and L_dot, (2) and (5)."""
         motion = structure((n.R, n.t, n.omega, n.v), at, _number)
         return _flat(_kinematics().run("inverse_kinematics", self._robot, motion))
 
     def forward_velocity(self, at: Numbers) -> Found:
-        """v and omega of leg rates L_dot (6,) of ``at``."""
+        """Compute v and omega from the leg rates L_dot of ``at``, shape (6,)."""
         pose = structure((n.R, n.t), at, _number)
         return _flat(_kinematics().run("forward_velocity", self._robot, pose, list(array(at["L_dot"]))))
 
     def forward_kinematics(self, at: Numbers) -> Found:
-        """R and t of the pose with lengths L (6,) next to R, t of ``at``."""
+        """Compute R and t from the leg lengths L, shape (6,), near the pose R, t of ``at``."""
         robot = robot_structure(SimpleNamespace(**self.robot), number_of_digits)
         guess = structure((n.R, n.t), at, number_of_digits)
         search = Interpreter(_search_program(), ON_DIGITS)
@@ -158,13 +177,17 @@ class KitInterpreter:
         return _flat({"R": _with_errors(R, bound), "t": _with_errors(t, off[:3] + sizes(t))})
 
     def axial_forces(self, at: Numbers) -> Found:
-        """axial and L_dot, (5), of forces F (6,) of ``at``."""
+        """Compute the axial forces and L_dot, (5), from the forces F of ``at``, shape (6,)."""
         name = f"{kernel_name('exact', self.base_joint)}_drive"
         axial = _axial(name, self.fidelity != "general")
         return _flat(axial.run("axial_forces", self._robot, _motion(at), list(array(at["F"]))))
 
     def motor_torques(self, at: Numbers) -> Found:
-        """torque and current of F, axial and L_dot (6,) of ``at``: by the law, with errors of the C."""
+        """Compute torque and current from F, axial, and L_dot of ``at``, shape (6,).
+
+        The values are from the formulas in 50-digit arithmetic, and the error bounds are bounds of the C
+        code.
+        """
         drives = SimpleNamespace(**{name: list(array(of)) for name, of in self.drives.items()})
         given = [list(array(at[name])) for name in ("F", "axial", "L_dot")]
         found = _flat(Interpreter(torque_program(), ON).run("motor_torques", drives, *given))
@@ -213,9 +236,14 @@ class KitInterpreter:
 
 
 def torques_of_law(drives: Numbers, at: Numbers) -> Found:
-    """torque and current by the formulas of ``drives.friction``, at 50 digits.
+    """Compute torque and current by the formulas of ``drives.friction`` in 50-digit arithmetic.
 
-    drives: arrays of ``stewart_drives``. at: F, axial and L_dot (6,).
+    Parameters
+    ----------
+    drives : mapping of str to ndarray
+        Arrays of ``stewart_drives``.
+    at : mapping of str to ndarray
+        Arrays F, axial, and L_dot, shape (6,).
     """
     found: dict[str, list[Running]] = {"torque": [], "current": []}
     for i in range(LEGS):
@@ -260,7 +288,7 @@ def _kinematics() -> Interpreter:
 
 @cache
 def _closed_form(rotors: bool) -> SimpleNamespace:
-    """A copy of the generated functions of the closed form that solves by ``running``; forces are given."""
+    """Copy the generated functions of the closed form with solvers of ``running`` and given forces."""
     names: dict[str, Any] = {}
     for form in (EXACT, EXACT_DRIVE) if rotors else (EXACT,):
         names |= vars(module(f"{form.kernel_name}_arrays"))
@@ -273,7 +301,7 @@ def _closed_form(rotors: bool) -> SimpleNamespace:
 
 
 def _rotated(function: str, at: Numbers) -> Found:
-    """R, omega and alpha, of numbers in the order of the call."""
+    """Compute R, omega, and alpha from inputs in the order of the call."""
     block = reduced_rotation()[function]
     run = Interpreter(rotation_program([block]), ON)
     return _flat(run.run(block.name, *(list(array(values)) for values in at.values())))
@@ -283,7 +311,10 @@ def _rotated(function: str, at: Numbers) -> Found:
 
 
 def _solvers(names: Iterable[str]) -> dict[str, Callable[..., Any]]:
-    """What takes the place of functions that solve; near its joint singularity no leg is short."""
+    """Return replacements of the functions that solve linear systems.
+
+    ``singular_status`` returns OK, because H is well-conditioned in all test motions.
+    """
     known: dict[str, Callable[..., Any]] = {
         "eliminate": _eliminate,
         "accelerations_of": _accelerations,
@@ -304,7 +335,7 @@ def _eliminate(A: list[list[Running]], x: list[Running]) -> int:
 
 
 def _accelerations(legs: Any, summed: Any, out: Any) -> None:
-    """Of M and the right side, whose parts are sums over the legs."""
+    """Solve for the accelerations with M and the right side, which are sums over the legs."""
     turning = [summed.M_vw[3 * i : 3 * i + 3] for i in range(3)]
     rows = [[*row, *more] for row, more in zip(_symmetric(summed.M_vv), turning, strict=True)]
     columns = zip(zip(*turning, strict=True), _symmetric(summed.M_ww), strict=True)
@@ -342,7 +373,7 @@ def _motion(at: Numbers) -> SimpleNamespace:
 
 
 def _rounded_once(value: Any) -> Any:
-    """Constants that are prepared exactly and rounded once."""
+    """Round constants that were prepared exactly once."""
     if isinstance(value, SimpleNamespace):
         return SimpleNamespace(**{name: _rounded_once(part) for name, part in vars(value).items()})
     if isinstance(value, list):
@@ -351,7 +382,7 @@ def _rounded_once(value: Any) -> Any:
 
 
 def _by_leg(value: Any) -> Objects:
-    """Numbers of the legs side by side, leg after leg."""
+    """Stack values of the legs so that the first axis counts the legs."""
     if isinstance(value, list):
         return np.array([array(each, (LEGS,)) for each in value]).T
     return array(value, (LEGS,))
@@ -365,7 +396,7 @@ def _with_errors(numbers: Objects, bound: Array) -> Objects:
 
 
 def _flat(found: Any) -> Found:
-    """Members but the status, which is OK; accelerations of both kinds as one."""
+    """Flatten all members except the status, which must be OK, and combine both accelerations."""
     members = dict(found if isinstance(found, Mapping) else vars(found))
     assert members.pop("status", OK) == OK
     if {"a", "alpha"} <= members.keys():

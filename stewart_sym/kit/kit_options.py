@@ -1,7 +1,4 @@
-"""What a kit contains: functions, formulation, fidelity, arithmetic.
-
-The bottom of the kit.
-"""
+"""Options of a kit: functions, formulation, fidelity, arithmetic, and language."""
 
 from dataclasses import dataclass
 
@@ -16,9 +13,9 @@ from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
 TORQUE = "torque"
-"""The group of functions that needs a robot with a drive."""
+"""Name of the group of functions that requires a robot with a drive."""
 FUNCTIONS = ("forces", "reactions", "motion", "derivatives", "kinematics", TORQUE)
-"""Groups of functions that a kit may hold, in the order in which it lists them."""
+"""Groups of functions that a kit may contain, in the order of its documentation."""
 
 _DERIVATIVES = ("derivatives", "linearization")
 STEMS: dict[str, tuple[str, ...]] = {
@@ -29,11 +26,11 @@ STEMS: dict[str, tuple[str, ...]] = {
     "kinematics": ("inverse_kinematics", "forward_kinematics", "forward_velocity"),
     TORQUE: ("axial_forces", "motor_torques"),
 }
-"""C functions of each group; of ``axial_forces`` there is only that of legs with rotors."""
+"""C functions of each group; ``axial_forces`` exists only for legs with rotors."""
 
 
 PRECISIONS: dict[str, type] = {"double": np.float64, "float": np.float32}
-"""Types of the numbers of a kit."""
+"""Floating-point types of a kit."""
 
 _OF_FORCES = ("fidelity", "bake", "scalar")
 _UNIVERSAL = ("motion", "derivatives")
@@ -41,13 +38,27 @@ _UNIVERSAL = ("motion", "derivatives")
 
 @dataclass(frozen=True)
 class Choice:
-    """What goes into a kit.
+    """Options of a kit.
 
-    functions: some of ``FUNCTIONS``. formulation: "exact" or "paper". precision: "double" or "float". Of the
-    forces alone: fidelity, a level of ``fidelity.FIDELITIES``, None for ``general``; bake: fold the robot's
-    numbers in; scalar: one pose, its legs one after the other, small in code and stack, for processors
-    without vector registers. fmu: a co-simulation unit of the forces as well. language: "c", or one of
-    ``derive.package.languages.LANGUAGES``.
+    Attributes
+    ----------
+    functions : tuple of str
+        Groups of functions, some of ``FUNCTIONS``.
+    formulation : str
+        "exact" or "paper".
+    fidelity : str or None
+        Fidelity level of the forces, one of ``fidelity.FIDELITIES``; None means ``general``.
+    bake : bool
+        True inserts the constants of the robot into the kernel of the forces.
+    scalar : bool
+        True processes one pose with its legs in sequence, with small code and stack, for processors without
+        vector registers. Applies to the forces.
+    precision : str
+        "double" or "float".
+    fmu : bool
+        True adds a co-simulation unit of the forces.
+    language : str
+        "c", or one of ``derive.package.languages.LANGUAGES``.
     """
 
     functions: tuple[str, ...] = ("forces",)
@@ -61,21 +72,21 @@ class Choice:
 
     @property
     def level(self) -> str:
-        """Fidelity of the forces."""
+        """Fidelity level of the forces."""
         return self.fidelity or "general"
 
     @property
     def groups(self) -> tuple[str, ...]:
-        """The functions requested, in the order of ``FUNCTIONS``."""
+        """Requested groups of functions in the order of ``FUNCTIONS``."""
         return tuple(name for name in FUNCTIONS if name in self.functions)
 
 
 DEFAULT = Choice()
-"""The forces alone, exact and in double."""
+"""Default options: only the forces, formulation ``exact``, double precision."""
 
 
 def check(choice: Choice, robot: Robot) -> None:
-    """Raise ValueError, of one line, for an option that is unknown or contradicts another one."""
+    """Raise ValueError for an option that is unknown or conflicts with another one."""
     need_no_offsets(robot)
     option(choice.precision, tuple(PRECISIONS), "precision")
     option(choice.formulation, ("exact", "paper"), "formulation")
@@ -96,12 +107,12 @@ def check(choice: Choice, robot: Robot) -> None:
 
 
 def robot_toml(robot: Robot, choice: Choice) -> str:
-    """The kit's copy of the robot file: the same robot to the bit, and how the kit was made of it."""
+    """Format the robot file of the kit: the same robot to the bit, with the kit options as a comment."""
     return template("kit/robot.toml", {"options": options(choice)}) + toml_text(robot.to_dict(), inline=False)
 
 
 def options(choice: Choice) -> str:
-    """The options as the command line takes them."""
+    """Format the options as arguments of the command line."""
     given = [f"--functions {','.join(choice.groups)}"]
     given += [f"--formulation {choice.formulation}"] if choice.formulation != "exact" else []
     given += [f"--fidelity {choice.fidelity}"] if choice.fidelity else []

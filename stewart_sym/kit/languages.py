@@ -1,4 +1,4 @@
-"""Kits in other languages than C: which functions they have, and their test vectors."""
+"""Kits in languages other than C: available functions and test vectors."""
 
 from ..backend.fidelity import resolved
 from ..derive.generate import output_program
@@ -19,7 +19,7 @@ GROUPS = {name: STEMS[name] for name in ("forces", "motion", "derivatives", "kin
 
 
 def check(choice: Choice) -> None:
-    """Raise ValueError, of one line, for what there is in C alone."""
+    """Raise ValueError for options that only C supports."""
     option(choice.language, ("c", *LANGUAGES), "language")
     language = LANGUAGES[choice.language]
     for name in choice.functions:
@@ -41,7 +41,7 @@ def check(choice: Choice) -> None:
 
 
 def texts(robot: Robot, choice: Choice) -> dict[str, str]:
-    """The files of a kit but its manifest."""
+    """Generate the files of a kit except its manifest."""
     language = LANGUAGES[choice.language]
     outputs = tuple(output for group in choice.groups for output in GROUPS[group])
     fidelity = resolved(robot, choice.formulation, choice.level)

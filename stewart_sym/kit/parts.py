@@ -1,4 +1,4 @@
-"""The parts of a kit: which kernels a choice takes, committed ones or such as are derived for one robot."""
+"""Parts of a kit: kernels that a choice requires, committed or derived for one robot."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -46,8 +46,16 @@ _KINEMATICS = "kinematics"
 class Parts:
     """Parts of a kit.
 
-    operations, baked_operations: of the forces per pose, as in ``files.Kit``. precision: "double" or "float".
-    rotors: whether the legs have them.
+    Attributes
+    ----------
+    parts : tuple of Part
+        Header, source, and functions of each part.
+    operations, baked_operations : int or None
+        Operations of the forces per pose, as in ``files.Kit``.
+    precision : str
+        "double" or "float".
+    rotors : bool
+        True if the legs have rotors.
     """
 
     parts: tuple[Part, ...]
@@ -58,7 +66,7 @@ class Parts:
 
     @property
     def files(self) -> dict[str, str]:
-        """Headers and sources of all parts and what they share: file name -> text."""
+        """Text of all headers and sources, including the shared headers, by file name."""
         found = {"stewart.h": common_header(generator_version(), self.precision, self.rotors)}
         found |= {name: generated_c(name) for name in self.shared}
         for part in self.parts:
@@ -67,30 +75,35 @@ class Parts:
 
     @property
     def shared(self) -> tuple[str, ...]:
-        """Headers that the sources of parts share."""
+        """Headers that the sources of the parts share."""
         return tuple(dict.fromkeys(name for part in self.parts for name in part.shared))
 
     @property
     def functions(self) -> tuple[Function, ...]:
-        """The functions of all parts."""
+        """Functions of all parts."""
         return tuple(function for part in self.parts for function in part.functions)
 
 
 def fields(rotors: bool) -> tuple[str, ...]:
-    """Fields of ``stewart_robot``, those of the legs first; rotors: whether these have them."""
+    """List the fields of ``stewart_robot``, first of the legs, then of the platform; ``rotors`` adds rotor
+    fields.
+    """
     of_leg = quantities.OF_LEG if rotors else quantities.LEG
     return tuple(quantity.name for quantity in (*of_leg, *quantities.PLATFORM))
 
 
 def robot_numbers(robot: Robot, rotors: bool | None = None) -> Numbers:
-    """Fields of ``stewart_robot`` as nested lists; rotors: with those of rotors, None for where there are."""
+    """Return the fields of ``stewart_robot`` as nested lists.
+
+    ``rotors`` includes the fields of rotors; None includes them if the robot has rotors.
+    """
     need_no_offsets(robot)
     names = fields(robot.has_rotors if rotors is None else rotors)
     return {name: np.asarray(of_symbol(robot, name)).tolist() for name in names}
 
 
 def parts(robot: Robot, choice: Choice) -> Parts:
-    """The parts of a kit; ``choice`` is checked already. Raises ValueError for an unknown fidelity."""
+    """Select the parts of a kit for a checked ``choice``; raise ValueError for an unknown fidelity level."""
     found: list[Part] = []
     before = after = None
     if "forces" in choice.functions:
@@ -101,7 +114,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
     if {"motion", "derivatives"} & set(choice.functions):
         model = f"stewart_{robot_kernel(robot, 'exact')}_forces"
         if all(part.name != model for part in found):
-            says = "The prepared constants that the equations of motion read; the forces come with them."
+            says = "Prepared constants of the equations of motion, with the actuator forces."
             found.append(_part(model, {}, MODEL, ("forces",), says, shared=LANES))
         found.append(_motion(robot, choice))
     if _KINEMATICS in choice.functions:
@@ -125,7 +138,10 @@ def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
 def _force_part(
     file: str, prefix: str, count: int, says: str, plain: str = "", sources: Mapping[str, str] | None = None
 ) -> Part:
-    """plain: prefix of the same kernel without a robot's numbers in it, "" where there are none."""
+    """Build the part of the forces.
+
+    ``plain`` is the prefix of the same kernel without baked constants, or "" if the kernel is not baked.
+    """
     one_pose = file.endswith("_pose")
     kind = f"forces{' scalar' if one_pose else ''}{' baked' if plain else ''}"
     shared, subject = SOLVE if one_pose else LANES, NOTHING if plain else MODEL
@@ -136,7 +152,7 @@ def _force_part(
 
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
-    """A kernel that is not among the committed ones: baked, or with its legs one after the other."""
+    """Derive a kernel that is not committed: baked, or with its legs in sequence."""
     plain = reduced_fidelity(*form_and_level(robot.base_joint, choice.formulation, level, robot.has_rotors))
     made, before, after = plain, force_operations(plain, choice.scalar).total.total, None
     if choice.bake:
@@ -144,8 +160,8 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
         after = force_operations(made, choice.scalar).total.total
     count = before if after is None else after
     ways = [
-        *(["the robot's numbers folded in"] if choice.bake else []),
-        *(["one pose, legs one after the other"] if choice.scalar else []),
+        *(["constants of the robot baked in"] if choice.bake else []),
+        *(["one pose, legs in sequence"] if choice.scalar else []),
     ]
     form = plain.formulation.name
     meaning = fidelity.meaning(level, robot.has_rotors)
@@ -163,7 +179,7 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
 
 @lru_cache(maxsize=4)
 def folded_kernel(robot: Robot, formulation: str, level: str) -> ForceKernel:
-    """The forces of a level with a robot's numbers folded in."""
+    """Derive the forces of a fidelity level with the constants of a robot baked in."""
     name = robot_symbol(robot.name).removeprefix("stewart_")
     name += "" if level == "general" else f"_{level}"
     raw = fidelity_kernel(*form_and_level(robot.base_joint, formulation, level, robot.has_rotors))
@@ -173,7 +189,7 @@ def folded_kernel(robot: Robot, formulation: str, level: str) -> ForceKernel:
 def _reactions(robot: Robot, choice: Choice) -> Part:
     name = robot_kernel(robot, choice.formulation)
     costs = dict.fromkeys(STEMS["reactions"], f"{sum(module(name).OPERATIONS['friction']['total']):,}")
-    says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
+    says = f"Inverse dynamics with D, K, H, c, and the joint reactions, kernel `{name}`."
     file = f"stewart_{name}"
     return _part(file, costs, ROBOT, ("reactions",), says, file, OUTPUTS)
 
@@ -205,12 +221,12 @@ def _kinematics() -> Part:
         "forward_kinematics": f"{counts['search']} and {counts['step']} a step",
         "forward_velocity": counts["velocity"],
     }
-    says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
+    says = "Inverse and forward kinematics: leg lengths and rates, and the pose for given lengths."
     return _part("stewart_kinematics", costs, ROBOT, (_KINEMATICS,), says)
 
 
 def _torques(robot: Robot, choice: Choice) -> list[Part]:
-    """Torques of the motors and, of forces that have rotors, the axial forces that these take."""
+    """Build the part of the motor torques and, for forces that include rotors, of the axial forces."""
     found = []
     rotor = fidelity.rotor_of(robot, choice.level)
     if rotor != "none":
@@ -219,22 +235,22 @@ def _torques(robot: Robot, choice: Choice) -> list[Part]:
         file, block = axial_name(form, reflected), reduced_axial(form, reflected)
         made = axial_files(form, block, generator_version(), True) if reflected else None
         costs = {"axial_forces": f"{axial_operations(block).total:,}"}
-        says = "Forces that pass through the screws, for the torques: F less what turns the rotors."
+        says = "Axial forces of the screws for the motor torques: F without the inertia of the rotors."
         prefix = file.removesuffix("_axial")
         found.append(_part(file, costs, ROBOT, ("axial",), says, prefix, files=made))
     assert robot.drive is not None
     costs = {"motor_torques": f"{torque_operations(bool(np.any(robot.drive.stribeck_force))).total:,}"}
-    says = "Torques and currents of the motors, from forces of the legs and rates of their lengths."
+    says = "Torques and currents of the motors for given leg forces and length rates."
     if robot.has_rotors and rotor == "none":
         says += (
-            f" The forces of fidelity {choice.level} leave the rotors out: the torques lack what turns "
-            "these, and `axial` is null."
+            f" The forces of fidelity {choice.level} omit the rotors: the torques exclude the inertia of the "
+            "rotors, and `axial` is null."
         )
     return [*found, _part("stewart_torque", costs, DRIVES, (TORQUE,), says)]
 
 
 def _rotation() -> Part:
-    says = "R, omega and alpha of a motion from roll, pitch and yaw, or a quaternion, and their rates."
+    says = "R, omega, and alpha of a motion from roll, pitch, and yaw, or a quaternion, and their rates."
     costs = {stem: f"{block.operations().total}" for stem, block in reduced_rotation().items()}
     return _part("stewart_rotation", costs, NOTHING, ("rotation",), says)
 
@@ -249,9 +265,10 @@ def _part(
     shared: str = ARITHMETIC,
     files: Mapping[str, str] | None = None,
 ) -> Part:
-    """One header and source, with functions ``<prefix>_<stem>``.
+    """Build one header and one source with functions ``<prefix>_<stem>``.
 
-    costs: operations by stem; shared: key of ``INCLUDED``; files: None for those of ``generated/c``.
+    ``costs`` contains the operations by stem, and ``shared`` is a key of ``INCLUDED``. If ``files`` is None,
+    the files of ``generated/c`` are used.
     """
     if files is None:
         files = {name: generated_c(name) for name in (f"{file}.h", f"{file}.c")}
@@ -262,5 +279,5 @@ def _part(
 
 
 def generator() -> str:
-    """Version of this package."""
+    """Return the version of this package."""
     return version("stewart-sym")

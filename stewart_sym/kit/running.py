@@ -1,9 +1,9 @@
-"""Numbers at 50 digits with bounds of the rounding errors that a computer makes, and linear systems of them.
+"""Numbers in 50-digit arithmetic with bounds of floating-point rounding errors, and linear systems of them.
 
-Running error analysis to first order: every operation adds half a rounding unit of its result to the errors
-of its operands (Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 3.3). The error of the
-solution of a linear system is taken from the inverse, entry by entry (Higham, 7.2 and 9.3): bounds carried
-through an elimination would be far too large.
+Running error analysis to first order (Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms,
+3.3): every operation adds half a rounding unit of its result to the propagated errors of its operands. The
+error of the solution of a linear system is computed from the inverse, entry by entry (Higham, 7.2 and 9.3),
+because bounds propagated through an elimination would be far too large.
 """
 
 import math
@@ -22,44 +22,50 @@ HALF_UNIT = 0.5
 """Largest relative error of rounding to nearest, in rounding units (epsilon)."""
 
 MARGIN = 2.1
-"""Factor between the error bound found here and that of a test: the C groups the same operations in another
-way, and a bound may lose a twentieth when it is rounded to two digits."""
+"""Ratio of the error bound of a test to the computed error bound.
+
+C groups the same operations in another way, and a bound may decrease by a twentieth when it is rounded to two
+digits.
+"""
 
 FORCES_MARGIN = 1.25
-"""The same for the forces. Their C has the same steps; it may differ in the order of the sums over the legs
-and in the pivots, where two candidates are nearly as large."""
+"""Ratio of the error bound of a test of the forces to the computed error bound.
+
+The C code of the forces has the same steps. It may differ in the order of the sums over the legs, and in the
+pivots if two candidates are nearly equal.
+"""
 
 
 @total_ordering
 class Running:
-    """A number, value, at 50 digits, and its error: in rounding units, to first order, absolute.
+    """Number in 50-digit arithmetic with the first-order bound of its absolute error in rounding units.
 
-    Its operations are those of kernels: + - * / and comparisons with its like, integers and exact floats, and
-    ``sqrt``.
+    The operations are the operations of kernels: + - * / and comparisons with other ``Running`` numbers,
+    integers, and exact floats, and ``sqrt``.
     """
 
     __slots__ = ("error", "size", "value")
-    # Arrays of objects call the operations of each of their numbers.
+    # NumPy applies the operations to each number of an object array.
     _spread_by: ClassVar[tuple[type, ...]] = (np.ndarray,)
 
     def __init__(self, value: Any, error: Any = 0.0, rounded: bool = False) -> None:
-        """Take value at 50 digits; ``rounded``: it is the result of an operation that rounds."""
+        """Convert ``value`` to 50 digits; ``rounded`` is True for the result of an operation that rounds."""
         self.value, self.size = self._stored(value)
         self.error = error + HALF_UNIT * self.size if rounded else error
 
     @staticmethod
     def _stored(value: Any) -> tuple[Any, Any]:
-        """The value as it is kept, and its size in double."""
+        """Return the stored value, and its absolute value in double precision."""
         number = value if isinstance(value, digits.mpf) else digits.mpf(value)
         return number, abs(float(number))
 
     @classmethod
     def of(cls, value: Any) -> Self:
-        """A number as one without error, if it is not one of these already."""
+        """Convert a number to an error-free ``Running``, unless it is a ``Running`` already."""
         return value if isinstance(value, cls) else cls(value)
 
     def __add__(self, other: Any) -> Self:
-        """Sum; exact where one of both is exactly zero."""
+        """Add; exact if one operand is exactly zero."""
         if isinstance(other, self._spread_by):
             return NotImplemented
         other = self.of(other)
@@ -67,11 +73,11 @@ class Running:
         return type(self)(self.value + other.value, self.error + other.error, rounds)
 
     def __sub__(self, other: Any) -> Self:
-        """Difference; exact where one of both is exactly zero."""
+        """Subtract; exact if one operand is exactly zero."""
         return NotImplemented if isinstance(other, self._spread_by) else self + -self.of(other)
 
     def __mul__(self, other: Any) -> Self:
-        """Product; exact with powers of two."""
+        """Multiply; exact if one operand is a power of two."""
         if isinstance(other, self._spread_by):
             return NotImplemented
         other = self.of(other)
@@ -80,7 +86,7 @@ class Running:
         return type(self)(self.value * other.value, carried, rounds)
 
     def __truediv__(self, other: Any) -> Self:
-        """Quotient."""
+        """Divide."""
         if isinstance(other, self._spread_by):
             return NotImplemented
         other = self.of(other)
@@ -92,33 +98,33 @@ class Running:
     __rmul__ = __mul__
 
     def __rsub__(self, other: Any) -> Self:
-        """Difference."""
+        """Subtract this number from another one."""
         return self.of(other) - self
 
     def __rtruediv__(self, other: Any) -> Self:
-        """Quotient."""
+        """Divide another number by this one."""
         return self.of(other) / self
 
     def __neg__(self) -> Self:
-        """The number with the other sign, exact."""
+        """Reverse the sign; exact."""
         return type(self)(-self.value, self.error)
 
     def __abs__(self) -> Self:
-        """Size, exact."""
+        """Return the absolute value; exact."""
         return type(self)(abs(self.value), self.error)
 
     def __lt__(self, other: Any) -> bool:
-        """Whether the value is less, whatever its error."""
+        """Compare the values without their errors."""
         return bool(self.value < self.of(other).value)
 
     def __eq__(self, other: object) -> bool:
-        """Whether the value is equal, whatever its error."""
+        """Compare the values without their errors."""
         return bool(self.value == self.of(other).value)
 
     __hash__ = None  # type: ignore[assignment]
 
     def sqrt(self) -> Self:
-        """Square root."""
+        """Compute the square root."""
         made = type(self)(self._root(self.value), 0.0, rounded=True)
         made.error = made.error + self.error / (2.0 * made.size)
         return made
@@ -129,17 +135,17 @@ class Running:
 
     @property
     def is_zero(self) -> bool:
-        """Whether it is zero on every machine."""
+        """True if the number is zero on every machine."""
         return bool(self.size == 0.0 and self.error == 0.0)
 
     @property
     def is_power(self) -> bool:
-        """Whether it is zero or a power of two, and exactly so: products with it are exact."""
+        """True if the number is exactly zero or a power of two, so that products with it are exact."""
         return bool(self.error == 0.0 and math.frexp(self.size)[0] in (0.0, 0.5))
 
 
 class RunningArrays(Running):
-    """The same of many numbers at once, in double: what is wanted of them is the size of their errors."""
+    """Arrays of running numbers in double precision, for the magnitude of their errors."""
 
     __slots__ = ()
     _spread_by = ()
@@ -155,19 +161,19 @@ class RunningArrays(Running):
         return np.sqrt(value)
 
     def __getitem__(self, index: Any) -> Self:
-        """Some of the numbers."""
+        """Select some of the numbers."""
         shape = np.broadcast_shapes(np.shape(self.value), np.shape(self.error))
         value, error = (np.broadcast_to(each, shape)[index] for each in (self.value, self.error))
         return type(self)(value, error)
 
     @property
     def is_zero(self) -> bool:
-        """Whether all are zero on every machine."""
+        """True if all numbers are zero on every machine."""
         return not (np.any(self.error) or np.any(self.size))
 
     @property
     def is_power(self) -> bool:
-        """Whether all are zero or powers of two, and exactly so."""
+        """True if all numbers are exactly zero or exactly powers of two."""
         if np.any(self.error):
             return False
         fraction = np.frexp(self.size)[0]
@@ -175,7 +181,7 @@ class RunningArrays(Running):
 
 
 def array(values: Any, shape: tuple[int, ...] | None = None) -> Objects:
-    """Numbers, ``Running`` or exact, as an array of ``Running``."""
+    """Convert ``Running`` or exact numbers to an array of ``Running``."""
     given = np.asarray(values, dtype=object)
     given = given if shape is None else np.broadcast_to(given, shape)
     made = np.empty(given.shape, dtype=object)
@@ -185,36 +191,38 @@ def array(values: Any, shape: tuple[int, ...] | None = None) -> Objects:
 
 
 def sizes(numbers: Objects) -> Sizes:
-    """Sizes of an array of ``Running``, of its shape."""
+    """Return the absolute values of an array of ``Running``, with the same shape."""
     return np.array([number.size for number in numbers.flat]).reshape(numbers.shape)
 
 
 def errors(numbers: Objects) -> Sizes:
-    """Errors of an array of ``Running``, in rounding units, of its shape."""
+    """Return the errors of an array of ``Running`` (rounding units), with the same shape."""
     return np.array([number.error for number in numbers.flat]).reshape(numbers.shape)
 
 
 def values(numbers: Objects) -> Sizes:
-    """Values of an array of ``Running``, each rounded once, of its shape."""
+    """Return the values of an array of ``Running``, each rounded once, with the same shape."""
     return np.array([float(number.value) for number in numbers.flat]).reshape(numbers.shape)
 
 
 def solve(A: Objects, right: Objects) -> Objects:
-    """X (n, m) of A X = right, A (n, n), as elimination with partial pivoting finds it.
+    """Solve A X = right with errors of elimination with partial pivoting.
 
-    Its error: |A^-1| (|dA| |X| + |d right| + n / 2 |L| |U| |X|), half a unit for each of n operations that
-    end in an entry of L U.
+    The shapes are (n, n) of A and (n, m) of ``right`` and of the result. The error is |A^-1| (|dA| |X| + |d
+    right| + n / 2 |L| |U| |X|), half a unit for each of the n operations of an entry of L U.
     """
     return _solved(A, right, pivoted=True)
 
 
 def solve_definite(M: Objects, right: Objects) -> Objects:
-    """X (n, m) of M X = right, M (n, n) positive definite, as L D L^T finds it; errors as ``solve``."""
+    """Solve M X = right for positive definite M (n, n) with errors of the factorization L D L^T; shapes as in
+    ``solve``.
+    """
     return _solved(M, right, pivoted=False)
 
 
 def inverse_sizes(A: Objects) -> Sizes:
-    """|A^-1| (n, n), of A (n, n)."""
+    """Compute |A^-1|, shape (n, n)."""
     return _rounded_sizes(_inverse(A))
 
 
@@ -235,7 +243,10 @@ def _solved(A: Objects, right: Objects, pivoted: bool) -> Objects:
 
 
 def factor_sizes(A: Sizes, pivoted: bool = True) -> Sizes:
-    """|L| |U| (m, n, n) of elimination, with partial pivoting if any, rows in the order of A's (m, n, n)."""
+    """Compute |L| |U| of an elimination, with rows in the order of A; shapes (m, n, n).
+
+    ``pivoted`` selects partial pivoting.
+    """
     U = A.copy()
     count, n, _ = U.shape
     order, L = np.tile(np.arange(n), (count, 1)), np.tile(np.eye(n), (count, 1, 1))

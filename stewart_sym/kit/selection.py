@@ -1,11 +1,12 @@
-"""Test motions of a kit's forces on which a wrong constant shows: it moves a force by more than its bound.
+"""Selection of test motions on which an incorrect constant changes a force by more than the bound of that
+force.
 
-The search begins with a pool of motions in which few terms act at a time: poses at rest, falling platforms,
-large loads, velocities or accelerations along one or two axes far beyond those of a machine. It adds
-variations of the motions that show the weakest constants best, and then takes a few motions that together
-show every constant. In most motions an external wrench holds the platform, so that the actuator forces, and
-with them their rounding errors, are small. Numbers come from a generator with a fixed seed and have few
-digits: the same robot gets the same motions everywhere.
+The search starts with a pool of motions in which only a few terms act: poses at rest, free fall, large loads,
+and extreme velocities or accelerations along one or two axes. The search adds variations of the motions that
+are most sensitive to the weakest constants. It then selects a few motions that together reveal every
+constant. In most motions an external wrench carries the platform, so that the actuator forces, and thus their
+rounding errors, are small. Random numbers have a fixed seed and few digits, so that equal robots have equal
+motions on all platforms.
 """
 
 import itertools
@@ -35,20 +36,22 @@ from .sensitivity import Change, Forces, changes
 Arrays = dict[str, Array]
 
 SHARE = {"double": 1e-9, "float": 1e-3}
-"""By which share of itself a constant is changed."""
+"""Relative change of a constant."""
 
 SHOWN = 1.5
-"""A constant shows where its change moves a force by this many bounds. The code's own rounding errors may be
-half a bound, and are a tenth of one at most wherever they were measured."""
+"""Smallest change of a force, in bounds of that force, that reveals a change of a constant.
+
+The rounding errors of the code may be half a bound; measured errors are at most a tenth of a bound.
+"""
 
 _AT_REST, _MOVING = 300, 30
-"""Poses of the pool at rest and in motion."""
+"""Number of poses of the pool at rest and in motion."""
 _NEAR = 12
 _NEAR_MOTIONS = 3
 _GENERATIONS, _CHILDREN = 6, 8
 _ENOUGH, _HOPELESS = 4.0, 0.02
 _RATES = ("omega", "v", "alpha", "a")
-# A sine near the threshold may fall on either side of it, by rounding; below the last one it is degenerate.
+# A sine near the threshold may round to either side of it. Below the smallest sine the joint is degenerate.
 _CLEAR, _BESIDE, _LEAST = 1.05, 0.95, 8192.0
 _SHIFTS = (0.0, 0.002, 0.02, 0.3)
 _SINES = (0.006, 0.009, 0.012, 0.0145)
@@ -57,10 +60,14 @@ _SEED = 1998
 
 @dataclass(frozen=True)
 class Selection:
-    """Motions that show every constant that shows at all, some of them near a joint singularity.
+    """Motions that reveal every detectable constant, some of them near a joint singularity.
 
-    motions: arrays by name, flat, numbers of the precision. hidden: names of constants of which a change
-    stays within the bounds of all forces on all motions tried.
+    Attributes
+    ----------
+    motions : tuple of dict of str to ndarray
+        Flat arrays by name, numbers of the precision.
+    hidden : tuple of str
+        Names of constants whose change remains within the bounds of all forces for all examined motions.
     """
 
     motions: tuple[Arrays, ...]
@@ -69,7 +76,7 @@ class Selection:
 
 @dataclass(frozen=True)
 class Numbered:
-    """A robot that is equal to others of the same numbers, whatever their names."""
+    """Robot that is equal to every robot with equal constants, regardless of its name."""
 
     robot: Robot = field(compare=False)
     numbers: tuple[bytes, ...]
@@ -77,7 +84,7 @@ class Numbered:
 
     @classmethod
     def of(cls, robot: Robot) -> Self:
-        """The robot by its numbers, limits among them."""
+        """Create the record from the constants of a robot, including its limits."""
         names = (*fields(robot.has_rotors), "length_limits")
         numbers = [np.asarray(of_symbol(robot, name)) for name in names]
         numbers += [] if robot.drive is None else [*drive_numbers(robot.drive).values()]
@@ -86,10 +93,10 @@ class Numbered:
 
 @lru_cache(maxsize=64)
 def selection(numbered: Numbered, formulation: str, fidelity: str, precision: str) -> Selection:
-    """The motions on which a kernel of a robot's forces is tested, besides ordinary ones.
+    """Select the motions for the tests of the force kernel of a robot, in addition to ordinary motions.
 
-    They show the constants of the kernel with the robot's numbers folded in, whether a kit's code has them or
-    prepares its own. fidelity: a level that there is. Raises ValueError for a robot without a good pose.
+    The motions reveal the constants of the baked kernel, whether a kit contains baked constants or prepares
+    them. ``fidelity`` is an available level. Raises ValueError for a robot without a suitable pose.
     """
     robot = numbered.robot
     kernel = folded_kernel(robot, formulation, fidelity)
@@ -107,13 +114,13 @@ def selection(numbered: Numbered, formulation: str, fidelity: str, precision: st
 
 
 def _hidden(ratios: Mapping[str, Array]) -> set[str]:
-    """Constants that no motion shows."""
+    """Return the constants that no motion reveals."""
     best = _coarse(ratios).max(axis=1, initial=0.0)
     return {name for name, ratio in zip(ratios, best, strict=True) if ratio < SHOWN}
 
 
 def _cover(ratios: Mapping[str, Array]) -> list[int]:
-    """Motions, the one that shows most first, that together show each constant that shows at all."""
+    """Select motions that together reveal each detectable constant; the most sensitive motion is first."""
     rows = _coarse(ratios)
     best = rows.max(axis=1, initial=0.0)
     shows = rows >= np.clip(0.8 * best, SHOWN, _ENOUGH)[:, None]
@@ -126,7 +133,7 @@ def _cover(ratios: Mapping[str, Array]) -> list[int]:
 
 
 def _coarse(ratios: Mapping[str, Array]) -> Array:
-    """Rows of numbers cut to six bits: rounding of them changes no choice."""
+    """Truncate numbers to six bits, so that their rounding errors do not change the selection."""
     rows = np.array(list(ratios.values())).reshape(len(ratios), -1 if ratios else 0)
     fraction, exponent = np.frexp(rows)
     return np.asarray(np.ldexp(np.floor(64.0 * fraction), exponent - 6))
@@ -138,7 +145,7 @@ def _flat(pool: Arrays, i: int) -> Arrays:
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """The search for one kernel of one robot; first: the example's motion."""
+    """Search for the kernel of one robot; ``first`` is the motion of the example."""
 
     robot: Robot
     kernel: ForceKernel
@@ -146,29 +153,29 @@ class _Search:
     first: Motion
 
     def shown(self, near: bool) -> tuple[dict[str, Array], Arrays]:
-        """How far each constant shows, bounds by name, and on which motions (n,)."""
+        """Compute the sensitivity to each constant (bounds) by name, and the motions, shape (n,)."""
         draw = np.random.RandomState(_SEED)
         pool, forces = self._sound(self._pool(draw, near), near)
         ratios = self._ratios(forces, near)
         for _ in range(0 if near else _GENERATIONS):
-            # Those that hardly show, but may.
+            # Constants that are barely revealed, but may be revealed by a variation.
             weak = {name: row for name, row in ratios.items() if _HOPELESS < row.max(initial=0.0) < _ENOUGH}
             if not weak:
                 break
             parents = np.unique(np.argmax(_coarse(weak), axis=1))
             children, forces = self._sound(self._children(draw, pool, parents), near)
             pool = {name: np.concatenate([pool[name], children[name]]) for name in pool}
-            # Elsewhere it is enough to know that the others show.
+            # The other constants are already revealed by earlier motions.
             new = dict.fromkeys(ratios, np.zeros(len(children["t"]))) | self._ratios(forces, near, weak)
             ratios = {name: np.concatenate([row, new[name]]) for name, row in ratios.items()}
         return ratios, pool
 
-    # ------------------------------------------------------------ what shows
+    # ------------------------------------------------------------ sensitivities
 
     def _ratios(self, forces: Forces, near: bool, only: Container[str] | None = None) -> dict[str, Array]:
-        """Of each constant, or only some, the largest change of a force over its bound (n,)."""
+        """Compute the largest ratio of force change to bound for each (or some) constant, shape (n,)."""
         tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(PRECISIONS[self.precision]).eps)
-        # Beside a joint singularity bounds may be so wide that wrong answers pass.
+        # Near a joint singularity, bounds may be so large that incorrect results pass.
         wide = tolerance.max(axis=-1) > SHARE[self.precision] * np.abs(forces.F).max(axis=-1)
         counted = ~wide if near else np.ones_like(wide)
         found: dict[str, Array] = {}
@@ -190,7 +197,7 @@ class _Search:
     # ------------------------------------------------------------ motions
 
     def _sound(self, pool: Arrays, near: bool) -> tuple[Arrays, Forces]:
-        """Those in the precision that solve well, the load taken off where they ask for it; their forces."""
+        """Select well-conditioned motions, apply the compensating loads, and compute the forces."""
         kind = PRECISIONS[self.precision]
         pool = {name: rounded(value, kind) for name, value in pool.items()}
         good = np.all([np.isfinite(pool[name].reshape(len(pool["t"]), -1)).all(axis=1) for name in MOTION], 0)
@@ -213,7 +220,7 @@ class _Search:
         return self._unloaded(pool, near)
 
     def _unloaded(self, pool: Arrays, near: bool) -> tuple[Arrays, Forces]:
-        """The pool with external wrenches, of four digits, that hold the platform, where they are wanted."""
+        """Add external wrenches of four digits that carry the platform to the motions that request them."""
         kind = PRECISIONS[self.precision]
         load = self._forces(pool, near).load
         wrench = {"F_ext": load[:, :3], "M_ext": load[:, 3:]}
@@ -242,7 +249,7 @@ class _Search:
         return {name: np.array(row) + 0.0 for name, row in rows.items()}
 
     def _kinds(self) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-        """What a platform may do at rest or falling, and in motion; SI units, of three digits."""
+        """Return accelerations and loads at rest or in free fall, and rates in motion (SI, three digits)."""
         size, g = self._size, self.robot.g
         pace = float(significant(np.sqrt(np.linalg.norm(g) / size), 2)) or 1.0
         weight = float(significant(self.robot.M * pace**2 * size, 2)) or 1.0
@@ -263,7 +270,7 @@ class _Search:
         return size_of(self.robot)
 
     def _places(self, draw: Any, count: int, near: bool) -> Iterator[tuple[Array, Array]]:
-        """Turns, and positions about the example's; near: with a leg near the fixed axis of its joint."""
+        """Yield rotations, and positions near the example or with a leg near the fixed axis of its joint."""
         center = self.robot.p.mean(axis=0)
         for _ in range(count):
             turn, over = whole_turn(int(draw.randint(3, 31)), *map(int, draw.randint(-4, 5, 3)))
@@ -280,7 +287,7 @@ class _Search:
             yield R, significant(self.robot.b[leg] + away - R @ self.robot.p[leg], 12)
 
     def _children(self, draw: Any, pool: Arrays, parents: NDArray[np.int64]) -> Arrays:
-        """Motions beside others: rates scaled, changed or left out, the place shifted."""
+        """Generate variations of motions: scale, change, or omit rates, and shift the position."""
         made = {name: np.repeat(value[parents], _CHILDREN, axis=0) for name, value in pool.items()}
         count = len(made["t"])
         for name in _RATES:
@@ -302,7 +309,7 @@ class _Search:
 
 
 def _along(names: tuple[str, str], amount: float, size: float, *axes: int) -> dict[str, Any]:
-    """Rates of that amount about the first three axes, times the machine's size along the other three."""
+    """Return rates about the first three axes, and rates times the machine size along the others."""
     turn, shift = (np.isin(np.arange(first, first + 3), axes) for first in (0, 3))
     return {names[0]: significant(amount * turn, 3), names[1]: significant(amount * size * shift, 3)}
 

@@ -1,8 +1,8 @@
-"""How much a change of one constant moves the forces, compared with their rounding errors, on many motions.
+"""Sensitivity of the forces to a change of one constant, relative to their rounding errors, for many motions.
 
-Runs the blocks of a force kernel with a robot's numbers folded in, in double: once in ``RunningArrays`` for
-the error bound of each force, then once for every constant, with that constant changed. The change of the
-solution of H x = c is taken to first order. Does not use the printed code.
+The blocks of a baked force kernel run in double precision: once in ``RunningArrays`` for the error bound of
+each force, then once for every constant, with that constant changed. The change of the solution of H x = c is
+computed to first order. The printed code is not used.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -21,15 +21,20 @@ from .running import HALF_UNIT, RunningArrays, factor_sizes
 Values = Mapping[str, Any]
 Rows = list[Any]
 
-# Leg 1 has no arm, by no rounding error.
+# The arm of leg 1 is exactly zero, without a rounding error.
 _ARMS = np.array([[0.0], *[[1.0]] * (LEGS - 1)])
 
 
 class Change(NamedTuple):
-    """All constants of a kernel, one of them changed by a share of itself.
+    """Constants of a kernel, one of them with a relative change.
 
-    names: one, of a constant that all legs share; or six, of a constant that each leg has for itself, changed
-    in one leg at a time, "" of a leg where it is zero and has no share to be changed by.
+    Attributes
+    ----------
+    names : tuple of str
+        One name of a constant that all legs share, or six names of a constant of each leg, which is changed
+        in one leg at a time. A name is empty if the constant is zero, because zero has no relative change.
+    constants : dict of str to ndarray
+        Values of all constants.
     """
 
     names: tuple[str, ...]
@@ -37,14 +42,14 @@ class Change(NamedTuple):
 
 
 def constants_of(kernel: ForceKernel) -> dict[str, Any]:
-    """The constants folded into a kernel: (6, 1) of the legs, then numbers that all legs share."""
+    """Return the baked constants of a kernel: shape (6, 1) for the legs, then numbers that all legs share."""
     assert kernel.constants is not None
     of_legs = {q.name: np.array(values)[:, None] for q, values in kernel.constants.items() if len(values) > 1}
     return of_legs | {q.name: np.float64(value) for q, value in kernel.literals().items()}
 
 
 def changes(kernel: ForceKernel, share: float) -> Iterator[Change]:
-    """Every constant folded into a kernel, changed by a share."""
+    """Yield each baked constant of a kernel with the relative change ``share``."""
     own = constants_of(kernel)
     for name, value in own.items():
         of_legs = (f"{name} of leg {i + 1}" if each else "" for i, each in enumerate(np.ravel(value)))
@@ -53,13 +58,25 @@ def changes(kernel: ForceKernel, share: float) -> Iterator[Change]:
 
 
 class Forces:
-    """The forces of a folded kernel on m motions, their bounds, and what changed constants do to them.
+    """Forces of a baked kernel for m motions, their error bounds, and their sensitivity to constants.
 
-    motions: arrays by name with the motions last: R (3, 3, m), others (3, m). near: by the block for legs
-    near their joint singularity.
+    Parameters
+    ----------
+    kernel : ForceKernel
+        Kernel with the constants of a robot.
+    motions : mapping of str to ndarray
+        Arrays by name with the motions on the last axis: R (3, 3, m), others (3, m).
+    near : bool
+        True uses the block for legs near their joint singularity.
 
-    Attributes: F (m, 6), N, as double has it, bound (m, 6), in rounding units, both nan where H is singular;
-    load (m, 6), the wrench, N and N m about the reference point, that the actuators exert on the platform.
+    Attributes
+    ----------
+    F : ndarray, shape (m, 6)
+        Forces in double precision (N); nan if H is singular.
+    bound : ndarray, shape (m, 6)
+        Error bounds of the forces (rounding units); nan if H is singular.
+    load : ndarray, shape (m, 6)
+        Wrench of the actuators on the platform (N, and N m about the reference point).
     """
 
     def __init__(self, kernel: ForceKernel, motions: Mapping[str, Array], near: bool) -> None:
@@ -75,7 +92,9 @@ class Forces:
         self._solve()
 
     def moved(self, change: Change) -> Array:
-        """Sizes, N, of the changes (names, m, 6) of the forces by each of a change's constants."""
+        """Compute the absolute changes of the forces (N), shape (names, m, 6), for each constant of a
+        change.
+        """
         new, old = self._in_double(change.constants), self._unchanged
         D, H, c, platform = (one - other for one, other in zip(new, old, strict=True))
         columns = c - H * self._x.T
@@ -117,15 +136,15 @@ class Forces:
         return self._in_double(constants_of(self._kernel))
 
     def _in_double(self, constants: dict[str, Any]) -> tuple[Array, ...]:
-        """D (6, m), H and c of the legs (6, 6, m), rows first, and c of the platform (6, m)."""
+        """Compute D (6, m), H and c of the legs (6, 6, m), rows first, and c of the platform (6, m)."""
         D, *rows = self._rows(constants, np.sqrt)
         shapes = (self._legs, self._legs, self._legs[1:])
         return np.broadcast_to(D, self._legs), *map(_stacked, rows, shapes)
 
     def _rows(self, constants: dict[str, Any], sqrt: Callable[[Any], Any]) -> tuple[Any, Rows, Rows, Rows]:
-        """D, and rows of H and c of the legs and of c of the platform.
+        """Compute D, the rows of H and c of the legs, and the rows of c of the platform.
 
-        Moments are about where platform point 1 is with the constants of the first call.
+        Moments are about the position of platform point 1 for the constants of the first call.
         """
         known = self._motion | constants
         pose = _run(self._kernel.shared, known, sqrt)
@@ -138,7 +157,7 @@ class Forces:
         return leg.get(n.D.name, 0.0), H + _cross(arms, H), c + c_moment, force + moment
 
     def _arms(self, q: Rows) -> tuple[Rows, Rows]:
-        """Platform point 1, and the arms of the legs from it."""
+        """Compute platform point 1, and the arms of the legs relative to it."""
         if self._tip:
             return self._tip, _less(q, self._tip)
         first = [RunningArrays.of(each)[0] for each in q]
@@ -147,14 +166,14 @@ class Forces:
 
 
 def _run(block: Block, values: Values, sqrt: Callable[[Any], Any]) -> dict[str, Any]:
-    """What a block hands out, component by component."""
+    """Run a block, and return its outputs component by component."""
     found = block.run(values, sqrt)
     pairs = ((q.names, found[q.name]) for q in block.made)
     return {name: value for names, parts in pairs for name, value in zip(names, parts, strict=True)}
 
 
 def _of(found: Values, quantity: Quantity) -> Rows:
-    """Components of a quantity, zeros of one that a block does not hand out."""
+    """Return the components of a quantity, or zeros if a block does not compute it."""
     return [found.get(name, 0.0) for name in quantity.names]
 
 

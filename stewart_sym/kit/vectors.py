@@ -1,11 +1,11 @@
-"""Test vectors: inputs of a kit's functions, the right answers, and how far from them rounding may lead.
+"""Test vectors: inputs of the functions of a kit, their correct results, and bounds of the rounding errors.
 
-Takes a checked Robot, chooses ``poses``, computes the answers at 50 digits (``interpreter``), and hands out
-inputs, answers and bounds as plain arrays.
+The module takes a checked Robot, selects ``poses``, computes the results in 50-digit arithmetic
+(``interpreter``), and returns inputs, results, and bounds as plain arrays.
 
-A bound holds for any sound build: other orders of sums, other pivots, fused multiply-add, legs one after
-the other or side by side. It is MARGIN times the bound that running error analysis finds in the interpreter,
-whose operations are those of the C up to their grouping.
+A bound is valid for every correct build: other orders of sums, other pivots, fused multiply-add, and legs in
+sequence or in vector lanes. A bound is MARGIN times the bound from running error analysis in the interpreter,
+whose operations equal the operations in C except for their grouping.
 """
 
 import math
@@ -38,17 +38,18 @@ KINEMATICS = STEMS["kinematics"]
 CLOSED_FORM = (*STEMS["motion"], *STEMS["derivatives"])
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")
 FUNCTIONS = (*(stem for stems in STEMS.values() for stem in stems), *ROTATION)
-"""Functions that there are vectors for."""
+"""Functions with test vectors."""
 
 FEW = 3
-"""Poses of the functions with many answers."""
+"""Number of poses for functions with many results."""
 
 _BACKWARD = ("forward_kinematics", "forward_velocity")
 _LARGE = ("equations", "joint_inertia", "derivatives", "linearization", *ROTATION)
-# How near a guess is to its pose, from far to near; what counts as the same pose, rad and m over a length.
+# Closeness of a guess to its pose, from far to near, and the tolerance for equal poses (rad, and m relative
+# to a length).
 _CLOSENESS = (1, 4, 16, 64)
 _SAME = 1e-3
-# Sides of right-angled triangles over their longest; a quaternion of length other than one.
+# Sines and cosines of angles in Pythagorean triangles, and a quaternion with a norm other than one.
 _SINES, _COSINES = (3 / 5, -5 / 13, 15 / 17), (4 / 5, 12 / 13, -8 / 17)
 _QUATERNION = (1.5, 0.25, -0.5, 0.75)
 
@@ -62,17 +63,40 @@ def vectors(
     count: int = 8,
     baked: bool = False,
 ) -> tuple[Vector, ...]:
-    """Vectors of each function in turn, up to ``count`` of each, at most FEW of those with many answers.
+    """Compute the test vectors of some functions.
 
-    "forces" have further ones on which a wrong constant shows, some with a leg near the joint singularity of
-    its universal joint (``selection``).
+    Each function has at most ``count`` ordinary vectors; functions with many results have at most FEW.
 
-    fidelity: of "forces", None for "general"; all others have everything. precision: "double" or "float";
-    inputs and the robot's constants are rounded to it before anything is computed. baked: the constants are
-    folded into the code, so they are the robot's own, rounded last. Forward kinematics is tested only where
-    lengths settle the pose in that precision, which may be nowhere in "float".
+    For "forces" further vectors reveal an incorrect constant; some of them have a leg near the joint
+    singularity of its universal joint (``selection``). Forward kinematics is tested only at poses that the
+    lengths determine in the given precision; in "float" there may be none.
 
-    Arguments are those of a checked ``Choice``. Raises ValueError for a robot without a good pose.
+    Parameters
+    ----------
+    robot : Robot
+        Robot.
+    functions : tuple of str
+        Functions in the order of the result.
+    formulation : str
+        "exact" or "paper".
+    fidelity : str or None
+        Fidelity level of "forces"; None means "general". All other functions include all physics.
+    precision : str
+        "double" or "float". Inputs and constants are rounded to it before the computation.
+    count : int
+        Largest number of ordinary vectors of each function.
+    baked : bool
+        True if the constants are baked, so that they are rounded last.
+
+    Returns
+    -------
+    tuple of Vector
+        Test vectors.
+
+    Raises
+    ------
+    ValueError
+        If the robot has no suitable pose.
     """
     level = fidelities.resolved(robot, formulation, fidelity or "general")
     need_representable(robot, precision)
@@ -114,13 +138,13 @@ def _made(
 
 
 def rejected(robot: Robot, fidelity: str, precision: str) -> list[Vector]:
-    """Motions for which there are no forces, with the status that says so."""
+    """Return motions without a solution for the forces, with the expected status."""
     first = poses(robot, "exact", 1)[0]
     start = _input(robot, first, PRECISIONS[precision])
     still = start | {"R": np.eye(3).ravel()}
     cases = [
         (still | {"t": robot.b[2] - robot.p[2]}, ZERO_LENGTH),
-        # With all platform points in one place the legs' lines meet there.
+        # If all platform points coincide, the lines of the legs intersect at that point.
         (start | {"R": np.zeros(9)}, SINGULAR),
     ]
     if knows_axes(robot, fidelity):
@@ -131,15 +155,15 @@ def rejected(robot: Robot, fidelity: str, precision: str) -> list[Vector]:
 
 
 def knows_axes(robot: Robot, fidelity: str) -> bool:
-    """Whether a level's forces depend on the fixed axes of the universal joints."""
+    """Return True if the forces of a level depend on the fixed axes of the universal joints."""
     level = fidelities.resolved(robot, "exact", fidelity)
     return robot.base_joint == "universal" and fidelities.knows_axes(robot, level)
 
 
 def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
-    """Whether lengths known to rounding settle the pose, with a factor of two to spare.
+    """Return True if lengths with rounding errors determine the pose, with a margin of two.
 
-    Forward kinematics needs a condition number, by Frobenius norms, of 1 / (16 sqrt(eps)) at most.
+    Forward kinematics requires a condition number, by Frobenius norms, of at most 1 / (16 sqrt(eps)).
     """
     pose = Motion._unchecked(motion["R"].reshape(3, 3), *(motion[name] for name in list(MOTION)[1:]))
     H = moments_over(wrench_matrix(robot, pose), characteristic_length(robot))
@@ -152,7 +176,7 @@ def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str
     inputs = dict(motion)
     at = motion
     if function in FORCED:
-        # More than what holds the motion: the platform has to be accelerated.
+        # The forces exceed the forces of the motion, so that the platform accelerates.
         inputs["F"] = near(significant(1.5 * values(interpreter.forces(motion)["F"]), 4))
     elif function == "joint_reactions":
         L = values(interpreter.inverse_kinematics(motion)["L"])
@@ -173,7 +197,7 @@ def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str
 def _kinematic_inputs(
     interpreter: KitInterpreter, robot: Robot, kind: type, function: str, motion: Numbers
 ) -> tuple[dict[str, Array], Numbers]:
-    """Inputs of a function of the kinematics, and what the interpreter is given in their place."""
+    """Return the inputs of a kinematic function, and the inputs of the interpreter."""
     if function == "inverse_kinematics":
         inputs = {name: motion[name] for name in ("R", "t", "omega", "v")}
         return inputs, inputs
@@ -189,7 +213,7 @@ def _kinematic_inputs(
 
 
 def _torque_inputs(interpreter: KitInterpreter, motion: Numbers) -> dict[str, Array]:
-    """Forces of a motion, and rates beside those at which friction changes; half of the motors are driven."""
+    """Return forces and rates near the thresholds of friction; half of the motors are back-driven."""
     F = significant(values(interpreter.forces(motion)["F"]), 4)
     L_dot = values(interpreter.inverse_kinematics(motion)["L_dot"])
     at = np.array([interpreter.drives["smoothing"], interpreter.drives["stribeck_speed"], L_dot])
@@ -199,7 +223,7 @@ def _torque_inputs(interpreter: KitInterpreter, motion: Numbers) -> dict[str, Ar
 
 
 def _rotation_inputs(function: str, motion: Numbers) -> dict[str, Array]:
-    """Angles and a quaternion in numbers that no machine rounds another way, with the motion's own rates."""
+    """Return angles or a quaternion that every machine rounds equally, with the rates of the motion."""
     first, second = motion["omega"], motion["alpha"]
     if function == "motion_from_rpy":
         sine, cosine = (np.array(parts) for parts in (_SINES, _COSINES))
@@ -209,20 +233,20 @@ def _rotation_inputs(function: str, motion: Numbers) -> dict[str, Array]:
 
 
 def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
-    """A pose near R, t from which the lengths L lead back to it."""
+    """Return a pose near R, t from which the solution for the lengths L converges to R, t."""
     size = characteristic_length(robot)
     for closeness in _CLOSENESS:
         guess = neighbor(robot, R, t, closeness)
         start = orthonormal(guess[0]), guess[1]
         found = forward_kinematics(robot, L, start, "nan", check_limits=False)
-        # From lengths in float the pose comes out as good as float, far from any other assembly mode.
+        # Lengths in float determine the pose to the accuracy of float, far from any other assembly mode.
         if max(np.abs(found.R - R).max(), np.abs(found.t - t).max() / size) < _SAME:
             return guess
     return R, t
 
 
 def _answers(found: Found, kind: type, margin: float) -> tuple[dict[str, Array], dict[str, Array]]:
-    """Answers and their bounds, which have two digits and are never zero."""
+    """Return results and their bounds, which have two digits and are never zero."""
     limits = np.finfo(kind)
     least = float(limits.tiny) / float(limits.eps)
     bounds = {name: np.maximum(margin * errors(numbers), least) for name, numbers in found.items()}
@@ -233,9 +257,9 @@ def _answers(found: Found, kind: type, margin: float) -> tuple[dict[str, Array],
 
 
 def _input(robot: Robot, motion: Motion, kind: type) -> dict[str, Array]:
-    """Fields of a ``stewart_motion``; ValueError where the load, some weights of the platform, overflows."""
+    """Return the fields of a ``stewart_motion``; raise ValueError if the load overflows."""
     found = {name: rounded(np.ravel(getattr(motion, name)), kind) for name in MOTION}
     if not all(np.isfinite(value).all() for value in found.values()):
         precision = next(name for name, known in PRECISIONS.items() if known is kind)
-        raise ValueError(f"robot: M: expected a mass whose weight {precision} can hold, got {robot.M:g}")
+        raise ValueError(f"robot: M: {robot.M:g} kg exceeds the range of {precision}; use a smaller mass")
     return found

@@ -1,4 +1,4 @@
-"""Puts a kit into a folder: all files or none, and none that somebody changed by hand."""
+"""Writing of a kit into a folder: all files or none, without replacing edited files."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -18,25 +18,26 @@ def write_kit(
     inputs: Iterable[Path] = (),
     progress: Progress = silent,
 ) -> tuple[Kit, list[Path]]:
-    """Write the C kit of ``robot`` into ``directory``, made if missing, and return it and its files.
+    """Write the kit of ``robot`` into ``directory``, which is created if missing; return the kit and its
+    paths.
 
-    The same robot, choice and version give the same bytes. Raises ValueError of one line: an unknown option,
-    a robot without a pose for the self-test, and as ``put``.
+    Equal robots, options, and versions give identical bytes. Raises ValueError for an unknown option, for a
+    robot without a pose for the self-test, and the errors of ``put``.
     """
     made = kit(robot, choice, progress)
     return made, put(made, directory, force, inputs)
 
 
 def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] = ()) -> list[Path]:
-    """Put the files of a kit into ``directory``, made if missing, and return them.
+    """Write the files of a kit into ``directory``, which is created if missing; return their paths.
 
-    Files that are there already and equal stay as they are. Files of an older kit there, by its
-    manifest, are replaced, and removed where the new kit has none of their name, unless somebody changed them
-    since: then, as for files of other origin, only ``force`` replaces or removes them, for a header or a
-    source of an older kit beside this one would be compiled with it. Further files are left alone, and
-    ``inputs`` are never replaced. When anything fails the folder is as it was before.
+    Existing files with equal content are not touched. Files of an older kit, recognized by its manifest, are
+    replaced, or removed if the new kit has no file of that name. Edited files and files of other origin are
+    replaced or removed only with ``force``. Otherwise they are errors, because a header or source of an older
+    kit would be compiled with the new kit. Other files remain, and ``inputs`` are never replaced. After an
+    error the folder is unchanged.
 
-    Raises ValueError of one line: a file that would be overwritten, a folder that cannot be written.
+    Raises ValueError if a file would be overwritten or the folder cannot be written.
     """
     try:
         ours = dict(recorded(directory, MANIFEST))
@@ -51,7 +52,7 @@ def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] 
         for name in gone:
             path = directory / name
             if any(each.exists() and path.samefile(each) for each in inputs):
-                raise ValueError(f"{path}: is an input, name another folder")
+                raise ValueError(f"{path}: is an input; name another folder")
             if not force and digest(path) != ours[name]:
                 raise ValueError(
                     f"{path}: was edited and is not part of this kit; use --force to remove it, or rename it"

@@ -324,8 +324,8 @@ def inverse_factor(M: Array) -> Array:
         return np.asarray(np.linalg.inv(np.linalg.cholesky(M)))
     except np.linalg.LinAlgError:
         raise ValueError(
-            "no smooth curve: the noise of some rows is too small beside that of others; leave these out, or "
-            "state the noise"
+            "smooth curve: the noise of some rows is much smaller than the noise of others; remove these "
+            "rows, or state the noise"
         ) from None
 
 

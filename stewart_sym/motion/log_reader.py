@@ -236,7 +236,7 @@ def _warn_of_angles(log: Log) -> None:
             np.median(np.linalg.norm(q, axis=-1))
         ):
             log.warn(
-                "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last? "
+                "q_z is the largest component: half a turn about z, or quaternions with the scalar last? "
                 "(TrajectoryFormat(columns={'q_w': 'q_z', 'q_x': 'q_w', 'q_y': 'q_x', 'q_z': 'q_y', ...}))",
             )
 
@@ -385,8 +385,8 @@ def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES)
     """Reject names that are no log's; ``source``: what gives them, ``otherwise``: what else can be done."""
     if {"omega_x", "kinetic_energy"} <= set(header):
         raise ValueError(
-            f"{source}: expected a log, got a run of simulate, which view reads: its poses are those of the "
-            "reference point, its angles roll, pitch, yaw, whatever the robot's tool and euler_order"
+            f"{source}: expected a log, got a run of simulate (reference point; roll, pitch, yaw); display "
+            "it with view, or convert it to the tool and euler_order of the robot"
         )
     in_joints = _components(*_LENGTHS, *_LENGTH_DERIVATIVES)
     of_pose = _components(*POSE, *DERIVATIVES)

@@ -291,7 +291,8 @@ class _Search:
         _, what, place = min(worst)
         segment = int(np.clip(np.searchsorted(self.family.via, place), 1, len(self.family.poses) - 1))
         raise ValueError(
-            f"via pose {segment + 1}: no path from via pose {segment} was found; limiting constraint: {what}"
+            f"via pose {segment + 1}: no path from via pose {segment} was found (obstacle: {what}); move a "
+            "via pose, or relax the limit"
         )
 
     def swing(self, random: np.random.Generator) -> Array:

@@ -158,9 +158,9 @@ class Robot(Frozen):
         for name, (_, check) in fields.LEG_FIELDS.items():
             checked[name] = self._per_leg(name, fields.no_direction if spherical and name == "k" else check)
         if self.length_mode == "relative" and checked["home_position"] is None:
-            raise ValueError('robot: length_mode: "relative" is to the home pose, expected home_position')
+            raise ValueError('robot: length_mode: "relative" refers to the home pose; add home_position')
         if np.isfinite(checked["joint_angle_limit"]).any() and checked["home_position"] is None:
-            raise ValueError("robot: joint_angle_limit: is from the home pose, expected home_position")
+            raise ValueError("robot: joint_angle_limit: refers to the home pose; add home_position")
         if not isinstance(self.drive, Drive | None):
             raise ValueError(f"robot: drive: expected a Drive or None, got {shown(self.drive)}")
         self._set(checked)

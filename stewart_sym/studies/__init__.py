@@ -1,5 +1,5 @@
-"""Studies: commands that run the kernels over many cases and write tables and pictures.
+"""Studies: commands that run the kernels for many cases and write tables and plots.
 
-They take robots and motions and return records; ``common.report`` alone writes files, and what draws needs
-the extra ``plot``.
+The studies take robots and motions and return records. Only ``common.report`` writes files. Plots require the
+extra ``plot``.
 """

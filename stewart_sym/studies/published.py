@@ -1,8 +1,9 @@
-"""Writes the tables of the documentation from the figures that studies wrote.
+"""Generator of the tables of the documentation from the results of the studies.
 
-``python -m stewart_sym.studies.published [RUN]``, in the top folder of the source. RUN is a folder that
-``benchmark``, ``chart``, ``control``, ``controller``, ``stability``, or ``planning.study`` wrote: its figures
-and pictures replace the files in ``.docs``. Tables go to ``.docs/tables``, and to the README between marks.
+``python -m stewart_sym.studies.published [RUN]`` runs in the top folder of the source. RUN is a folder that
+``benchmark``, ``chart``, ``control``, ``controller``, ``stability``, or ``planning.study`` wrote: its JSON
+files and plots replace the files in ``.docs``. Tables are written to ``.docs/tables`` and to the marked
+places of the README.
 """
 
 import json
@@ -29,7 +30,7 @@ STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "plan": planning.tables,
     "stability": robustness.tables,
 }
-"""Name of a study's JSON, and what makes tables of it."""
+"""Function that generates the tables of each study, by the name of its JSON file."""
 
 PICTURES = (
     *("bench.png", "bench_motion.png", "control.png"),
@@ -40,7 +41,7 @@ COMMAND = "python -m stewart_sym.studies.published"
 
 
 def written(top: Path) -> dict[Path, str]:
-    """Text of every file with tables, from the figures in ``top / ".docs"``."""
+    """Generate the text of every file with tables from the JSON files in ``top / ".docs"``."""
     docs, readme = top / ".docs", top / "README.md"
     files = {readme: readme.read_text(encoding="utf-8")}
     for name, tables in STUDIES.items():
@@ -54,7 +55,7 @@ def written(top: Path) -> dict[Path, str]:
 
 
 def between_marks(page: str, name: str, text: str) -> str:
-    """A page with the text between the marks of a name; ValueError where it has none."""
+    """Replace the text between the marks of a name on a page; raise ValueError without these marks."""
     begin, end = f"<!-- {name} by `{COMMAND}` -->\n", f"<!-- end of {name} -->"
     found, count = re.subn(
         re.escape(begin) + ".*?" + re.escape(end), lambda _: f"{begin}\n{text}{end}", page, flags=re.DOTALL
@@ -65,7 +66,9 @@ def between_marks(page: str, name: str, text: str) -> str:
 
 
 def take(run: Path, docs: Path) -> None:
-    """Copy figures and pictures of a run; ValueError, and nothing is copied, where tables cannot be made."""
+    """Copy JSON files and plots of a run; raise ValueError, and copy nothing, if tables cannot be
+    generated.
+    """
     names = [name for name in (*(f"{study}.json" for study in STUDIES), *PICTURES) if (run / name).exists()]
     if not names:
         raise ValueError(f"{run}: expected figures of a study, got none")
@@ -77,7 +80,7 @@ def take(run: Path, docs: Path) -> None:
 
 
 def main(arguments: list[str]) -> int:
-    """Write the tables; returns the exit code."""
+    """Write the tables; return the exit code."""
     top = Path.cwd()
     try:
         for run in arguments:

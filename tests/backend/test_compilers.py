@@ -23,7 +23,7 @@ def test_no_compiler_is_one_line_that_says_what_to_do(no_compiler: None) -> None
     assert native.find_compiler() is None
     with pytest.raises(native.CompilerError) as caught:
         native.load("adder", ADD)
-    expected = "no C compiler found: install gcc or clang, set CC, or `pip install ziglang`"
+    expected = "no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`"
     assert str(caught.value) == expected
 
 

@@ -215,7 +215,7 @@ def test_poses_without_an_answer_raise_warn_or_are_nan() -> None:
 def test_robots_that_float_cannot_hold_are_rejected() -> None:
     rng = np.random.default_rng(9)
     robot = random_robot(rng, scale=1e20)
-    with pytest.raises(ValueError, match=r"robot: .*expected .* float can hold"):
+    with pytest.raises(ValueError, match=r"robot: .* range of float; use"):
         ss.force_error_bounds(robot, random_motion(rng, robot), "float")
 
 

@@ -209,9 +209,7 @@ def test_numbers_of_a_robot_that_overflow_are_not_blamed_on_the_trajectory(
     assert "encountered" not in told
     if code:
         error = told.splitlines()[-1]
-        assert error.startswith(
-            f"stewart-sym: error: robot {machine.name}: expected numbers whose forces do not"
-        )
+        assert error.startswith(f"stewart-sym: error: robot {machine.name}: forces overflow at")
     else:
         assert "C_p" in big
 

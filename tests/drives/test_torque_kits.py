@@ -217,7 +217,7 @@ def test_torques_of_forces_without_rotors_take_these_themselves() -> None:
     files = kit(robot_named(machine(True)), choice).files
     assert not [name for name in files if "axial" in name]
     assert not [name for name in files if name.endswith((".c", ".hpp")) and b"axial_forces" in files[name]]
-    assert "fidelity massless leave the rotors out: the torques lack what turns" in " ".join(
+    assert "fidelity massless omit the rotors: the torques exclude the inertia of the rotors" in " ".join(
         files["README.md"].decode().split()
     )
 

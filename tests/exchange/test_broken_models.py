@@ -301,7 +301,7 @@ def test_a_urdf_without_its_loops_says_where_they_are_looked_for(
     path = tmp_path / "model.urdf"
     balls = "<drake:ball_constraint>.*</drake:ball_constraint>"
     path.write_text(re.sub(balls, "", exported["urdf"].text, flags=re.DOTALL), encoding="utf-8")
-    said = r"model\.urdf: expected its loops in NAME\.loops\.json or as drake:ball_constraint, got none"
+    said = r"model\.urdf: loops: missing; add the file NAME\.loops\.json or elements drake:ball_constraint"
     rejects(said, ss.import_model, path)
 
 

@@ -386,5 +386,5 @@ def test_a_leg_along_its_fixed_axis_is_rejected() -> None:
     robot = ROBOTS["mathworks2002"]
     leg = robot.home_position + robot.p - robot.b
     k = np.array([*leg[:1], *robot.k[1:]])
-    with pytest.raises(ValueError, match="leg 1: expected a fixed axis across the leg at home"):
+    with pytest.raises(ValueError, match="leg 1: fixed axis along the leg at home"):
         ss.export_model(dataclasses.replace(robot, k=k), "mjcf")

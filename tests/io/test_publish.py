@@ -161,7 +161,7 @@ def test_own_results_are_replaced_until_somebody_edits_them(tmp_path: Path) -> N
 def test_an_input_is_never_replaced(tmp_path: Path) -> None:
     (tmp_path / "path.csv").write_text("input")
     os.link(tmp_path / "path.csv", tmp_path / "link.csv")
-    with pytest.raises(ValueError, match=r"path.csv: is an input, name another folder"):
+    with pytest.raises(ValueError, match=r"path.csv: is an input; name another folder"):
         fill_results(tmp_path, {"path.csv": "output"}, force=True, inputs=[tmp_path / "link.csv"])
     assert (tmp_path / "path.csv").read_text() == "input"
 
@@ -187,7 +187,7 @@ def test_no_file_that_a_subcommand_read_is_replaced_by_force(
     (at_robot / "enough.toml").write_text(f'{shared}motions = ["{name}"]\ntolerance = 0.01\n')
     before = folder_state(at_robot)
     told = run(*command, "-o", ".", "--force", "--no-plots", code=2).err
-    assert told.endswith(f"error: {name}: is an input, name another folder\n")
+    assert told.endswith(f"error: {name}: is an input; name another folder\n")
     assert folder_state(at_robot) == before
 
 

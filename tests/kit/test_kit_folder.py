@@ -73,7 +73,7 @@ def test_files_that_the_new_kit_has_not_are_removed_and_edited_ones_only_with_fo
     baked = kit_of(choice=Choice(bake=True, scalar=True))
     rejects(r"^\S+robot\.h: was edited and is not part of this kit; use --force to", put, baked, tmp_path)
     assert contents(tmp_path) == edited
-    with pytest.raises(ValueError, match=r"^\S+robot\.h: is an input, name another folder$"):
+    with pytest.raises(ValueError, match=r"^\S+robot\.h: is an input; name another folder$"):
         put(baked, tmp_path, force=True, inputs=[tmp_path / "stewart_robot.h"])
     put(baked, tmp_path, force=True)
     assert contents(tmp_path) == baked.files

@@ -209,7 +209,7 @@ def test_quaternions_with_their_scalar_last_under_other_names_are_warned_of(tmp_
     table = poses()
     e = quaternion_from_rotation(rotation_from_rpy(table[:, 4:]))
     names = [*NAMES[:4], "q_w", "q_x", "q_y", "q_z"]
-    with pytest.warns(ss.TrajectoryWarning, match="quaternions whose scalar comes last"):
+    with pytest.warns(ss.TrajectoryWarning, match="quaternions with the scalar last"):
         read_csv(write(tmp_path / "q.csv", names, np.hstack([table[:, :4], np.roll(e, -1, axis=1)])))
 
 
@@ -271,10 +271,10 @@ def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, run: Run) -> Non
 
 def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) -> None:
     log = write(tmp_path / "log.csv", NAMES, poses())
-    for rate, words in (("0.1", "1 instant of"), ("2", "5 instants of"), ("5", "")):
+    for rate, words in (("0.1", "1 sample of"), ("2", "5 samples of"), ("5", "")):
         told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", "--rate", rate).err
-        expected = f"log.csv: {words} 2 s at a rate of {rate} Hz, of 41 rows; the motion between"
-        assert expected in told if words else "at a rate" not in told
+        expected = f"log.csv: {words} 41 rows in 2 s at {rate} Hz; the motion between"
+        assert expected in told if words else "raise --rate" not in told
 
 
 def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:

@@ -154,7 +154,7 @@ def test_relative_lengths_are_less_those_of_the_home_pose(robot: ss.Robot, tmp_p
     told = run("forces", file, path, "-o", out, "--length-mode", "absolute", code=2).err
     assert "expected a length > 0 m" in told
     bare = dataclasses.replace(robot, home_position=None)
-    with pytest.raises(ValueError, match=r"log\.csv: relative lengths: expected a robot file with a key"):
+    with pytest.raises(ValueError, match=r"log\.csv: relative lengths: add home_position"):
         read_log_of(bare, path, ss.TrajectoryFormat(length_mode="relative"))
 
 

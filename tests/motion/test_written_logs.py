@@ -119,7 +119,7 @@ def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
         ("s,m,mm,m,rad,rad,rad", "t_y: expected one length_unit in the row of units, got mm and m$"),
         (
             "s,mm,mm,mm,rad,rad,rad",
-            r"the row of units says mm, expected that of TrajectoryFormat\(length_unit='cm'\)$",
+            r"the row of units \(mm\) contradicts TrajectoryFormat\(length_unit='cm'\); omit one$",
         ),
     ],
 )

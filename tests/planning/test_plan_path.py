@@ -244,7 +244,5 @@ def test_a_limit_that_stands_in_the_way_is_named(monkeypatch: pytest.MonkeyPatch
     R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
     costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
     highest = 1.01 * float(costs.plain_conditions(R, t)[0].max())
-    with pytest.raises(
-        ValueError, match=r"^via pose 2: .* pose 1 was found; limiting constraint: condition number$"
-    ):
+    with pytest.raises(ValueError, match=r"^via pose 2: .* pose 1 was found \(obstacle: condition number\)"):
         plan_path(robot, poses, PoseLimits(condition=highest))

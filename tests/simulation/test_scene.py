@@ -186,7 +186,7 @@ def test_a_run_is_no_log(scene: Path, run: Run, fails: Fails) -> None:
     run("simulate", scene, "-o", out, "--no-plots")
     robot = str(scene.parent / "robots" / "robot.toml")
     line = fails("forces", robot, str(out / "run.csv"), "-o", str(out / "f.csv"))
-    assert "run.csv: expected a log, got a run of simulate, which view reads" in line
+    assert "run.csv: expected a log, got a run of simulate (reference point" in line
 
 
 def test_constant_forces_and_a_load(scene: Path) -> None:

@@ -209,7 +209,7 @@ def test_places_are_the_same_on_every_run() -> None:
 
 
 def test_too_many_names_are_rejected() -> None:
-    rejects("expected room for all of them", crowd, [(5.0, 5.0)] * 40, (2.0, 1.5))
+    rejects("not enough room in the plot", crowd, [(5.0, 5.0)] * 40, (2.0, 1.5))
 
 
 def test_pictures_are_written_as_png_and_svg(tmp_path: Path, picture: Figure) -> None:

@@ -1,1 +1,1 @@
-"""Generated code: the derivation, kits for a machine, the CMake package."""
+"""Subcommands for generated code: the derivation, kits, and the CMake package."""

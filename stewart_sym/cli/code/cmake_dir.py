@@ -9,7 +9,7 @@ EXAMPLE = "cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """``cmake-dir`` has none."""
+    """Add no arguments."""
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -45,14 +45,14 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _line(kernel: dict[str, Any]) -> str:
-    """A kernel's name, time, and operations per pose if they are counted."""
+    """Format the name, the time, and, if counted, the operations per pose of a kernel."""
     name, seconds, operations = kernel.values()
     counts = "" if operations is None else f"operations per pose: {operations}"
     return f"{name:<16} {seconds:6.1f} s   {counts}".rstrip()
 
 
 def _derived(progress: Progress) -> tuple[list[dict[str, Any]], dict[str, str]]:
-    """Derive every kernel: what each took and costs, and the texts of all files."""
+    """Derive all kernels; return the time and the operations of each kernel, and the texts of all files."""
     from ...derive.generate import generated_files
     from ...dynamics.forces import CORES
 
@@ -71,7 +71,7 @@ def _derived(progress: Progress) -> tuple[list[dict[str, Any]], dict[str, str]]:
 
 
 def _operations(module: str) -> int | None:
-    """The total with friction in the text of a generated module; None where it has none."""
+    """Return the total operations with friction of a generated module, or None if it lacks them."""
     import ast
 
     for node in ast.parse(module).body:
@@ -81,7 +81,7 @@ def _operations(module: str) -> int | None:
 
 
 def _compared(directory: Path, texts: dict[str, str]) -> tuple[list[str], dict[str, list[str]]]:
-    """Lines on, and names of, the files that differ, are missing or are not generated."""
+    """Return report lines and names of the files that differ, are missing, or are not generated."""
     present = {
         path.relative_to(directory).as_posix()
         for pattern in ("*.py", "c/*.[ch]")

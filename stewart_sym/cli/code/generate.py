@@ -59,7 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _language(name: str) -> str:
-    """A name of a language; those other than C are looked up only when asked for."""
+    """Parse the name of a language; import the other languages only if the name is not C."""
     if name != "c":
         from ...derive.package.languages import LANGUAGES
 

@@ -1,1 +1,1 @@
-"""A machine and its motions: what it is, what forces it needs, how it moves."""
+"""Subcommands for a machine and its motions: description, forces, workspace, planning, and simulation."""

@@ -33,7 +33,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _length_unit(robot: Path) -> str:
-    """Unit of lengths in a robot file; m where it cannot be read a second time, as from a pipe."""
+    """Return the length unit of a robot file, or m if the file cannot be read twice (a pipe)."""
     from ...io.toml_reader import toml_tables
 
     with contextlib.suppress(ValueError), toml_tables(str(robot), "robot file") as tables:

@@ -103,7 +103,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _need_plot(arguments: argparse.Namespace, robot: "Robot") -> None:
-    """Reject a picture of motors that there are not, of another kind, or in place of another file."""
+    """Reject ``--plot`` for a robot without drives, for other formats than PNG, or over an existing file."""
     from ...io.extras import need
 
     need("matplotlib", "drawing")

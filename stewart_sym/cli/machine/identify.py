@@ -111,7 +111,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     poses, forces = arguments.measured
     form = log_format(arguments, poses)
     try:
-        # The fit has its own noise: what is stated is compared with the log alone.
+        # The fit has its own noise model. The noise options are only compared with the log.
         smoothing = SmoothingOptions(*stated_noise(arguments, form), enabled=False, repair=True)
         log = trajectory_for(robot, poses, log_format(arguments), smoothing)
     except HeaderError as error:

@@ -1,4 +1,4 @@
-"""``stewart-sym new``: write a robot file from a few numbers, given as options or on the terminal."""
+"""``stewart-sym new``: write a robot file from a few numbers, entered as options or on the terminal."""
 
 import argparse
 import sys
@@ -70,7 +70,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _numbers(arguments: argparse.Namespace) -> dict[str, float]:
-    """Numbers as given, or asked for on a terminal."""
+    """Return the numbers from the options, and prompt for missing ones on a terminal."""
     found = {name: getattr(arguments, name) for name in (*_NUMBERS, *_ANGLES)}
     missing = [name for name in _NUMBERS if found[name] is None]
     if missing and not sys.stdin.isatty():
@@ -81,7 +81,7 @@ def _numbers(arguments: argparse.Namespace) -> dict[str, float]:
 
 
 def _asked(name: str, unit: str) -> float:
-    """A number > 0 from the terminal."""
+    """Read a number > 0 from the terminal."""
     question = _NUMBERS[name] + ("" if _NUMBERS[name].endswith("(kg)") else f" ({unit})")
     while True:
         print(f"{question}: ", end="", file=sys.stderr, flush=True)

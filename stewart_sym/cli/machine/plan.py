@@ -45,7 +45,10 @@ def run(arguments: argparse.Namespace) -> int:
 
 @contextlib.contextmanager
 def _where_stated(arguments: argparse.Namespace, stated: Set[str]) -> Iterator[None]:
-    """Let an error about what the file states, and no option, name the file. Limits may be the robot's."""
+    """Prefix errors about keys of the file, unless an option overrides them, with the name of the file.
+
+    Errors about limits are not prefixed, because limits may originate from the robot file.
+    """
     try:
         yield
     except ValueError as error:
@@ -102,7 +105,7 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
 
 
 def _planned(request: "PlanRequest", progress: Progress) -> "PlannedPath":
-    """The path; an error names the file of the via poses, and ends with a doubt about their angles."""
+    """Plan the path; add the name of the file and a possible warning about the angles to errors."""
     from ...planning.plan_path import plan_path
 
     try:

@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     output(parser, "DIR", "folder of the results", Path("size"), plots=True, html=True)
 
 
-# A margin beyond it was meant in per cent.
+# A larger margin was probably meant as a percentage.
 _MOST_MARGIN = 5.0
 
 

@@ -102,7 +102,7 @@ def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -
 
 
 def _is_run(path: Path) -> bool:
-    """Whether a table has the states and the forces of a simulated run."""
+    """Return True if a table contains the states and forces of a simulated run."""
     with open(path, encoding="utf-8", errors="replace", newline="") as stream:
         header = next(csv.reader(stream), [])
     return {"omega_x", "F_1", "kinetic_energy"} <= {name.strip() for name in header}
@@ -112,7 +112,7 @@ def _data(view: "Viewer") -> dict[str, object]:
     import numpy as np
 
     shown = view.instants
-    # Legs that no force holds at any instant.
+    # NumPy warns of legs without a finite force at any sample.
     with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
         peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
     return {
@@ -133,7 +133,7 @@ def _data(view: "Viewer") -> dict[str, object]:
 
 
 def _legs(view: "Viewer") -> object:
-    """Peaks of each leg beside its limits, with deviations and verdicts, as ``forces`` has them."""
+    """Return peaks, limits, standard deviations, and limit status of each leg, as in ``forces``."""
     import numpy as np
 
     from ...drives.leg_limits import limited_angles
@@ -150,7 +150,7 @@ def _legs(view: "Viewer") -> object:
 
 
 def _opened(path: Path) -> bool:
-    """Open a file in a browser; False where there is none with a screen."""
+    """Open a file in a browser; return False without a screen or a browser."""
     import webbrowser
 
     screen = sys.platform in ("darwin", "win32") or any(

@@ -19,7 +19,7 @@ EXAMPLE = "stewart-sym workspace hexapod.toml --max-condition 20 -o workspace"
 MORE = (
     "Limits: leg lengths, joint angles, and actuator forces at rest, from the robot file.\n"
     "The volume of rotations is the integral of cos(theta_y) over roll, pitch, and yaw (rad^3).\n"
-    "The error is three standard deviations. Positions are those of the tool."
+    "The error is three standard deviations. Positions refer to the tool."
 )
 
 _IGNORED = ("lengths", "joint-angles", "forces")
@@ -109,7 +109,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _broken(examiner: "PoseExaminer", found: "WorkspaceResult") -> str:
-    """Which limit the pose in the middle breaks, and what is known of it."""
+    """Describe the limit that the center pose violates."""
     from ...design.pose_limits import CONDITION, LENGTH, REASONS
     from ...io.arguments import status_text
     from ...kinematics.offset_legs import leg_lengths

@@ -1,1 +1,1 @@
-"""Studies, as tables, pictures and data."""
+"""Subcommands for studies, with tables, plots, and data."""

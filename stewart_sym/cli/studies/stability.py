@@ -16,7 +16,7 @@ MORE = (
 )
 
 CASES = 1_000_000
-"""Random cases of the sweep."""
+"""Number of random cases of the sweep."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -45,7 +45,7 @@ def model(root: ET.Element, loops: str | None) -> Model:
     bodies, joints = _tree(root)
     balls = root.findall(BALL)
     if loops is None and not balls:
-        raise ValueError(f"expected its loops in NAME.loops.json or as {BALL}, got none")
+        raise ValueError(f"loops: missing; add the file NAME.loops.json or elements {BALL}")
     given = {} if loops is None else _loops(loops)
     names = {body.name for body in bodies}
     closures = [_closure(each, i, names, apart) for i, each in enumerate(given.get("closures", ()), 1)]
@@ -159,7 +159,7 @@ def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
     for each in root.iter():
         if each.tag.startswith("xacro:"):
             where = f"{each.tag}{at_line(each)}"
-            raise ValueError(f"{where}: expected URDF expanded by xacro, got an unexpanded xacro element")
+            raise ValueError(f"{where}: xacro is not expanded; run xacro on the file first")
     links = {name_of(each, "robot"): each for each in root.findall("link")}
     carried: dict[str, ET.Element] = {}
     for each in root.findall("joint"):
@@ -176,7 +176,7 @@ def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
     roots = [name for name in links if name not in carried]
     if len(roots) != 1:
         got = ", ".join(map(repr, roots)) or "none"
-        raise ValueError(f"expected one link that no joint carries, got {got}")
+        raise ValueError(f"links without a parent joint: expected one, got {got}")
     (root_name,) = roots
     placed = {root_name: _body(links[root_name], np.eye(3), np.zeros(3))}
     bodies, joints = list(placed.values()), []

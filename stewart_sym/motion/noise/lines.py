@@ -104,7 +104,7 @@ def tell_lines(log: Log, found: Sequence[Line]) -> None:
             parts.append(f"{text(float(line.amplitude[part].max()))} of {what}")
     more = f" and {len(found) - 1} more lines" if len(found) > 1 else ""
     log.warn(
-        f"vibration of {line.frequency:.3g} Hz, {' and '.join(parts)}{more} is left out as noise although it "
-        "may be motion: deviations hold the forces that it would take; what helps: stated noise, a higher "
-        "--cutoff, or rows more often",
+        f"vibration of {line.frequency:.3g} Hz ({' and '.join(parts)}{more}): removed as noise, with its "
+        "forces in the standard deviations; if it is motion, state the noise, raise --cutoff, or sample "
+        "faster",
     )

@@ -42,10 +42,10 @@ def end_errors(log: Log, found: Array) -> Array | None:
     told = [text for text in said if text]
     if not told:
         return None
-    where = "the log's ends" + (" and beside its gaps" if gaps else "")
+    where = "the ends of the log" + (" and at its gaps" if gaps else "")
     log.warn(
-        f"accelerations at {where} may be off by {' and '.join(told)}, as deviations say: rows are "
-        "too far apart, or accelerations jump; what helps: more rows, more of them at rest before and after",
+        f"accelerations at {where}: errors of up to {' and '.join(told)}, included in the standard "
+        "deviations (rows too far apart, or jumps); add rows, especially at rest before and after the motion",
     )
     return errors
 

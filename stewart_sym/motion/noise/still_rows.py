@@ -79,6 +79,6 @@ def tell_still(log: Log, held: Flags) -> None:
     share = 100.0 * float(np.mean(still))
     more = f"; {len(runs)} such stretches in all, {share:.2g} % of the rows" if len(runs) > 1 else ""
     log.warn(
-        f"{rows}{of} stand still at the same numbers from {start} s to {end} s, while others scatter{more}: "
-        "the noise is that of the rows that move",
+        f"{rows}{of}: constant numbers from {start} s to {end} s, while others scatter{more}; the noise is "
+        "estimated from moving rows",
     )

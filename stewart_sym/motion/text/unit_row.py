@@ -65,7 +65,7 @@ def units_of(
     for kind, unit in found.items():
         if given.get(kind) not in (None, unit):
             expected = f"TrajectoryFormat({kind}={given[kind]!r})"
-            raise ValueError(f"{where}: the row of units says {unit}, expected that of {expected}")
+            raise ValueError(f"{where}: the row of units ({unit}) contradicts {expected}; omit one")
     return found
 
 

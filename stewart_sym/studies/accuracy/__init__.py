@@ -1,1 +1,1 @@
-"""Cost and accuracy of every kernel on a machine's motions."""
+"""Cost and accuracy of every kernel for the motions of a machine."""

@@ -1,7 +1,7 @@
-"""Advice: the cheapest kernel that keeps a budget, and what physics forbids a cheaper one.
+"""Selection of the cheapest kernel within an error budget, and the physics that prevents a cheaper one.
 
-Cost is operations, then precision, and no times, so that the same scene gets the same answer on every
-machine; times count only where the budget names a rate.
+The cost is the number of operations, then the precision, and excludes times, so that the result for a scene
+is independent of the machine. Times matter only if the budget specifies a rate.
 """
 
 from collections.abc import Mapping
@@ -30,7 +30,9 @@ TERMS: Mapping[str, str] = {
     "joint": "the right equations of joint and inertia",
     "digits": "double precision",
 }
-"""What a kernel may leave out, in words; ``joint`` is what `paper` has not, faults 1 to 3."""
+"""Terms that a kernel may omit, as text; ``joint`` are the corrections of faults 1 to 3, which `paper`
+lacks.
+"""
 
 _LEGS: Mapping[str, frozenset[str]] = {
     "general": frozenset({"off-axis", "axial", "rods", "masses"}),
@@ -39,11 +41,11 @@ _LEGS: Mapping[str, frozenset[str]] = {
     "point_masses": frozenset({"masses"}),
     "massless": frozenset(),
 }
-"""Terms that each kind of leg has."""
+"""Terms that each kind of leg includes."""
 
 
 def check_legs(levels: Mapping[str, Fidelity]) -> None:
-    """Raise ValueError, of one line, for a level whose kind of leg has no terms."""
+    """Raise ValueError for a level whose kind of leg has no terms."""
     for name, level in levels.items():
         if level.legs not in _LEGS:
             expected = f"the terms of {level.legs!r}, legs of {name}"
@@ -53,12 +55,16 @@ def check_legs(levels: Mapping[str, Fidelity]) -> None:
 check_legs(FIDELITIES | DRIVE_FIDELITIES)
 
 _INERTIA = frozenset({"axial", "rods", "reflected", "momentum"})
-"""Terms that have no effect at rest."""
+"""Terms without effect at rest."""
 
 
 @dataclass(frozen=True)
 class Advice:
-    """What to take. chosen: None where nothing keeps the budget; closest: what comes nearest to it then."""
+    """Selected kernel.
+
+    ``chosen`` is None if no kernel is within the budget, and ``closest`` is the kernel with the smallest
+    excess.
+    """
 
     budget: Budget
     cost: Figures
@@ -66,9 +72,10 @@ class Advice:
     closest: Figures
 
     def needed(self) -> tuple[tuple[frozenset[str], Figures], ...]:
-        """The terms of the choice that no cheaper kernel may leave out, one by one or a few together.
+        """Return the terms of the selected kernel that no cheaper kernel may omit, separately or in
+        combination.
 
-        With each, the next cheaper kernel that leaves out these and no more than it has to.
+        Each entry also contains the next cheaper kernel that omits these terms and as few others as possible.
         """
         if self.chosen is None:
             return ()
@@ -76,7 +83,8 @@ class Advice:
         kept = terms(candidate_of(self.chosen), rotors) - without_effect(self.budget.robot)
         if "rates" not in kept:
             kept -= _INERTIA
-        # Of those without the same terms the last is the dearest, the next cheaper one.
+        # The last kernel that omits the same terms is the most expensive one, which is the next cheaper
+        # kernel.
         dropped = {
             kept - terms(candidate_of(entry), rotors): entry for entry in every[: every.index(self.chosen)]
         }
@@ -88,25 +96,25 @@ class Advice:
 
 
 def advice(cost: Figures, budget: Budget) -> Advice:
-    """Choose the first good enough candidate of those that ``cost`` lists by cost."""
+    """Select the first candidate within the budget in the order of ``cost``, which sorts by cost."""
     chosen = next((entry for entry in cost["candidates"] if excess(entry, budget) <= 1.0), None)
     closest = min(cost["candidates"], key=lambda entry: excess(entry, budget))
     return Advice(budget, cost, chosen, closest)
 
 
 def excess(entry: Figures, budget: Budget) -> float:
-    """How many times a candidate exceeds the budget, in error or in time; good enough up to 1."""
+    """Return the larger ratio of error or time to the budget; at most 1 is acceptable."""
     return max(_misses(entry, budget))
 
 
 def _misses(entry: Figures, budget: Budget) -> tuple[float, float]:
-    """Error and time over what is allowed; no time is too long where the budget names no rate."""
+    """Return the ratios of error and time to the budget; the ratio of time is 0 without a rate."""
     error = worst(entry) * budget.margin / budget.tolerance
     return error, 0.0 if budget.rate is None else entry["one_pose_ns"] * 1e-9 * budget.rate
 
 
 def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
-    """The terms, keys of TERMS, that a kernel has; rotors: of a robot whose legs have them."""
+    """Return the terms (keys of TERMS) that a kernel includes; ``rotors`` is True for robots with rotors."""
     level = level_of(candidate.fidelity, rotors)
     kept = set(_LEGS[level.legs])
     if level.moving:
@@ -125,7 +133,7 @@ def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
 
 
 def without_effect(robot: Robot) -> frozenset[str]:
-    """The terms of which a robot has nothing; between spherical joints legs do not spin."""
+    """Return the terms without effect for a robot; legs between spherical joints do not spin."""
     tensors = np.stack([robot.I_d0, robot.I_u0])
     gone = {
         "friction": not np.any([robot.C_u, robot.C_p, robot.C_s]),
@@ -147,7 +155,7 @@ def _of_revolution(robot: Robot) -> bool:
 
 
 def report(found: Advice) -> str:
-    """Machine, budget, a table of all candidates and the answer, as one text."""
+    """Format the machine, the budget, a table of all candidates, and the result as one text."""
     cost = found.cost
     motions = ", ".join(
         f"{name} ({motion['poses']} poses, peak force {motion['peak_force_N']:.4g} N)"
@@ -169,7 +177,7 @@ _COLUMNS = (
 
 
 def table(cost: Figures, found: Advice | None = None) -> str:
-    """All candidates, the cheapest first; with advice, the choice is marked."""
+    """Format all candidates, the cheapest first; with advice, the selected kernel is marked."""
     header = [*_COLUMNS, *([] if found is None else [""])]
     rows = [
         (
@@ -206,7 +214,7 @@ def _limits(budget: Budget) -> str:
 
 
 def answer(found: Advice) -> list[str]:
-    """The choice, and one line for each reason why it is none of the cheaper ones."""
+    """Return the result and one line for each reason that excludes a cheaper kernel."""
     if found.chosen is None:
         return [f"Nothing keeps the budget; closest: {closest(found)}."]
     lines = [f"Cheapest that is good enough: {_cost(found.chosen)}, error {worst(found.chosen):.1e}."]
@@ -226,13 +234,13 @@ def _cost(entry: Figures) -> str:
 
 
 def closest(found: Advice) -> str:
-    """What comes nearest to the budget, and by how much it is missed."""
+    """Describe the kernel that is closest to the budget, and its excess."""
     entry = found.closest
     return f"{candidate_of(entry).name}, {_beyond(entry, found.budget)}"
 
 
 def _beyond(entry: Figures, budget: Budget) -> str:
-    """How a candidate misses the budget, the larger miss first."""
+    """Describe the excess of a candidate over the budget, the larger one first."""
     error, time = _misses(entry, budget)
     said = [
         (error, f"the error is {worst(entry):.1e}, {error:.3g} times what is allowed"),
@@ -243,7 +251,7 @@ def _beyond(entry: Figures, budget: Budget) -> str:
 
 
 def as_json(found: Advice) -> dict[str, Any]:
-    """The budget, all figures, the choice and the reasons for it."""
+    """Return the budget, all data, the selected kernel, and the reasons."""
     budget, chosen = found.budget, found.chosen
     return {
         **found.cost,

@@ -1,6 +1,6 @@
-"""True rounding error of the forces against the bound that comes with them, double and float, on one machine.
+"""Rounding errors of the forces compared with their bounds, in double and float, for one machine.
 
-Truth is quadruple precision (``quad``).
+The reference is quadruple precision (``quad``).
 """
 
 from collections.abc import Mapping
@@ -24,10 +24,10 @@ from ..common.random_motions import Spread, random_motions
 
 CASES = 2000
 SPREAD = Spread(0.3, 0.5, 0.5)
-"""How far the motions spread; without gravity they take a second as the machine's own time."""
+"""Spread of the motions; the time scale of a machine without gravity is one second."""
 
 FAR = 1000.0
-"""A bound should not exceed the error by more than this factor."""
+"""Ratio of bound to error that should not be exceeded."""
 
 _PRECISIONS: dict[Precision, type[np.floating[Any]]] = {"double": np.float64, "float": np.float32}
 _MARKS = {"double": (BLUE, "o"), "float": (RED, "^")}
@@ -35,11 +35,22 @@ _MARKS = {"double": (BLUE, "o"), "float": (RED, "^")}
 
 @dataclass(frozen=True, eq=False)
 class Precise:
-    """What one precision says of n poses; those without an answer or without a bound are left out.
+    """Errors and bounds in one precision for n poses; poses without a solution or a bound are omitted.
 
-    error: largest error of the six forces, N, (n,). bound: largest bound, N, (n,). rcond: reciprocal
-    condition of H, (n,). covered: whether every force lies within its own bound, (n,). robot: its name.
-    left_out: how many poses.
+    Attributes
+    ----------
+    error : ndarray, shape (n,)
+        Largest error of the six forces (N).
+    bound : ndarray, shape (n,)
+        Largest bound of the six forces (N).
+    rcond : ndarray, shape (n,)
+        Reciprocal condition number of H.
+    covered : ndarray of bool, shape (n,)
+        True if every force is within its own bound.
+    robot : str
+        Name of the robot.
+    left_out : int
+        Number of omitted poses.
     """
 
     error: Array
@@ -51,7 +62,7 @@ class Precise:
 
     @property
     def ratio(self) -> Array:
-        """Bound over error, (n,); inf where no force errs."""
+        """Ratio of bound to error, shape (n,); inf if no force has an error."""
         with np.errstate(divide="ignore"):
             return np.asarray(self.bound / self.error)
 
@@ -62,12 +73,30 @@ Bounds = Mapping[Precision, Precise]
 def bounds_study(
     progress: Progress = silent, cases: int = CASES, robot: Robot | None = None, seed: int = 0
 ) -> Bounds:
-    """Errors and bounds at random motions of a robot, by precision.
+    """Compute errors and bounds for random motions of a robot, by precision.
 
-    cases: how many motions. robot: with universal base joints; None: the paper's machine.
+    Parameters
+    ----------
+    progress : Progress
+        Display of the progress.
+    cases : int
+        Number of motions.
+    robot : Robot or None
+        Robot with universal base joints; None means the robot of the paper.
+    seed : int
+        Random seed.
 
-    Raises ValueError for a robot that the bounds do not serve; native.CompilerError where no compiler has
-    quadruple precision.
+    Returns
+    -------
+    mapping of str to Precise
+        Errors and bounds by precision.
+
+    Raises
+    ------
+    ValueError
+        If the bounds do not support the robot.
+    native.CompilerError
+        If no compiler supports quadruple precision.
     """
     robot = dasgupta1998() if robot is None else robot
     gravity = float(np.linalg.norm(robot.g)) or radius(robot.b)
@@ -93,7 +122,7 @@ def bounds_study(
 
 
 def csv_rows(data: Bounds) -> str:
-    """The poses as CSV, precision, error and bound in N and rcond, with all their digits."""
+    """Format the poses as CSV: precision, error and bound (N), and rcond with all digits."""
     rows = [
         (precision, *row)
         for precision, found in data.items()
@@ -103,12 +132,12 @@ def csv_rows(data: Bounds) -> str:
 
 
 def figure(data: Bounds) -> Figure:
-    """Bound over true error of every pose, with the lines of 1 and of 1000 times the error."""
+    """Plot bound over true error of every pose, with lines at 1 and 1000 times the error."""
     picture = new_figure(6.4, 5.6)
     axes = picture.subplots()
     for precision, found in data.items():
         color, mark = _MARKS[precision]
-        # A logarithmic axis has no place for an error of zero.
+        # A logarithmic axis cannot display an error of zero.
         seen = found.error > 0.0
         undrawn, every = found.left_out + int(np.count_nonzero(~seen)), found.left_out + found.error.size
         axes.loglog(
@@ -133,7 +162,7 @@ def figure(data: Bounds) -> Figure:
 
 
 def _draw_limits(axes: Axes, data: Bounds) -> None:
-    """The lines between which the points should lie, named on their outer sides, midway."""
+    """Draw the lines between which the points should be, with labels on their outer sides."""
     errors = np.concatenate([found.error[found.error > 0.0] for found in data.values()])
     ends = np.array([errors.min() / 3, errors.max() * 3])
     middle = float(np.sqrt(ends[0] * ends[1]))

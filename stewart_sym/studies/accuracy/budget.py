@@ -1,4 +1,4 @@
-"""Budgets: the error and the time that a machine's motions allow, as a TOML file says, read and checked."""
+"""Budgets: permitted error and time for the motions of a machine, read from a TOML file."""
 
 import os
 from collections.abc import Mapping
@@ -21,18 +21,29 @@ from ...singularities.path_warnings import crossing_warning
 
 SCHEMA = 1
 MARGIN = 3.0
-"""Default of ``margin``: between and beside the poses given a kernel may err more than on them."""
+"""Default of ``margin``, because errors between the poses may exceed the errors at the poses."""
 
 _KEYS = ("schema", "robot", "motions", "tolerance", "margin", "rate")
 
 
 @dataclass(frozen=True, eq=False)
 class Budget:
-    """What a kernel has to do, and how well.
+    """Requirements of a kernel.
 
-    motions: by name, each of shape (n,), with an answer at every pose. tolerance: of the forces, share of a
-    motion's peak force; a kernel is good enough if its error times ``margin`` is within it. rate: poses a
-    second that one core must manage one by one, Hz; None for any. files: from which it was read.
+    Attributes
+    ----------
+    robot : Robot
+        Robot.
+    motions : mapping of str to Motion
+        Motions of shape (n,) with a solution at every pose.
+    tolerance : float
+        Permitted error of the forces, as a fraction of the peak force of a motion.
+    margin : float
+        Safety factor; a kernel is acceptable if its error times ``margin`` is within the tolerance.
+    rate : float or None
+        Required rate of single poses on one core (Hz); None for no requirement.
+    files : tuple of Path
+        Files from which the budget was read.
     """
 
     robot: Robot
@@ -44,14 +55,28 @@ class Budget:
 
 
 def read_budget(path: str | os.PathLike[str]) -> Budget:
-    """Read a scene file of ``choose-fidelity`` (TOML, schema 1), with file names relative to its folder.
+    """Read a scene file of ``choose-fidelity`` (TOML, schema 1) with file names relative to its folder.
 
-    Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``read_trajectory``),
-    ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
+    The keys are ``robot`` (file), ``motions`` (names of the paths of the paper or CSV files, as in
+    ``read_trajectory``), ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
 
-    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
-    read, for every break of the schema, of this file or of one it names, and for an unsolvable pose;
-    ImportError where a spline needs SciPy.
+    Parameters
+    ----------
+    path : str or os.PathLike
+        Scene file.
+
+    Returns
+    -------
+    Budget
+        Budget.
+
+    Raises
+    ------
+    ValueError
+        If a file cannot be read or violates its schema, or if a pose is unsolvable: ``file: key: expected X,
+        got Y (at line n)``.
+    ImportError
+        If a spline requires SciPy.
     """
     source = os.fspath(path)
     with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
@@ -79,7 +104,7 @@ def _budget(d: Mapping[str, Any], source: str) -> Budget:
 
 
 def papers_motions() -> dict[str, Motion]:
-    """Paths I, II and III of the paper at its own time steps, by name."""
+    """Return Paths I, II, and III of the paper with its time steps, by name."""
     return {name: path.sample(path.time_grid(dtau)) for name, (path, dtau) in PAPER_PATHS.items()}
 
 
@@ -108,5 +133,5 @@ def _motion(robot: Robot, name: str, log: Path | None, prefix: str) -> Motion:
         raise ValueError(f"{found.source}: {where}: {reason}")
     crossed = crossing_warning(robot, found)
     if crossed is not None:
-        warn(f"{crossed}; errors are shares of a peak that the instants happen to have", SingularPoseWarning)
+        warn(f"{crossed}; the peak force and all relative errors depend on the samples", SingularPoseWarning)
     return found.motion

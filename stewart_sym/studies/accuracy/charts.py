@@ -1,4 +1,4 @@
-"""What ``chart`` finds: cost and accuracy, and the pictures with their rows."""
+"""Report of ``chart``: cost and accuracy, and the plots with their data."""
 
 import functools
 import warnings
@@ -24,9 +24,10 @@ _KINDS = ("png", "svg")
 
 
 def full_report(found: Figures, robot: Robot, progress: Progress = silent) -> Report:
-    """Speed against accuracy, rounding over the machine's size, and rounding with its bound.
+    """Create the report: speed and accuracy, rounding errors over machine size, and rounding errors with
+    bounds.
 
-    The last two are left out, with a warning, for machines and compilers that they can't be had with.
+    The last two are omitted with a warning for machines and compilers that they do not support.
     """
     rows = {"chart": cost_plot.csv_rows(found)}
     pictures = {"chart": Picture(lambda: cost_plot.figure(found), SMALL, _KINDS)}
@@ -56,7 +57,7 @@ def tables(found: Figures) -> dict[str, str]:
 
 
 def _readme(found: Figures) -> str:
-    """A few of the levels, in double, and the rounding error of the default kernel."""
+    """Format some of the levels in double precision, and the rounding error of the default kernel."""
     shown = [each for each in found["candidates"] if _name(each).strip("`") in _README_LEVELS]
     rows = [
         (
@@ -141,7 +142,7 @@ def _advice(found: Figures) -> str:
     )
     rows = []
     for label, tolerance in _TOLERANCES:
-        # The first of those that are good enough, which are listed by cost.
+        # The first acceptable candidate is selected, because the candidates are sorted by cost.
         each = next(each for each in found["candidates"] if _total(each) * MARGIN <= tolerance)
         error = _total(each)
         rows.append((label, f"{_name(each)}, {each['precision']}", str(each["operations"]), f"{error:.1e}"))
@@ -149,7 +150,7 @@ def _advice(found: Figures) -> str:
 
 
 def _total(each: Figures, path: str = "I") -> float:
-    """Errors of model and rounding on a path, share of the largest force."""
+    """Return the sum of modeling and rounding errors on a path, as a fraction of the largest force."""
     errors = each["errors"][path]
     found: float = errors["model"] + errors["rounding"]
     return found

@@ -1,7 +1,8 @@
-"""What each kernel costs and how far it is off on a machine's motions, in every fidelity and precision.
+"""Cost and errors of each kernel for the motions of a machine, at every fidelity level and precision.
 
-Error is split into that of the model, beside `exact` general in double, and that of rounding, beside the
-kernel's own equations at 50 digits. All errors are shares of the largest actuator force of their motion.
+The modeling error is relative to `exact` general in double precision. The rounding error is relative to the
+equations of the kernel in 50-digit arithmetic. All errors are fractions of the largest actuator force of
+their motion.
 """
 
 import ctypes
@@ -36,25 +37,29 @@ from ..common.output import Figures
 from ..common.timing import Task, measured, repeated
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
-"""The cheaper first."""
+"""Precisions, the cheaper first."""
 
 ROUNDS, QUICK_ROUNDS = 21, 9
 FEW, SLOW, MANY = 64, 1_024, 4_096
-"""Poses of a C loop over one-pose calls, of a batch in NumPy, of a batch in C."""
+"""Number of poses of a C loop of one-pose calls, of a NumPy batch, and of a C batch."""
 
 SAMPLED = 12
-"""Poses of a motion at which rounding is measured, spread evenly; those of the largest force and the
-largest condition number come on top."""
+"""Number of evenly spaced poses of a motion at which rounding is measured.
+
+The poses with the largest force and the largest condition number are added.
+"""
 
 _ROUNDING = 100 * float(np.finfo(np.float64).eps)
-"""Two kernels of the same model in double may differ by this share of force times condition number."""
+"""Largest difference of two kernels of the same model in double precision, relative to force times condition
+number.
+"""
 
 
 # --- figures ----------------------------------------------------------------------------------
 
 
 class Candidate(NamedTuple):
-    """One kernel that a scene might do with."""
+    """Kernel that a scene may use."""
 
     formulation: str
     fidelity: str
@@ -62,22 +67,22 @@ class Candidate(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The three in words."""
+        """Formulation, fidelity level, and precision as text."""
         return f"{self.formulation} {self.fidelity}, {self.precision}"
 
 
 def candidate_of(entry: Figures) -> Candidate:
-    """The kernel that the figures are of."""
+    """Return the kernel of a record."""
     return Candidate(*(entry[name] for name in Candidate._fields))
 
 
 def entry_of(found: Figures, *kernel: str) -> Figures:
-    """Figures of one candidate, of a formulation, a fidelity and a precision."""
+    """Return the record of a candidate with the given formulation, fidelity level, and precision."""
     return next(entry for entry in found["candidates"] if candidate_of(entry) == kernel)
 
 
 def worst(entry: Figures, *parts: str) -> float:
-    """The largest error on any motion: of the parts named, which add up at worst, by default of all."""
+    """Return the largest error over all motions; ``parts`` selects the parts to add, by default all."""
     named = parts or ("model", "rounding")
     return float(max(sum(errors[part] for part in named) for errors in entry["errors"].values()))
 
@@ -102,20 +107,43 @@ def cost(
     rounds: int = QUICK_ROUNDS,
     progress: Progress = silent,
 ) -> Figures:
-    """Measure every candidate on the motions, each of shape (n,), with an answer at every pose.
+    """Measure every candidate for the motions.
 
-    implementations: also other ways to compute `exact` general, for comparison. rounds: of timing.
+    A candidate has the operations and the times per pose, single and in a batch, and its code size. The code
+    size is the size of a program that computes single poses, or None without a tool.
 
-    Of each motion the largest actuator force; of each candidate, the cheapest first, by operations, then
-    precision: operations per pose, ns per pose, alone and in a batch, bytes of code of a program that
-    computes one pose at a time (None where no tool can tell), and by motion the largest error of the model
-    and its RMS over poses and legs, beside `exact` general (0 where two double kernels of the same equations
-    might differ by as much), and the largest of rounding at the sampled poses; infinite where there are
-    unsolvable poses. What others took of the cores' time meanwhile, and the load, are None where the system
-    doesn't tell.
+    By motion, a candidate has the largest and the RMS modeling error relative to `exact` general, and the
+    largest rounding error at the sampled poses. A modeling error within the differences of two
+    double-precision kernels of the same equations counts as 0. Errors are infinite if poses are unsolvable.
 
-    A precision that can't hold the robot's constants is left out. Raises ValueError where all forces of a
-    motion are zero, native.CompilerError without a C compiler.
+    The core time used by other processes and the load are None if the system does not provide them. A
+    precision that cannot represent the constants of the robot is omitted.
+
+    Parameters
+    ----------
+    robot : Robot
+        Robot.
+    motions : mapping of str to Motion
+        Motions of shape (n,) with a solution at every pose.
+    implementations : bool
+        True also measures other implementations of `exact` general.
+    rounds : int
+        Number of rounds of the timing.
+    progress : Progress
+        Display of the progress.
+
+    Returns
+    -------
+    dict
+        Largest actuator force of each motion (N), and records of the candidates, the cheapest first
+        (operations, then precision), with times in ns and code sizes in bytes.
+
+    Raises
+    ------
+    ValueError
+        If all forces of a motion are zero.
+    native.CompilerError
+        Without a C compiler.
     """
     kernels, texts = _compiled(robot, progress)
     paths = tracked(progress, motions.items(), lambda each: f"computing the forces of {each[0]}")
@@ -123,7 +151,7 @@ def cost(
     progress("compiling the truth of 50 digits")
     ways = _ways(robot) if implementations else {}
     errors: dict[Candidate, Figures] = {candidate: {} for candidate in kernels}
-    # Candidates of the same equations, which share their truth, follow one another.
+    # Candidates with the same equations, which share the reference solution, are adjacent.
     by_model = [
         [*each] for _, each in itertools.groupby(kernels, lambda each: (each.formulation, each.fidelity))
     ]
@@ -167,7 +195,7 @@ def _times(name: str, raw: tuple[float, ...]) -> Figures:
 
 
 def candidates(robot: Robot) -> list[Candidate]:
-    """Every fidelity of every formulation that there is for a robot, in either precision."""
+    """List every available fidelity level of every formulation for a robot, in both precisions."""
     return [
         Candidate(formulation, level, precision)
         for formulation in FORMULATIONS
@@ -180,7 +208,9 @@ _RICHEST_FIRST = tuple(dict.fromkeys((*fidelity.DRIVE_FIDELITIES, *fidelity.FIDE
 
 
 def _cost(entry: Figures) -> tuple[int, int, int, int]:
-    """The same on every run, other than times: operations, width of the numbers; then the richer model."""
+    """Return a sorting key that is independent of times: operations, precision, then the more complete
+    model.
+    """
     return (
         entry["operations"],
         PRECISIONS.index(entry["precision"]),
@@ -195,7 +225,7 @@ def _cost(entry: Figures) -> tuple[int, int, int, int]:
 def _compiled(
     robot: Robot, progress: Progress
 ) -> tuple[dict[Candidate, ForceKernel], dict[Candidate, int | None]]:
-    """Kernels, and bytes of their code, compiled side by side."""
+    """Compile all kernels in parallel; return the kernels and their code sizes (bytes)."""
     every = candidates(robot)
     with ThreadPoolExecutor(CORES) as pool:
         made = {each: pool.submit(_kernel, robot, each) for each in every}
@@ -208,7 +238,7 @@ def _compiled(
 
 
 def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
-    """The kernel with the robot's constants, None if its precision can't hold them."""
+    """Prepare the kernel of a robot; return None if its precision cannot represent the constants."""
     formulation, precision = cast(Any, candidate.formulation), cast(Precision, candidate.precision)
     try:
         return ForceKernel(robot, formulation, precision, candidate.fidelity, warns=False)
@@ -229,8 +259,9 @@ def _text(robot: Robot, candidate: Candidate) -> int | None:
 
 @dataclass(frozen=True, eq=False)
 class _Case:
-    """One motion: forces (n, 6) of `exact` general, their peak, the forces' accuracy in double (n, 1), and
-    poses that are hard to compute.
+    """Motion with its forces of `exact` general, shape (n, 6), their peak, and poses for the rounding error.
+
+    ``accuracy`` is the accuracy of the forces in double precision (N), shape (n, 1).
     """
 
     robot: Robot
@@ -245,7 +276,7 @@ class _Case:
         F = ForceKernel(robot).forces(motion)
         peak = float(np.abs(F).max())
         if peak == 0.0:
-            raise ValueError(f"{name}: all forces are zero, errors can't be shares of them")
+            raise ValueError(f"{name}: all forces are zero; relative errors are undefined")
         condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
         largest = np.abs(F).max(axis=-1)
         spread = np.linspace(0, len(F) - 1, min(SAMPLED, len(F))).round().astype(int).tolist()
@@ -254,12 +285,12 @@ class _Case:
         return cls(robot, motion, F, peak, accuracy, sorted(sample))
 
     def errors(self, kernels: Mapping[Candidate, ForceKernel]) -> dict[Candidate, Figures]:
-        """Of kernels of the same equations, one of them in double."""
+        """Compute the errors of kernels with the same equations, one of them in double precision."""
         F = {each: kernel.forces(self.motion, on_singular="nan") for each, kernel in kernels.items()}
         in_double = next(forces for each, forces in F.items() if each.precision == "double")
         off = _or_infinite(in_double - self.F)
         off[off <= self.accuracy] = 0.0
-        # The rounding error is largest where the precisions differ most.
+        # The pose with the largest difference of the precisions probably has the largest rounding error.
         worst = {int(np.argmax(_or_infinite(forces - in_double).max(axis=-1))) for forces in F.values()}
         sample = sorted({*self.sample, *worst})
         candidate = next(iter(kernels))
@@ -274,14 +305,14 @@ class _Case:
         }
 
     def rounding_of(self, forces: Callable[[Motion], Array]) -> float:
-        """Rounding error of another way to compute `exact` general."""
+        """Compute the rounding error of another implementation of `exact` general."""
         motion = self.motion[list(self.sample)]
         off = deviation(forces(motion), Truth(self.robot).forces(motion))
         return float(_or_infinite(off).max()) / self.peak
 
 
 def _or_infinite(difference: NDArray[Any]) -> Array:
-    """Sizes of differences; infinite where the pose is unsolvable."""
+    """Return absolute differences, infinite for unsolvable poses."""
     return np.abs(np.nan_to_num(np.asarray(difference, dtype=np.float64), nan=np.inf))
 
 
@@ -289,7 +320,7 @@ def _or_infinite(difference: NDArray[Any]) -> Array:
 
 
 def _ways(robot: Robot) -> dict[str, Callable[[Motion], Array]]:
-    """Other implementations of `exact` general: F, (n, 6), of a motion."""
+    """Return other implementations of `exact` general: functions of a motion that return F, (n, 6)."""
 
     def way(backend: Backend) -> Callable[[Motion], Array]:
         prepared = prepared_kernel(robot, "exact", backend)
@@ -303,7 +334,7 @@ def _tasks(
     kernels: Mapping[Candidate, ForceKernel],
     ways: Mapping[str, Callable[[Motion], Array]],
 ) -> dict[tuple[Candidate | str, str], Task]:
-    """What is timed: each kernel's "one pose" and "batch", and the other ways, key ""."""
+    """Return the timed tasks: "one pose" and "batch" of each kernel, and "" of other implementations."""
     few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))
     tasks: dict[tuple[Candidate | str, str], Task] = {}
     for candidate, kernel in kernels.items():
@@ -319,10 +350,10 @@ def _tasks(
 
 
 def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
-    """The fields of a motion, (count, ...): poses of all motions, over and over."""
+    """Return the fields of a motion, shape (count, ...), with poses of all motions, repeated if necessary."""
     parts = [loaded(motion) for motion in motions]
     arrays = [np.concatenate([getattr(part, name) for part in parts]) for name in MOTION]
-    # Fewer poses than there are: spread evenly along the motions.
+    # If fewer poses are required, they are spread evenly along the motions.
     every = np.linspace(0, len(arrays[0]) - 1, min(count, len(arrays[0]))).round().astype(int)
     return [np.resize(array[every], (count, *array.shape[1:])) for array in arrays]
 

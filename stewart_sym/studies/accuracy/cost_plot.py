@@ -1,4 +1,4 @@
-"""Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone."""
+"""Plot and table of speed and accuracy: time per pose over the total error and over the rounding error."""
 
 import itertools
 import math
@@ -32,9 +32,9 @@ TOTAL, ROUNDING = "total", "rounding"
 
 @dataclass(frozen=True)
 class Point:
-    """A way to compute the forces in one panel: its time, ns, and its errors by motion.
+    """Implementation in one panel, with its time (ns) and its errors by motion.
 
-    beside: the name of the point that it belongs to, drawn hollow and without a name of its own.
+    ``beside`` is the name of the related point if this point is drawn hollow and without a label.
     """
 
     panel: str
@@ -46,12 +46,14 @@ class Point:
 
     @property
     def worst(self) -> float:
-        """Largest error on any motion."""
+        """Largest error of all motions."""
         return max(self.errors.values())
 
 
 def points(found: Figures) -> list[Point]:
-    """Total errors of every fidelity, one pose in both precisions; rounding of every implementation."""
+    """Return the total errors of single poses for all levels and precisions, and the rounding errors of all
+    implementations.
+    """
     kernels = [
         Point(
             ROUNDING,
@@ -85,7 +87,7 @@ def _of_fidelity(entry: Figures) -> Point:
 
 
 def front(given: Sequence[Point]) -> list[Point]:
-    """The Pareto front, the fastest first: no other point is as fast and errs less."""
+    """Return the Pareto front, the fastest point first: no other point is as fast and more accurate."""
     best: list[Point] = []
     for point in sorted(given, key=lambda point: (point.ns, point.worst)):
         if not best or point.worst < best[-1].worst:
@@ -97,7 +99,7 @@ _COLUMNS = ("error", "name", "ns", "motion", "largest", "pareto")
 
 
 def csv_rows(found: Figures) -> str:
-    """Every point of the picture and motion as CSV, all digits."""
+    """Format every point and motion of the plot as CSV with all digits."""
     every = points(found)
     best = [point for panel in (TOTAL, ROUNDING) for point in front(_of(every, panel))]
     rows = [
@@ -113,7 +115,7 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
 
 
 def figure(found: Figures) -> Figure:
-    """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
+    """Draw two panels of the time per pose over the total error and over the rounding error."""
     every = points(found)
     marks = dict(zip(found["motions"], itertools.cycle(_MARKERS), strict=False))
     picture = new_figure(12.4, 7.8)
@@ -133,7 +135,7 @@ def figure(found: Figures) -> Figure:
 
 
 def _disturbance(found: Figures) -> list[str]:
-    """What others did to the times, a line; nothing if they did little or the system doesn't tell."""
+    """Return a line about the disturbance of the times; nothing if it is small or unknown."""
     taken, busy = found["taken_by_others"], found["load"]
     if taken is None or taken <= DISTURBED:
         return []
@@ -142,7 +144,7 @@ def _disturbance(found: Figures) -> list[str]:
 
 
 def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
-    """Each point's errors, joined by a line from motion to motion, and the front."""
+    """Draw the errors of each point, connected by a line across the motions, and the Pareto front."""
     height = _heights(given)
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -173,7 +175,7 @@ def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
 
 
 def _heights(given: Sequence[Point]) -> Callable[[float], float]:
-    """Where an error is drawn: those that are zero in a band below all others, infinite ones above."""
+    """Return the vertical position of an error; zeros are below all others, infinite errors above."""
     drawn = [e for point in given for e in point.errors.values() if 0.0 < e < math.inf] or [1.0]
     none = 10.0 ** (math.floor(math.log10(min(drawn))) - 1)
     beyond = 10.0 ** (math.ceil(math.log10(max(drawn))) + 1)
@@ -181,7 +183,7 @@ def _heights(given: Sequence[Point]) -> Callable[[float], float]:
 
 
 def _limits(axes: Axes, given: Sequence[Point], height: Callable[[float], float]) -> None:
-    """Room for the labels, ticks at decades, and the band of errors that are zero."""
+    """Set limits with room for the labels, ticks at decades, and the band of zero errors."""
     from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
     times = [point.ns for point in given]

@@ -1,6 +1,6 @@
-"""Rounding error of the force kernels over size and mass of the machine, in double and in float.
+"""Rounding errors of the force kernels over size and mass of the machine, in double and in float.
 
-Each arithmetic is compared with one of more digits that is given the same numbers.
+Each arithmetic is compared with a more precise arithmetic with the same input numbers.
 """
 
 import ctypes
@@ -37,13 +37,13 @@ Array = NDArray[Any]
 
 DOUBLE, FLOAT = "double", "float"
 SIZES = tuple(10.0**power for power in range(-4, 4))
-"""Radii of the base, m."""
+"""Radii of the base (m)."""
 MASSES = tuple(10.0**power for power in range(-6, 7, 3))
-"""Masses of the platform, and of the heaviest part of a leg, kg."""
+"""Masses of the platform, and of the heaviest part of a leg (kg)."""
 MEANT = (1e-3, 10.0)
-"""Sizes of the machines that float is meant for, m."""
+"""Range of machine sizes for which float is intended (m)."""
 BOUND = 100.0
-"""No error should exceed so many rounding units times the condition number."""
+"""Largest expected error (rounding units times the condition number)."""
 
 MAX_CONDITION = 60.0
 _DRAWS = 40
@@ -66,21 +66,29 @@ _ARITHMETIC: Mapping[str, tuple[type[np.floating[Any]], Mapping[str, str | int],
             "STEWART_EPSILON": "LDBL_EPSILON",
             "STEWART_MAX": "LDBL_MAX",
         },
-        # The x87 unit gains little by optimization, and compilers take long.
+        # Optimization improves x87 code little, and compilers are slow.
         ("-include", "float.h", "-include", "math.h", "-O0"),
     ),
 }
-"""Type of the numbers, and the macros and flags with which the C is compiled."""
+"""Type of the numbers, and macros and flags of the C compiler."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scales:
     """Errors of the forces over size and mass.
 
-    robot: what was scaled. sizes: m, (s,). masses: of the platform and of a leg's heaviest part, kg, (p,).
-    errors: (s, p, p, n) by arithmetic, of n poses each, in rounding units of that arithmetic, times the
-    scaled condition number of H, times the largest of |F|, |D| and |x|; ``double`` is missing where the C has
-    no wider type to check it by; errors are infinite where poses are unsolvable.
+    Attributes
+    ----------
+    robot : str
+        Name of the scaled robot.
+    sizes : ndarray, shape (s,)
+        Radii of the base (m).
+    masses : ndarray, shape (p,)
+        Masses of the platform and of the heaviest part of a leg (kg).
+    errors : mapping of str to ndarray, shape (s, p, p, n)
+        Errors of n poses by arithmetic, in rounding units of that arithmetic times the scaled condition
+        number of H times the largest of |F|, |D|, and |x|. Errors are infinite if poses are unsolvable.
+        ``double`` is missing if C has no wider type.
     """
 
     robot: str
@@ -98,16 +106,39 @@ def scales_study(
     poses: int = 16,
     seed: int = 1,
 ) -> Scales:
-    """Measure the errors on machines similar to a robot but for their size and masses.
+    """Measure the errors for machines similar to a robot with other sizes and masses.
 
-    robot: None for the paper's. sizes: radii of the base, m; masses: of the platform, and of the heaviest
-    part of a leg, kg, each with each. machines: how many of such masses, the robot itself and copies with
-    their joints moved by ``_RAGGED`` of the radius or so. poses: of each, drawn around its home, with rates,
-    accelerations and loads of the order that gravity sets. ``progress`` is given the masses at hand.
+    Parameters
+    ----------
+    progress : Progress
+        Display of the current masses.
+    robot : Robot or None
+        Robot; None means the robot of the paper.
+    sizes : sequence of float
+        Radii of the base (m).
+    masses : sequence of float
+        Masses of the platform, and of the heaviest part of a leg (kg), in all combinations.
+    machines : int
+        Number of machines with the same masses: the robot and copies whose joints are displaced by about
+        ``_RAGGED`` of the radius.
+    poses : int
+        Number of random poses near the home pose of each machine, with rates, accelerations, and loads in
+        proportion to gravity.
+    seed : int
+        Random seed.
 
-    Raises ValueError if the robot has too few poses with a scaled condition number below ``MAX_CONDITION``
-    and with sines of the angles between legs and universal axes above ``MIN_JOINT_SINE``,
-    native.CompilerError without a C compiler.
+    Returns
+    -------
+    Scales
+        Errors.
+
+    Raises
+    ------
+    ValueError
+        If the robot has too few poses with a scaled condition number below ``MAX_CONDITION`` and sines of the
+        angles between legs and universal axes above ``MIN_JOINT_SINE``.
+    native.CompilerError
+        Without a C compiler.
     """
     robot = robots.dasgupta1998() if robot is None else robot
     rng = np.random.default_rng(seed)
@@ -139,7 +170,7 @@ def scales_study(
 
 
 def _case(rng: np.random.Generator, robot: Robot, ragged: bool, poses: int) -> tuple[Robot, Motion]:
-    """The robot, or a copy with its joints moved that has poses enough, and its motions, (poses,)."""
+    """Return the robot, or a copy with displaced joints and enough poses, and its motions, shape (poses,)."""
     spread, kind = _RAGGED * radius(robot.b), robot
     for _ in range(_COPIES if ragged else 1):
         if ragged:
@@ -155,9 +186,9 @@ def _case(rng: np.random.Generator, robot: Robot, ragged: bool, poses: int) -> t
 
 
 def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
-    """Well-posed motions, ``count`` or fewer, as fast as gravity makes them, loads for a platform of 1 kg."""
+    """Return up to ``count`` well-conditioned motions at free-fall speed, with loads for 1 kg."""
     drawn = random_motions(rng, robot, _DRAWS * count, _SPREAD, _STANDARD_GRAVITY, 1.0)
-    # Of most machines the first few are enough.
+    # For most machines the first few motions are sufficient.
     for number in (len(drawn.t) // 8, len(drawn.t)):
         motion = drawn[:number]
         found = inverse_dynamics(robot, motion, on_singular="nan")
@@ -170,7 +201,7 @@ def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
 
 
 def _scaled(robot: Robot, motion: Motion, size: float, platform: float) -> tuple[Robot, Motion]:
-    """The machine with its base of a radius and its platform of a mass; rounded to float."""
+    """Scale the machine to a base radius and a platform mass, and its motion, and round it to float."""
     longer = size / radius(robot.b)
     slower = float(np.sqrt(longer))
     given = loaded(motion)
@@ -196,12 +227,12 @@ def _rounded(array: Array) -> Array:
 
 
 def _is_wider() -> bool:
-    """Whether the C's long double has more digits than double."""
+    """Return True if long double in C has more digits than double."""
     return bool(np.finfo(np.longdouble).eps < np.finfo(np.float64).eps / 64)
 
 
 def _errors(robot: Robot, motion: Motion, checked: Sequence[str]) -> dict[str, Array]:
-    """Errors, (n,), by arithmetic, all of them given the same numbers, which float can hold."""
+    """Compute errors, shape (n,), by arithmetic from the same input numbers, which float can represent."""
     numbers = _rounded(robot_numbers(robot))
     name = kernel_name("exact", robot.base_joint)
     truth = _forces(name, _WIDE if _is_wider() else DOUBLE, numbers, motion)
@@ -224,7 +255,7 @@ def _functions(name: str, arithmetic: str) -> ctypes.CDLL:
 
 
 def _forces(name: str, arithmetic: str, numbers: Array, motion: Motion) -> Array:
-    """Forces, N, (n, 6), NaN where the pose is unsolvable, of a robot's numbers."""
+    """Compute forces (N), shape (n, 6), from the constants of a robot; NaN for unsolvable poses."""
     functions, dtype = _functions(name, arithmetic), _ARITHMETIC[arithmetic][0]
     given = numbers.astype(dtype)
     model = np.zeros(MODELS[name], dtype=dtype)
@@ -246,7 +277,9 @@ def _forces(name: str, arithmetic: str, numbers: Array, motion: Motion) -> Array
 
 
 def csv_rows(data: Scales) -> str:
-    """A table as CSV, all digits: size, masses, and each arithmetic's median and largest error there."""
+    """Format a CSV table with all digits: size, masses, and the median and largest error of each
+    arithmetic.
+    """
     header = ["size_m", "platform_mass_kg", "leg_mass_kg"]
     columns = []
     for name, errors in data.errors.items():
@@ -258,7 +291,7 @@ def csv_rows(data: Scales) -> str:
     return csv_text([header, *((*place, *values) for place, values in rows)])
 
 
-# Okabe and Ito's colors, told apart by marks and dashes as well.
+# Colors of Okabe and Ito, also distinguished by markers and dashes.
 _STYLE: Mapping[str, Mapping[str, Any]] = {
     FLOAT: {"color": "#0072b2", "marker": "o", "linestyle": "-"},
     DOUBLE: {"color": "#555555", "marker": "s", "linestyle": (0, (1.2, 1.2))},
@@ -266,9 +299,9 @@ _STYLE: Mapping[str, Mapping[str, Any]] = {
 
 
 def figure(data: Scales) -> Figure:
-    """Largest and median error over size, over the platform's mass and over the legs', in three panels.
+    """Plot largest and median errors over size, over platform mass, and over leg mass, in three panels.
 
-    Each panel takes its largest and median over all that it does not show; infinite errors are left out.
+    Each panel evaluates the largest and median error over the other two variables and omits infinite errors.
     """
     picture = new_figure(10.0, 4.4)
     from matplotlib.ticker import LogLocator
@@ -304,7 +337,7 @@ def figure(data: Scales) -> Figure:
 
 
 def _panel(axes: Axes, data: Scales, axis: int, places: Array) -> None:
-    """Largest errors as lines with marks, medians as thin lines, the bound across."""
+    """Draw largest errors as lines with markers, medians as thin lines, and the bound."""
     for name, style in _STYLE.items():
         if name not in data.errors:
             continue

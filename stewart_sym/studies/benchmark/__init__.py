@@ -1,1 +1,1 @@
-"""Times of the kernels and of the baselines, alternating, as medians."""
+"""Median times of the kernels and of the baselines, measured alternately."""

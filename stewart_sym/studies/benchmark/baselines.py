@@ -1,4 +1,4 @@
-"""What a candidate of ``benchmark`` is, and those that are not ours: a reference, CasADi, JAX, passes."""
+"""Candidates of ``benchmark``, and the baselines: the reference, CasADi, JAX, and the reduction passes."""
 
 import ctypes
 import functools
@@ -28,20 +28,24 @@ if TYPE_CHECKING:
 
 
 FEW, SLOW, MANY = 64, 1_000, 10_000
-"""Poses of a loop over one-pose calls (their numbers stay in the first cache), of NumPy's, of a C batch."""
+"""Number of poses of a loop of one-pose calls (within the first cache), of a NumPy batch, and of a C
+batch.
+"""
 
 LARGE = 200_000
-"""Poses of the batches that cores are compared on: enough that waking the threads doesn't count."""
+"""Number of poses of the batches that compare cores, so that the start of the threads is negligible."""
 
 AGREEMENT = 1e-10
-"""Largest difference of forces between candidates in double precision, share of a pose's largest."""
+"""Largest relative difference of forces between double-precision candidates, relative to the largest force of
+a pose.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class Runner:
-    """A candidate ready to run: ``run(n)`` computes all of its poses n times; ``F()`` tells what it found.
+    """Candidate ready to run: ``run(n)`` computes all of its poses n times, and ``F()`` returns the forces.
 
-    library: where the code is, if in C.
+    ``library`` contains the code of a candidate in C.
     """
 
     run: Callable[[int], object]
@@ -51,13 +55,25 @@ class Runner:
 
 @dataclass(frozen=True)
 class Candidate:
-    """One way to compute the forces.
+    """Method to compute the forces.
 
-    kind: "one pose" (a C loop calls a function for one pose), "batch" (one call for ``poses`` of them) or
-    "call" (one call from Python for one pose). operations: of a pose, where they are counted. sweep: measured
-    over batch sizes too. tolerance: as AGREEMENT. package: an optional one that it needs, as it is imported.
-    function: what is called of its C, for code that is compiled for other instructions too; flags: of the
-    compiler, after those of every library.
+    Attributes
+    ----------
+    kind : str
+        "one pose" (a C loop calls a function for one pose), "batch" (one call for ``poses`` poses), or "call"
+        (one call from Python for one pose).
+    operations : callable or None
+        Function that returns the operations per pose, if they are counted.
+    sweep : bool
+        True also measures a range of batch sizes.
+    tolerance : float
+        Largest relative difference, as for AGREEMENT.
+    package : str or None
+        Import name of the required optional package.
+    function : str or None
+        Called C function, if the code is also compiled for other instructions.
+    flags : tuple of str
+        Compiler flags after the common ones.
     """
 
     name: str
@@ -74,20 +90,26 @@ class Candidate:
 
     @property
     def label(self) -> str:
-        """The name, with the flags: no other candidate has it."""
+        """Unique name with the compiler flags."""
         return ", ".join((self.name, *self.flags))
 
     def runner(self, poses: Poses) -> Runner:
-        """Build it for these poses."""
+        """Build the candidate for these poses."""
         return self.make(poses, self.flags)
 
 
 @dataclass(frozen=True, eq=False)
 class Called:
-    """A baseline that Python calls pose by pose: ``found()`` are its forces, or accelerations, (n, 6).
+    """Baseline that Python calls pose by pose; ``found()`` returns its forces or accelerations, shape (n, 6).
 
-    Its time per pose is the sum of its parts less the last of them, a call over nothing. tolerance: as
-    AGREEMENT. opened: by how much its loops are open, m; None where constraints are rigid.
+    The time per pose is the sum of its parts minus the last part, which is an empty call.
+
+    Attributes
+    ----------
+    tolerance : float
+        Largest relative difference, as for AGREEMENT.
+    opened : float or None
+        Gap of the kinematic loops (m); None for rigid constraints.
     """
 
     name: str
@@ -98,16 +120,17 @@ class Called:
     opened: float | None = None
 
     def figures(self, raw: Raw) -> tuple[Figures, list[Figures]]:
-        """Time per pose, made of the parts round by round, and the parts."""
+        """Return the time per pose, computed from the parts in each round, and the parts."""
         times = [sum(added) - none for *added, none in zip(*(raw[part] for part in self.parts), strict=True)]
         parts = [part.figure(raw) for part in self.parts]
         return figure(self.name, self.what, "call", 1, times), parts
 
 
 def difference(name: str, found: Array, parts: Sequence[Array], tolerance: float, of: str) -> float:
-    """Largest difference from the parts, (n, ...) each, as a share of a pose's largest.
+    """Return the largest difference from the parts, shape (n, ...) each, relative to the largest value of a
+    pose.
 
-    Raises ValueError, which says of what, if it is too large.
+    Raises ValueError if the difference is too large; ``of`` names the compared quantity.
     """
     ends = np.cumsum([part[0].size for part in parts])
     worst = 0.0
@@ -123,9 +146,10 @@ def difference(name: str, found: Array, parts: Sequence[Array], tolerance: float
 def c_loop(
     library: ctypes.CDLL, machine: NDArray[Any], poses: Poses, numbers: int = 6, F: Any = None, of: str = ""
 ) -> Runner:
-    """Return a runner of a library's ``drive``, a C loop that calls a one-pose function over all poses.
+    """Return a runner of ``drive`` in a library, a C loop that calls a one-pose function for all poses.
 
-    numbers: how many come out of each. F: forces, (count, 6), that it is given. of: ending of its name.
+    ``numbers`` is the number of results of each pose, ``F`` are input forces, shape (count, 6), and ``of`` is
+    the suffix of the function name.
     """
     rows, found = poses.rows, np.zeros((len(poses), numbers))
     drive, counts = getattr(library, f"drive{of}"), (ctypes.c_size_t(len(poses)), ctypes.c_size_t(numbers))
@@ -140,7 +164,8 @@ def c_loop(
 def c_batch(function: Any, machine: NDArray[Any], poses: Poses, out: Any, before: Any = ()) -> Runner:
     """Return a runner of a C function for all poses in one call.
 
-    out: the array that it fills, (count, ...), or those of a struct. before: arrays that it takes first.
+    ``out`` is the result array, shape (count, ...), or the arrays of a result struct. ``before`` are arrays
+    that precede it.
     """
     status, count = np.zeros(len(poses), dtype=np.int32), ctypes.c_size_t(len(poses))
 
@@ -153,12 +178,12 @@ def c_batch(function: Any, machine: NDArray[Any], poses: Poses, out: Any, before
 
 
 def forces_loop() -> dict[str, str]:
-    """The same for the kernel of the forces alone; ``machine`` is its prepared model."""
+    """Generate the loop for the kernel of the forces; ``machine`` is its prepared model."""
     return loop_source(f"stewart_{NAME}_forces.h", f"return stewart_{NAME}_forces(machine, motion, F);")
 
 
 def checked(F: Array, status: Codes) -> Callable[[], Array]:
-    """What tells forces that C code writes, once their statuses are all 0."""
+    """Return a function that returns the forces of C code if all statuses are 0."""
 
     def found() -> Array:
         succeed(int(status.max()))
@@ -183,7 +208,7 @@ def _reference(poses: Poses, _: Flags) -> Runner:
 
 
 def _casadi(name: str, what: str, equations: str) -> Candidate:
-    """One of the legs' equations that ``baselines_casadi`` writes out; CasADi is imported when it runs."""
+    """Return a candidate for leg equations of ``baselines_casadi``; CasADi is imported at the first run."""
 
     @functools.cache
     def program() -> "Program":
@@ -201,7 +226,7 @@ def _casadi(name: str, what: str, equations: str) -> Candidate:
 
 CASADI = _casadi(PLAIN, "C, base frame", "base_frame")
 CASADI_CLOSED = _casadi(CLOSED, "C, leg frame", "leg_frame")
-"""Where CasADi is installed, other times are divided by these, each by the faster of its builds."""
+"""Reference candidates: if CasADi is installed, other times are divided by the faster build of each."""
 
 PEERS = (CASADI_CLOSED, CASADI, Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference))
 
@@ -210,14 +235,15 @@ PEERS = (CASADI_CLOSED, CASADI, Candidate("vector reference", "NumPy, base frame
 _UNFUSED: dict[str, str | bool] = {
     "xla_disable_hlo_passes": "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
 }
-"""Options for a batch. With fusion XLA computes shared terms once for each use, twice as slowly.
+"""Compiler options of a batch: with fusion, XLA computes shared terms once for each use, which takes twice as
+long.
 
-One pose alone takes half the time with fusion, and is compiled with it.
+A single pose takes half the time with fusion and is compiled with it.
 """
 
 
 def _jax_forces(poses: Poses) -> Callable[[Any], Any]:
-    """The kernel on arrays, one pose of it, in double."""
+    """Return the array kernel for one pose in double precision."""
     import jax
     import jax.numpy as jnp
 
@@ -227,7 +253,7 @@ def _jax_forces(poses: Poses) -> Callable[[Any], Any]:
 
 
 def _jax_batch(poses: Poses, _: Flags) -> Runner:
-    """The kernel mapped over all poses and compiled."""
+    """Build the kernel mapped over all poses and compiled."""
     import jax
     import jax.numpy as jnp
 
@@ -239,11 +265,11 @@ def _jax_batch(poses: Poses, _: Flags) -> Runner:
 
 
 JAX = Candidate("JAX, jit and vmap", "XLA, F alone", "batch", 100_000, _jax_batch, package="jax")
-"""The same kernel by JAX on this processor; apart from the others, as it is slow to compile."""
+"""The same kernel in JAX on this processor, separate from the others because of its long compilation."""
 
 
 def jax_one_pose(poses: Poses) -> Called:
-    """The kernel compiled for one pose, called for each, less a call of a function that returns zeros."""
+    """Measure the kernel compiled for one pose, minus the call of a function that returns zeros."""
     import jax
     import jax.numpy as jnp
 
@@ -269,14 +295,14 @@ def jax_one_pose(poses: Poses) -> Called:
 
 @dataclass(frozen=True)
 class Stage:
-    """The kernel after one pass, alone and in a batch."""
+    """Kernel after one pass, for one pose and for a batch."""
 
     source: "Pass"
     candidates: tuple[Candidate, Candidate]
 
 
 def stages(progress: Progress = silent) -> tuple[Stage, ...]:
-    """Derive the kernel after every pass, in their order."""
+    """Derive the kernel after every pass, in the order of the passes."""
     from ...derive.passes import passes
 
     progress("deriving the passes")
@@ -284,7 +310,7 @@ def stages(progress: Progress = silent) -> tuple[Stage, ...]:
 
 
 def _stage(number: int, source: "Pass") -> Stage:
-    """The layout of the prepared model differs from pass to pass."""
+    """Build the candidates of a pass, which has its own layout of the prepared model."""
     sources = {**source.sources, **forces_loop()}
 
     def built(poses: Poses, flags: Flags) -> tuple[ctypes.CDLL, NDArray[np.float64]]:
@@ -294,11 +320,11 @@ def _stage(number: int, source: "Pass") -> Stage:
         return library, model
 
     def one_pose(poses: Poses, flags: Flags) -> Runner:
-        """``stewart_exact_forces`` called from a C loop."""
+        """Build ``stewart_exact_forces`` called from a C loop."""
         return c_loop(*built(poses, flags), poses)
 
     def batch(poses: Poses, flags: Flags) -> Runner:
-        """``stewart_exact_forces_batch`` on one core, called from Python with given arrays."""
+        """Build ``stewart_exact_forces_batch`` on one core, called from Python with given arrays."""
         library, model = built(poses, flags)
         function = getattr(library, f"stewart_{NAME}_forces_batch")
         return c_batch(function, model, poses, np.zeros((len(poses), 6)))

@@ -1,7 +1,7 @@
-"""CasADi as a candidate of ``benchmark``: the `exact` equations in its symbols, emitted by it as C.
+"""CasADi candidate of ``benchmark``: the `exact` equations in CasADi symbols, from which CasADi generates C.
 
-The equations are written out here again, plainly; shared terms and the linear solve are CasADi's own. Must
-not depend on the derivation and the generated kernels.
+The equations are restated here in plain form. CasADi eliminates common subexpressions and solves the linear
+system. This module must not depend on the derivation and the generated kernels.
 """
 
 import itertools
@@ -22,41 +22,47 @@ _LEG = {"b": 3, "p": 3, "k": 3, "m_d": 1, "r_d0": 3, "I_d0": 6, "m_u": 1, "r_u0"
 _LEG |= dict.fromkeys(("C_u", "C_p", "C_s"), 1)
 _PLATFORM = {"M": 1, "R_0": 3, "I_p": 6, "g": 3}
 _MOTION = {"R": 9, **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), 3)}
-"""How many numbers of a leg, of the platform with gravity and of a motion make a quantity, in their order."""
+"""Number of components of each quantity of a leg, of the platform with gravity, and of a motion, in their
+order.
+"""
 
 LEG_NUMBERS, MOTION_NUMBERS = sum(_LEG.values()), sum(_MOTION.values())
 ROBOT_NUMBERS = 6 * LEG_NUMBERS + sum(_PLATFORM.values())
 
 Matrix = Any
-"""CasADi's SX: it ships no types."""
+"""CasADi's SX, for which CasADi provides no types."""
 
 Numbers = SimpleNamespace
 """Quantities by their names in the layout."""
 
 _SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 _FREE = ("INPUT", "OUTPUT", "PARAMETER", "CONST", "ASSIGN", "NEG")
-"""Instructions that compute nothing: moves and changes of sign."""
+"""Instructions without computation: moves and changes of sign."""
 
 
 @dataclass(frozen=True)
 class Program:
-    """C files by name, with a loop ``drive`` over many poses; operations of one pose, counted in CasADi."""
+    """C files by name, with a loop ``drive`` over many poses, and the operations per pose counted by
+    CasADi.
+    """
 
     sources: Mapping[str, str]
     operations: int
 
 
 LegEquations = Callable[[Numbers, Numbers], Numbers]
-"""Equations of a leg: from its numbers and those of the platform's motion, load and gravity.
+"""Equations of a leg as a function of its constants and of the motion, load, and gravity of the platform.
 
-What the platform needs of it: q, s, K, D of (1), (3), (21), (24), friction moment f of (18).
+The results are the quantities that the platform requires: q, s, K, and D of (1), (3), (21), and (24), and the
+friction moment f of (18).
 """
 
 
 def program(equations: LegEquations) -> Program:
-    """Return the C of `exact` inverse dynamics with ``base_frame`` or ``leg_frame`` as the leg's equations.
+    """Generate C code of the `exact` inverse dynamics with ``base_frame`` or ``leg_frame`` as the leg
+    equations.
 
-    The robot's numbers are those of ``struct stewart_robot``, an input; a motion's those of
+    The inputs are the constants in the order of ``struct stewart_robot`` and the motion in the order of
     ``struct stewart_motion``.
     """
     robot, motion = casadi.SX.sym("robot", ROBOT_NUMBERS), casadi.SX.sym("motion", MOTION_NUMBERS)
@@ -87,7 +93,7 @@ def _emitted(function: Any) -> str:
 
 
 def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:
-    """F, (30)-(37)."""
+    """Compute F, (30)-(37)."""
     legs = casadi.vertsplit(robot[: 6 * LEG_NUMBERS], LEG_NUMBERS)
     platform, at = _named(robot[6 * LEG_NUMBERS :], _PLATFORM), _named(numbers, _MOTION)
     at.g = platform.g
@@ -105,13 +111,13 @@ def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:
         moment -= casadi.cross(leg.q, leg.K) - leg.f
     H = casadi.horzcat(*(casadi.vertcat(leg.s, casadi.cross(leg.q, leg.s)) for leg in done))  # (36)
     D = casadi.vertcat(*(leg.D for leg in done))
-    # For SX, CasADi's own solve is a QR factorization written out. Faster than its inverse by minors and
-    # than its run-time QR; its LDL^T takes symmetric matrices only.
+    # For SX, CasADi's solve is an expanded QR factorization. It is faster than the inverse by minors and than
+    # the run-time QR; CasADi's LDL^T requires symmetric matrices.
     return D - casadi.solve(H, casadi.vertcat(force, moment))  # (37)
 
 
 def base_frame(leg: Numbers, at: Numbers) -> Numbers:
-    """Equations (1)-(24), corrected, in vectors of the base frame."""
+    """Compute equations (1)-(24), corrected, with vectors in the base frame."""
     cross, dot = casadi.cross, casadi.dot
     omega, alpha, g = at.omega, at.alpha, at.g
     q = at.R @ leg.p  # (1)
@@ -155,7 +161,7 @@ def base_frame(leg: Numbers, at: Numbers) -> Numbers:
 
 
 def leg_frame(leg: Numbers, at: Numbers) -> Numbers:
-    """The same leg in components of its own frame T, where the inertias are constant and S = (L, 0, 0)."""
+    """Compute the same leg in its own frame T, in which the inertias are constant and S = (L, 0, 0)."""
     cross, dot = casadi.cross, casadi.dot
     q = at.R @ leg.p
     S = at.t + q - leg.b
@@ -197,7 +203,7 @@ def leg_frame(leg: Numbers, at: Numbers) -> Numbers:
 
 
 def _named(numbers: Matrix, sizes: Mapping[str, int]) -> Numbers:
-    """Quantities in the order of ``sizes``: nine numbers are a matrix by rows, six a symmetric one."""
+    """Split numbers into quantities in the order of ``sizes``; nine or six numbers are a matrix."""
     parts: list[Matrix] = casadi.vertsplit(numbers, [0, *itertools.accumulate(sizes.values())])
     found = dict(zip(sizes, parts, strict=True))
     for name, part in found.items():

@@ -1,9 +1,10 @@
-"""Nanoseconds a pose: the generated kernels beside their baselines and the processor's limit, in one process.
+"""Times per pose (ns) of the generated kernels, compared with baselines and the processor limit in one
+process.
 
-Every candidate computes the actuator forces of `exact`, friction, load and solve included, for the same
-poses; those of the second group the equations of motion and what follows from them. C is compiled for all
-instructions of the processor and, where it has AVX-512, without. Their answers are compared before any is
-timed. What the extra ``bench`` would bring is left out where it is missing.
+The candidates of the first group compute the actuator forces of `exact` for the same poses, with friction,
+load, and solve. The second group computes the equations of motion and derived quantities. C is compiled for
+all instructions of the processor, and also without AVX-512 if the processor supports it. Results are compared
+before the timing. Baselines from the extra ``bench`` are omitted if they are not installed.
 """
 
 import contextlib
@@ -87,7 +88,7 @@ _Make = Callable[[Poses, Flags], Runner]
 
 
 def _one_pose(poses: Poses, flags: Flags) -> Runner:
-    """``stewart_exact_inverse_dynamics`` called from a C loop."""
+    """Build ``stewart_exact_inverse_dynamics`` called from a C loop."""
     body = (
         f"stewart_forces out; const int status = stewart_{NAME}_inverse_dynamics(machine, motion, &out); "
         "memcpy(F, out.F, sizeof out.F); return status;"
@@ -98,14 +99,14 @@ def _one_pose(poses: Poses, flags: Flags) -> Runner:
 
 
 def _fast_pose(poses: Poses, flags: Flags) -> Runner:
-    """``stewart_exact_forces`` with prepared constants, called from a C loop."""
+    """Build ``stewart_exact_forces`` with prepared constants, called from a C loop."""
     sources = c_kernel.c_sources(f"{NAME}_forces") | forces_loop()
     library = native.load("bench_fast_pose", sources, flags)
     return c_loop(library, forces.ForceKernel(poses.robot, NAME).model, poses)
 
 
 def _batch(precision: forces.Precision, threads: int) -> _Make:
-    """``stewart_exact_forces_batch``, called from Python with given arrays."""
+    """Return a builder of ``stewart_exact_forces_batch``, called from Python with given arrays."""
 
     def make(poses: Poses, flags: Flags) -> Runner:
         defines = ("STEWART_FLOAT",) if precision == "float" else ()
@@ -121,7 +122,7 @@ def _batch(precision: forces.Precision, threads: int) -> _Make:
 
 
 def _columns(poses: Poses, flags: Flags) -> Runner:
-    """``stewart_exact_forces_columns`` of the same poses, which lie in columns already."""
+    """Build ``stewart_exact_forces_columns`` for the same poses, stored in columns."""
     library = c_kernel.library(f"{NAME}_forces", (), flags)
     prepared = _compiled(library, poses.robot, "double")
     arrays = [_in_columns(array.reshape(len(poses), -1).T) for array in poses.arrays]
@@ -132,7 +133,7 @@ def _columns(poses: Poses, flags: Flags) -> Runner:
 
 
 def _in_columns(array: Array) -> Array:
-    """The rows of an array, each beginning where a line of the cache does, and elsewhere in a page."""
+    """Copy rows to an array with rows aligned to cache lines at different positions within pages."""
     width, count = array.shape
     stride = 8 * (-(-count // 8) | 1)
     room = np.zeros(width * stride + 7)
@@ -143,7 +144,7 @@ def _in_columns(array: Array) -> Array:
 
 
 def _compiled(library: ctypes.CDLL, robot: Robot, precision: forces.Precision) -> forces.ForceKernel:
-    """The prepared kernel whose functions are those of a library."""
+    """Prepare the kernel with the functions of a library."""
 
     class Compiled(forces.ForceKernel):
         def c_function(self, what: str) -> Any:
@@ -153,7 +154,7 @@ def _compiled(library: ctypes.CDLL, robot: Robot, precision: forces.Precision) -
 
 
 def _prepared_call(poses: Poses, _: Flags) -> Runner:
-    """``OnePose.solve``, one pose a call, numbers and forces in place."""
+    """Build ``OnePose.solve``, one pose per call, with numbers and forces in place."""
     slot = forces.ForceKernel(poses.robot, NAME).single_pose()
     slot.numbers[...] = poses.rows[0]
 
@@ -169,7 +170,7 @@ def _prepared_call(poses: Poses, _: Flags) -> Runner:
 
 
 def _python_call(poses: Poses, _: Flags) -> Runner:
-    """``inverse_dynamics`` as users call it, one pose a call."""
+    """Build ``inverse_dynamics`` as users call it, one pose per call."""
     given = [(poses.robot, poses.motion[i]) for i in range(len(poses))]
     found = timing.over(inverse_dynamics, given)
     return Runner(found, lambda: np.array([inverse_dynamics(*each).F for each in given]))
@@ -194,7 +195,7 @@ _BATCH = f"stewart_{NAME}_forces_batch"
 
 
 def _forces_batch(name: str, make: _Make, function: str = _BATCH, **more: Any) -> Candidate:
-    """The forces alone of many poses in one call of the C."""
+    """Return the candidate of a C function for the forces of many poses in one call."""
     counted: Any = {"operations": _force_operations, "function": function, **more}
     return Candidate(name, "C, F alone", "batch", LARGE, make, **counted)
 
@@ -216,26 +217,43 @@ CALLS = (
     Candidate("prepared, one pose", "Python", "call", 1, _prepared_call),
     Candidate("inverse_dynamics()", "Python", "call", 1, _python_call),
 )
-"""Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
+"""Calls for one pose; the difference from the first of ``OURS`` is the overhead of the call."""
 
 COMPARED = {"casadi": "casadi", "pinocchio": "pin", "pydrake": "drake", "mujoco": "mujoco", "jax": "jax"}
-"""Distribution of each optional package that is compared, by the name it is imported by."""
+"""Distribution of each optional baseline package by its import name."""
 
 SLOW_TO_COMPILE = ("jax",)
-"""Those that a quick run leaves alone."""
+"""Packages that a quick run omits."""
 
 
 # --- the run ----------------------------------------------------------------------------------
 
 
 def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Figures:
-    """Measure everything on this machine.
+    """Measure all candidates on this machine.
 
-    robot: None for the paper's machine near its Paths I and II; another one moves about its middle. quick:
-    fewer rounds and sizes, and without JAX, which compiles for half a minute.
+    Parameters
+    ----------
+    robot : Robot or None
+        Robot, whose poses are near the middle of its workspace. None means the robot of the paper near its
+        Paths I and II.
+    quick : bool
+        True uses fewer rounds and sizes, and omits JAX, whose compilation requires half a minute.
+    progress : Progress
+        Display of the progress.
 
-    Raises ValueError if the robot's base joints are not universal, if it has no regular poses there, if a
-    candidate's forces are wrong, or if the clock is too coarse; CompilerError without a C compiler.
+    Returns
+    -------
+    dict
+        Data of ``bench.json``.
+
+    Raises
+    ------
+    ValueError
+        If the base joints of the robot are not universal, if it has no regular poses, if forces of a
+        candidate are wrong, or if the clock is too coarse.
+    CompilerError
+        Without a C compiler.
     """
     clock, machine = time_source(), host.machine()
     progress("preparing the poses")
@@ -323,7 +341,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
 
 
 def _variants(candidates: Sequence[Candidate], kinds: Sequence[Target]) -> tuple[Candidate, ...]:
-    """The C once more for the other targets, and others' C with products and sums fused as well."""
+    """Return the C candidates for the other targets, and baselines in C also with fused products and sums."""
     return tuple(
         dataclasses.replace(each, flags=(*kind.flags, *fused))
         for each in candidates
@@ -335,7 +353,7 @@ def _variants(candidates: Sequence[Candidate], kinds: Sequence[Target]) -> tuple
 
 
 def _timed(each: Candidate, runner: Runner, kinds: Sequence[Target]) -> Timed:
-    """A candidate as it is timed; C with what it was compiled for."""
+    """Return a candidate as a timed task, for C with its compiler options."""
     count = None if each.operations is None else each.operations()
     build: Figures = {}
     if each.function is not None and runner.library is not None:
@@ -347,7 +365,7 @@ def _timed(each: Candidate, runner: Runner, kinds: Sequence[Target]) -> Timed:
 def _fastest(
     figures: Mapping[str, Figures], of_c: Iterable[Figures], each: Candidate, kind: Target
 ) -> Figures:
-    """The fastest of a candidate's builds for a target; the only one of what is no C."""
+    """Return the fastest build of a candidate for a target, or the only one if it is not in C."""
     builds = [found for found in of_c if (found["name"], found["instructions"]) == (each.name, kind.name)]
     return quickest(builds) or figures[each.label]
 
@@ -365,7 +383,7 @@ def _on_all_cores(run: Callable[[int], object]) -> Callable[[int], None]:
 
 
 def _speedup(poses: int, one: Sequence[float], many: Sequence[float]) -> Figures:
-    """How many times as fast all cores are as one, round by round; no poses: arithmetic without memory."""
+    """Return the speedup of all cores in each round; 0 poses mean arithmetic without memory access."""
     raw = tuple(slow / fast for slow, fast in zip(one, many, strict=True))
     return sampled(cores=CORES, poses=poses, raw=raw) | {"unit": "times as fast as one core"}
 
@@ -379,7 +397,7 @@ def _pass_figures(stage: Stage, figures: Mapping[str, Figures]) -> Figures:
 
 
 def _peak(kind: Target, loop: MultiplyAdd, raw: Raw, operations: int, cycle: float) -> Figures:
-    """The most that one core does with a target's instructions."""
+    """Return the largest throughput of one core with the instructions of a target."""
     found = figure("multiply-add", "fused", "loop", 1, raw[loop])
     each = found["median"]
     return {
@@ -395,7 +413,7 @@ def _peak(kind: Target, loop: MultiplyAdd, raw: Raw, operations: int, cycle: flo
 
 
 def _called(poses: Poses, present: Collection[str | None]) -> tuple[Called, ...]:
-    """The baselines that Python calls pose by pose, of the packages present."""
+    """Build the baselines that Python calls pose by pose, from the installed packages."""
     found = []
     if "pinocchio" in present:
         from .engines.pinocchio import pinocchio_rnea
@@ -425,10 +443,11 @@ def _differences(
 
 
 def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) -> list[Figures]:
-    """Batches of all sizes that fit into memory; small ones are the beginning of the largest."""
+    """Measure batches of all sizes that fit into memory; small batches are the beginning of the largest."""
     swept = [each for each in OURS if each.sweep]
     room = _free_memory()
-    # A motion takes 240 bytes, forces and a status 52 for each candidate; half of the memory stays free.
+    # A motion requires 240 bytes, and forces and a status 52 bytes for each candidate. Half of the memory
+    # remains free.
     sizes = [size for size in sizes if 2 * size * (240 + 52 * len(swept)) < room or size == min(sizes)]
     progress("preparing the batches")
     largest = poses.resized(max(sizes))
@@ -443,7 +462,7 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
 
 
 def _free_memory() -> int:
-    """Bytes that may be used; 2 GiB where the system doesn't tell."""
+    """Return the available memory (bytes); 2 GiB if the system does not provide it."""
     if sys.platform.startswith("linux"):
         with contextlib.suppress(OSError, ValueError, IndexError):
             for text in Path("/proc/meminfo").read_text(encoding="utf-8").splitlines():

@@ -1,4 +1,4 @@
-"""How long a C compiler works on the kernels, and how many bytes of code a controller is left with."""
+"""Compilation times of the kernels, and code size on a controller."""
 
 import functools
 import shutil
@@ -14,7 +14,7 @@ from ..common.output import Figures
 from .figures import NAME, sampled
 
 COMPILED = (NAME, f"{NAME}_forces")
-"""Kernels whose compilation is timed: every output, and the forces alone."""
+"""Kernels with timed compilation: all outputs, and the forces alone."""
 
 SIZE_FLAGS = ("-O2", "-std=c99", "-fno-math-errno", "-ffunction-sections")
 _LINK_FLAGS = ("-Wl,--gc-sections",)
@@ -30,13 +30,14 @@ int main(int count, char **words)
     return stewart_{name}_forces(&model, (const stewart_motion *)(const void *)words[count], F);
 }}
 """
-"""Calls what a control loop calls. It is linked and never run."""
+"""Program with the calls of a control loop, which is linked but never run."""
 
 _EMPTY = "int main(void)\n{\n    return 0;\n}\n"
 
 
 def compile_times(count: int, progress: Progress = silent) -> list[Figures]:
-    """Seconds to compile each kernel anew, ``count`` times, by turns, with the flags of all libraries.
+    """Measure the compilation time of each kernel (s), ``count`` times alternately, with the common compiler
+    flags.
 
     Raises native.CompilerError.
     """
@@ -57,11 +58,13 @@ def _seconds(name: str) -> float:
 
 
 def text_size(name: str = NAME, defines: Sequence[str] = ()) -> Figures | None:
-    """Bytes of the functions left of a kernel's forces in a program that prepares and computes one pose.
+    """Measure the code size of the force functions in a program that prepares the constants and computes one
+    pose.
 
-    name: of the kernel; defines: macros. Linked without the functions that nobody calls; counted by ``nm``,
-    less what an empty program holds too.
-    None where that can't be done: no ELF system, no ``nm``, a linker without ``--gc-sections``. Raises
+    The program is linked without uncalled functions. ``nm`` reports the sizes (bytes), from which the
+    functions of an empty program are subtracted. ``name`` is the kernel, and ``defines`` are macros.
+
+    Returns None on systems without ELF, without ``nm``, and with a linker without ``--gc-sections``. Raises
     native.CompilerError without a compiler.
     """
     compiler = native.find_compiler()
@@ -86,7 +89,7 @@ def _empty_functions(compiler: native.Compiler) -> dict[str, int]:
 
 
 def _functions(compiler: native.Compiler, sources: Mapping[str, str], flags: Sequence[str]) -> dict[str, int]:
-    """Bytes of every function in the program that the sources make."""
+    """Return the size of every function (bytes) in the program of the sources."""
     with _folder() as name:
         folder = Path(name)
         nm = _nm(compiler, folder)
@@ -94,13 +97,13 @@ def _functions(compiler: native.Compiler, sources: Mapping[str, str], flags: Seq
             (folder / file).write_text(text, encoding="utf-8", newline="\n")
         files = sorted(file for file in sources if file.endswith(".c"))
         native.ran((*compiler.command, *flags, *_LINK_FLAGS, *files, "-o", "program", "-lm"), folder)
-        # Lines of address, size, kind and name; others have no size.
+        # Lines contain address, size, kind, and name; other lines have no size.
         rows = [line.split() for line in native.ran((*nm, "-S", "program"), folder).splitlines()]
         return {row[3]: int(row[1], 16) for row in rows if len(row) == 4 and row[2] in "tTwW"}
 
 
 def _nm(compiler: native.Compiler, folder: Path) -> Sequence[str]:
-    """The ``nm`` that belongs to the compiler, or else the system's."""
+    """Find the ``nm`` of the compiler, or else of the system."""
     asked = native.ran((*compiler.command, "-print-prog-name=nm"), folder).strip()
     found = shutil.which(asked) or shutil.which("nm") or shutil.which("llvm-nm")
     if found is None:

@@ -1,6 +1,7 @@
 """Second group of ``benchmark``: equations of motion, one pose per call, and baselines of forward dynamics.
 
-All of the group share one machine, whose inertia tensors are those of bodies: MuJoCo takes no others.
+All candidates use the same machine with inertia tensors of rigid bodies, because MuJoCo rejects other
+tensors.
 """
 
 import ctypes
@@ -46,13 +47,17 @@ from .poses import Poses
 from .processor import Flags, Target, widest
 
 POSES = 16
-"""Poses of every loop; few, so that all outputs but the largest, the regressor, stay in the first cache."""
+"""Number of poses of every loop, so that all outputs except the largest, the regressor, remain in the first
+cache.
+"""
 
 DIFFERENCES = 1e-6
-"""Largest difference of derivatives from differences of the reference, share of a pose's largest."""
+"""Largest relative difference of derivatives from finite differences of the reference."""
 
 SOLVED = 1e-8
-"""Largest difference of our accelerations; the solve multiplies rounding by the condition of M."""
+"""Largest relative difference of our accelerations; the solve multiplies rounding errors by the condition
+number of M.
+"""
 
 
 def _model(robot: Robot) -> Array:
@@ -61,11 +66,19 @@ def _model(robot: Robot) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Function:
-    """One function of the generated C, of one pose and, with ``_batch`` to its name, of many.
+    """Function of the generated C for one pose and, with the suffix ``_batch``, for many.
 
-    expected: the parts of its numbers in their order, (n, ...) each, from robot, motion, actuator forces.
-    before: its arguments between motion and output, ``F`` the six forces; struct: type of its output, where
-    that isn't an array. machine: its numbers as the function takes them.
+    Attributes
+    ----------
+    expected : callable
+        Function of robot, motion, and actuator forces that returns the parts of the result in their order,
+        shape (n, ...).
+    before : tuple of str
+        Arguments between motion and output; ``F`` are the six forces.
+    struct : str or None
+        Type of the output, if it is not an array.
+    machine : callable
+        Function that returns the constants of a robot as the C function takes them.
     """
 
     name: str
@@ -78,11 +91,11 @@ class Function:
 
     @property
     def arguments(self) -> str:
-        """Its arguments after machine and motion for one pose, in C; ``out`` takes the numbers."""
+        """C arguments after machine and motion for one pose; ``out`` receives the results."""
         return ", ".join((*self.before, "out" if self.struct is None else f"({self.struct} *)out"))
 
 
-# --- what the reference says ------------------------------------------------------------------
+# --- expected results of the reference -------------------------------------------------------
 
 
 def _expected_equations(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
@@ -92,7 +105,7 @@ def _expected_equations(robot: Robot, motion: Motion, F: Array) -> Sequence[Arra
 
 
 def _expected_derivatives(robot: Robot, motion: Motion, F: Array) -> tuple[Array, ...]:
-    """F, and its derivatives by pose, twist and acceleration, (n, 6, 6), from differences of fourth order."""
+    """Compute F and its derivatives, (n, 6, 6), by fourth-order finite differences."""
     step = 1e-4 * float(np.abs(robot.b).max())
     steps = step * np.repeat([1.0, 1.0 / float(np.abs(robot.p).max())], 3)
 
@@ -124,7 +137,7 @@ def _other_rates(linear: str, angular: str) -> Callable[[Motion, Array], Motion]
 
 
 def _expected_linearization(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
-    """Acceleration, A and B: at constant forces dF is zero, and [dphi] turns with the platform."""
+    """Compute acceleration, A, and B; dF is zero, and [dphi] rotates with the platform."""
     _, by_pose, by_twist, by_acceleration = _expected_derivatives(robot, motion, F)
     inverse = np.linalg.inv(by_acceleration)
     A, B = np.zeros((*F.shape[:-1], 12, 12)), np.zeros((*F.shape[:-1], 12, 6))
@@ -135,7 +148,7 @@ def _expected_linearization(robot: Robot, motion: Motion, F: Array) -> Sequence[
 
 
 def acceleration(motion: Motion) -> Array:
-    """[a; alpha], (n, 6)."""
+    """Return [a; alpha], shape (n, 6)."""
     assert motion.a is not None
     assert motion.alpha is not None
     return np.concatenate([motion.a, motion.alpha], axis=-1)
@@ -174,16 +187,16 @@ FUNCTIONS = (
         machine=robot_numbers,
     ),
 )
-"""Ours; every ratio is to the first."""
+"""Functions of the generated C; every ratio is relative to the first."""
 
 
 # --- the C ------------------------------------------------------------------------------------
 
 
 def library(flags: Flags = ()) -> ctypes.CDLL:
-    """The functions, and ``drive_<function>`` for each: the loop over poses. Raises CompilerError.
+    """Compile the functions, and the loop ``drive_<function>`` of each over poses; raise CompilerError.
 
-    flags: after those of every library.
+    ``flags`` follow the common compiler flags.
     """
     calls = {
         f"drive_{each.function}": f"stewart_{NAME}_{each.function}(machine, motion, {each.arguments})"
@@ -204,10 +217,18 @@ def library(flags: Flags = ()) -> ctypes.CDLL:
 
 @dataclass(frozen=True, eq=False)
 class MotionGroup:
-    """Everybody of the group, built and compared.
+    """Candidates of the group, built and compared.
 
-    built: ours, for one pose and for many, for all targets. differences: by candidate, share of a pose's
-    largest.
+    Attributes
+    ----------
+    robot : Robot
+        Robot with tensors of rigid bodies.
+    built : tuple of Timed
+        Generated functions, for one pose and for many, for all targets.
+    engines : tuple of Called
+        Baselines.
+    differences : mapping of str to float
+        Largest relative difference by candidate.
     """
 
     robot: Robot
@@ -217,11 +238,13 @@ class MotionGroup:
 
     @property
     def tasks(self) -> tuple[Timed, ...]:
-        """What is to be timed."""
+        """Timed tasks."""
         return (*self.built, *(part for engine in self.engines for part in engine.parts))
 
     def figures(self, raw: Raw) -> Figures:
-        """Those of one pose for the first target, with ratios to the first of ours and targets."""
+        """Return the data of one pose for the first target, with ratios to the first function and with
+        targets.
+        """
         first = self.built[0].build["instructions"]
         ours = [
             each.figure(raw)
@@ -260,9 +283,10 @@ class MotionGroup:
 
 
 def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
-    """Build the group, with the engines installed, for the first poses; their machine has tensors of bodies.
+    """Build the group with the installed engines for the first poses, for a robot with tensors of rigid
+    bodies.
 
-    Base joints must be universal. Raises ValueError if somebody's answer is wrong, CompilerError without a C
+    Base joints must be universal. Raises ValueError if a result is wrong, and CompilerError without a C
     compiler.
     """
     robot = robot_of_bodies(poses.robot)
@@ -298,10 +322,10 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
 
 
 def engines(robot: Robot, tree: Tree) -> tuple[Called, ...]:
-    """Pinocchio and MuJoCo, those of them that are installed, for the poses of the tree.
+    """Build the installed engines among Pinocchio and MuJoCo for the poses of the tree.
 
-    Each closes the five loops by constraints and is called from Python, one pose per call, its state
-    prepared; a call over a model without bodies shows what the call costs.
+    Each engine closes five loops by constraints and is called from Python, one pose per call, with a prepared
+    state. A call for a model without bodies measures the overhead of the call.
     """
     found = []
     if not absent("pinocchio"):

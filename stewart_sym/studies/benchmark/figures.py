@@ -1,4 +1,4 @@
-"""What ``benchmark`` measured, as JSON takes it: samples with their medians, ratios, shares with targets."""
+"""Results of ``benchmark`` for the JSON data: samples with medians, ratios, and shares with targets."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -11,31 +11,33 @@ from ..common.output import Figures
 from ..common.timing import Task
 
 NAME: Formulation = "exact"
-"""The kernel that is measured."""
+"""Measured kernel."""
 
 PLAIN, CLOSED = "CasADi", "CasADi, closed form"
-"""Other times are divided by these, where CasADi is installed; the closed form is the stricter measure."""
+"""Candidates by whose times other times are divided if CasADi is installed; the closed form is the stricter
+reference.
+"""
 
 ONE_POSE, BATCH, FLOAT = "one pose", "batch, one core", "batch, float"
 COLUMNS = "batch, columns"
-"""A batch of arrays with a column for each component."""
+"""Batch of arrays with a column for each component."""
 INVERSE, EQUATIONS, FORWARD = "inverse dynamics", "equations", "forward dynamics"
 DERIVATIVES, REGRESSOR = "derivatives", "regressor"
 
 MOST = {FORWARD: (2.0,), DERIVATIVES: (8.0, 5.0)}
-"""Targets: the most that a function may take, in times of inverse dynamics; and the goal beyond."""
+"""Targets: largest time of a function relative to inverse dynamics, and a more ambitious goal."""
 
 TIMES_FASTER = 20.0
-"""Target: how many times as fast as the better baseline forward dynamics is to be."""
+"""Target for the ratio of the time of the faster baseline to the time of forward dynamics."""
 
 
 def batched(name: str) -> str:
-    """Name of a function of one pose, called for many."""
+    """Return the name of a one-pose function that is called for many poses."""
     return f"{name}, batch"
 
 
 def sampled(**fields: Any) -> Figures:
-    """The fields with median and quartiles of their samples, ``raw``."""
+    """Return the fields with median and quartiles of their samples ``raw``."""
     low, high = np.percentile(fields["raw"], (25, 75))
     return {**fields, "median": float(np.median(fields["raw"])), "quartiles": (float(low), float(high))}
 
@@ -43,14 +45,16 @@ def sampled(**fields: Any) -> Figures:
 def figure(
     name: str, what: str, kind: str, poses: int, raw: Sequence[float], operations: int | None = None
 ) -> Figures:
-    """Nanoseconds a pose, one sample of each round; ``operations`` of a pose where counted."""
+    """Return a record of the time per pose (ns) with one sample per round, and ``operations`` per pose if
+    counted.
+    """
     return sampled(name=name, what=what, kind=kind, poses=poses, raw=tuple(raw), operations=operations)
 
 
 def build_of(instructions: str, flags: Sequence[str], bits: int | None) -> Figures:
-    """What a figure of compiled C says of it: instructions, and flags after those of every library.
+    """Return the build of compiled C: instructions, and compiler flags after the common ones.
 
-    bits: width of the widest vectors that the code computes with, where that is known.
+    ``bits`` is the width of the widest vectors of the code, if known.
     """
     width = "" if bits is None else f", {bits} bit" if bits > 64 else ", scalar"
     build = {"instructions": instructions, "flags": tuple(flags), "bits": bits}
@@ -58,14 +62,21 @@ def build_of(instructions: str, flags: Sequence[str], bits: int | None) -> Figur
 
 
 Raw = Mapping[Any, tuple[float, ...]]
-"""Ns per unit by what is timed, a sample of each round."""
+"""Times per unit (ns) by task, with one sample per round."""
 
 
 @dataclass(frozen=True, eq=False)
 class Timed(Task):
-    """What is timed, with what its figure says: ns per pose, or per unit of anything else.
+    """Timed task with the contents of its record: time per pose (ns), or per other unit.
 
-    kind: "one pose", "batch", "call" or "loop". operations: of a pose where counted. build: of C.
+    Attributes
+    ----------
+    kind : str
+        "one pose", "batch", "call", or "loop".
+    operations : int or None
+        Operations per pose, if counted.
+    build : dict
+        Build of compiled C.
     """
 
     name: str
@@ -75,39 +86,40 @@ class Timed(Task):
     build: Figures = field(default_factory=dict)
 
     def figure(self, raw: Raw) -> Figures:
-        """The figure."""
+        """Return the record of the task."""
         poses = self.units if self.kind in ("one pose", "batch") else 1
         return figure(self.name, self.what, self.kind, poses, raw[self], self.operations) | self.build
 
 
 def limits(operations: int, multiply_add: float) -> dict[str, float]:
-    """Least ns for so many operations, by what fills a lane; a division or a root counts as any other.
+    """Return the shortest times (ns) of a number of operations; divisions and roots count as one operation.
 
-    multiply_add: ns for one fused multiply-add of one number.
+    ``multiply_add`` is the time of one fused multiply-add of one number (ns).
     """
     each = operations * multiply_add
     return {"limit, an operation a lane": each, "limit, all fused in pairs": each / 2}
 
 
 def named(figures: Iterable[Figures], name: str) -> Figures | None:
-    """The figure of that name; None without one."""
+    """Return the record with a name, or None."""
     return next((each for each in figures if each["name"] == name), None)
 
 
 def quickest(figures: Iterable[Figures]) -> Figures | None:
-    """The figure with the least median; None without any."""
+    """Return the record with the smallest median, or None."""
     return min(figures, key=lambda each: float(each["median"]), default=None)
 
 
 def builds_of(found: Figures, name: str, instructions: str) -> list[Figures]:
-    """A run's builds of that name for these instructions."""
+    """Return the builds of a run with this name for these instructions."""
     return [each for each in found["builds"] if (each["name"], each["instructions"]) == (name, instructions)]
 
 
 def ratios(found: Figures, time: float, instructions: str = "") -> dict[str, float]:
-    """A time, ns, over the medians of CasADi's closed form and of its plain C; nothing without CasADi.
+    """Return the ratios of a time (ns) to the medians of CasADi's closed form and plain C; nothing without
+    CasADi.
 
-    instructions: for which these are compiled; empty for the quickest, which the baselines have.
+    ``instructions`` selects their build; empty selects the fastest build in the baselines.
     """
     of = {}
     for key, name in (("ratio_to_closed_form", CLOSED), ("ratio_to_casadi", PLAIN)):
@@ -119,7 +131,7 @@ def ratios(found: Figures, time: float, instructions: str = "") -> dict[str, flo
 
 
 def with_ratios(found: Figures) -> Figures:
-    """A run's times of the forces and of all C, in cycles of its clock as well, and over CasADi's."""
+    """Add cycles of the clock and ratios to CasADi to the times of the forces and of all C code."""
 
     def entry(figure: Figures, instructions: str = "") -> Figures:
         time = figure["median"]
@@ -133,7 +145,7 @@ def with_ratios(found: Figures) -> Figures:
 
 
 def flatness(sweep: Sequence[Figures]) -> dict[str, float]:
-    """By name, the longest time per pose over all batch sizes, divided by the shortest."""
+    """Return, by name, the ratio of the longest to the shortest time per pose of all batch sizes."""
     medians: dict[str, list[float]] = {}
     for each in sweep:
         medians.setdefault(each["name"], []).append(each["median"])
@@ -141,7 +153,9 @@ def flatness(sweep: Sequence[Figures]) -> dict[str, float]:
 
 
 BASIS = 0.228
-"""Share that one pose took, 163 of 715 ns, of CasADi's plain C, unfused, when targets were set."""
+"""Ratio of the time of one pose to CasADi's plain unfused C, 163 of 715 ns, on the day the targets were
+set.
+"""
 
 _LIMIT, _BASIS, _MICROSECOND = "limit", f"{BASIS:g} of CasADi's unfused C", "us"
 
@@ -160,11 +174,11 @@ _SHARES: tuple[tuple[str, str, str, dict[str, float]], ...] = (
     ("regressor 6 x 148, one pose", REGRESSOR, _MICROSECOND, {"at_most": 1.5, "goal": 0.7}),
     ("regressor 6 x 148, batch", batched(REGRESSOR), _MICROSECOND, {}),
 )
-"""Name, what is divided by what, as ``_times`` has them, and the most or the least that it is to be."""
+"""Name, numerator, and denominator (keys of ``_times``) of each ratio, and its upper or lower bound."""
 
 
 def shares(found: Figures) -> list[Figures]:
-    """Every figure that a run has the times of, by kind of instructions, with its bound and its goal."""
+    """Return every ratio with measured times by kind of instructions, with its bound and its goal."""
     times = {peak["instructions"]: _times(found, peak) for peak in found["peaks"]}
     made = []
     for name, over, under, stated in _SHARES:
@@ -176,10 +190,10 @@ def shares(found: Figures) -> list[Figures]:
 
 
 def _times(found: Figures, peak: Figures) -> dict[str, float]:
-    """Ns by name for one kind of instructions: of the quickest builds, and of what they are compared with.
+    """Return times (ns) by name for one kind of instructions: the fastest builds and their references.
 
-    That is the least of a batch, each operation filling the place of a multiply-add in a lane, and one pose
-    as it was when targets were set, by CasADi's unfused C.
+    One reference is the lower limit of a batch, with one multiply-add in a lane for each operation. The other
+    is the time of one pose on the day the targets were set, relative to CasADi's unfused C.
     """
     built = [each for each in found["builds"] if each["instructions"] == peak["instructions"]]
     times = {each["name"]: each["median"] for each in sorted(built, key=lambda each: -each["median"])}

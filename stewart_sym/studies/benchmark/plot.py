@@ -1,4 +1,4 @@
-"""What ``benchmark`` measured, as tables for the terminal and as a picture."""
+"""Report of ``benchmark``: tables for the terminal, and plots."""
 
 import functools
 import math
@@ -33,7 +33,7 @@ _MARKERS, _COLORS = "osD", (_OURS, "#7a9cc6", "#2e7d32")
 
 
 def report(found: Figures) -> str:
-    """All figures with units and how they were taken, as one text."""
+    """Format all results with units and conditions as one text."""
     machine, software = found["machine"], found["software"]
     sets = ", ".join(machine["instruction_sets"]) or "unknown instruction sets"
     head = [
@@ -56,7 +56,7 @@ def report(found: Figures) -> str:
 
 
 def _others(share: float | None) -> list[str]:
-    """How far other processes disturbed the run; nothing where the system doesn't tell."""
+    """Describe the disturbance by other processes; nothing if the system does not provide it."""
     if share is None:
         return []
     verdict = ": the figures are disturbed, above all those of several cores" if share > DISTURBED else ""
@@ -64,7 +64,7 @@ def _others(share: float | None) -> list[str]:
 
 
 def _shares(found: Figures) -> str:
-    """The figures with targets, a column for each kind of instructions."""
+    """Format the ratios with targets, with a column for each kind of instructions."""
     kinds = [peak["instructions"] for peak in found["peaks"]]
     rows = []
     for each in found["shares"]:
@@ -95,7 +95,7 @@ def _row(found: Figures, figure: Figures, name: str) -> tuple[str, ...]:
 
 
 def _peers(found: Figures) -> tuple[str, ...]:
-    """Headings of ``_ratios``."""
+    """Return the headings of ``_ratios``."""
     return ("x closed", "x CasADi") if "ratio_to" in found else ()
 
 
@@ -104,12 +104,12 @@ def _times_of(found: Figures, time: float) -> tuple[str, str]:
 
 
 def _ratios(found: Figures, time: float, target: str = "") -> tuple[str, ...]:
-    """Shares of the times of CasADi's closed form and plain C; none where CasADi is left out."""
+    """Format ratios to the times of CasADi's closed form and plain C; nothing without CasADi."""
     return tuple(f"{ratio:.3f}" for ratio in ratios(found, time, target).values())
 
 
 def _builds(found: Figures) -> str:
-    """All C with its instructions and flags; ratios are to CasADi's C for the same instructions."""
+    """Format all C code with instructions and flags; ratios are to CasADi's C for the same instructions."""
     header = ("C by instructions and flags", "vectors", "operations", "ns", "cycles", *_peers(found))
     own = {peak["instructions"]: peak["flags"] for peak in found["peaks"]}
     rows = [
@@ -175,7 +175,7 @@ def _flags(figure: Figures) -> str:
 
 
 def _called_note(found: Figures) -> str:
-    """What the figures of the baselines that Python calls are made of."""
+    """Describe the parts of the times of baselines that are called from Python."""
     made = []
     for name, parts in found["parts"].items():
         *added, less = ((part["name"], _number(part["median"])) for part in parts)
@@ -249,7 +249,7 @@ def _motion_cells(figure: Figures) -> tuple[str, ...]:
 
 
 def _faster(found: Figures) -> str:
-    """Forward dynamics beside the faster baseline; empty without any."""
+    """Compare forward dynamics with the faster baseline; empty without baselines."""
     if "better_baseline" not in found:
         return ""
     better = found["better_baseline"]
@@ -357,7 +357,7 @@ def _number(value: float) -> str:
 
 
 def full_report(found: Figures) -> Report:
-    """All figures as tables, for programs, and as pictures."""
+    """Create the report with all results as tables, JSON data, and plots."""
     drawn = {"bench": picture, "bench_motion": motion_picture}
     figures = {
         name: Picture(functools.partial(draw, found), SMALL, ("png", "svg")) for name, draw in drawn.items()
@@ -366,7 +366,9 @@ def full_report(found: Figures) -> Report:
 
 
 def picture(found: Figures) -> Canvas:
-    """Every candidate's time on a log axis, with the ratio to CasADi; below, time over batch size."""
+    """Plot the time of every candidate on a logarithmic axis with ratios to CasADi, and the time over batch
+    size.
+    """
     rows = len(found["ours"]) + len(found["baselines"])
     heights = [0.36 * rows + 1.0, 2.3]
     canvas = new_figure(8.6, sum(heights) + 0.7)
@@ -398,7 +400,7 @@ def _draw_candidates(axes: Axes, found: Figures) -> None:
 
 
 def _named(figure: Figures) -> str:
-    """The name, with the vectors of compiled C."""
+    """Return the name with the vectors of compiled C."""
     return f"{figure['name']} ({figure.get('vectors') or figure['what']})"
 
 
@@ -419,7 +421,7 @@ def _draw_row(axes: Axes, low: float, place: int, figure: Figures, color: str, s
 
 
 def _name_rows(axes: Axes, low: float, rows: Sequence[tuple[Figures, str, str]]) -> None:
-    """Labels of the rows, and a log axis with room for their numbers."""
+    """Set the labels of the rows, and a logarithmic axis with room for their numbers."""
     axes.set_yticks(range(len(rows)), [label for _, label, _ in rows])
     axes.set_xscale("log")
     high = max(max(figure["median"], figure["quartiles"][1]) for figure, _, _ in rows)
@@ -430,7 +432,7 @@ def _name_rows(axes: Axes, low: float, rows: Sequence[tuple[Figures, str, str]])
 
 
 def _times(ratio: float) -> str:
-    """Three digits or more."""
+    """Format a ratio with three digits or more."""
     return rf"$\times${ratio:.{max(0, 2 - math.floor(math.log10(max(ratio, 1))))}f}"
 
 
@@ -452,7 +454,7 @@ def _draw_sizes(axes: Axes, found: Figures) -> None:
 
 
 def motion_picture(found: Figures) -> Canvas:
-    """Equations of motion and the baselines of forward dynamics, with the ratio to our inverse dynamics."""
+    """Plot the equations of motion and baselines of forward dynamics, with ratios to inverse dynamics."""
     motion = found["motion"]
     rows = [(figure, f"ours: {figure['name']}", _OURS) for figure in motion["ours"]]
     rows += [(figure, f"{figure['name']}: forward dynamics", _PEER) for figure in motion["baselines"]]
@@ -461,7 +463,7 @@ def motion_picture(found: Figures) -> Canvas:
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
     axes = canvas.subplots()
     canvas.suptitle(f"Equations of motion, one pose, ns: {found['machine']['processor']}", x=0.5)
-    # A net time that other work made negative has no place on a log axis.
+    # A net time that is negative due to disturbances cannot be drawn on a logarithmic axis.
     low = 0.6 * min(figure["quartiles"][0] for figure, _, _ in rows if figure["quartiles"][0] > 0.0)
     for place, (figure, _, color) in enumerate(rows):
         limit = MOST.get(figure["name"])

@@ -1,4 +1,6 @@
-"""Poses for ``benchmark``: of the paper's machine near its paths, of another one about its middle."""
+"""Poses for ``benchmark``: near the paths of the paper, or near the middle of the workspace of another
+robot.
+"""
 
 import functools
 from dataclasses import dataclass, replace
@@ -18,7 +20,7 @@ from ...robots import dasgupta1998
 
 @dataclass(frozen=True, eq=False)
 class Poses:
-    """Motions of one robot: ``arrays`` in the order of ``struct stewart_motions``, (n, ...), contiguous."""
+    """Motions of one robot: contiguous ``arrays`` (n, ...) in the order of ``struct stewart_motions``."""
 
     robot: Robot
     arrays: tuple[Array, ...]
@@ -28,34 +30,34 @@ class Poses:
         return len(self.arrays[0])
 
     def resized(self, count: int) -> "Poses":
-        """Return the first ``count`` without a copy, or all of them over and over."""
+        """Return the first ``count`` poses without a copy, or all poses repeated."""
         if count <= len(self):
             return Poses(self.robot, tuple(array[:count] for array in self.arrays))
         return Poses(self.robot, tuple(np.resize(array, (count, *array.shape[1:])) for array in self.arrays))
 
     @functools.cached_property
     def motion(self) -> Motion:
-        """The same as a Motion."""
+        """Poses as a Motion."""
         return Motion(**dict(zip(MOTION, self.arrays, strict=True)))
 
     @functools.cached_property
     def rows(self) -> Array:
-        """Each pose as one ``struct stewart_motion``, (n, 30)."""
+        """Rows of ``struct stewart_motion``, one per pose, shape (n, 30)."""
         return np.concatenate([array.reshape(len(self), -1) for array in self.arrays], axis=1)
 
 
 def bench_poses(robot: Robot | None, count: int) -> Poses:
-    """Poses that all differ, moving, loaded and regular, the same in every run.
+    """Generate different regular poses with motion and load, which are identical in every run.
 
-    robot: None for the paper's machine. Raises ValueError if its base joints are not universal or it has no
-    regular poses about its middle.
+    ``robot`` None means the robot of the paper. Raises ValueError if its base joints are not universal or if
+    it has no regular poses near its middle.
     """
     rng = np.random.default_rng(1998)
     if robot is None:
         robot = dasgupta1998()
         R, t, omega, v, alpha, a = _near_the_paths(rng, count)
     elif robot.base_joint != "universal":
-        raise ValueError(f"{robot.name}: expected universal base joints, the baselines have no others")
+        raise ValueError(f"{robot.name}: expected universal base joints, which the baselines require")
     else:
         if robot.has_rotors:
             warn(f"{robot.name}: timed without its rotors, which the baselines do not have")
@@ -72,7 +74,7 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
 
 
 def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
-    """Instants of Paths I and II by turns, each moved a little."""
+    """Sample Paths I and II alternately with small random displacements."""
     paths = [PAPER_PATHS[name].path for name in ("I", "II")]
     at = [path.sample(path.tau_f * rng.uniform(size=count)) for path in paths]
     turn = np.arange(count) % len(paths)
@@ -88,7 +90,7 @@ def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
 
 
 def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
-    """Poses about the one where the platform is above the base by as much as the base is wide."""
+    """Sample poses near a pose at a height above the base equal to the mean radius of the base."""
     center = robot.b.mean(axis=0)
     size = float(np.linalg.norm(robot.b - center, axis=-1).mean())
     up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])

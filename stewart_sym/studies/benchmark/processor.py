@@ -1,4 +1,4 @@
-"""What the processor has to give: its clock, its vectors, and the width that compiled code uses of them."""
+"""Performance limits of the processor: clock, vector throughput, and the vector width of compiled code."""
 
 import ctypes
 import functools
@@ -14,14 +14,14 @@ from ..common.timing import Task
 Flags = tuple[str, ...]
 
 FUSED: Flags = ("-ffp-contract=fast",)
-"""Lets the compiler fuse products and sums wherever it can."""
+"""Flag that permits the compiler to fuse products and sums."""
 
 _NO_AVX_512: Flags = ("-mno-avx512f",)
 
 
 @dataclass(frozen=True)
 class Target:
-    """Instructions that C is compiled for: their name, and flags after those of every library."""
+    """Instructions for which C is compiled: name, and flags after the common ones."""
 
     name: str
     flags: Flags = ()
@@ -29,9 +29,9 @@ class Target:
 
 @dataclass(frozen=True, eq=False)
 class MultiplyAdd(Task):
-    """Independent fused multiply-adds at full width on one core, of one number each.
+    """Independent fused multiply-adds of single numbers at full vector width on one core.
 
-    set: name of the vector instructions; lanes: numbers in a vector.
+    ``set`` is the name of the vector instructions, and ``lanes`` the count of numbers in a vector.
     """
 
     lanes: int
@@ -39,7 +39,9 @@ class MultiplyAdd(Task):
 
 
 def targets() -> tuple[Target, ...]:
-    """All instructions of this processor, and without AVX-512 where it has that. Raises CompilerError."""
+    """Return all instructions of this processor, and, with AVX-512, also a target without it; raise
+    CompilerError.
+    """
     first = Target(multiply_add().set)
     if first.name != "AVX-512":
         return (first,)
@@ -47,7 +49,7 @@ def targets() -> tuple[Target, ...]:
 
 
 def multiply_add(flags: Flags = ()) -> MultiplyAdd:
-    """Compile the loop; without the instruction it is a product and a sum. Raises CompilerError."""
+    """Compile the loop, with a product and a sum if the instruction is missing; raise CompilerError."""
     sources = {"multiply_add.c": own_source("multiply_add.c")}
     library = native.load("bench_multiply_add", sources, flags=(*FUSED, *flags))
     library.multiply_add.restype = ctypes.c_double
@@ -63,7 +65,7 @@ def multiply_add(flags: Flags = ()) -> MultiplyAdd:
 
 
 def additions() -> Task:
-    """Additions that wait for each other, one a cycle. Raises CompilerError."""
+    """Compile a chain of dependent additions, one per cycle; raise CompilerError."""
     library = native.load("bench_additions", {"additions.c": own_source("additions.c")})
     steps, by = 1_000, ctypes.c_size_t(3)
 
@@ -82,9 +84,9 @@ _BITS = {"x": 128, "y": 256, "z": 512}
 
 
 def widest(library: ctypes.CDLL, function: str) -> int | None:
-    """Bits of the widest vectors that a function and those it calls compute with; 64 if with none.
+    """Return the width of the widest vectors (bits) of a function and its callees; 64 without vectors.
 
-    None where ``objdump`` is missing or doesn't show the function, or the processor is no x86.
+    Returns None if ``objdump`` is missing or does not list the function, or if the processor is not x86.
     """
     tool = shutil.which("objdump")
     bodies = _disassembled(tool, library._name) if tool else {}
@@ -103,7 +105,7 @@ def widest(library: ctypes.CDLL, function: str) -> int | None:
 
 @functools.lru_cache(maxsize=4)
 def _disassembled(tool: str, library: str) -> dict[str, str]:
-    """Instructions of every function of a library; none where the tool fails or the processor is no x86."""
+    """Return the instructions of every function of a library; none if the tool fails or without x86."""
     command = [tool, "-d", "--no-show-raw-insn", library]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode or "x86-64" not in done.stdout:

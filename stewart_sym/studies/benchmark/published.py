@@ -1,4 +1,4 @@
-"""Tables of the documentation from ``bench.json``: shares, times, builds, passes, motion, compiling."""
+"""Tables of the documentation from ``bench.json``: shares, times, builds, passes, motion, compilation."""
 
 from ...io.extras import install
 from ..common.output import Figures, paragraph, table
@@ -18,7 +18,7 @@ README_ROWS = (
 
 
 def tables(found: Figures) -> dict[str, str]:
-    """Name -> Markdown; ValueError for a run that left software out."""
+    """Return Markdown tables by name; raise ValueError for a run without some of the compared software."""
     if found.get("left_out"):
         missing = ", ".join(found["left_out"])
         raise ValueError(
@@ -63,7 +63,7 @@ def _shares(found: Figures) -> str:
 
 
 def _builds(found: Figures) -> str:
-    """Time of all C by instructions and flags, with cycles; the clock and the limits that follow from it."""
+    """Format times and cycles of all C code by instructions and flags, the clock, and the limits."""
     made = found["builds"]
     rows = [
         (
@@ -168,7 +168,7 @@ def _passes(found: Figures) -> str:
 
 
 def motion(found: Figures, rounds: int) -> str:
-    """Times of the equations of motion and of their baselines."""
+    """Format times of the equations of motion and of their baselines."""
     poses = found["ours"][0]["poses"]
     better = next(each for each in found["baselines"] if each["name"] == found["better_baseline"])
     agreement = " and ".join(

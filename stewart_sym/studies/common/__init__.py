@@ -1,1 +1,1 @@
-"""What the studies share: tables, pictures, timing and loops in C."""
+"""Common modules of the studies: tables, plots, timing, and loops in C."""

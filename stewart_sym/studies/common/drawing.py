@@ -1,6 +1,7 @@
-"""What pictures share: empty figures, colors, legends, names of points, numbers of logarithmic axes.
+"""Common functions of plots: empty figures, colors, legends, point labels, and logarithmic axes.
 
-Matplotlib, of the extra ``plot``, is imported when something is drawn: modules that draw import without it.
+Matplotlib, from the extra ``plot``, is imported at the first plot, so that modules with plots import without
+it.
 """
 
 import math
@@ -26,37 +27,40 @@ Place = tuple[float, float]
 """Data coordinates (x, y)."""
 
 Z_DOWN = (2, True)
-"""What ``vertical`` returns of a machine whose z axis points down."""
+"""Result of ``vertical`` for a machine whose z axis points down."""
 
 _DECADES = 2.0
-"""An axis over fewer decades also has ticks between the powers of ten, and all are plain numbers."""
+"""Number of decades below which an axis has further ticks between powers of ten, and plain numbers."""
 _MARGIN = 0.02
-"""Share of the figure's width that stays free beside a legend."""
+"""Free fraction of the figure width next to a legend."""
 _ALONG_Z = 0.5
-"""Gravity acts along z if at least this share of it does."""
+"""Smallest fraction of gravity along z for which the vertical is the z axis."""
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """An empty figure, inches; MissingExtraError without Matplotlib."""
+    """Create an empty figure (inches); raise MissingExtraError without Matplotlib."""
     with needed_for("drawing"):
         from matplotlib import figure
     return figure.Figure(figsize=(width, height), layout="constrained")
 
 
 def legend_line(label: str, **style: Any) -> Any:
-    """A line for legends, in the style of ``Line2D``."""
+    """Create a line for a legend in the style of ``Line2D``."""
     from matplotlib.lines import Line2D
 
     return Line2D([], [], label=label, **style)
 
 
 def as_written(name: str) -> str:
-    """A name that others chose, such as a robot's, for Matplotlib: no dollar sign in it begins a formula."""
+    """Replace dollar signs in a name, such as the name of a robot, so that they do not start a formula."""
     return name.replace("$", r"\$")
 
 
 def legend_below(figure: Figure, handles: list[Any] | None = None, **style: Any) -> None:
-    """A legend of the handles, or of the labeled curves of all axes once each, in as many columns as fit."""
+    """Add a legend below the figure, in as many columns as fit.
+
+    The entries are the handles, or the labeled curves of all axes without duplicates.
+    """
     if handles is None:
         found = [axes.get_legend_handles_labels() for axes in figure.axes]
         named = {label: one for ones, labels in found for one, label in zip(ones, labels, strict=True)}
@@ -84,21 +88,35 @@ def name_points(
     bars: Sequence[tuple[Place, Place]] = (),
     size: float = 7.5,
 ) -> None:
-    """Write names, each with its point and color, beside the points, with thin lines to them.
+    """Write labels with thin lines near their points.
 
-    markers: everything that is drawn as a point; names keep off them. bars: ends of drawn lines, from which
-    they keep off as well. size: of the font. The layout of the figure is fixed from here on. Raises
-    ValueError if there is no room.
+    Parameters
+    ----------
+    axes : Axes
+        Axes, whose figure keeps its layout from this call on.
+    names : sequence of (str, Place, str)
+        Text, point, and color of each label.
+    markers : sequence of Place
+        All drawn points, which labels do not cover.
+    bars : sequence of (Place, Place)
+        Ends of drawn lines, which labels do not cover.
+    size : float
+        Font size.
+
+    Raises
+    ------
+    ValueError
+        If there is no room for all labels.
     """
     with needed_for("drawing"):
         import textalloc
     figure: Any = axes.get_figure()
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
-    # Its type hints do not say what may be None.
+    # The type hints of the function omit that some results may be None.
     allocate: Any = textalloc.allocate
     texts, at, colors = zip(*names, strict=True)
-    # The order in which names choose their places matters: the given one first, then others.
+    # The order of placement matters. The given order is tried first, then other orders.
     for clear, order in [(True, None), *((clear, order) for clear in (True, False) for order in range(4))]:
         *_, written, lines = allocate(
             axes,
@@ -124,13 +142,14 @@ def name_points(
         for drawn in (*written, *lines):
             if drawn is not None:
                 drawn.remove()
-    raise ValueError("names of points: expected room for all of them in the picture")
+    raise ValueError("point labels: not enough room in the plot; draw fewer points")
 
 
 def log_numbers(axis: Axis) -> None:
-    """Number a logarithmic axis, once its limits are final: powers of ten, or plain numbers over few decades.
+    """Set the tick labels of a logarithmic axis after its limits are final.
 
-    Below one decade it becomes linear: ticks of equal distance are read as those of a linear axis.
+    The labels are powers of ten, or plain numbers over few decades. Below one decade the axis becomes linear,
+    because equally spaced ticks are read as a linear scale.
     """
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
@@ -147,7 +166,9 @@ def log_numbers(axis: Axis) -> None:
 
 
 def vertical(robot: Robot) -> tuple[int, bool]:
-    """Axis of the base frame that is drawn upright, and whether it points down, as gravity says."""
+    """Return the axis of the base frame that is drawn vertically, and True if it points down, based on
+    gravity.
+    """
     along = np.abs(robot.g)
     steep = along[2] >= _ALONG_Z * np.linalg.norm(robot.g)
     axis = 2 if steep else int(np.argmax(along))

@@ -1,4 +1,4 @@
-"""Where a study ran: processor, system, compiler and versions, and what others took of it meanwhile."""
+"""Environment of a study: processor, system, compiler, versions, and the load of other processes."""
 
 import contextlib
 import os
@@ -11,15 +11,15 @@ from typing import Any
 from ...backend import native
 
 _VECTORS = ("avx512f", "avx2", "asimd")
-"""Instruction sets that name the widest vectors, widest first."""
+"""Instruction sets that indicate the widest vector registers, widest first."""
 
 
 DISTURBED = 0.03
-"""Times are called disturbed if other processes took more than this share of the cores' time."""
+"""Fraction of the core time used by other processes above which times are reported as disturbed."""
 
 
 def machine() -> dict[str, Any]:
-    """Processor, cores, widest vectors, system and its load."""
+    """Describe the processor, its cores and widest vectors, the system, and its load."""
     sets = set(_cpuinfo("flags").split())
     return {
         "processor": _cpuinfo("model name") or platform.processor() or platform.machine(),
@@ -33,12 +33,14 @@ def machine() -> dict[str, Any]:
 
 
 def load_average() -> tuple[float, float, float] | None:
-    """Mean number of busy processes in the last 1, 5 and 15 minutes; None where the system doesn't tell."""
+    """Return the mean number of busy processes in the last 1, 5, and 15 minutes; None if the system lacks
+    it.
+    """
     return os.getloadavg() if hasattr(os, "getloadavg") else None
 
 
 def software(*packages: str) -> dict[str, Any]:
-    """Compiler, flags, Python, and versions of this package, NumPy and others.
+    """List the compiler, its flags, and the versions of Python, this package, NumPy, and other packages.
 
     Raises native.CompilerError without a compiler.
     """
@@ -55,14 +57,14 @@ def software(*packages: str) -> dict[str, Any]:
 
 
 class Others:
-    """Time that other processes, and a hypervisor, take of all cores from now on."""
+    """Time of all cores that other processes and a hypervisor use from now on."""
 
     def __init__(self) -> None:
-        """Begin."""
+        """Start the measurement."""
         self._start, self._work = time.perf_counter(), _work_of_others()
 
     def share(self) -> float | None:
-        """Share of the cores' time so far, 0 to 1; None where the system doesn't tell."""
+        """Return the used fraction of the core time, 0 to 1; None if the system does not provide it."""
         seconds, work = time.perf_counter() - self._start, _work_of_others()
         if self._work is None or work is None or seconds <= 0:
             return None
@@ -70,7 +72,7 @@ class Others:
 
 
 def _work_of_others() -> float | None:
-    """Core seconds since the machine started, but for this process's own and its children's."""
+    """Return the core seconds since system start, without this process and its children."""
     with contextlib.suppress(OSError, ValueError):
         first, *_ = Path("/proc/stat").read_text(encoding="utf-8").splitlines()
         # user, nice, system, idle, waiting for a disk, two kinds of interrupts, stolen by the hypervisor

@@ -1,4 +1,4 @@
-"""A report as one HTML file: its text, tables that sort, figures, and its motions as in ``view``."""
+"""Report as one HTML file with text, sortable tables, plots, and motions as in ``view``."""
 
 import base64
 import contextlib
@@ -21,17 +21,17 @@ from ...viewer.view import frame
 from .report import Picture, Report, svg
 
 MOST_ROWS = 500
-"""Rows of a table over time that the page has; of a longer table, evenly spaced ones."""
+"""Largest number of rows of a table over time; longer tables are sampled evenly."""
 
-# A cell shows the numbers of a list up to this length, of a longer one its range.
+# A cell shows the numbers of a list up to this length, and the range of a longer list.
 _MOST_NUMBERS = 6
 
 
 def html_page(title: str, report: Report, progress: Progress = silent) -> str:
-    """Return the whole file's text.
+    """Format a report as HTML.
 
-    Lists of alike figures in the report's data and its tables of text become tables; columns over time become
-    tables that are closed at first.  Raises ImportError for figures without Matplotlib.
+    Lists of records in the data of the report and text tables become tables. Columns over time become tables
+    that are collapsed initially. Raises ImportError for plots without Matplotlib.
     """
     parts = (
         [_section("Result", f'<pre class="wide" tabindex="0">{_text(report.text)}</pre>')]
@@ -59,7 +59,7 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
 
 
 def _section(title: str, body: str) -> str:
-    # The name of a file is left as it is.
+    # File names are not capitalized.
     head = title if "." in title else title[:1].upper() + title[1:]
     return filled("section.html", {"title": _text(head), "body": body})
 
@@ -73,7 +73,7 @@ def _figure(name: str, picture: Picture, progress: Progress) -> str:
 
 
 def _lists(where: str, data: object) -> Iterator[tuple[str, Sequence[Mapping[str, Any]]]]:
-    """Lists of alike tables in data and the names that lead there; lists within rows come after them."""
+    """Yield lists of records in data with the path to each list; lists within rows follow."""
     if isinstance(data, Mapping):
         for key, value in data.items():
             yield from _lists(f"{where} {key}".strip(), value)
@@ -92,14 +92,14 @@ def _is_list_of_tables(data: Any) -> TypeGuard[list[Mapping[str, Any]]]:
 
 
 def _table(caption: str, rows: Sequence[Mapping[str, Any]]) -> str:
-    """A table whose rows are flat: what is nested or long stands in one cell as text."""
+    """Format records as a table; nested or long values are text in one cell."""
     names = list(dict.fromkeys(name for row in rows for name in row))
     cells = ["".join(map(_cell, map(row.get, names))) for row in rows]
     return _filled_table(caption, map(_words, names), cells)
 
 
 def _rows_of(caption: str, text: str) -> str:
-    """CSV text as a table, of which a long one has some rows."""
+    """Format CSV text as a table; a long table is sampled."""
     names, *rows = csv.reader(io.StringIO(text))
     shown = rows if len(rows) <= MOST_ROWS else [rows[i] for i in _some(len(rows))]
     cells = ["".join(_cell(_number(text)) for text in row) for row in shown]
@@ -114,7 +114,7 @@ def _number(text: str) -> float | str:
 
 
 def _closed(caption: str, columns: Mapping[str, Any]) -> str:
-    """Columns over time; the file that the subcommand writes has all rows."""
+    """Format columns over time as a collapsed table; the file of the subcommand contains all rows."""
     count = max(map(len, columns.values()), default=0)
     some = _some(count)
     lists = [plain(np.asarray(column)[some]) for column in columns.values()]
@@ -124,7 +124,7 @@ def _closed(caption: str, columns: Mapping[str, Any]) -> str:
 
 
 def _some(count: int) -> NDArray[np.int64]:
-    """Indices of the rows that a page has of as many."""
+    """Return the indices of the displayed rows of a table with ``count`` rows."""
     return np.unique(np.linspace(0, max(count - 1, 0), min(count, MOST_ROWS)).astype(np.int64))
 
 
@@ -159,5 +159,5 @@ def _words(name: str) -> str:
 
 
 def _text(text: str) -> str:
-    """Text as HTML; marks that are not seen are written out, line by line."""
+    """Convert text to HTML; nonprintable characters are replaced by code points, line by line."""
     return "\n".join(html.escape(safe_text(line)) for line in text.split("\n"))

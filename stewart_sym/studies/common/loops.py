@@ -1,4 +1,4 @@
-"""C files of the studies, and loops that call functions for one pose after the other."""
+"""C sources of the studies, and loops that call functions for one pose after another."""
 
 from collections.abc import Mapping
 from importlib.resources import files
@@ -7,10 +7,10 @@ from importlib.resources import files
 def loop_source(
     header: str, body: str, pose: str = "stewart_motion", number: str = "stewart_real"
 ) -> dict[str, str]:
-    """C of the loop ``drive``, which ``c_loop`` calls: file name -> text.
+    """Generate the C source of the loop ``drive`` for ``c_loop``, as text by file name.
 
-    body: of the function of ``machine``, ``motion`` and ``F`` that puts one pose's forces into F and returns
-    a status; pose, number: types of the last two.
+    ``body`` is the body of a function of ``machine``, ``motion``, and ``F`` that computes the forces F of one
+    pose and returns a status. ``pose`` and ``number`` are the types of ``motion`` and ``F``.
     """
     arguments = f"const void *machine, const {pose} *motion, {number} *F"
     text = f'#include <string.h>\n#include "{header}"\nstatic int call({arguments})\n{{\n{body}\n}}\n'
@@ -20,7 +20,9 @@ def loop_source(
 def loops(
     before: str, calls: Mapping[str, str], pose: str = "stewart_motion", number: str = "stewart_real"
 ) -> dict[str, str]:
-    """The same of several loops; calls: of ``machine``, ``motion``, ``F`` and ``out``, by their names."""
+    """Generate the C source of several loops; ``calls`` are expressions of ``machine``, ``motion``, ``F``,
+    and ``out``, by name.
+    """
     each = (
         f'#define DRIVE {name}\n#define CALL(motion, F, out) {call}\n#include "loop.h"\n'
         for name, call in calls.items()
@@ -30,5 +32,5 @@ def loops(
 
 
 def own_source(name: str) -> str:
-    """A C file of this package."""
+    """Read a C file of this package."""
     return (files(__package__) / name).read_text(encoding="utf-8")

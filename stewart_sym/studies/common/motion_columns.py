@@ -1,4 +1,4 @@
-"""A motion as the columns of a trajectory that ``forces`` reads for a robot."""
+"""Columns of a motion in the trajectory format that ``forces`` reads."""
 
 import numpy as np
 
@@ -9,14 +9,13 @@ from ...robot.robot import Robot
 from .output import Columns, of_axes, of_rotations
 
 _PLAIN = 0.05
-"""Least distance of angles from their gimbal lock with which they are written."""
+"""Smallest distance from gimbal lock at which angles are written (rad)."""
 
 
 def trajectory_columns(robot: Robot, times: Array, motion: Motion) -> Columns:
-    """Poses of the robot's tool, with rates where the motion has accelerations, and the load there.
+    """Return poses of the tool of the robot, rates if the motion has accelerations, and the load at the tool.
 
-    Angles are of the robot's ``euler_order``; where the motion comes near their gimbal lock, quaternions
-    without rates.
+    Angles are in the ``euler_order`` of the robot. Near gimbal lock, quaternions without rates are written.
     """
     at_tool = motion.at_point(robot.tool) if robot.tool.any() else motion
     theta = np.unwrap(angles_from_rotation(at_tool.R, robot.euler_order), axis=0)
@@ -31,7 +30,7 @@ def trajectory_columns(robot: Robot, times: Array, motion: Motion) -> Columns:
 
 
 def _rates(motion: Motion, theta: Array, order: str) -> Columns:
-    """Columns of all rates and second rates; none of a motion without accelerations."""
+    """Return the columns of all first and second derivatives; none for a motion without accelerations."""
     if motion.alpha is None or motion.a is None:
         return {}
     theta_dot, theta_ddot = angle_rates(theta, motion.omega, motion.alpha, order)

@@ -1,4 +1,4 @@
-"""Record of numbers that are not finite among results, written by writers and read by the terminal."""
+"""Record of non-finite numbers in results, set by writers and read by the terminal output."""
 
 import contextlib
 import math
@@ -15,7 +15,7 @@ _noted: ContextVar[list[bool] | None] = ContextVar("noted", default=None)
 
 @contextlib.contextmanager
 def results_noted() -> Iterator[list[bool]]:
-    """Give a list that is not empty once a writer in the block has noted a number that is not finite."""
+    """Yield a list that becomes nonempty if a writer in the block records a non-finite number."""
     noted: list[bool] = []
     before = _noted.set(noted)
     try:
@@ -25,7 +25,7 @@ def results_noted() -> Iterator[list[bool]]:
 
 
 def note_not_finite() -> None:
-    """Note that a result contains a number that is not finite."""
+    """Record that a result contains a non-finite number."""
     if (noted := _noted.get()) is not None:
         noted.append(True)
 
@@ -36,7 +36,7 @@ def in_text(text: str) -> bool:
 
 
 def in_figures(value: Any) -> bool:
-    """Return True if figures contain a number that is not finite, other than a limit, which may be none."""
+    """Return True if data contain a non-finite number, except in limits, which may be infinite."""
     if isinstance(value, Mapping):
         return any(in_figures(each) for key, each in value.items() if "limit" not in str(key))
     if isinstance(value, np.ndarray):

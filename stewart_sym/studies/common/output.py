@@ -1,4 +1,4 @@
-"""Tables of results as plain text, as CSV and, with paragraphs, as Markdown for the documentation."""
+"""Tables of results as plain text, CSV, and, with paragraphs, Markdown for the documentation."""
 
 import csv
 import io
@@ -19,38 +19,38 @@ _ROWS = 1024
 
 
 Columns = dict[str, NDArray[Any]]
-"""Columns (n,) by name."""
+"""Columns of shape (n,) by name."""
 
 Figures = dict[str, Any]
-"""What a study wrote as JSON."""
+"""JSON data of a study."""
 
 
 def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
-    """Columns of each leg, ``name_1`` to ``name_6``, from (n, 6)."""
+    """Return the columns ``name_1`` to ``name_6`` of the legs from an array of shape (n, 6)."""
     return {f"{name}_{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
 
 
 def by_leg(columns: Mapping[str, Any]) -> list[Figures]:
-    """A row for each leg, numbered from 1, of columns (6, ...)."""
+    """Return a row for each leg, numbered from 1, from columns of shape (6, ...)."""
     return [{"leg": leg + 1} | {name: values[leg] for name, values in columns.items()} for leg in range(LEGS)]
 
 
 def of_axes(name: str, values: NDArray[Any]) -> Columns:
-    """Columns of each axis, ``name_x`` to ``name_z``, from (n, 3)."""
+    """Return the columns ``name_x`` to ``name_z`` of the axes from an array of shape (n, 3)."""
     return {f"{name}_{axis}": column for axis, column in zip("xyz", values.T, strict=True)}
 
 
 def of_rotations(R: NDArray[Any]) -> Columns:
-    """Columns of quaternions, ``q_w`` to ``q_z``, from (n, 3, 3)."""
+    """Return the quaternion columns ``q_w`` to ``q_z`` of rotation matrices, shape (n, 3, 3)."""
     parts = quaternion_from_rotation(R).T
     return {f"q_{name}": column for name, column in zip("wxyz", parts, strict=True)}
 
 
 def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Iterator[str]:
-    """Text of a CSV file, many lines at a time, header first; columns (n,), floats with all their digits."""
+    """Yield the text of a CSV file in blocks of lines, header first, with all digits of floats."""
     if header:
         yield ",".join(columns) + "\n"
-    # A part of the rows as Python's numbers at a time: they take four times the room of the arrays.
+    # Rows are converted to Python numbers in blocks, because these require four times the memory of arrays.
     for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
         part = (_numbers(column[start : start + _ROWS]) for column in columns.values())
         rows = orjson.dumps([*zip(*part, strict=True)]).decode()
@@ -58,7 +58,7 @@ def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Itera
 
 
 def _numbers(values: NDArray[Any]) -> list[Any]:
-    """As Python's own, those that JSON does not know as text."""
+    """Convert values to Python numbers; non-finite values become text, because JSON does not support them."""
     found: list[Any] = values.tolist()
     if np.isfinite(values).all():
         return found
@@ -67,14 +67,16 @@ def _numbers(values: NDArray[Any]) -> list[Any]:
 
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:
-    """Rows as CSV, floats with all their digits."""
+    """Format rows as CSV with all digits of floats."""
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows(rows)
     return stream.getvalue()
 
 
 def aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> str:
-    """Columns as wide as their widest cell; the first ``left`` of them flush left, the others right."""
+    """Format a text table with aligned columns; the first ``left`` columns are left-aligned, others
+    right-aligned.
+    """
     table = [header, *rows]
     widths = [max(len(row[i]) for row in table) for i in range(len(header))]
     lines = [
@@ -88,12 +90,12 @@ def aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1)
 
 
 def paragraph(line: str) -> str:
-    """Markdown: lines of at most 110 columns and an empty one."""
+    """Format a Markdown paragraph with lines of at most 110 characters and an empty line."""
     return textwrap.fill(line, 110, break_on_hyphens=False, break_long_words=False) + "\n\n"
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Markdown: header, rows and an empty line."""
+    """Format a Markdown table with header, rows, and an empty line."""
     lines = [header, ["---"] * len(header), *rows]
     return (
         "".join(f"|{'|'.join(f' {cell} ' if cell else ' ' for cell in cells)}|\n" for cells in lines) + "\n"

@@ -16,8 +16,17 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Spread:
-    """Standard deviations: of places over the radius of the base, of angles in rad, and of rates and
-    accelerations in the time in which the machine falls its own radius.
+    """Standard deviations of random motions.
+
+    Attributes
+    ----------
+    shift : float
+        Standard deviation of positions, relative to the radius of the base.
+    turn : float
+        Standard deviation of angles (rad).
+    rate : float
+        Standard deviation of rates and accelerations, in units of the radius and of the time sqrt(radius /
+        gravity).
     """
 
     shift: float
@@ -28,10 +37,28 @@ class Spread:
 def random_motions(
     rng: np.random.Generator, robot: Robot, count: int, spread: Spread, gravity: float, load: float = 0.0
 ) -> Motion:
-    """Motions, (count,), around the home pose.
+    """Generate random motions of shape (count,) near the home pose.
 
-    gravity: m/s^2, sets the machine's own time. load: kg, mass whose weight the external force is about, with
-    the radius as its lever.
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Source of random numbers.
+    robot : Robot
+        Robot.
+    count : int
+        Number of motions.
+    spread : Spread
+        Standard deviations.
+    gravity : float
+        Acceleration (m/s^2) that defines the time scale of the machine.
+    load : float
+        Mass (kg) whose weight is the magnitude of the external force; its lever arm is the radius of the
+        base.
+
+    Returns
+    -------
+    Motion
+        Motions of shape (count,).
     """
     size, home = radius(robot.b), home_pose(robot).t
     rate = np.sqrt(gravity / size)

@@ -1,4 +1,4 @@
-"""What a command found, in one shape: text, tables, figures for programs, pictures; and how it is written."""
+"""Report of a command, with text, tables, data, and plots, and the function that writes it."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ...viewer.view import Viewer
 
 Table = str | Mapping[str, NDArray[Any]]
-"""CSV text, or columns (n,) by name."""
+"""CSV text, or columns of shape (n,) by name."""
 
 STYLE: Mapping[Any, Any] = {
     "axes.grid": True,
@@ -28,17 +28,17 @@ STYLE: Mapping[Any, Any] = {
     "axes.spines.right": False,
     "legend.frameon": False,
 }
-"""Matplotlib's settings of all pictures; ``SMALL``: with smaller letters."""
+"""Matplotlib settings of all plots; ``SMALL`` has a smaller font."""
 SMALL: Mapping[Any, Any] = {**STYLE, "font.size": 9.0, "axes.axisbelow": True}
 
 _METADATA: dict[str, dict[str, None]] = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None}}
-# The same numbers give the same bytes.
+# These settings make the files reproducible to the byte.
 _SVG: dict[Any, Any] = {"svg.hashsalt": "stewart-sym", "svg.fonttype": "none"}
 
 
 @dataclass(frozen=True)
 class Picture:
-    """What draws a picture, in which of Matplotlib's styles, and as files of which kinds."""
+    """Plot of a report: function that draws it, Matplotlib style, file formats, and resolution."""
 
     draw: "Callable[[], Figure]"
     style: Mapping[Any, Any] = field(default_factory=lambda: STYLE)
@@ -48,11 +48,20 @@ class Picture:
 
 @dataclass(frozen=True, eq=False)
 class Report:
-    """A command's result.
+    """Result of a command.
 
-    text: for people. tables: by name of the CSV file without its ending. data: figures for programs, with
-    units in the keys or in a table ``units``. figures: by name of the picture without its ending. views: what
-    makes each motion's view, by its name in words.
+    Attributes
+    ----------
+    text : str
+        Text for readers.
+    tables : mapping of str to Table
+        Tables by the name of the CSV file without its suffix.
+    data : mapping
+        Numbers for programs, with units in the keys or in a table ``units``.
+    figures : mapping of str to Picture
+        Plots by file name without suffix.
+    views : mapping of str to callable
+        Functions that create the view of each motion, by title.
     """
 
     text: str
@@ -63,9 +72,10 @@ class Report:
 
 
 def write(report: Report, folder: Path, name: str, progress: Progress = silent) -> None:
-    """Write ``name.txt``, ``name.json``, every table as CSV and every picture into a folder.
+    """Write ``name.txt``, ``name.json``, every table as CSV, and every plot into a folder.
 
-    Raises OSError naming the file that can't be written, ImportError for pictures without Matplotlib.
+    Raises OSError with the name of the file that cannot be written, and ImportError for plots without
+    Matplotlib.
     """
     texts: dict[str, Table] = {
         f"{name}.txt": report.text.rstrip("\n") + "\n",
@@ -81,7 +91,7 @@ def write(report: Report, folder: Path, name: str, progress: Progress = silent) 
 
 
 def draw(picture: Picture, stem: Path) -> None:
-    """Draw a picture and write it to a path, to which the endings are added."""
+    """Draw a plot, and write it to a path to which the suffixes are added."""
     import matplotlib
 
     with matplotlib.rc_context({**_SVG, **picture.style}):
@@ -92,7 +102,7 @@ def draw(picture: Picture, stem: Path) -> None:
 
 
 def svg(picture: Picture, stream: IO[bytes]) -> None:
-    """Draw a picture as SVG whose letters are shapes: it looks the same wherever it is shown."""
+    """Draw a plot as SVG with text as outlines, which has the same appearance in all programs."""
     import matplotlib
 
     with matplotlib.rc_context({**_SVG, **picture.style, "svg.fonttype": "path"}):

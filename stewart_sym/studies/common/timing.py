@@ -1,4 +1,4 @@
-"""Nanoseconds of tasks that take turns: whatever slows the machine down slows all of them."""
+"""Timing of tasks (ns) that alternate, so that disturbances of the machine affect all tasks equally."""
 
 import contextlib
 import gc
@@ -12,22 +12,24 @@ from ...io.progress import Progress
 Key = TypeVar("Key")
 
 SHORTEST = 2e-3
-"""Seconds that one sample lasts at least."""
+"""Shortest duration of one sample (s)."""
 
 ENORMOUS = 10**5
-"""Units of work from which on a run is its own warming up: no cache holds what so many poses take."""
+"""Units of work above which a run requires no warm-up, because the data of so many poses exceed every
+cache.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What is timed: ``run(n)`` does ``units`` of work n times."""
+    """Timed task: ``run(n)`` does ``units`` of work n times."""
 
     run: Callable[[int], object]
     units: int
 
 
 def repeated(call: Callable[[], object]) -> Callable[[int], None]:
-    """What makes a call n times."""
+    """Return a function that makes a call n times."""
 
     def run(repeats: int) -> None:
         for _ in range(repeats):
@@ -37,7 +39,7 @@ def repeated(call: Callable[[], object]) -> Callable[[int], None]:
 
 
 def over(call: Callable[..., object], arguments: Iterable[tuple[Any, ...]]) -> Callable[[int], None]:
-    """What makes a call with each of the arguments, n times all of them."""
+    """Return a function that makes a call with each of the arguments, n times."""
     every = list(arguments)
 
     def run(repeats: int) -> None:
@@ -51,7 +53,7 @@ def over(call: Callable[..., object], arguments: Iterable[tuple[Any, ...]]) -> C
 def measured(
     tasks: Mapping[Key, Task], rounds: Mapping[Key, int], progress: Progress
 ) -> dict[Key, tuple[float, ...]]:
-    """Ns a unit of every task in every round; each round begins with another task."""
+    """Measure the time per unit (ns) of every task in every round; each round begins with another task."""
     progress("warming up")
     repeats = {key: _enough(task) for key, task in tasks.items()}
     raw: dict[Key, list[float]] = {key: [] for key in tasks}
@@ -67,9 +69,9 @@ def measured(
 
 
 def _sample(task: Task, repeats: dict[Key, int], key: Key) -> float:
-    """Ns a unit, from a sample that lasted long enough.
+    """Measure the time per unit (ns) in a sample of sufficient duration.
 
-    A run that is not timed comes first: it fetches the data that others drove out and wakes the threads.
+    An untimed run precedes it to load the data into the cache and to wake the threads.
     """
     if task.units < ENORMOUS:
         task.run(1)
@@ -81,7 +83,7 @@ def _sample(task: Task, repeats: dict[Key, int], key: Key) -> float:
 
 
 def _enough(task: Task) -> int:
-    """Repeats that last twice as long as a sample must."""
+    """Return the number of repeats that last twice the shortest duration of a sample."""
     repeats = 1
     task.run(1)
     while (seconds := _seconds(task, repeats)) < SHORTEST:
@@ -108,7 +110,9 @@ def _no_collection() -> Iterator[None]:
 
 
 def time_source() -> dict[str, Any]:
-    """The time source and the shortest step seen of it; ValueError if a sample isn't 1000 steps long."""
+    """Describe the time source and its shortest observed step; raise ValueError if a sample has fewer than
+    1000 steps.
+    """
     info = time.get_clock_info("perf_counter")
     step = min(_step() for _ in range(100))
     if not info.monotonic or step > 1e-3 * SHORTEST:

@@ -1,1 +1,1 @@
-"""Reports and pictures of workspaces and of sizing."""
+"""Reports and plots of workspaces and actuator requirements."""

@@ -1,6 +1,7 @@
-"""What ``size`` writes: what motions need of every actuator and joint, beside the robot's limits.
+"""Report of ``size-actuators``: requirements of every actuator and joint, compared with the limits of the
+robot.
 
-The picture has force over speed, shares of the time, strokes, joint angles.
+The plot contains force over speed, exceedance of force over time, strokes, and joint angles.
 """
 
 import functools
@@ -35,17 +36,17 @@ _UNITS = (
     | {"max_braking_power": "W", "length": "m", "stroke": "m", "base_angle": "rad", "platform_angle": "rad"}
     | {"torque": "N m", "motor_speed": "rad/s", "current": "A", "motor_power": "W", "rms_torque": "N m"}
 )
-"""Of what is given for programs."""
+"""Units of the values in the JSON data."""
 
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
 _DIGITS = 4
-"""Of numbers in the table."""
+"""Number of digits in the table."""
 _MOST = 4000
-"""Points of a leg that are drawn."""
+"""Largest number of drawn points per leg."""
 
 
 def report(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> Report:
-    """Text, figures for programs, a row for each need as a table, and a picture."""
+    """Create the report: text, data, a table of the requirements, and a plot."""
     text, tables = _text(robot, sources, needs), {"needs": _table(needs)}
     figures = {"size": Picture(lambda: figure(robot, needs), SMALL)}
     return Report(text, tables, _data(robot, sources, needs), figures)
@@ -54,7 +55,7 @@ def report(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResu
 def views(
     robot: Robot, sources: Sequence[str], read: Sequence[Trajectory | PoseLog]
 ) -> dict[str, Callable[[], Viewer]]:
-    """What makes the view of each motion; files of the same name get numbers."""
+    """Return functions that create the view of each motion; files of the same name are numbered."""
     made: dict[str, Callable[[], Viewer]] = {}
     for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
         name = f"{source}, motion {number}" if sources.count(source) > 1 else source
@@ -63,7 +64,7 @@ def views(
 
 
 def doubt(needs: ActuatorRequirementsResult) -> str | None:
-    """One line about forces that the noise of logs leaves unknown; None without."""
+    """Return a warning about forces that cannot be determined at the noise of the logs, or None."""
     course = needs.history
     if course.std is None or course.replaced is None:
         return None
@@ -71,7 +72,10 @@ def doubt(needs: ActuatorRequirementsResult) -> str | None:
 
 
 def rows(needs: ActuatorRequirementsResult | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
-    """Name, unit and value for each leg, (6,), of every need, without the margin; or their deviations."""
+    """Yield name, unit, and value for each leg, shape (6,), of every requirement, without the margin.
+
+    The argument may also contain the standard deviations of the requirements.
+    """
     for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
         unit, values = _UNITS[name], getattr(needs, name)
         for share, at in zip(needs.quantiles, () if values is None else values, strict=values is not None):
@@ -94,7 +98,7 @@ def rows(needs: ActuatorRequirementsResult | SimpleNamespace) -> Iterator[tuple[
 
 
 def _deviations(needs: ActuatorRequirementsResult) -> Iterator[Array | None]:
-    """Those of ``rows``, (6,); None without noise."""
+    """Yield the standard deviations of ``rows``, shape (6,), or None without noise."""
     if needs.std is None:
         yield from (None for _ in rows(needs))
         return
@@ -161,7 +165,7 @@ def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
 
 
 def _data_of_noise(found: LimitMargins, needs: ActuatorRequirementsResult) -> dict[str, Any]:
-    """What the noise of logs leaves open, for programs; nothing without noise."""
+    """Return standard deviations and undecided limits for the JSON data; nothing without noise."""
     if needs.std is None:
         return {}
     unknown = doubt(needs)
@@ -184,7 +188,7 @@ def _table(needs: ActuatorRequirementsResult) -> str:
 
 
 def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
-    """Four panels; of a robot with drives six."""
+    """Draw four panels, or six for a robot with drives."""
     driven = needs.history.torque is not None
     drawn = new_figure(15.5 if driven else 11.0, 8.2)
     panels = drawn.subplots(2, 3 if driven else 2)
@@ -213,7 +217,7 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
 
 
 def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort: Array) -> None:
-    """Each leg's effort over its rate, and the limits that are near enough to be in the picture."""
+    """Draw the effort of each leg over its rate, and the limits near the range of the curves."""
     step = max(1, len(rate) // _MOST)
     for leg, color in enumerate(LEG_COLORS):
         axes.plot(rate[::step, leg], effort[::step, leg], color=color, linewidth=0.8, alpha=0.8)
@@ -227,7 +231,7 @@ def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort
 
 
 def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:
-    """For which share of the time each leg's effort, (n, 6), is above a size."""
+    """Draw the fraction of the time in which the effort of each leg, shape (n, 6), exceeds a value."""
     for leg, color in enumerate(LEG_COLORS):
         order = np.argsort(-sizes[:, leg])
         above = np.cumsum(weight[order]) / weight.sum()
@@ -240,12 +244,12 @@ def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:
 
 
 def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
-    """Lengths that each leg takes, its stroke with the margin, and the limits, between which that may lie."""
+    """Draw the lengths and the stroke of each leg with the margin, and the limits of the lengths."""
     strokes = (1.0 + needs.margin) * needs.stroke
     for leg, (color, stroke) in enumerate(zip(LEG_COLORS, strokes, strict=True)):
         low, high = needs.length[leg]
         least, most = robot.length_limits[leg]
-        # Half of the margin at each end, but for limits that the other end leaves room beside.
+        # Half of the margin is at each end, unless a limit shifts it to the other end.
         bottom = min(max(0.5 * (low + high - stroke), least), most - stroke)
         bottom = min(max(bottom, high - stroke), low)
         axes.bar(leg + 1, stroke, bottom=bottom, color=color, alpha=0.3, width=0.6)
@@ -259,7 +263,7 @@ def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> Non
 
 
 def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
-    """Largest angles of the joints at the base, left, and at the platform, right and hatched."""
+    """Draw the largest angles of the joints at the base, left, and at the platform, right and hatched."""
     ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
     for end, (angles, shift, hatch) in enumerate(ends):
         for leg, color in enumerate(LEG_COLORS):

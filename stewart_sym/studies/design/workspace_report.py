@@ -1,6 +1,6 @@
-"""What ``workspace`` writes: volume, what bounds it, and planes through the pose in the middle.
+"""Report of ``workspace``: volume, limiting constraints, and slices through the center pose.
 
-The picture has the planes, by condition number and broken limit.
+The plot displays the slices, colored by condition number and violated limit.
 """
 
 import itertools
@@ -24,29 +24,39 @@ from ..common.output import aligned, csv_text
 from ..common.report import SMALL, Picture, Report
 
 POINTS = 121
-"""How many poses a slice has along each axis."""
+"""Number of poses of a slice along each axis."""
 
 AXES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
 _ENDS = np.array([[-math.inf, math.inf]] * 3 + [[-math.pi, math.pi]] * 3)
 _ENDS[4] *= 0.5
-# A slice reaches beyond the poses within the limits, on each side by this share of their width.
+# Fraction of the width by which a slice extends beyond the poses within the limits, on each side.
 _MARGIN = 0.12
 
 _OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
-"""Colors of the limits, in the order of ``REASONS``; what is inside is colored by its condition number."""
+"""Colors of the limits in the order of ``REASONS``; poses within the limits have the color of their condition
+number.
+"""
 _MOST = 100.0
-# The colors span at least this ratio of condition numbers.
+# Smallest ratio of the condition numbers that the color scale spans.
 _LEAST_RATIO = 1.5
-# Width of a row of panels, inches; least and greatest width over height of a panel.
+# Width of a row of panels (inches), and smallest and largest ratio of width to height of a panel.
 _WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 
 @dataclass(frozen=True, eq=False)
 class Slice:
-    """Poses of a plane through the pose in the middle.
+    """Poses of a plane through the center pose.
 
-    axes: which two of ``AXES`` vary. first, second: their values, m or rad, (n,) and (m,). codes: first
-    broken limits, indices of ``REASONS``, (n, m). condition: scaled condition numbers, (n, m).
+    Attributes
+    ----------
+    axes : tuple of int
+        Two indices of ``AXES`` that vary.
+    first, second : ndarray, shape (n,) and (m,)
+        Values of the axes (m or rad).
+    codes : ndarray of int8, shape (n, m)
+        First violated limits, indices of ``REASONS``.
+    condition : ndarray, shape (n, m)
+        Scaled condition numbers.
     """
 
     axes: tuple[int, int]
@@ -57,7 +67,7 @@ class Slice:
 
 
 def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: Progress) -> list[Slice]:
-    """Planes through the pose in the middle, of each two positions and of each two angles that vary."""
+    """Compute the planes through the center pose for each pair of varying positions or varying angles."""
     varying = {"constant_orientation": [0], "orientation": [3], "six_dof": [0, 3]}[found.kind]
     pairs = [(i + start, j + start) for start in varying for i, j in itertools.combinations(range(3), 2)]
     examiner, first = PoseExaminer(robot, at_reference(robot, limits)), varying[0]
@@ -77,7 +87,7 @@ def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: P
 
 
 def _ends(found: WorkspaceResult, axis: int, row: int) -> Array:
-    """Where a slice begins and ends along an axis."""
+    """Return the ends of a slice along an axis."""
     extent = found.bounds[row] if np.isnan(found.extent[row]).any() else found.extent[row]
     middle = float(np.concatenate([found.position, found.rpy])[axis])
     low, high = min(extent[0], middle), max(extent[1], middle)
@@ -86,7 +96,7 @@ def _ends(found: WorkspaceResult, axis: int, row: int) -> Array:
 
 
 def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: list[Slice]) -> Report:
-    """Text, figures for programs, and the planes as a table and a picture."""
+    """Create the report: text, data, and the planes as a table and a plot."""
     data = {
         "robot": robot.name,
         "kind": found.kind,
@@ -116,7 +126,7 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
 
 
 def _title(found: WorkspaceResult) -> str:
-    """Which workspace it is, in words."""
+    """Describe the kind of workspace."""
     t, theta = (", ".join(f"{x:.4g}" for x in values) for values in (found.position, found.rpy))
     return {
         "constant_orientation": f"constant orientation, roll, pitch, yaw ({theta}) rad",
@@ -180,7 +190,7 @@ def _clear_unit(found: WorkspaceResult) -> str:
 
 
 def _table(planes: list[Slice]) -> str:
-    """One row for each pose of the planes."""
+    """Format one row for each pose of the planes."""
     rows: list[Sequence[object]] = [("axes", "first", "second", "first_limit", "scaled_condition")]
     for plane in planes:
         axes = "-".join(AXES[i] for i in plane.axes)
@@ -191,9 +201,9 @@ def _table(planes: list[Slice]) -> str:
 
 
 def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
-    """A panel for each plane, t_z upright as gravity says."""
+    """Draw a panel for each plane, with t_z vertical according to gravity."""
     shapes = np.array([_shape(plane) for plane in planes]).reshape(-1, 3)
-    # A row is as wide as the picture; a picture of one row has panels of one height.
+    # All rows have the width of the plot, and panels of one row have the same height.
     widths = _WIDTH * shapes.mean(axis=0) / shapes.mean(axis=0).sum()
     heights = (widths / shapes).max(axis=1)
     drawn = new_figure(12.0, 1.6 + float(np.sum(heights + 0.6)))
@@ -229,7 +239,7 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
 
 
 def _shape(plane: Slice) -> float:
-    """Width over height of a panel, within what a picture has room for."""
+    """Return the ratio of width to height of a panel, within its limits."""
     return float(np.clip(np.ptp(plane.first) / np.ptp(plane.second), *_SHAPES))
 
 

@@ -1,1 +1,1 @@
-"""Section 5 of the paper computed again."""
+"""Reproduction of section 5 of the paper."""

@@ -1,6 +1,7 @@
-"""The claims of the paper's text beside what was computed, each with a verdict by a rule that is stated.
+"""Claims in the text of the paper compared with the computed results, each with a verdict by an explicit
+rule.
 
-The paper's own numbers stand here and nowhere else.
+Only this module contains numbers of the paper.
 """
 
 from collections.abc import Callable
@@ -15,20 +16,22 @@ from .reproduce import LIGHT_PLATFORM, PathRun, Reproduction
 HOLDS, PARTLY, FAILS = "holds", "partly", "does not hold"
 
 NEAR_ZERO = 0.1
-"""Share of a leg's largest |F| on the path below which its dynamic fraction is not counted."""
+"""Fraction of the largest |F| of a leg on the path below which its dynamic fraction is not counted."""
 
 PAPER_FLOPS = {"leg": 694, "platform": 273, "final": 452, "total": 4889}
 SERIAL_ARM_FLOPS = 1454
-"""Section 4.5: Newton-Euler inverse dynamics of a serial arm of six joints."""
+"""Operations of the Newton-Euler inverse dynamics of a serial arm with six joints (section 4.5)."""
 
 
 Check = Callable[[Reproduction, str], tuple[object, ...]]
-"""What was computed in a formulation, in words with units; whether the claim holds, and perhaps partly."""
+"""Function that returns the result of a formulation as text with units, whether the claim is correct, and
+optionally whether it is partly correct.
+"""
 _CLAIMS: list[tuple[str, str, str, Check]] = []
 
 
 def _claim(where: str, says: str, rule: str) -> Callable[[Check], Check]:
-    """Add what a function checks to the claims, which are in the order of the text."""
+    """Return a decorator that adds a check to the claims, in the order of the paper."""
 
     def added(check: Check) -> Check:
         _CLAIMS.append((where, says, rule, check))
@@ -38,10 +41,10 @@ def _claim(where: str, says: str, rule: str) -> Callable[[Check], Check]:
 
 
 def claims(found: Reproduction) -> list[Figures]:
-    """Check every claim, in the order of the text.
+    """Check every claim, in the order of the paper.
 
-    Where it stands, what it says, the verdict's rule, and of each formulation what was computed, in words
-    with units, and the verdict.
+    Each record contains the section, the claim, the rule of the verdict, and for each formulation the result
+    as text with units, and the verdict.
     """
     return [
         {"where": where, "says": says, "rule": rule}
@@ -55,23 +58,25 @@ def _measured(text: object, holds: object, partly: object = False) -> Figures:
 
 
 def counted_fractions(run: PathRun) -> Array:
-    """|F_d / F| of all legs and instants, 1-D, where |F| >= NEAR_ZERO of the leg's largest on the path."""
+    """Return |F_d / F| of all legs and samples, 1-D, at which |F| >= NEAR_ZERO of the largest |F| of the
+    leg.
+    """
     size = np.abs(run.F)
     return np.asarray(np.abs(run.fraction)[size >= NEAR_ZERO * size.max(axis=0)])
 
 
 def crossing_legs(run: PathRun) -> list[int]:
-    """Legs, from 1, whose total force changes its sign on the path."""
+    """List the legs, from 1, whose total force changes its sign on the path."""
     return [i + 1 for i in range(6) if np.any(np.diff(np.sign(run.F[:, i])) != 0)]
 
 
 def rank_correlation(x: Array, y: Array) -> float:
-    """Correlation of ranks, -1 to 1 (Spearman's); no ties."""
+    """Compute Spearman's rank correlation, -1 to 1, without ties."""
     return float(np.asarray(np.corrcoef(np.argsort(np.argsort([x, y], axis=-1), axis=-1)))[0, 1])
 
 
 def largest(run: PathRun) -> float:
-    """Largest |F| of any leg at any instant, N."""
+    """Return the largest |F| of all legs and samples (N)."""
     return float(np.max(np.abs(run.F)))
 
 
@@ -80,7 +85,7 @@ def _worst_time(run: PathRun) -> float:
 
 
 def _short(number: float) -> str:
-    """Two digits and a bare exponent: 9.6e5."""
+    """Format two digits and a short exponent: 9.6e5."""
     digits, exponent = f"{number:.1e}".split("e")
     return f"{digits}e{int(exponent)}"
 
@@ -185,7 +190,7 @@ def _steep(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["II", form]
     step = np.max(np.abs(np.diff(run.F, axis=0)), axis=-1)
     jumps = PAPER_PATHS["II"].path.breakpoints()[1:-1]
-    # A sample at the instant of a jump has the value that follows it: the step that ends there jumps.
+    # A sample at a jump has the value after the jump, so the step that ends there contains the jump.
     at = np.unique(np.searchsorted(run.time, jumps - 1e-9) - 1)
     least, elsewhere = float(step[at].min()), float(np.delete(step, at).max())
     text = f"change in a step of 0.01 s: {least:.0f} to {step.max():.0f} N in the {len(at)} steps where an "

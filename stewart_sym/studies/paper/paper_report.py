@@ -1,4 +1,4 @@
-"""The tables of ``reproduce`` as plain aligned text."""
+"""Tables of ``reproduce`` as aligned plain text."""
 
 import functools
 import textwrap
@@ -29,7 +29,7 @@ _FAULT_NAMES = {
 
 
 def full_report(found: Reproduction) -> Report:
-    """All tables, the runs over time, the pictures of Figs. 4-10 and a view of each path."""
+    """Create the report: all tables, the runs over time, the plots of Figs. 4-10, and a view of each path."""
     tables = {f"path_{path}_{form}": run_columns(run) for (path, form), run in found.runs.items()}
     views = {f"Path {path}": functools.partial(view, found.robot, path) for path in PAPER_PATHS}
     return Report(report(found), tables, _data(found), pictures(found), views)
@@ -54,7 +54,7 @@ def _data(found: Reproduction) -> dict[str, Any]:
 
 
 def report(found: Reproduction) -> str:
-    """All tables, with units and definitions, as one text."""
+    """Format all tables, with units and definitions, as one text."""
     physicality = [f"  {line}" for line in found.robot.find_invalid_inertias()]
     head = [
         "Dasgupta & Mruthyunjaya (1998), section 5, computed again",
@@ -193,7 +193,7 @@ def _section(title: str, table: str, notes: str) -> str:
 
 
 def _wrapped(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequence[int]) -> str:
-    """Columns of given widths with wrapped cells and a blank line between the rows."""
+    """Format columns of given widths with wrapped cells and a blank line between the rows."""
     blocks = [_block(row, widths) for row in (header, *rows)]
     rule = "-" * (sum(widths) + 2 * (len(widths) - 1))
     return "\n".join([blocks[0], rule, "\n\n".join(blocks[1:])])

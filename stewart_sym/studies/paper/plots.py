@@ -1,4 +1,4 @@
-"""Pictures of the paper's Figs. 4-10 with `paper` and `exact` in each, as PNG and SVG."""
+"""Plots of Figs. 4-10 of the paper with both formulations, `paper` and `exact`, as PNG and SVG."""
 
 import functools
 from collections.abc import Callable
@@ -18,7 +18,7 @@ _EXACT_LINE: dict[str, Any] = {"linewidth": 3.6, "alpha": 0.35, "zorder": 2, "so
 
 @dataclass(frozen=True)
 class _Curve:
-    """One of the paper's letters: what it is, and its color and dash."""
+    """Curve with the letter of the paper, its meaning, values, color, and dash pattern."""
 
     letter: str
     meaning: str
@@ -35,7 +35,7 @@ _CURVES = (
 
 
 def pictures(found: Reproduction) -> dict[str, Picture]:
-    """Every picture by name, as PNG and SVG."""
+    """Return every plot by name, as PNG and SVG."""
     return {
         f"fig{number:02d}_path_{path}_{kind}": Picture(
             functools.partial(make, number, found.runs[path, "paper"], found.runs[path, "exact"]),
@@ -47,7 +47,7 @@ def pictures(found: Reproduction) -> dict[str, Picture]:
 
 
 def forces_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
-    """Six panels of T, S and D over time; `paper` thin, `exact` as a pale band behind."""
+    """Draw six panels of T, S, and D over time; `paper` as thin lines, `exact` as pale bands behind."""
     figure, panels = _six_panels(number, f"Path {paper.path}: leg forces", "force, N")
     for leg, axes in enumerate(panels):
         for curve in _CURVES:
@@ -65,7 +65,7 @@ def forces_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
 
 
 def fraction_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
-    """Six panels of F_d / F over time, cut off at -1 and 1: it has no bound where F crosses zero."""
+    """Draw six panels of F_d / F over time, clipped to -1 to 1, because it is unbounded at a zero of F."""
     figure, panels = _six_panels(number, f"Path {paper.path}: fraction of dynamic forces", "$F_d / F$")
     color = _CURVES[0].color
     for leg, axes in enumerate(panels):
@@ -79,7 +79,7 @@ def fraction_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
 
 
 def condition_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
-    """Condition number of H over time, the paper's and the unitless one; log axis above 1000."""
+    """Draw the condition number of H over time, as in the paper and dimensionless; logarithmic above 1000."""
     figure = new_figure(7.0, 4.2)
     axes = figure.subplots()
     figure.suptitle(f"Fig. {number}  Path {paper.path}: condition number of H")
@@ -130,7 +130,7 @@ def _six_panels(number: int, title: str, label: str) -> tuple[Figure, list[Axes]
 
 
 def _letters(axes: Axes, ends: list[tuple[str, float, str]]) -> None:
-    """The curves' letters outside the right edge at their last values, spread so that none overlap."""
+    """Write the letters of the curves at the right edge at their last values, without overlap."""
     low, high = axes.get_ylim()
     heights = {letter: (value - low) / (high - low) for letter, value, _ in ends}
     for letter, height in _spread(heights, gap=0.075).items():
@@ -139,7 +139,7 @@ def _letters(axes: Axes, ends: list[tuple[str, float, str]]) -> None:
 
 
 def _spread(heights: dict[str, float], gap: float) -> dict[str, float]:
-    """Move heights apart to at least ``gap``, keeping their order and, as far as that goes, their places."""
+    """Move heights apart to at least ``gap`` without a change of their order."""
     names = sorted(heights, key=lambda name: heights[name])
     placed = np.array([heights[name] for name in names])
     for _ in range(20):
@@ -150,19 +150,20 @@ def _spread(heights: dict[str, float], gap: float) -> dict[str, float]:
     return dict(zip(names, placed.tolist(), strict=True))
 
 
-# A fraction changes by more than this share of a panel's height between two instants only beside a zero of F.
+# Between two samples, a fraction changes by more than this fraction of the panel height only next to a zero
+# of F.
 _LEAP = 0.5
 
 
 def _broken(run: PathRun, leg: int, leap: float) -> tuple[Array, Array]:
-    """Time and fraction with a gap wherever F changes its sign or the fraction leaps."""
+    """Return time and fraction with a gap at each sign change of F and large change of the fraction."""
     changes = np.diff(np.sign(run.F[:, leg])) != 0
     after = np.flatnonzero(changes | (np.abs(np.diff(run.fraction[:, leg])) > leap)) + 1
     return np.insert(run.time, after, np.nan), np.insert(run.fraction[:, leg], after, np.nan)
 
 
 def _fraction_limits(runs: tuple[PathRun, ...], leg: int) -> tuple[float, float]:
-    """All of both curves, but no more than -1 to 1, with zero in sight."""
+    """Return limits that include both curves and zero, at most -1 to 1."""
     values = np.concatenate([run.fraction[:, leg] for run in runs])
     low, high = max(float(values.min()), -1.0), min(float(values.max()), 1.0)
     low, high = min(low, 0.0), max(high, 0.0)

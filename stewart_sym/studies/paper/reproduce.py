@@ -1,4 +1,4 @@
-"""Section 5 of the paper computed again: Paths I-III, what each printed fault costs, work and energy."""
+"""Reproduction of section 5 of the paper: Paths I-III, errors due to the printed faults, work, and energy."""
 
 import dataclasses
 from collections.abc import Mapping
@@ -22,7 +22,7 @@ from ...singularities.path_singularities import singularity_crossings
 from ..common.output import Columns, Figures, of_legs
 
 LIGHT_PLATFORM = 4.0
-"""Platform mass, kg, of the order of one leg's, for the claim on the mass ratio."""
+"""Platform mass (kg), comparable to the mass of one leg, for the claim on the mass ratio."""
 
 FAULTS: tuple[frozenset[int], ...] = (
     frozenset({newton_euler.SPIN}),
@@ -31,7 +31,9 @@ FAULTS: tuple[frozenset[int], ...] = (
     newton_euler.PAPER,
     frozenset({newton_euler.SIGN}),
 )
-"""Sets of printed faults whose cost is measured: one at a time, and those of `paper` together."""
+"""Sets of printed faults whose effect is measured: each fault separately, and the faults of `paper`
+together.
+"""
 
 _FORMULATION: Mapping[frozenset[int], Formulation] = {
     newton_euler.EXACT: "exact",
@@ -42,10 +44,18 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 @dataclass(frozen=True, eq=False)
 class PathRun:
-    """One path in one formulation.
+    """Results for one path in one formulation.
 
-    time: s, (n,). F, F0: total and massless actuator forces, N, (n, 6), (37), (41).
-    condition, scaled_condition: of H, (n,); the second with moments divided by the characteristic length.
+    Attributes
+    ----------
+    path, formulation : str
+        Name of the path and formulation.
+    time : ndarray, shape (n,)
+        Times (s).
+    F, F0 : ndarray, shape (n, 6)
+        Total and massless-leg actuator forces (N), (37) and (41).
+    condition, scaled_condition : ndarray, shape (n,)
+        Condition numbers of H; the scaled one with moments divided by the characteristic length.
     """
 
     path: str
@@ -58,24 +68,36 @@ class PathRun:
 
     @property
     def Fd(self) -> Array:
-        """Share of leg inertia, leg weight and friction, N, (n, 6), (42)."""
+        """Contribution of leg inertia, leg weight, and friction (N), shape (n, 6), (42)."""
         return self.F - self.F0
 
     @property
     def fraction(self) -> Array:
-        """Dynamic fraction F_d / F, (n, 6); it grows without bound where F crosses zero."""
+        """Dynamic fraction F_d / F, shape (n, 6), which is unbounded near zeros of F."""
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.Fd / self.F
 
 
 @dataclass(frozen=True, eq=False)
 class Reproduction:
-    """Everything that ``reproduce`` computed.
+    """Results of ``reproduce``.
 
-    runs: by (path, formulation). light: Path I with a platform of ``LIGHT_PLATFORM`` kg, by formulation.
-    rest: Path I's poses at rest, by formulation. singular_time: time, s, at which H is singular on Path III.
-    backend: one line on what computed the runs. fault_costs, work_energy, operations: as the functions of
-    these names have them.
+    Attributes
+    ----------
+    robot : Robot
+        Robot of the paper.
+    backend : str
+        Description of the kernels and the compiler.
+    runs : mapping
+        Runs by (path, formulation).
+    light : mapping
+        Path I with a platform of ``LIGHT_PLATFORM`` kg, by formulation.
+    rest : mapping
+        Poses of Path I at rest, by formulation.
+    singular_time : float
+        Time at which H is singular on Path III (s).
+    fault_costs, work_energy, operations : list of dict
+        Results of the functions ``fault_cost``, ``work_energy``, and ``operations``.
     """
 
     robot: Robot
@@ -90,7 +112,7 @@ class Reproduction:
 
 
 def reproduce(progress: Progress = silent) -> Reproduction:
-    """Compute everything on the paper's machine; ``progress`` is given what is being computed."""
+    """Compute all results for the machine of the paper; ``progress`` receives the current step."""
     robot, path = dasgupta1998(), PAPER_PATHS["III"].path
     progress("compiling the kernels")
     backend = _backend(robot)
@@ -116,7 +138,7 @@ def reproduce(progress: Progress = silent) -> Reproduction:
 
 
 def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool = False) -> PathRun:
-    """Run a path of ``PAPER_PATHS`` at the paper's time step, or rest at each of its poses."""
+    """Compute a path of ``PAPER_PATHS`` at the time step of the paper, or its poses at rest."""
     path, dtau = PAPER_PATHS[name]
     time = path.time_grid(dtau)
     motion = path.sample(time)
@@ -134,7 +156,7 @@ def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool
 
 
 def run_columns(run: PathRun) -> Columns:
-    """The columns of a run's CSV file by name, each (n,), SI units."""
+    """Return the columns of the CSV file of a run by name, shape (n,), SI units."""
     columns: Columns = {"time": run.time}
     for name, values in (("F", run.F), ("F0", run.F0), ("Fd", run.Fd), ("dynamic_fraction", run.fraction)):
         columns |= of_legs(name, values)
@@ -148,9 +170,10 @@ def without_friction(robot: Robot) -> Robot:
 
 
 def fault_cost(robot: Robot, faults: frozenset[int]) -> Figures:
-    """Measure what a set of printed faults changes, without friction, by path.
+    """Measure the effect of a set of printed faults without friction, by path.
 
-    Moving and at rest on the same poses: RMS over all legs and instants of F - F_exact over RMS of F_exact.
+    The effect is the RMS of F - F_exact over the RMS of F_exact, for all legs and samples, in motion and at
+    rest at the same poses.
     """
     frictionless = without_friction(robot)
     moving, resting = {}, {}
@@ -162,14 +185,14 @@ def fault_cost(robot: Robot, faults: frozenset[int]) -> Figures:
 
 
 def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
-    """Work of the actuators along a path and the gain of kinetic and potential energy, J, no friction.
+    """Compute the work of the actuators and the increase of kinetic and potential energy along a path (J).
 
-    The power is integrated by Gauss-Legendre between the jumps of acceleration. The mismatch, a share of the
-    gain, is 0 for right equations. The forces of `exact` and `paper` are the kernels'; those of other faults,
-    powers and energy are the reference's.
+    The robot has no friction. The power is integrated by Gauss-Legendre quadrature between the jumps of
+    acceleration. The mismatch, relative to the energy increase, is 0 for correct equations. The forces of
+    `exact` and `paper` are from the kernels; forces of other faults, power, and energy are from the
+    reference.
 
-    It works through the singular pose of Path III as well: F grows without bound there, but its power
-    F.Ldot = D.Ldot - c.twist does not.
+    Path III passes a singular pose, at which F is unbounded, but its power F.Ldot = D.Ldot - c.twist is not.
     """
     frictionless = without_friction(robot)
     path = PAPER_PATHS[name].path
@@ -188,9 +211,10 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
 
 
 def operations() -> list[Figures]:
-    """Counts of the emitted kernels of the paper's kind of machine, each (mul, add, div, sqrt).
+    """Count the operations (mul, add, div, sqrt) of the generated kernels for the type of machine in the
+    paper.
 
-    The final system: sum of c, solve, F = D - x.
+    The final system comprises the sum of c, the solution, and F = D - x.
     """
     found = []
     for form in FORMULATIONS:

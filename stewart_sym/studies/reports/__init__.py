@@ -1,1 +1,1 @@
-"""What the subcommands write about a machine, a log, a run or a path."""
+"""Reports of the subcommands about a machine, a log, a run, or a path."""

@@ -1,4 +1,6 @@
-"""What ``check`` says of a robot: sizes, masses, limits, and its condition at a home pose at rest."""
+"""Report of ``check``: dimensions, masses, and limits of a robot, and its condition at the home pose at
+rest.
+"""
 
 import math
 import warnings
@@ -17,29 +19,30 @@ from ...robot.robot import Robot, legs_text
 from ..common.report import Report
 from .machine_plot import picture
 
-# Gravity acts along an axis of the base frame if its component there is more than this share of it.
+# Smallest fraction of gravity along an axis of the base frame for which gravity acts along that axis.
 _ALONG = 0.9
 
 
 class _Unit(NamedTuple):
-    """Of lengths in the text."""
+    """Length unit of the text."""
 
     name: str
     meters: float
 
     def vector(self, values: Array) -> str:
-        """Lengths, m, in this unit, to a tenth of a millimeter or finer."""
+        """Format lengths (m) in this unit with a resolution of a tenth of a millimeter or finer."""
         digits = 4 if self.meters == 1.0 else 5 + round(math.log10(self.meters))
         return _vector(values / self.meters, digits)
 
 
 def report(robot: Robot, length_unit: str = "m") -> Report:
-    """Everything about the robot, with a picture.
+    """Describe the robot, with a plot.
 
-    length_unit: of lengths in the text; all else, and the data for programs, are in SI units.
+    ``length_unit`` is the unit of lengths in the text; all other quantities, and the JSON data, are in SI
+    units.
     """
     with warnings.catch_warnings():
-        # The row "side" names both sides where they are equally plausible.
+        # The row "side" lists both sides if they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         home = home_pose(robot)
     data = {**_data(robot), "home_pose": _home_data(robot, home)}
@@ -49,7 +52,7 @@ def report(robot: Robot, length_unit: str = "m") -> Report:
 
 
 def _data(robot: Robot) -> dict[str, Any]:
-    """Sizes, masses and limits, for programs."""
+    """Return dimensions, masses, and limits for the JSON data."""
     return {
         "robot": robot.name,
         "base_joint": robot.base_joint,
@@ -79,7 +82,7 @@ def _data(robot: Robot) -> dict[str, Any]:
 
 
 def _drive_data(robot: Robot) -> dict[str, Any]:
-    """Drives, for programs; nothing without any."""
+    """Return the drives for the JSON data; nothing without drives."""
     if robot.drive is None:
         return {}
     names = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "backdrive_efficiency": ""}
@@ -92,7 +95,7 @@ def _drive_data(robot: Robot) -> dict[str, Any]:
 
 
 def _offset_data(robot: Robot) -> dict[str, Any]:
-    """Offset joints, for programs; nothing without any."""
+    """Return the offset joints for the JSON data; nothing without offsets."""
     if robot.offsets is None:
         return {}
     names = {"cross_mass": "kg", "cross_inertia": "kg_m2", "cross_center": "m"}
@@ -146,7 +149,7 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
 
 
 def _sides(robot: Robot) -> list[tuple[str, str]]:
-    """A row on what gravity does on either side of the base, where the base lies across an axis."""
+    """Return a row about the effect of gravity on both sides of a base normal to an axis."""
     axis = int(np.argmax(np.abs(robot.g)))
     flat = np.ptp(robot.b[:, axis]) < 0.5 * radius(robot.b)
     if not flat or abs(robot.g[axis]) <= _ALONG * np.linalg.norm(robot.g):
@@ -173,7 +176,7 @@ _OFFSETS |= {"wrist_offset": "in the platform joint"}
 
 
 def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
-    """Rows on offset joints and on the joints' crosses, where there are any."""
+    """Return rows about offset joints and the crosses of the joints, if any."""
     offsets = robot.offsets
     if offsets is None:
         return []
@@ -190,7 +193,7 @@ def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
 
 
 def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
-    """A row on how trajectories of the robot are read, where that is not the usual way."""
+    """Return a row about the trajectory format of the robot, if it is not the default."""
     parts = []
     if robot.tool.any():
         parts.append(f"poses of the point {unit.vector(robot.tool)} {unit.name} of the platform")
@@ -236,7 +239,7 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
 
 
 def _side(robot: Robot, home: HomePose) -> str:
-    """Which side of the base the home pose is on and, where gravity tells, whether it stands or hangs."""
+    """Describe the side of the base at home, and the sign of the leg load if gravity determines it."""
     direction, rule, _ = home.side
     text = f"{_vector(direction)} of the base, {rule}"
     pull = float(direction @ robot.g)
@@ -273,11 +276,11 @@ _DRIVE_LIMITS = {
     "current_limit": ("current", "A"),
     "power_limit": ("power", "W"),
 }
-"""Numbers of a drive: words and unit."""
+"""Text and unit of the numbers of a drive."""
 
 
 def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
-    """Rows on the drives and, where any are stated, on the limits of their motors."""
+    """Return rows about the drives and, if any are given, the limits of their motors."""
     lead = drive.lead / drive.gear_ratio / unit.meters
     most = lead > 0.0 if 2 * np.count_nonzero(lead > 0.0) >= len(lead) else lead < 0.0
     turn = f"{_range(lead[most])} {unit.name} per turn of the motor"
@@ -327,7 +330,7 @@ def _range(values: Array) -> str:
 
 
 def _short_range(values: Array) -> str:
-    """With four digits."""
+    """Format a range with four digits."""
     return _range(np.array([float(f"{value:.4g}") for value in values.tolist()]))
 
 

@@ -1,4 +1,4 @@
-"""The motors along a trajectory, for ``forces`` and ``plan``: columns, a table beside limits, a picture."""
+"""Motors along a trajectory for ``forces`` and ``plan``: columns, a table with the limits, and a plot."""
 
 from typing import Any
 
@@ -17,12 +17,14 @@ from ..common.output import Columns, aligned, csv_text, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 _HEADINGS = {"power": "shaft power"}
-# A limit of more than so many times the largest value is not drawn.
+# Ratio of a limit to the largest value above which the limit is not drawn.
 _FAR = 3.0
 
 
 def drive_columns(part: MotorStates, sd: MotorDeviations | None = None) -> Columns:
-    """Columns by name as written, N m, rad/s, A and W; the current where there is one, deviations if any."""
+    """Return the written columns by name (N m, rad/s, A, and W), with currents and standard deviations if
+    available.
+    """
     found: Columns = {}
     for name, column in _COLUMNS.items():
         for ending, values in (("", getattr(part, name)), ("_std", getattr(sd, name, None))):
@@ -32,12 +34,13 @@ def drive_columns(part: MotorStates, sd: MotorDeviations | None = None) -> Colum
 
 
 class DriveDigest:
-    """Peaks, root mean squares and energy of the motors over a run, and what a picture of it needs."""
+    """Peaks, root mean squares, and energies of the motors over a run, and the data of its plot."""
 
     def __init__(self, robot: Robot, time: Array, weights: Array | None = None) -> None:
-        """Begin a run at all these times (s), (n,), of a robot with a drive.
+        """Start a run of a robot with a drive at the given times (s), shape (n,).
 
-        weights: weights of the times in integrals (s), (n,); default: the trapezoidal rule.
+        ``weights`` are the weights of the times in integrals (s), shape (n,); the default is the trapezoidal
+        rule.
         """
         assert robot.drive is not None
         self.drive, self.name, self.time = robot.drive, robot.name, time
@@ -52,17 +55,17 @@ class DriveDigest:
         sd: MotorDeviations | None = None,
         there: Flags | None = None,
     ) -> None:
-        """Take in the next instants; sd, there: as for ``Summary.add``."""
+        """Add the next samples; ``sd`` and ``there`` are the arguments of ``Summary.add``."""
         self.summary.add(part, self._weights[where], self.time[where], sd, there)
         self._torque[where], self._speed[where] = part.torque, part.speed
 
     @property
     def lasts(self) -> bool:
-        """Whether the run has a duration, without which there is neither mean nor energy."""
+        """True if the run has a duration, which means and energies require."""
         return len(self.time) > 1 and bool(self.time[-1] > self.time[0])
 
     def table(self) -> str:
-        """A line for each motor: peaks and root mean square beside their limits, energy."""
+        """Format a line for each motor: peaks and root mean square with their limits, and energy."""
         found, drive = self.summary, self.drive
         peaks, sd = found.peaks, found.peak_sd
         rows = []
@@ -83,7 +86,7 @@ class DriveDigest:
         return [name for name in PEAKS if name != "current" or np.any(self.drive.torque_constant > 0.0)]
 
     def columns(self) -> dict[str, Any]:
-        """The same, (6,) each, for programs; None for what a run without a duration has not."""
+        """Return the numbers for the JSON data, shape (6,) each; None if the run has no duration."""
         units = {"torque": "N_m", "speed": "rad_per_s", "current": "A", "power": "W"}
         summary, none = self.summary, [None] * LEGS
         found: dict[str, Any] = {}
@@ -101,19 +104,19 @@ class DriveDigest:
         return found
 
     def verdicts(self) -> dict[str, Any]:
-        """Of each limit, (6,), for programs."""
+        """Return the status of each limit, shape (6,), for the JSON data."""
         found: dict[str, Any] = {f"motor_{name}_limit": self.summary.verdicts(name) for name in self._known()}
         rated = self.summary.verdicts("rated_torque") if self.lasts else [None] * LEGS
         return found | {"motor_rated_torque": rated}
 
     def csv(self) -> str:
-        """Figures and verdicts of all motors, one a row, as CSV text."""
+        """Format numbers and limit status of all motors as CSV, one motor per row."""
         columns = {"motor": range(1, LEGS + 1), **self.columns(), **self.verdicts()}
         names = [name.removeprefix("motor_") for name in columns]
         return csv_text([names, *zip(*(np.asarray(each).tolist() for each in columns.values()), strict=True)])
 
     def figure(self) -> Figure:
-        """Torque over time, and over speed with the motor's limits as a frame."""
+        """Plot torque over time, and torque over speed with the limits of the motor as a frame."""
         figure = new_figure(9.0, 4.4)
         over_time, over_speed = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
         for leg, color in enumerate(LEG_COLORS):
@@ -137,7 +140,7 @@ class DriveDigest:
 
 
 def _near(limits: Array, values: NDArray[np.float32]) -> float | None:
-    """The narrowest limit of all motors, None where it is too far from the values to be drawn with them."""
+    """Return the smallest limit of all motors, or None if it is too far from the values to be drawn."""
     narrowest, largest = float(limits.min()), float(np.nanmax(np.abs(values), initial=0.0))
     return narrowest if narrowest <= _FAR * largest else None
 

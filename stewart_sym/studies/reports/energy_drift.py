@@ -1,6 +1,7 @@
-"""Energy of a free-swinging machine on leg springs over time, in both formulations: what is right keeps it.
+"""Energy over time of a free-swinging machine on leg springs in both formulations; correct equations conserve
+it.
 
-Without friction or drive, and with springs for actuators, the energy of machine and springs is constant.
+Without friction or drives, and with springs as actuators, the energy of machine and springs is constant.
 """
 
 import dataclasses
@@ -22,19 +23,27 @@ from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_f
 from ..paper.reproduce import without_friction
 
 INSTANTS = 1001
-"""Evenly spaced in a run's time, over which the kinetic energy is averaged."""
+"""Number of evenly spaced samples for the mean kinetic energy."""
 STILL = 1e-12
-"""Of the energies that are compared, below which rounding hides what drifts."""
+"""Fraction of the compared energies below which rounding errors dominate the drift."""
 COLORS = {"exact": BLUE, "paper": RED}
 
 
 @dataclass(frozen=True, eq=False)
 class Drift:
-    """One run's energy.
+    """Energy drift of one run.
 
-    times: s, (n,). drift: energy of machine and springs minus that at the start, over ``scale``, (n,); zero
-    where nothing moved. scale: mean kinetic energy, J, see ``energy_scale``; 0 where nothing moved.
-    stop: why the run ended.
+    Attributes
+    ----------
+    times : ndarray, shape (n,)
+        Times (s).
+    drift : ndarray, shape (n,)
+        Change of the energy of machine and springs since the start, divided by ``scale``; zero without
+        motion.
+    scale : float
+        Mean kinetic energy (J), see ``energy_scale``; 0 without motion.
+    stop : StopEvent
+        Reason of the end of the run.
     """
 
     times: Array
@@ -49,7 +58,7 @@ class Drift:
 
     @property
     def text(self) -> str:
-        """The worst drift in words."""
+        """Description of the largest drift."""
         if self.scale == 0.0:
             return "nothing moved, so that no energy can drift"
         return f"energy with that of the springs changes by up to {self.worst:.2e} of the mean kinetic energy"
@@ -62,12 +71,23 @@ def energy_drift(
     rtol: float = 1e-9,
     thresholds: StopConditions | None = None,
 ) -> dict[Formulation, Drift]:
-    """Set the springs' machine swinging and return its drift in each formulation.
+    """Simulate the swinging machine of the springs, and return its drift in each formulation.
 
-    Both are measured by the mean kinetic energy of the run in ``exact``.
+    Both drifts are relative to the mean kinetic energy of the run in ``exact``.
 
-    springs: their dampers, and the friction of their robot, are left out. state: to start from, of shape (),
-    without its load. duration, rtol, thresholds: as for ``simulate``, and so are the errors.
+    Parameters
+    ----------
+    springs : LegSprings
+        Springs; their dampers, and the friction of their robot, are omitted.
+    state : Motion
+        Initial state of shape (), whose load is omitted.
+    duration, rtol, thresholds
+        Arguments of ``simulate``, which also defines the errors.
+
+    Returns
+    -------
+    dict of str to Drift
+        Drift by formulation.
     """
     robot = without_friction(springs.robot)
     springs = dataclasses.replace(springs, robot=robot, damping=0.0)
@@ -83,16 +103,20 @@ def energy_drift(
 
 
 def drift_of(run: StateHistory, stop: StopEvent, springs: LegSprings, scale: float) -> Drift:
-    """Drift of the energy of machine and springs along a run, measured by a scale, J; stop: why it ended."""
+    """Compute the energy drift of machine and springs along a run, relative to ``scale`` (J).
+
+    ``stop`` is the end of the run.
+    """
     energy = run.energy + springs.energy(run.L)
     drift = (energy - energy[0]) / scale if scale else np.zeros_like(energy)
     return Drift(run.time, drift, scale, stop)
 
 
 def energy_scale(run: SimulationResult, springs: LegSprings) -> float:
-    """Mean kinetic energy over a run's time, J, which no short peak makes large.
+    """Compute the mean kinetic energy over the time of a run (J), which is insensitive to short peaks.
 
-    0 where it is below ``STILL`` of the energy of weight and springs: nothing moved but by rounding.
+    The result is 0 if it is below ``STILL`` of the energy of weight and springs, because the motion is then
+    only rounding errors.
     """
     even = run.at(np.linspace(0.0, run.stop.time, INSTANTS))
     mean = float(even.kinetic_energy.mean())
@@ -101,19 +125,21 @@ def energy_scale(run: SimulationResult, springs: LegSprings) -> float:
 
 
 def summary(drifts: Mapping[Formulation, Drift]) -> str:
-    """One line for each formulation: the worst drift and why the run ended."""
+    """Format one line for each formulation with the largest drift and the reason of the end."""
     return "\n".join(
         f"{name:<9}  without friction: {drift.text}; {drift.stop.message}" for name, drift in drifts.items()
     )
 
 
 def figure(drifts: Mapping[Formulation, Drift]) -> Figure:
-    """The drifts over time, their magnitudes on a logarithmic axis; of runs of more than one instant."""
+    """Plot the magnitudes of the drifts over time with a logarithmic axis, for runs with more than one
+    sample.
+    """
     drifts = {name: drift for name, drift in drifts.items() if len(drift.times) > 1}
     picture = new_figure(8.0, 4.2)
     axes = picture.subplots()
     for name, drift in drifts.items():
-        # At the first instant the drift is zero, which has no logarithm.
+        # The drift of the first sample is zero, which has no logarithm.
         axes.semilogy(
             drift.times[1:],
             np.maximum(np.abs(drift.drift[1:]), STILL),

@@ -1,4 +1,4 @@
-"""Identification from beginning to end: of measured forces, or simulated beside the truth."""
+"""Identification from measured forces, or from simulated forces with known true parameters."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -26,19 +26,21 @@ from ..common.motion_columns import trajectory_columns
 from ..common.output import aligned, csv_text, of_legs
 from ..common.report import Report
 
-# Share of a normal distribution within one, two and three standard deviations.
+# Fraction of a normal distribution within one, two, and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)
-# Two times are the same if they differ by at most this share of the whole time plus their rounding.
+# Largest difference of equal times, relative to the total time, in addition to their rounding.
 _SAME_TIME = 1e-6
-# The robot file does not agree if a parameter is this many deviations from the identified one, or if the
-# probability of all departures together is below this level.
+# The robot file disagrees if a parameter differs by this many standard deviations from the identified one, or
+# if the joint probability of all differences is below this level.
 _FAR, _FAR_LEVEL = 4.0, 1e-3
-# A drive's term nearer to zero than this many deviations may as well not be there.
+# Number of standard deviations from zero below which a drive term is insignificant.
 _TOLD = 2
-# Poses that scatter by less than this share of their size do so by the digits that are written.
+# Relative scatter of poses that is attributed to the written digits.
 _DIGITS = 1e-8
-# Forces are doubtful if they scatter by less than this share of sigma about the model, or if their size
-# differs by more than this factor from that of the robot file's forces.
+# Forces are implausible if their scatter about the model is below this fraction of the standard deviation of
+# the user.
+# They are also implausible if their magnitude differs by more than this factor from the forces of the robot
+# file.
 _LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
 
 
@@ -57,12 +59,38 @@ def from_measurement(
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
 ) -> IdentificationResult:
-    """Identify what the motion of a trajectory excites from forces measured at the same times.
+    """Identify the parameters that a trajectory excites from forces measured at the same times.
 
-    time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. sigma, noise, physical, drive:
-    as for ``identify``. friction, shared: as for ``base_parameters``. form: of the
-    trajectory's file, whose units doubts name. lines: lines of ``source``; default: 2 and on. Raises
-    ValueError naming the source if its times differ from the times of the trajectory.
+    Parameters
+    ----------
+    robot : Robot
+        Robot.
+    trajectory : Trajectory
+        Measured motion.
+    time : ndarray, shape (n,)
+        Times of the forces (s).
+    F : ndarray, shape (n, 6)
+        Forces (N).
+    sigma, noise, physical, drive
+        Arguments of ``identify``.
+    source : str
+        Name of the file of the forces.
+    friction, identical_legs
+        Arguments of ``base_parameters``.
+    form : TrajectoryFormat
+        Format of the trajectory file, whose units appear in warnings.
+    lines : sequence of int, optional
+        Line numbers of the forces in ``source``; default: from 2.
+
+    Returns
+    -------
+    IdentificationResult
+        Identified parameters.
+
+    Raises
+    ------
+    ValueError
+        If the times differ from the times of the trajectory.
     """
     if len(time) != len(trajectory.time):
         raise ValueError(
@@ -86,7 +114,7 @@ def from_measurement(
         F, noise = F[~bad], None if noise is None else replace(noise, time=noise.time[~bad])
     moved, motion, of_tool = robot, trajectory.motion, noise is not None and robot.tool.any()
     if of_tool:
-        # The noise is that of the measured poses, which are poses of the tool.
+        # The noise refers to the measured poses, which are poses of the tool.
         moved, motion = about_point(robot, robot.tool), motion.at_point(robot.tool)
     smooth = motion if noise is None else smoothed(motion, noise)[0]
     base = base_parameters(moved, smooth, friction, identical_legs)
@@ -109,7 +137,7 @@ def from_measurement(
 
 
 def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> tuple[str, ...]:
-    """Forces of another size than the robot file's, and a noise that is not theirs."""
+    """Return warnings about forces of another magnitude, and about an implausible noise."""
     said = []
     if found.normalized_residual < _LEAST_MISFIT:
         said.append(
@@ -129,7 +157,7 @@ def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> tuple
 
 
 def _scatter(trajectory: Trajectory, form: TrajectoryFormat) -> tuple[str, ...]:
-    """What the noise of the poses seems to be, in the units of their file."""
+    """Return a warning with the estimated noise of the poses in the units of their file."""
     try:
         seen = estimate_pose_noise(trajectory.time, trajectory.motion)
     except (ValueError, ImportError):
@@ -146,7 +174,7 @@ def _scatter(trajectory: Trajectory, form: TrajectoryFormat) -> tuple[str, ...]:
 
 
 def doubts(found: IdentificationResult) -> list[str]:
-    """One line for each doubt about an estimate: the verdict's reasons, and impossible results if any."""
+    """Return one line for each warning of the result, and one line about nonphysical results, if any."""
     if not found.nonphysical:
         return list(found.warnings)
     many = len(found.nonphysical)
@@ -158,7 +186,7 @@ def doubts(found: IdentificationResult) -> list[str]:
 
 
 def verdict(found: IdentificationResult) -> list[str]:
-    """Lines on the residual: its size, the verdict and the doubts."""
+    """Return lines about the residual: its size, the verdict, and the warnings."""
     text = {
         "consistent": "consistent with the model and the stated noise",
         "misfit": "misfit; deviations "
@@ -187,9 +215,9 @@ def measured_report(
     noise: PoseNoise | None,
     currents: bool = False,
 ) -> Report:
-    """What follows from measured forces: parameters, and bodies if the fit kept to possible ones.
+    """Create the report of measured forces: parameters, and bodies if the fit enforced physical parameters.
 
-    currents: whether the forces are those of motors even where no terms of the drives were sought.
+    ``currents`` is True if the forces are motor forces although no drive terms were fitted.
     """
     base, given = found.base, robot
     if currents or found.drive is not None:
@@ -198,12 +226,12 @@ def measured_report(
     file = base.matrix @ inertial_parameters(robot).values
     far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
     if found.drive is not None:
-        # In viscous terms friction of the joints may be too.
+        # Viscous terms may include friction of the joints.
         of_joints = np.array([name.startswith("viscous") for name in found.drive.names])
         of_drives = np.where(of_joints, np.nan, terms_of(given, found.drive.names))
         off, p_terms = found.drive.compare_with(of_drives)
         far += [name for name, each in zip(found.drive.names, off, strict=True) if abs(each) > _FAR]
-        # The smaller one of two.
+        # The smaller of two probabilities is doubled (Bonferroni).
         p = p if isnan(p_terms) else min(1.0, 2.0 * min(p, p_terms))
     agrees = "agrees" if p >= _FAR_LEVEL and not far else "does not agree"
     agreement = f"{agrees} with the forces, probability of such a departure {p:.2g}"
@@ -242,7 +270,7 @@ def measured_report(
 
 
 def drive_lines(robot: Robot, found: DriveIdentificationResult | None) -> list[str]:
-    """A table of the drives' terms, and what is not identifiable."""
+    """Format a table of the drive terms, and list the terms that are not identifiable."""
     if found is None:
         return []
     rows = [
@@ -265,7 +293,7 @@ def drive_lines(robot: Robot, found: DriveIdentificationResult | None) -> list[s
 
 
 def _drive_rows(robot: Robot, found: DriveIdentificationResult) -> list[dict[str, Any]]:
-    """The same for programs."""
+    """Return the drive terms for the JSON data."""
     of_file = terms_of(robot, found.names)
     columns = (each.tolist() for each in (found.values, found.std, of_file, found.identifiable))
     head = ("name", "unit", "estimated", "std", "robot_file", "identifiable")
@@ -279,7 +307,7 @@ def _report(
     tables: Mapping[str, str | Mapping[str, Array]],
     data: Mapping[str, Any],
 ) -> Report:
-    """Lines, then a table of the base parameters with their numbers, (n,) each by name."""
+    """Create a report of text lines and a table of the base parameters with columns (n,) by name."""
     columns = (values.tolist() for values in numbers.values())
     head = ("name", "formula", "unit", *numbers)
     rows = list(zip(base.names, base.formulas, base.units, *columns, strict=True))
@@ -307,13 +335,13 @@ _SHOWN = {
     "departure": ("off/std", "+.2f"),
     "z_score": ("error/std", "+.2f"),
 }
-"""Title and digits of columns of the table in the text."""
+"""Title and number format of columns of the text table."""
 
 
 def _data(
     robot: Robot, found: IdentificationResult, sigma: ArrayLike, noise: PoseNoise | None
 ) -> dict[str, Any]:
-    """What the lines above the table say, for programs."""
+    """Return the numbers of the text above the table for the JSON data."""
     return {
         "robot": robot.name,
         "base_parameters": found.base.rank,
@@ -352,7 +380,9 @@ def _noise(sigma: ArrayLike, noise: PoseNoise | None) -> str:
 
 
 def simulated_report(robot: Robot, found: Experiment) -> Report:
-    """A simulated measurement: parameters beside the true ones, the motion and its forces."""
+    """Create the report of a simulated measurement: parameters with their true values, the motion, and its
+    forces.
+    """
     excited, estimate = found.excitation, found.estimate
     size = np.abs(found.z_scores)
     shares = ", ".join(

@@ -1,4 +1,4 @@
-"""Picture of a machine at its home pose: in perspective and from above, legs numbered."""
+"""Plot of a machine at its home pose, in perspective and from above, with numbered legs."""
 
 from typing import Any
 
@@ -27,21 +27,22 @@ from ..common.report import SMALL, Picture
 
 BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 
-# Length of axes and arrows, and distance within which points are one, shares of the machine's size.
+# Length of axes and arrows, and distance below which points coincide, relative to the size of the machine.
 _AXIS, _SAME = 0.12, 1e-3
-# Distances of numbers and names from the edges of a cube, about points; room for steps on the longest edge.
+# Distances of tick labels and axis labels from the edges of a cube (points), and number of ticks on the
+# longest edge.
 _NUMBER, _NAME, _STEPS = 8.0, 29.0, 12.0
-# Sizes to choose from for the box; share of the page's height that stays free below it.
+# Candidate sizes of the box, and free fraction of the page height below it.
 _ZOOMS, _EDGE = np.linspace(1.0, 0.5, 21), 0.015
 
 
 def picture(robot: Robot, home: HomePose) -> Picture:
-    """The machine at its home pose."""
+    """Return the plot of the machine at its home pose."""
     return Picture(lambda: figure(robot, home), SMALL)
 
 
 def figure(robot: Robot, home: HomePose) -> Figure:
-    """Both views, side by side."""
+    """Draw both views next to each other."""
     drawn = new_figure(12.0, 5.6)
     drawn.set_layout_engine("constrained", w_pad=0.2, h_pad=0.1, wspace=0.08)
     tips = home.t + robot.p
@@ -58,7 +59,7 @@ def figure(robot: Robot, home: HomePose) -> Figure:
 
 
 def draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:
-    """Draw both rings of points (6, 3) and the legs between them, numbered; returns what was drawn."""
+    """Draw the base and platform polygons (6, 3) and the numbered legs; return the drawn points."""
     base, (axis, down) = robot.b, vertical(robot)
     size = float(np.max(np.ptp(np.concatenate([base, tips]), axis=0)))
     below = (0.05 if down else -0.05) * size * np.eye(3)[axis]
@@ -72,9 +73,9 @@ def draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:
 
 
 def frame(axes: Any, robot: Robot, extent: Array) -> None:
-    """Limits and names of the axes for what is drawn, (n, 3), upright; titles are there before.
+    """Set limits and labels of the axes for the drawn points, shape (n, 3), with the vertical axis upright.
 
-    The layout of the figure is fixed from here on.
+    Titles must be set before. The layout of the figure is fixed from this call on.
     """
     low, high = extent.min(axis=0), extent.max(axis=0)
     pad = 0.04 * float(np.max(high - low))
@@ -86,10 +87,10 @@ def frame(axes: Any, robot: Robot, extent: Array) -> None:
     axis, down = vertical(robot)
     axes.view_init(elev=18.0, azim=-60.0, vertical_axis="xyz"[axis])
     up, left, right = (getattr(axes, f"{'xyz'[(axis + i) % 3]}axis") for i in range(3))
-    # What is turned round is not mirrored.
+    # Two axes are inverted, so that the view is rotated and not mirrored.
     for each in (up, right) if down else ():
         each.set_inverted(True)
-    # Numbers of both lower edges keep off the corner where the edges meet.
+    # Tick labels of both lower edges do not cover the corner between the edges.
     for each, side in ((left, "right"), (right, "left")):
         for label in each.get_ticklabels():
             label.set_horizontalalignment(side)
@@ -97,17 +98,17 @@ def frame(axes: Any, robot: Robot, extent: Array) -> None:
 
 
 def _space(axes: Any, sides: Array) -> None:
-    """Put few numbers on short edges; and them and names as far from edges as from those of a cube."""
+    """Set few ticks on short edges, and the label distances of a cube."""
     for i, name in enumerate("xyz"):
         axes.locator_params(name, nbins=int(np.clip(_STEPS * sides[i] / sides.max(), 2, 4)))
-        # Matplotlib's distances are shares of the sides that meet the edge.
+        # Matplotlib's distances are relative to the sides that meet the edge.
         longer = max(1.0, float(np.linalg.norm(sides) / np.sqrt(3.0) / np.delete(sides, i).mean()))
         axes.tick_params(name, labelsize=7.0, pad=_NUMBER * (longer - 1.0))
         getattr(axes, f"{name}axis").labelpad = 8.0 + _NAME * (longer - 1.0)
 
 
 def _fit(axes: Any, sides: Array) -> None:
-    """Draw the box with these sides as large as has room together with the numbers and names of its edges."""
+    """Set the largest box size for which the box, its tick labels, and its axis labels fit into the page."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.transforms import Bbox
 
@@ -117,7 +118,7 @@ def _fit(axes: Any, sides: Array) -> None:
     canvas: Any = FigureCanvasAgg(figure)
     renderer = canvas.get_renderer()
     room = axes.get_position(original=True).transformed(pane.transSubfigure)
-    # Below the axes the page has room as well.
+    # The page also has room below the axes.
     floor = pane.bbox.y0 + _EDGE * pane.bbox.height
     for zoom in _ZOOMS:
         axes.set_box_aspect(sides, zoom=zoom)
@@ -128,7 +129,7 @@ def _fit(axes: Any, sides: Array) -> None:
 
 
 def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
-    """Draw fixed axes of the universal joints, center of mass with gravity and the tool point."""
+    """Draw the fixed axes of the universal joints, the center of mass with gravity, and the tool point."""
     size = radius(robot.b) + radius(robot.p)
     bars = np.stack([robot.b - _AXIS * size * robot.k, robot.b + _AXIS * size * robot.k], axis=1)
     for bar in bars if robot.base_joint == "universal" else ():
@@ -158,7 +159,7 @@ def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> lis
 
 
 def _offset_legs(axes: Any, robot: Robot, home: HomePose) -> list[Array]:
-    """Draw base point, moving axis, line of sliding and platform point of each leg with offsets."""
+    """Draw base point, moving axis, sliding line, and platform point of each leg with offsets."""
     if robot.offsets is None:
         return []
     still = np.zeros(3)
@@ -171,7 +172,7 @@ def _offset_legs(axes: Any, robot: Robot, home: HomePose) -> list[Array]:
 
 
 def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
-    """Project along z: rings, legs and the numbers of both ends of each."""
+    """Draw the projection along z: polygons, legs, and the numbers of both ends of each leg."""
     places, names = [], []
     bars = [(_place(one), _place(other)) for one, other in zip(robot.b, tips, strict=True)]
     for corners, color in ((robot.b, BASE), (tips, PLATFORM)):
@@ -195,7 +196,7 @@ def _place(point: Array) -> tuple[float, float]:
 
 
 def _numbers(points: Array) -> list[tuple[str, tuple[float, float]]]:
-    """Numbers of the legs at points seen along z, those of points in one place together."""
+    """Return the numbers of the legs at points seen along z; coincident points have a common label."""
     left, found = list(range(LEGS)), []
     size = radius(points) or 1.0
     while left:

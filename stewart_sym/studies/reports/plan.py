@@ -1,4 +1,4 @@
-"""A plan as ``plan`` writes it: trajectory, summary, figures for programs, pictures."""
+"""Report of ``plan``: trajectory, summary, JSON data, and plots."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -30,15 +30,17 @@ from ..common.output import Columns, by_leg, of_legs
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
-# Samples of the work: accelerations jump between them when another limit becomes active.
+# Number of samples of the work, because accelerations jump between them if another limit becomes active.
 _INSTANTS = 10_001
-# So many are drawn of the forces, and so many poses of a path's condition numbers.
+# Number of drawn samples of the forces, and of poses for the condition numbers of a path.
 _DRAWN, _POSES = 4001, 801
 
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """A path, how fast it is traveled, and what was found of it; rate: of its trajectory, Hz."""
+    """Path with its time parameterization and results; ``rate`` is the sampling rate of its trajectory
+    (Hz).
+    """
 
     robot: Robot
     planned: PlannedPath
@@ -48,7 +50,7 @@ class Plan:
 
     @cached_property
     def motors(self) -> DriveDigest | None:
-        """Motors' effort at the places of the certificate; None without a drive."""
+        """Motor requirements at the samples of the certificate; None without a drive."""
         if self.robot.drive is None:
             return None
         places, first = places_along(self.timed), 0
@@ -63,7 +65,7 @@ class Plan:
 
     @cached_property
     def energy(self) -> float:
-        """Electrical energy that the plan takes, J; without a drive the work of the leg forces."""
+        """Electrical energy of the plan (J), or work of the leg forces without a drive."""
         if self.motors is not None:
             return float(self.motors.summary.energy.sum())
         times = self.timed.time_grid(_INSTANTS)
@@ -73,14 +75,14 @@ class Plan:
 
     @property
     def times(self) -> Array:
-        """Instants of the trajectory, s, and the end as the last."""
+        """Sample times of the trajectory (s); the last one is its end."""
         end = self.timed.duration
         need_instants(end, self.rate)
         return np.append(np.arange(0.0, end * (1.0 - 1e-9), 1.0 / self.rate), end)
 
 
 def need_instants(end: float, rate: float) -> None:
-    """Reject a trajectory of a duration, s, that has too many instants at a rate, Hz."""
+    """Reject a trajectory whose duration (s) and rate (Hz) give too many samples."""
     if not end * rate < MOST_STEPS:
         name = "rate" if end * RATE < MOST_STEPS else "duration"
         raise ValueError(
@@ -89,7 +91,7 @@ def need_instants(end: float, rate: float) -> None:
 
 
 def along(plan: Plan, times: Array) -> Columns:
-    """Columns over time: place on the path, its rates, condition number, lengths, speeds and forces."""
+    """Return columns over time: path parameter, its rates, condition number, lengths, speeds, and forces."""
     place, motion = plan.timed.profile.at(times), plan.timed.sample(times)
     legs = inverse_kinematics(plan.robot, motion)
     forces = inverse_dynamics(plan.robot, motion, plan.timed.formulation).F
@@ -104,12 +106,12 @@ def along(plan: Plan, times: Array) -> Columns:
 
 
 def conditions(robot: Robot, motion: Motion) -> Array:
-    """Condition numbers of H, its moments over the characteristic length, (n,)."""
+    """Compute condition numbers of H with moments divided by the characteristic length, shape (n,)."""
     return scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot) or 1.0)
 
 
 def report(plan: Plan) -> Report:
-    """Everything about a plan, with its pictures."""
+    """Create the report of a plan with its plots."""
     motion = plan.timed.sample(plan.times)
     tables = {
         "trajectory": trajectory_columns(plan.robot, plan.times, motion),
@@ -126,7 +128,7 @@ def report(plan: Plan) -> Report:
 
 
 def summary(plan: Plan) -> str:
-    """A few lines: duration, condition numbers, extremes, how near a singular pose is, what is proven."""
+    """Format duration, condition numbers, extremes, distance to singular poses, and the certificate."""
     found, planned = plan.certificate, plan.planned
     leg = int(np.argmax(found.force.value))
     fast = int(np.argmax(found.speed.value))
@@ -161,7 +163,7 @@ def _angles(found: PlanCertificate) -> Iterator[str]:
 
 
 def _verdict(found: PlanCertificate) -> str:
-    """Whether the certificate holds, and what is beyond its limit if it is no share of one."""
+    """Describe the validity of the certificate, and violated limits without a utilization."""
     beyond = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
     names = " and ".join(name for name, over in beyond.items() if over)
     return "holds" if found.is_valid else f"does not hold{names and f': {names} beyond their limits'}"
@@ -173,14 +175,14 @@ def _conditions(found: Conditions) -> str:
 
 
 def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
-    """Number of each via pose that was free, and by how much the path passes it elsewhere."""
+    """Return the number of each via pose with a tolerance, and the displacement of the path from it."""
     found = []
     for number, (given, passed) in enumerate(
         zip(planned.requested_poses, planned.reached_poses, strict=True), start=1
     ):
         if given.has_tolerance:
             moves = np.concatenate([passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)])
-            # Rounding turns by a little.
+            # Small rotations are rounding errors.
             moves[3:][np.abs(moves[3:]) <= 1e-12] = 0.0
             named = zip(("x", "y", "z", "roll", "pitch", "yaw"), moves, strict=True)
             parts = [f"{name} {value:+.4g}" for name, value in named if value]
@@ -189,7 +191,7 @@ def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
 
 
 def data(plan: Plan) -> dict[str, Any]:
-    """What the summary says, for programs."""
+    """Return the numbers of the summary for the JSON data."""
     found, planned = plan.certificate, plan.planned
     legs = {
         "min_length_m": found.shortest.value,
@@ -201,7 +203,7 @@ def data(plan: Plan) -> dict[str, Any]:
     }
     ends = {"base": found.base_angle, "platform": found.platform_angle}
     for (end, angle), limit in zip(ends.items(), plan.robot.joint_angle_limit.T, strict=True):
-        # A robot without a home pose has none.
+        # A robot without a home pose has no joint angles.
         if angle is not None:
             legs |= {f"peak_{end}_angle_rad": angle.value, f"{end}_angle_limit_rad": limit}
     return {
@@ -236,7 +238,7 @@ def data(plan: Plan) -> dict[str, Any]:
 
 
 def condition_figure(plan: Plan) -> Figure:
-    """Condition numbers of the planned and of the straight path, by their parameter."""
+    """Plot the condition numbers of the planned and of the straight path over their parameter."""
     figure = new_figure(8.0, 4.4)
     axes = figure.subplots()
     planned = plan.planned
@@ -256,7 +258,7 @@ def condition_figure(plan: Plan) -> Figure:
 
 
 def forces_figure(plan: Plan) -> Figure:
-    """Forces of the legs over their limits, or in N where one has none."""
+    """Plot the forces of the legs relative to their limits, or in N if a leg has no limit."""
     figure = new_figure(8.0, 4.6)
     axes = figure.subplots()
     limits = force_limits(plan.robot, plan.timed.limits)
@@ -274,7 +276,9 @@ def forces_figure(plan: Plan) -> Figure:
 
 
 def phase_figure(plan: Plan) -> Figure:
-    """s' over s: the motion, where no acceleration is possible, from where it can stop."""
+    """Plot s' over s: the motion, the limit without a feasible acceleration, and the limit for stopping at
+    the end.
+    """
     figure = new_figure(8.0, 4.6)
     axes = figure.subplots()
     phase, nodes = plan.timed.profile.phase, plan.timed.profile.nodes

@@ -1,4 +1,4 @@
-"""A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture."""
+"""Report of ``simulate``: columns by name, a summary, and a plot."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -22,7 +22,9 @@ from .energy_drift import Drift, drift_of, energy_scale
 
 
 def run_columns(run: SimulationResult) -> Columns:
-    """Columns (n,) in SI units: time, pose (angles of (38), |theta_y| <= pi/2), rates, F, L and energies."""
+    """Return columns (n,) in SI units: time, pose (angles of (38), |theta_y| <= pi/2), rates, F, L, and
+    energies.
+    """
     vectors = {"t": run.t, "theta": rpy_from_rotation(run.R), "v": run.v, "omega": run.omega}
     columns: Columns = {"time": run.time}
     for name, values in vectors.items():
@@ -32,9 +34,10 @@ def run_columns(run: SimulationResult) -> Columns:
 
 
 def report(robot: Robot, run: SimulationResult, law: ForceLaw, drifts: Mapping[Formulation, Drift]) -> Report:
-    """Everything about a run; ``drifts``: of its energy, as ``energy_drift`` gives them, or none.
+    """Create the report of a run.
 
-    Without a picture of what has one instant alone. Of a robot with a drive, the motors beside their limits.
+    ``drifts`` are the results of ``energy_drift``, or empty. Runs with a single sample have no plot. For a
+    robot with a drive, the motors are compared with their limits.
     """
     fine = run.dense_history
     text, figures = summary(run, fine, law), {}
@@ -54,9 +57,9 @@ def report(robot: Robot, run: SimulationResult, law: ForceLaw, drifts: Mapping[F
 
 
 def motors_of(robot: Robot, run: StateHistory, weights: Array | None = None) -> DriveDigest | None:
-    """What a run takes of the motors, at the instants of a trace; None without a drive.
+    """Return the motor requirements of a run at the samples of a history; None without a drive.
 
-    weights: as of ``DriveDigest``.
+    ``weights`` are the weights of ``DriveDigest``.
     """
     if robot.drive is None:
         return None
@@ -109,16 +112,16 @@ def _data(
 
 
 def _drift(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> Drift | None:
-    """Drift of machine and springs; None for other laws, and for springs whose forces are clipped."""
+    """Return the energy drift of machine and springs; None for other actuation and for saturated springs."""
     if not isinstance(law, LegSprings) or (run.saturation.max_excess > 0.0).any():
         return None
     return drift_of(fine, run.stop, law, energy_scale(run, law))
 
 
 def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
-    """A few lines: why the run ended, the largest force, the legs' travel, the energy and its drift.
+    """Format the reason of the end, the largest force, the leg lengths, the energy, and its drift.
 
-    fine: the run within its steps.
+    ``fine`` is the dense history of the run.
     """
     i, leg = np.unravel_index(int(np.argmax(np.abs(fine.F))), fine.F.shape)
     first, last, most = run.energy[0], run.energy[-1], fine.kinetic_energy.max()
@@ -146,7 +149,7 @@ def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
 
 
 def _taken(run: SimulationResult, law: LegSprings) -> str:
-    """What changes the energy of a machine on springs, so that its change is no error, or nothing."""
+    """Name the causes of a legitimate change of the energy of a machine on springs, or return nothing."""
     robot = law.robot
     friction = any(np.any(getattr(robot, name)) for name in ("C_u", "C_p", "C_s"))
     damped = bool(np.any(getattr(law, "damping", 0.0)))
@@ -160,9 +163,9 @@ def _taken(run: SimulationResult, law: LegSprings) -> str:
 
 
 def figure(run: SimulationResult, law: ForceLaw) -> Figure:
-    """Motion since the start, rates, forces, lengths and energies over time."""
+    """Plot motion since the start, rates, forces, lengths, and energies over time."""
     legs = tuple(f"leg {leg + 1}" for leg in range(6))
-    # An angle that leaps by a turn is not drawn as a line across the panel.
+    # Angles are unwrapped, because a jump of 2 pi would be drawn as a line across the panel.
     theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
     panels = (
         (1e3 * (run.t - run.t[0]), tuple("xyz"), "position since start, mm"),
@@ -181,7 +184,7 @@ def figure(run: SimulationResult, law: ForceLaw) -> Figure:
             axes.plot(run.time, column, linewidth=1.1, label=name)
         axes.set_ylabel(label)
         axes.margins(x=0.0)
-        # Beside the panel, where no curve can run through it.
+        # The legend is next to the panel, because curves could cover it inside.
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
     for axes in grid[-1]:
         axes.set_xlabel("time, s")
@@ -190,7 +193,7 @@ def figure(run: SimulationResult, law: ForceLaw) -> Figure:
 
 
 def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...]]:
-    """Energies since the start, J, (n, k), with their names; of springs where the legs are some."""
+    """Return energies since the start (J), shape (n, k), with their names, including springs if any."""
     parts = {"kinetic": run.kinetic_energy, "potential": run.potential_energy}
     if isinstance(law, LegSprings):
         parts["springs"] = law.energy(run.L)

@@ -1,4 +1,6 @@
-"""Doubts about the start of a scene: other units of lengths, angles or speeds, a platform beyond the base."""
+"""Plausibility checks of the initial state of a scene: units of lengths, angles, and speeds, and assembly
+mode.
+"""
 
 from collections.abc import Mapping
 from typing import Any
@@ -13,15 +15,17 @@ from ...motion.trajectory import MOST_TURNS
 from ...robot.fields import DEFAULT_GRAVITY, vector_text
 from ...simulation.scene import Scene
 
-# Speeds at a start above this multiple of a fall's are doubtful.
+# Ratio of an initial speed to the speed of a fall above which the speed is implausible.
 _MOST_FALLS = 5.0
 
 
 def start_doubts(scene: Scene) -> list[str]:
-    """Lines, each with its key, about a scene's start and springs that are no machine's like the robot."""
+    """Return warnings, each with its key, about an initial state or springs that are implausible for the
+    robot.
+    """
     robot, state, stated = scene.robot, scene.state, scene.stated
     L = leg_lengths(robot, state.R, state.t)
-    # Of a path that is read from a file its reader has warned.
+    # The reader of a path file has already issued warnings about the path.
     lengths = {"state.t": L} if "state.t" in stated else {}
     lengths |= {key: stated[key] for key in ("actuation.rest_length",) if key in stated}
     found = {key: doubt for key, each in lengths.items() if (doubt := meters_doubt(robot, each))}
@@ -50,7 +54,7 @@ def start_doubts(scene: Scene) -> list[str]:
 
 
 def _speed_doubts(stated: Mapping[str, Any], length: float) -> list[str]:
-    """Lines about speeds of a start far above those of a fall through a leg's length, m."""
+    """Return warnings about initial speeds far above the speed of a fall through the length of a leg (m)."""
     fall = float(np.sqrt(2.0 * abs(DEFAULT_GRAVITY[2]) * length))
     units = {"v": ("m/s", "in mm/s", fall), "omega": ("rad/s", "in degrees/s", fall / length)}
     return [

@@ -1,4 +1,4 @@
-"""What ``singularities`` writes of a path: where it crosses singular poses and what is lost there."""
+"""Report of ``singularities``: singular poses that a path crosses, and the degrees of freedom lost there."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -28,10 +28,10 @@ from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
 
 DISTANCES = tuple(10.0**-n for n in range(1, 8))
-"""Distances from a crossing, s, at which the forces on both sides of it are computed."""
+"""Time differences from a crossing at which the forces before and after it are computed (s)."""
 
 NEAREST = ("least held", "dearest wrench", "idlest forces")
-"""What stands for unconstrained twist, lost wrench and idle forces where a pose is not singular."""
+"""Titles in place of unconstrained twist, lost wrench, and idle forces if a pose is not singular."""
 
 _EVEN = 401
 _NEAR = 150
@@ -40,9 +40,16 @@ _MARKS = 50
 
 @dataclass(frozen=True, eq=False)
 class Sides:
-    """Forces beside a crossing, N, (n, 6), at the distances, s, (n,), that the path has on both sides.
+    """Forces before and after a crossing.
 
-    residue: A of F = A / (t - t_0), N s, (6,).
+    Attributes
+    ----------
+    residue : ndarray, shape (6,)
+        Residue A of F = A / (t - t_0) (N s).
+    distances : ndarray, shape (n,)
+        Time differences that are within the path on both sides (s).
+    before, after : ndarray, shape (n, 6)
+        Forces before and after the crossing (N).
     """
 
     residue: Array
@@ -52,13 +59,13 @@ class Sides:
 
     @property
     def leg(self) -> int:
-        """Index of the leg whose force grows most."""
+        """Index of the leg with the largest force residue."""
         return int(np.argmax(np.abs(self.residue)))
 
 
 @dataclass(frozen=True, eq=False)
 class Examination:
-    """A path examined: how it passes singular poses, and the forces beside each crossing."""
+    """Results for a path: its singular poses, and the forces near each crossing."""
 
     robot: Robot
     name: str
@@ -71,7 +78,7 @@ class Examination:
 def examine(
     robot: Robot, name: str, path: Path, times: Array, formulation: Formulation = "exact"
 ) -> Examination:
-    """Find where a path, called ``name``, passes singular poses; path, times as for
+    """Find the singular poses of the path ``name``; ``path`` and ``times`` as in
     ``singularity_crossings``.
     """
     along = path_singularities(robot, path, times)
@@ -80,7 +87,7 @@ def examine(
 
 
 def report(found: Examination) -> str:
-    """Everything in lines of text, SI units."""
+    """Format all results as text in SI units."""
     along = found.along
     lines = [
         f"robot      {found.robot.name}",
@@ -108,7 +115,7 @@ def report(found: Examination) -> str:
 
 
 def full_report(found: Examination, figures: Mapping[str, Picture]) -> Report:
-    """The lines of text, events and curves over time, with the pictures given."""
+    """Create the report with text, events, and curves over time, and the given plots."""
     return Report(report(found), {"events": events(found), "path": curves(found)}, _data(found), figures)
 
 
@@ -165,7 +172,9 @@ def _pose_data(at: SingularityResult) -> dict[str, Any]:
 
 
 def events(found: Examination) -> Columns:
-    """Columns (n,), one row for each crossing (crossing 1) and each local minimum (0), in order of time."""
+    """Return columns (n,) with one row for each crossing (crossing 1) and each local minimum (0), sorted by
+    time.
+    """
     along, none = found.along, np.full(LEGS, np.nan)
     rows = [
         (item.time, 1, item.time_error, item.sign_before, item.sign_after, item.singularity, sides.residue)
@@ -191,10 +200,10 @@ def events(found: Examination) -> Columns:
 
 
 def curves(found: Examination) -> Columns:
-    """Columns (n,) over time, denser toward each crossing and minimum; nan where a pose is unsolvable.
+    """Return columns (n,) over time, denser near each crossing and minimum; nan at unsolvable poses.
 
-    time; smallest_singular_value with the sign of det H; scaled_condition, inf where that is 0; F_1..F6;
-    joint_sine_1..6; L_1..L6.
+    The columns are time, smallest_singular_value with the sign of det H, scaled_condition (inf at a singular
+    pose), F_1 to F_6, joint_sine_1 to joint_sine_6, and L_1 to L_6.
     """
     robot, along = found.robot, found.along
     duration = along.end - along.start
@@ -210,7 +219,7 @@ def curves(found: Examination) -> Columns:
     s = np.linalg.svd(H, compute_uv=False)
     forces = inverse_dynamics(robot, motion, found.formulation, on_singular="nan")
     _, S, L = leg_vectors(robot, motion.R, motion.t)
-    # Rounding errors count as zero; along singular poses the curve would be noise.
+    # Rounding errors are set to zero, because the curve would be noise along singular poses.
     smallest = np.where(s[:, -1] > ROUNDING * s[:, 0], s[:, -1], 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         condition = s[:, 0] / smallest

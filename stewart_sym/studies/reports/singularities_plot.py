@@ -1,4 +1,6 @@
-"""Pictures of a path's singular poses: over the whole path, and at each the machine with its free twist."""
+"""Plots of the singular poses of a path: curves along the path, and the machine with its unconstrained
+twist.
+"""
 
 import functools
 from collections.abc import Callable, Iterator
@@ -17,15 +19,15 @@ from .machine_plot import draw_legs, frame
 from .singularities import Examination, curves
 
 MOST = 6
-"""Crossings drawn; a path that goes to and fro may have many."""
+"""Largest number of drawn crossings; an oscillating path may have many."""
 
-# Length of the longest arrow, share of the machine's size.
+# Length of the longest arrow relative to the size of the machine.
 _ARROW = 0.3
 
 
 def pictures(found: Examination) -> dict[str, Picture]:
-    """``path``, and ``crossing_<n>`` for each crossing or ``nearest`` where there is none."""
-    # Curves take a while to compute, and only pictures need them here.
+    """Return the plot ``path``, and ``crossing_<n>`` for each crossing, or ``nearest`` without crossings."""
+    # The curves are computed only for plots, because they require some time.
     columns = functools.cache(lambda: curves(found))
 
     def picture(figure: Callable[..., Figure], *of_pose: Any) -> Picture:
@@ -37,7 +39,7 @@ def pictures(found: Examination) -> dict[str, Picture]:
 
 
 def path_figure(found: Examination, columns: Columns) -> Figure:
-    """Condition number, smallest singular value with its sign, and the largest force over the whole path."""
+    """Plot condition number, signed smallest singular value, and the largest force over the whole path."""
     figure = new_figure(9.0, 7.2)
     panels = figure.subplots(3, 1, sharex=True)
     time = columns["time"]
@@ -66,7 +68,9 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
 def pose_figure(
     found: Examination, columns: Columns, time: float, at: SingularityResult, title: str
 ) -> Figure:
-    """Smallest singular value and leg forces close by, and the machine with its unconstrained twist."""
+    """Plot the smallest singular value and the leg forces near a pose, and the machine with its unconstrained
+    twist.
+    """
     figure = new_figure(12.0, 5.8)
     panes: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.05))
     left, right = panes
@@ -75,7 +79,7 @@ def pose_figure(
     low, high = max(found.along.start, time - window), min(found.along.end, time + window)
     crossed = [crossing.time for crossing in found.along.crossings if low <= crossing.time <= high]
     inside = (columns["time"] >= low) & (columns["time"] <= high)
-    # No line joins the branches on either side of a crossing.
+    # No line connects the branches before and after a crossing.
     when, *rest = _broken(
         crossed, columns["time"][inside], columns["smallest_singular_value"][inside], _forces(columns)[inside]
     )
@@ -103,7 +107,9 @@ def pose_figure(
 
 
 def draw_machine(axes: Any, robot: Robot, pose: Motion, at: SingularityResult) -> None:
-    """The machine at a pose, velocities of the platform points under the twist as arrows, the screw axis."""
+    """Draw the machine at a pose, velocities of the platform points under the twist as arrows, and the screw
+    axis.
+    """
     points = pose.t + robot.p @ pose.R.T
     both = np.concatenate([robot.b, points])
     size = float(np.max(np.ptp(both, axis=0)))
@@ -126,7 +132,7 @@ def draw_machine(axes: Any, robot: Robot, pose: Motion, at: SingularityResult) -
 
 
 def _poses(found: Examination) -> Iterator[tuple[str, float, SingularityResult, str]]:
-    """Name of the file, time, pose and title of each picture of the machine."""
+    """Yield file name, time, pose, and title of each plot of the machine."""
     along = found.along
     for number, crossing in enumerate(along.crossings[:MOST], 1):
         title = f"path {found.name}: H singular at {crossing.time:.9f} s"
@@ -141,19 +147,19 @@ def _forces(columns: Columns) -> Array:
 
 
 def _broken(breaks: list[float], time: Array, *values: Array) -> tuple[Array, ...]:
-    """Times and values (n, ...) with a gap at each of the breaks."""
+    """Return times and values, shape (n, ...), with a gap at each of the breaks."""
     at = np.searchsorted(time, breaks)
     return np.insert(time, at, breaks), *(np.insert(value, at, np.nan, axis=0) for value in values)
 
 
 def _bound(distance: Array, F: Array, window: float) -> float:
-    """Above all forces, (n, 6), but those nearer to a crossing than a part of the window, s."""
+    """Return a bound of the forces, (n, 6), except near a crossing (fraction of the window, s)."""
     largest = float(np.nanmax(np.where((distance > 0.05 * window)[:, None], np.abs(F), 0.0), initial=0.0))
     return 1.1 * largest or 1.0
 
 
 def _if_empty(axes: Axes, values: Array) -> None:
-    """Say why nothing is drawn where nothing can be."""
+    """Write the reason for an empty plot."""
     if not np.isfinite(values).any():
         text = "none: H is singular throughout"
         axes.text(0.5, 0.55, text, transform=axes.transAxes, ha="center", va="bottom", color=DARK)

@@ -1,4 +1,4 @@
-"""A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary."""
+"""Inverse dynamics along a trajectory for ``forces``: columns, exceeded limits, and a summary."""
 
 import dataclasses
 import warnings
@@ -39,10 +39,12 @@ from ..common.output import Columns, aligned, by_leg, csv_lines, of_axes, of_leg
 from .drives import DriveDigest, drive_columns
 
 NOISE_SHARE = 0.02
-"""Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
+"""Fraction of the peak force of a leg that ``SURE`` standard deviations of the noise may reach without a
+warning.
+"""
 
 
-# Limits of the legs, as programs find them.
+# Limits of the legs by their names in the JSON data.
 _LIMITS = {
     "force_limit": FORCE,
     "speed_limit": SPEED,
@@ -50,15 +52,23 @@ _LIMITS = {
     "max_length_limit": LONGEST,
 }
 
-# So many instants are computed at a time: all outputs of all instants at once would fill memory.
+# Number of samples that are computed at a time, because the outputs of all samples could exceed the memory.
 _PART = 1 << 14
 
 
 class Part(NamedTuple):
-    """Some instants of a trajectory run through the dynamics, N, m and s, (n,), (n, 6).
+    """Some samples of a trajectory with their dynamics (N, m, and s), shapes (n,) and (n, 6).
 
-    where: which of the trajectory's. sd: deviations by noise, None for a log without. there: instants, (n,),
-    at which they are those of replaced rows. angles: as of ``limited_angles``.
+    Attributes
+    ----------
+    where : slice
+        Range of the samples in the trajectory.
+    sd : Deviations or None
+        Standard deviations due to noise; None for a log without noise.
+    there : ndarray of bool or None, shape (n,)
+        True if the standard deviations are due to replaced rows.
+    angles : mapping or None
+        Joint angles from ``limited_angles``.
     """
 
     where: slice
@@ -76,17 +86,17 @@ class Part(NamedTuple):
 
     @property
     def limited(self) -> dict[str, Array]:
-        """What the legs' limits are compared with, as ``LegLimits`` takes it."""
+        """Values that ``LegLimits`` compares with the limits of the legs."""
         return {"F": self.F, "L": self.L, "L_dot": self.L_dot, **(self.angles or {})}
 
     @property
     def columns(self) -> Columns:
-        """Columns (n,) by name, as written.
+        """Written columns (n,) by name, in SI units.
 
-        In SI units: time, F_1..F6, with noise in the log F_1_std..F_6_std, L_1..L6, condition_number, status;
-        with a drive torque_1.., motor_speed_1.., current_1.. and power_1.., with noise torque_1_std.. and so
-        on; with reactions the components of F_s, F_u, F_p, F_c, M_p (about the base point), of U-C-U legs
-        M_s, and M_u leg by leg.
+        The columns are time, F_1 to F_6, L_1 to L_6, condition_number, and status. With noise in the log,
+        F_1_std to F_6_std are added. A drive adds torque_1, motor_speed_1, current_1, power_1, and so on, and
+        with noise torque_1_std and so on. Reactions add, leg by leg, the components of F_s, F_u, F_p, F_c,
+        M_p (about the base point), M_s of U-C-U legs, and M_u.
         """
         sd = self.sd
         found: Columns = {"time": self.time} | of_legs("F", self.F)
@@ -98,7 +108,9 @@ class Part(NamedTuple):
 
 
 def header_lines() -> list[str]:
-    """First line of the CSV file of each kind of run: with deviations or not, with reactions or not."""
+    """Return the header of each kind of CSV file: with or without standard deviations, drives, and
+    reactions.
+    """
     none, legs, vectors = np.zeros(0), np.zeros((0, LEGS)), np.zeros((0, LEGS, 3))
     status = none.astype(np.int32)
     reactions = JointReactionsResult(vectors, vectors, vectors, vectors, vectors, legs, status)
@@ -122,10 +134,10 @@ def in_parts(
     reactions: bool = False,
     allow_singular: bool = False,
 ) -> Iterator[Part]:
-    """Run a trajectory part after part.
+    """Compute the dynamics of a trajectory in consecutive parts.
 
-    Raises ValueError, naming file and line, for an unsolvable pose. ``allow_singular`` writes nan and a
-    status and warns of the first instead.
+    Raises ValueError with file and line for an unsolvable pose. With ``allow_singular``, nan and a status are
+    written, and a warning of the first such pose is issued.
     """
     deviations, told = None, False
     if trajectory.noise is not None:
@@ -158,18 +170,18 @@ def in_parts(
 
 
 class Digest:
-    """What the summary and the doubts about a run of instants need of it, whatever their number."""
+    """Data for the summary and the warnings of a run, whose size is independent of the number of samples."""
 
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
-        """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
+        """Start a run at all these times (s), shape (n,); ``replaced`` are the replaced rows of the log."""
         self.robot, self.time, self.replaced, self.step = robot, time, replaced, least_step(time)
         self.legs = LegLimits(robot, time, replaced)
-        # Time and size of the largest condition number of each part.
+        # Time and value of the largest condition number of each part.
         self.conditions: list[tuple[float, float]] = []
         self.drive = None if robot.drive is None else DriveDigest(robot, time)
 
     def add(self, part: Part) -> None:
-        """Take in the next part."""
+        """Add the next part."""
         sd = part.sd
         if self.drive is not None and part.effort is not None:
             self.drive.add(part.effort, part.where, None if sd is None else sd.motors, part.there)
@@ -178,9 +190,10 @@ class Digest:
         self.conditions.append((float(part.time[i]), float(part.condition[i])))
 
     def doubts(self, noise_share: float) -> list[str]:
-        """One line for each limit exceeded or not decided, and for noise of more than a share of a peak.
+        """Return one line for each limit that is exceeded or inconclusive, and for noise above a fraction of
+        a peak.
 
-        Replaced rows have a line of their own.
+        Replaced rows have a separate line.
         """
         times, F, there, F_sd = self.legs.forces()
         beyond = self.legs.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
@@ -195,7 +208,7 @@ class Digest:
         return [line for line in (unknown, *beyond, *noisy) if line]
 
     def summary(self) -> str:
-        """What it comes to, lines of text."""
+        """Format the summary as lines of text."""
         time, F, _, F_sd = self.legs.forces()
         verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
         low, high, speed = self._extremes()
@@ -224,7 +237,7 @@ class Digest:
         return text if self.drive is None else f"{text}\n\n{self.drive.table()}"
 
     def as_json(self) -> dict[str, Any]:
-        """What the summary says, for programs."""
+        """Return the numbers of the summary for the JSON data."""
         time, F, _, F_sd = self.legs.forces()
         when, condition = self._worst_condition()
         low, high, speed = self._extremes()
@@ -256,54 +269,57 @@ class Digest:
         }
 
     def _extremes(self) -> "list[_Extreme]":
-        """Least and greatest lengths, and largest speeds."""
+        """Return smallest and largest lengths, and largest speeds."""
         return [_Extreme(*self.legs.peaks(limit)) for limit in (SHORTEST, LONGEST, SPEED)]
 
     def _angles(self) -> "dict[LegLimit, _Extreme]":
-        """Largest angles of the joints, rad; none of a robot that limits none."""
+        """Return the largest joint angles (rad); nothing for a robot without joint-angle limits."""
         limits = (BASE, PLATFORM) if self.robot.has_joint_angle_limits else ()
         return {limit: _Extreme(*self.legs.peaks(limit)) for limit in limits}
 
     def _worst_condition(self) -> tuple[float, float]:
-        """When the condition number is largest, s, and how large."""
+        """Return the time of the largest condition number (s) and its value."""
         return self.conditions[int(_largest(np.array(self.conditions)[:, 1]))]
 
 
 class _Extreme(NamedTuple):
-    """Extreme values of legs, (6,), with their deviations by noise, if any."""
+    """Extreme values of the legs, shape (6,), with their standard deviations, if any."""
 
     values: Array
     sd: Array | None
 
     def scaled(self, scale: float) -> "_Extreme":
-        """The same in another unit."""
+        """Convert to another unit."""
         return _Extreme(scale * self.values, None if self.sd is None else scale * self.sd)
 
     def data(self, name: str, unit: str) -> dict[str, Any]:
-        """The same by name, for programs."""
+        """Return the values by name for the JSON data."""
         return {f"{name}_{unit}": self.values} | ({} if self.sd is None else {f"{name}_std_{unit}": self.sd})
 
     def text(self, leg: int) -> str:
-        """One leg's, for people."""
+        """Format the value of one leg."""
         return amount_text(self.values[leg], None if self.sd is None else self.sd[leg], 4)
 
 
 def _largest(values: Array) -> NDArray[np.int64]:
-    """MotorStates, (...), of the largest magnitudes of values (n, ...)."""
+    """Return the indices, shape (...), of the largest magnitudes of values, shape (n, ...)."""
     return np.asarray(np.argmax(np.nan_to_num(np.abs(values), nan=-1.0), axis=0))
 
 
 def peak_noise(F: Array, F_sd: Array) -> Array:
-    """Share of each leg's peak force, (6,), by which noise may hide a larger one, at any instant."""
+    """Return the fraction of the peak force of each leg, shape (6,), by which noise may conceal a larger
+    force.
+    """
     peak = np.nan_to_num(np.abs(F)).max(axis=0)
     possible = np.nan_to_num(np.abs(F) + SURE * F_sd).max(axis=0)
     return np.asarray((possible - peak) / np.maximum(peak, np.finfo(float).tiny))
 
 
 def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: Flags) -> str | None:
-    """One line about the leg whose peak is least sure, if a cause makes more than the share of it.
+    """Return a warning about the leg with the most uncertain peak, if it exceeds the fraction ``share``.
 
-    when: the instants, s. there: those, (n,), at which the deviations are the cause's.
+    ``when`` are the times as text, and ``there`` marks the samples, shape (n,), whose standard deviations
+    have this cause.
     """
     spread = np.where(there[:, None], F_sd, 0.0)
     ratio = peak_noise(F, spread)
@@ -324,7 +340,7 @@ def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, the
 
 
 def _need_forces(robot: Robot, where: str) -> None:
-    """Reject a robot whose numbers are so large that forces overflow at home, at rates of 1 in SI units."""
+    """Reject a robot with numbers so large that forces overflow at home, at rates of 1 in SI units."""
     with warnings.catch_warnings(action="ignore"):
         slow = Motion(
             R=np.eye(3), t=home_pose(robot).t, omega=np.ones(3), v=np.ones(3), alpha=np.ones(3), a=np.ones(3)
@@ -332,7 +348,7 @@ def _need_forces(robot: Robot, where: str) -> None:
         found = inverse_dynamics(robot, slow, backend="numpy", on_singular="nan")
     if found.status == NOT_FINITE:
         raise ValueError(
-            f"robot {robot.name}: expected numbers whose forces do not overflow, at {where} they do"
+            f"robot {robot.name}: forces overflow at {where}; use smaller numbers in the robot file"
         )
 
 

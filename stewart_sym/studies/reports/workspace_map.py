@@ -1,7 +1,8 @@
-"""Map of a workspace: condition number and peak actuator force at rest under gravity, on one machine or many.
+"""Workspace map of condition number and peak actuator force at rest under gravity, on one machine or a
+cluster.
 
-``.docs/howto/cluster.md`` shows how (extra ``cluster``). Every process of every worker compiles the kernel at
-most once, and not at all if its cache folder holds it.
+``.docs/howto/cluster.md`` describes the use (extra ``cluster``). Every process of every worker compiles the
+kernel at most once, and only if its cache folder does not contain the kernel.
 """
 
 from typing import Any
@@ -24,11 +25,15 @@ with needed_for("a map of the workspace"):
 
 
 CHUNK = 100_000
-"""Poses in one block: a fraction of a second of work, some 200 MB while it lasts."""
+"""Number of poses in one block, which requires a fraction of a second and about 200 MB."""
 
 
 def grid(x: ArrayLike, y: ArrayLike, z: ArrayLike, chunks: int = CHUNK) -> Any:
-    """Points of a regular grid, m, (n, 3), z running fastest, as a Dask array that is made block by block."""
+    """Create the points of a regular grid (m), shape (n, 3), as a Dask array that is generated block by
+    block.
+
+    The z coordinate varies fastest.
+    """
     axes = [np.asarray(axis, dtype=np.float64) for axis in (x, y, z)]
     index = da.arange(int(np.prod([axis.size for axis in axes])), chunks=chunks)
     return da.map_blocks(
@@ -43,13 +48,30 @@ def workspace_map(
     formulation: Formulation = "exact",
     chunks: int = CHUNK,
 ) -> tuple[Any, Any]:
-    """Condition number of H and peak actuator force at every pose, at rest under gravity.
+    """Compute condition number of H and peak actuator force at every pose, at rest under gravity.
 
-    t: positions of the reference point, m, (n, 3). theta: roll-pitch-yaw angles, rad, (n, 3) or (3,), (38).
-    Either may be a Dask array. chunks: poses in one block.
+    Parameters
+    ----------
+    robot : Robot
+        Robot.
+    t : array_like or dask.array.Array, shape (n, 3)
+        Positions of the reference point (m).
+    theta : array_like or dask.array.Array, shape (n, 3) or (3,)
+        Roll, pitch, and yaw (rad), (38).
+    formulation : str
+        "exact" or "paper".
+    chunks : int
+        Number of poses in one block.
 
-    Returns two Dask arrays (n,), which nothing has computed yet; see ``map_block``. Raises ValueError for any
-    other shape.
+    Returns
+    -------
+    tuple of dask.array.Array, shape (n,)
+        Uncomputed condition numbers and peak forces (N); see ``map_block``.
+
+    Raises
+    ------
+    ValueError
+        If ``t`` or ``theta`` has another shape.
     """
     t, theta = da.asarray(t), da.asarray(theta)
     if t.ndim != 2 or t.shape[1] != 3:
@@ -70,7 +92,7 @@ def workspace_map(
 
 
 def grid_block(index: NDArray[np.int64], axes: list[Array]) -> Array:
-    """Points, (n, 3), of the grid with these numbers, (n,)."""
+    """Return the points of the grid, shape (n, 3), with the given indices, shape (n,)."""
     places = np.unravel_index(index, [axis.size for axis in axes])
     return np.stack([axis[place] for axis, place in zip(axes, places, strict=True)], axis=-1)
 
@@ -78,21 +100,22 @@ def grid_block(index: NDArray[np.int64], axes: list[Array]) -> Array:
 def map_block(
     t: Array, theta: Array, robot: Robot, formulation: Formulation = "exact"
 ) -> tuple[Array, Array]:
-    """Condition number of H (paper's, units mixed) and largest |F_i|, N, at rest, both (...).
+    """Compute the condition number of H (mixed units, as in the paper) and the largest |F_i| (N) at rest.
 
-    t, theta: (..., 3), m and rad. nan where the pose is unsolvable: no force at a singular pose, neither at
-    a leg of length zero. The condition number of a singular pose is very large or inf.
+    The arrays have shape (..., 3), positions in m and angles in rad, and the results shape (...). Forces are
+    nan at unsolvable poses: singular poses and poses with a leg of length zero. The condition number of a
+    singular pose is very large or inf.
     """
     rest = np.zeros(3)
     motion = Motion.from_rpy(t, theta, rest, rest, rest, rest)
-    # Prepared here, in a fraction of a millisecond, so that only the robot travels.
+    # The kernel is prepared here in a fraction of a millisecond, so that only the robot is transmitted.
     kernel = ForceKernel(robot, formulation)
     F, status = kernel.forces_and_status(motion)
     return _condition(robot, motion, status), np.abs(F).max(axis=-1)
 
 
 def _condition(robot: Robot, motion: Motion, status: Codes) -> Array:
-    """Condition number of H of (36), wherever the legs have directions."""
+    """Compute the condition number of H, (36), if the directions of the legs are defined."""
     condition = np.full(motion.shape, np.nan)
     sound = ~np.isin(status, (ZERO_LENGTH, NOT_FINITE))
     if sound.any():

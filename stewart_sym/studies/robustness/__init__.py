@@ -1,1 +1,1 @@
-"""Families of poses that approach each degenerate configuration, and what every method makes of them."""
+"""Families of poses that approach each degenerate configuration, and the results of every method for them."""

@@ -1,6 +1,6 @@
-"""Family 4: roll-pitch-yaw angles at theta_y = 90 degrees beside inputs that have no singularity.
+"""Family 4: roll-pitch-yaw angles at theta_y = 90 degrees, compared with inputs without a singularity.
 
-One motion is written down in each kind of input, its numbers rounded last; errors are of its forces.
+One motion is expressed in each kind of input, with its numbers rounded last. Errors are errors of its forces.
 """
 
 import dataclasses
@@ -28,11 +28,13 @@ from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
 
 INPUTS = ("roll-pitch-yaw", "rotation matrix", "quaternion", "rotation vector")
-"""Ways to give an orientation and its rates."""
+"""Representations of an orientation and its rates."""
 
 
 def families(seed: int = 4) -> list[Family]:
-    """Pitch walks to 90 degrees; the same turn given as angles, matrix, quaternion and rotation vector."""
+    """Compute the errors for a pitch near 90 degrees, with the rotation as angles, matrix, quaternion, and
+    vector.
+    """
     rng = np.random.default_rng(seed)
     robot = random_machine(rng)
     moving = random_motion(rng, robot)
@@ -40,7 +42,7 @@ def families(seed: int = 4) -> list[Family]:
     rates = [_angle_rates(theta, moving) for theta in angles]
     poses = [dataclasses.replace(moving, R=rotation_from_rpy(theta)) for theta in angles]
     checked = check_poses([robot] * len(poses), poses)
-    # Rounding the rates of the angles changes alpha, and so the forces, by more than rounding alpha does.
+    # Rounding of the angle rates changes alpha, and thus the forces, by more than rounding of alpha.
     fastest = np.array([np.abs(second).max() + np.abs(first).max() ** 2 for first, second in rates])
     lost = 1.0 + fastest / np.abs(loaded(moving).alpha).max()
     truths = [quad_forces(robot, pose, as_given=True) for pose in poses]
@@ -73,7 +75,7 @@ def families(seed: int = 4) -> list[Family]:
 
 
 def _rewritten(name: str, pose: Motion, theta: Array, first: Array, second: Array) -> Motion:
-    """The motion as its user would give it in another kind of input."""
+    """Convert the motion to another kind of input."""
     given = loaded(pose)
     omega, alpha, a = given.omega, given.alpha, given.a
     load = {"F_ext": pose.F_ext, "M_ext": pose.M_ext}
@@ -94,7 +96,7 @@ def _rewritten(name: str, pose: Motion, theta: Array, first: Array, second: Arra
 
 
 def _angle_rates(theta: Array, motion: Motion) -> tuple[Array, Array]:
-    """Rates of the angles from omega = E theta', alpha = E theta'' + E' theta', at 50 digits."""
+    """Compute theta' and theta'' from omega = E theta', alpha = E theta'' + E' theta' with 50 digits."""
     y, z = (digits.mpf(float(angle)) for angle in theta[1:])
     sy, cy, sz, cz = digits.sin(y), digits.cos(y), digits.sin(z), digits.cos(z)
     E = digits.matrix([[cz * cy, -sz, 0], [sz * cy, cz, 0], [-sy, 0, 1]])

@@ -1,4 +1,4 @@
-"""Families of poses that approach a degenerate configuration: a curve for each method, a verdict."""
+"""Families of poses that approach a degenerate configuration, with a curve for each method and a verdict."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -14,33 +14,43 @@ from ..common.output import Figures
 
 EPS = float(np.finfo(np.float64).eps)
 WRONG = 1000.0
-"""Rounding units over the problem's own condition number above which an answer is wrong."""
+"""Rounding units relative to the condition number of the problem above which a result is wrong."""
 GOOD = 1e6
-"""Condition number below which a pose must get an answer."""
+"""Condition number below which a pose must have a result."""
 POINTS = 49
-"""How many distances a family has."""
+"""Number of distances of a family."""
 
 
 def distances() -> Array:
-    """From 1 to 1e-16, even in their logarithm, (POINTS,)."""
+    """Return logarithmically spaced distances from 1 to 1e-16, shape (POINTS,)."""
     return np.logspace(0.0, -16.0, POINTS)
 
 
 def exact(array: Array) -> NDArray[np.object_]:
-    """The same numbers with 50 digits."""
+    """Convert numbers to 50-digit arithmetic."""
     return np.asarray(np.vectorize(digits.mpf, otypes=[object])(array))
 
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """One method along a family.
+    """Results of one method along a family.
 
-    error: of its answer, over the size of what it computes, (n,), NaN for unsolvable poses.
-    condition: the condition number of the problem that it solves, (n,).
-    status: (n,), codes of ``results.STATUS_TEXT``; None where a method has none to give.
-    pose: condition number of the poses, (n,), that of a leg's frame included; None: the same.
-    shipped: whether users meet it; else it is a candidate.
-    epsilon: rounding unit of its arithmetic.
+    Attributes
+    ----------
+    method : str
+        Name of the method.
+    error : ndarray, shape (n,)
+        Error of its result, relative to the magnitude of the result; NaN for unsolvable poses.
+    condition : ndarray, shape (n,)
+        Condition number of the problem.
+    status : ndarray of int or None, shape (n,)
+        Codes of ``results.STATUS_TEXT``; None if the method has no status.
+    shipped : bool
+        True for code of the package, False for a candidate.
+    epsilon : float
+        Rounding unit of its arithmetic.
+    pose : ndarray or None, shape (n,)
+        Condition number of the poses, including the frames of the legs; None means ``condition``.
     """
 
     method: str
@@ -53,24 +63,44 @@ class Curve:
 
     @property
     def answered(self) -> Flags:
-        """Where it gives an answer and says that it is one, (n,)."""
+        """True if the method returns a result with status OK, shape (n,)."""
         given = np.isfinite(self.error)
         return given if self.status is None else np.asarray((self.status == OK) & given)
 
     @property
     def ratio(self) -> Array:
-        """Error in rounding units over the condition number, (n,), NaN for unsolvable poses."""
+        """Error in rounding units relative to the condition number, shape (n,); NaN for unsolvable poses."""
         return np.where(self.answered, self.error / (self.epsilon * self.condition), np.nan)
 
 
 @dataclass(frozen=True, eq=False)
 class Family:
-    """A one-parameter family with every method's curve.
+    """One-parameter family of poses with the curves of all methods.
 
-    name: of its files. fails, remedy: what fails and what we do about it, for the README's table.
-    axis: what the distance is. growth: further columns (n,), by name, drawn beside. notes: lines for the
-    report. beyond_range: whether it leaves the range of double, where a status is right however good the
-    pose. by_status: whether its statuses are what there is to see.
+    Attributes
+    ----------
+    name : str
+        Stem of its file names.
+    title : str
+        Title of its plot.
+    fails, remedy : str
+        Failure and remedy, for the table of the documentation.
+    axis : str
+        Meaning of the distance.
+    curves : tuple of Curve
+        Results of the methods.
+    distance : ndarray, shape (n,)
+        Distances from the degenerate configuration.
+    growth : mapping of str to ndarray, shape (n,)
+        Further columns, drawn in a separate panel.
+    growth_axis, growth_title, error_axis : str
+        Labels of the plot.
+    notes : tuple of str
+        Lines of the report.
+    beyond_range : bool
+        True if the family exceeds the range of double, so that a status is valid for any pose.
+    by_status : bool
+        True if the statuses are the result of interest.
     """
 
     name: str
@@ -89,7 +119,7 @@ class Family:
     growth_title: str = "the problem itself"
 
     def columns(self) -> dict[str, NDArray[Any]]:
-        """Columns (n,) of its CSV."""
+        """Return the columns (n,) of its CSV file."""
         found: dict[str, NDArray[Any]] = {"distance": self.distance, **self.growth}
         for curve in self.curves:
             name = curve.method.replace(",", "")
@@ -100,13 +130,17 @@ class Family:
 
 
 def verdict(curve: Curve, distance: Array) -> Figures:
-    """Weigh a curve over its family's distances.
+    """Evaluate a curve over the distances of its family.
 
-    worst: largest error in rounding units over the condition number with status ok, at distance ``where``.
-    digits: decimal digits left at the worst answer with status ok. last: nearest distance with an answer; NaN
-    all of them if there is none. rejected_at: condition number of the first pose with a status, None if there
-    is none. undetected: distances at which an answer is wrong and no status says so. false_alarms: distances
-    at which a good pose has a status.
+    Returns
+    -------
+    dict
+        ``worst`` is the largest error with status OK, in rounding units relative to the condition number, at
+        distance ``where``. ``digits`` are the remaining decimal digits of the worst result with status OK.
+        ``last`` is the smallest distance with a result. These are NaN without any result. ``rejected_at`` is
+        the condition number of the first pose with a status, or None. ``undetected`` is the number of
+        distances with a wrong result and status OK. ``false_alarms`` is the number of distances at which a
+        good pose has a status.
     """
     ratio, answered = curve.ratio, curve.answered
     of_pose = curve.condition if curve.pose is None else np.maximum(curve.condition, curve.pose)

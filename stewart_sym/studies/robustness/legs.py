@@ -1,4 +1,6 @@
-"""Families 2 and 3: a leg along its universal joint's fixed axis, of no length, at a limit of its length."""
+"""Families 2 and 3: a leg along the fixed axis of its universal joint, of length zero, or at a length
+limit.
+"""
 
 import dataclasses
 from collections.abc import Callable
@@ -24,8 +26,10 @@ FAILS = "leg along its universal joint's fixed axis"
 
 
 def axis_families(seed: int = 2) -> list[Family]:
-    """The spin of a leg, by ways to its sine; the forces of a moving general machine, and of one at rest;
-    what the closed form's kernels make of the moving one.
+    """Return the families near the joint singularity.
+
+    The first family is the spin of a leg by the method for its sine. The others are the forces of a general
+    machine in motion and at rest, and the closed form for the moving machine.
     """
     moving = _walk(seed, LEGS[0], rest=False)
     resting = _walk(seed, LEGS[1], rest=True)
@@ -52,13 +56,13 @@ def axis_families(seed: int = 2) -> list[Family]:
 def _family(
     name: str, title: str, remedy: str, curves: tuple[Curve, ...], fails: str = FAILS, **more: Any
 ) -> Family:
-    """A family over the angle between a leg and its fixed axis; ``more``: further fields of it."""
+    """Return a family over the angle between a leg and its fixed axis; ``more`` are further fields."""
     axis = "angle between leg 1 and its fixed axis, rad"
     return Family(name, title, fails, remedy, axis, curves, **more)
 
 
 def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
-    """A machine whose first fixed axis turns toward the leg."""
+    """Rotate the fixed axis of the first leg of a machine toward the leg."""
     rng = np.random.default_rng(seed)
     robot = random_machine(rng, legs=legs)
     motion = random_motion(rng, robot)
@@ -125,11 +129,11 @@ SINES: dict[str, Callable[[Array, Array], float]] = {
     "|k x s|": _from_product,
     "|k x s|, y made normal to s": _from_product,
 }
-"""Ways to the sine of the angle between a leg and its fixed axis."""
+"""Methods for the sine of the angle between a leg and its fixed axis."""
 
 
 def _spin_of(robot: Robot, motion: Motion, name: str) -> float:
-    """s.W of leg 1: kappa Wz with kappa = k.s/|k x s| and Wz = y.Sdot/L."""
+    """Compute s.W of leg 1: kappa Wz with kappa = k.s/|k x s| and Wz = y.Sdot/L."""
     q, S, L = leg_vectors(robot, motion.R, motion.t)
     k, s = robot.k[0], S[0] / L[0]
     S_dot = motion.v + np.cross(motion.omega, q[0])
@@ -142,7 +146,7 @@ def _spin_of(robot: Robot, motion: Motion, name: str) -> float:
 
 
 def _exact_spin(robot: Robot, motion: Motion) -> tuple[mpmath.mpf, mpmath.mpf]:
-    """The spin and the sine from the same numbers at 50 digits."""
+    """Compute the spin and the sine from the same numbers in 50-digit arithmetic."""
     given = (robot.k[0], robot.p[0], robot.b[0], motion.R, motion.t, motion.omega, motion.v)
     k, p, b, R, t, omega, v = map(exact, given)
     q = R @ p
@@ -158,7 +162,9 @@ def _exact_spin(robot: Robot, motion: Motion) -> tuple[mpmath.mpf, mpmath.mpf]:
 
 
 def length_families(seed: int = 3) -> list[Family]:
-    """A leg of length zero; lengths within and beyond a limit by ever less."""
+    """Return the families of a leg of length zero, and of lengths increasingly close to a limit on both
+    sides.
+    """
     return [_short(seed), _limits(seed)]
 
 
@@ -187,7 +193,7 @@ def _short(seed: int) -> Family:
 
 
 def _limits(seed: int) -> Family:
-    """Forward kinematics of lengths beside a limit: the error is 0 where the status is right, else 1."""
+    """Compute forward kinematics near a length limit; the error is 0 for the correct status, else 1."""
     rng = np.random.default_rng(seed)
     robot = random_machine(rng)
     motion = random_motion(rng, robot)

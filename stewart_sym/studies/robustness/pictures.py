@@ -1,6 +1,7 @@
-"""Pictures of the study, one for each family, and the basins of forward kinematics; needs Matplotlib.
+"""Plots of the study, one for each family, and the basins of forward kinematics; requires Matplotlib.
 
-Colors are Okabe and Ito's, distinct to the color blind; no method is marked by its color alone.
+Colors are the colors of Okabe and Ito, which color-blind readers can distinguish. Every method also has its
+own marker.
 """
 
 import functools
@@ -22,14 +23,16 @@ _CEILING = 1e4
 
 
 def pictures(families: Sequence[Family], starts: Basins) -> dict[str, Picture]:
-    """Every picture by name."""
+    """Return every plot by name."""
     drawn = {family.name: functools.partial(family_figure, family) for family in families}
     drawn["basins"] = functools.partial(basins_figure, starts)
     return {name: Picture(draw, SMALL, dpi=130) for name, draw in drawn.items()}
 
 
 def family_figure(family: Family) -> Figure:
-    """Errors over the distance, candidates beside shipped code paths, and what the problem itself does."""
+    """Plot errors over the distance, for candidates and shipped code, and the growth of the problem
+    itself.
+    """
     groups = [
         (title, [curve for curve in family.curves if curve.shipped is shipped])
         for title, shipped in (("candidates", False), ("as shipped", True))
@@ -57,7 +60,7 @@ def family_figure(family: Family) -> Figure:
 
 
 def basins_figure(found: Basins) -> Figure:
-    """Outcome of each start, a panel for each method."""
+    """Plot the outcome of each start pose, with a panel for each method."""
     figure = new_figure(10.0, 5.6)
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
@@ -87,7 +90,7 @@ def basins_figure(found: Basins) -> Figure:
 def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> None:
     for number, curve in enumerate(curves):
         style = {"color": _COLORS[number % len(_COLORS)], "marker": _MARKS[number % len(_MARKS)]}
-        # The marks of each curve start further along, so that curves on one another are seen.
+        # The markers of the curves are offset, so that overlapping curves are distinguishable.
         every = (number % 4, 4) if len(family.distance) > 20 else 1
         shown = np.where(curve.answered, np.clip(curve.error, _FLOOR, ceiling), np.nan)
         ax.loglog(
@@ -114,9 +117,9 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
     limits = [np.where(bound < ceiling, bound, np.nan) for bound in _limits(curves)]
     for shown in limits:
         ax.loglog(family.distance, shown, color="#555555", linestyle="--", linewidth=1.2)
-    # The lowest part of the panel is kept for the statuses.
+    # The lowest part of the panel is reserved for the statuses.
     ax.set_ylim(_FLOOR / 100.0, 3.0 * ceiling)
-    # Lines without points, for the legend alone.
+    # These lines have no points and appear only in the legend.
     if np.isfinite(limits).any():
         ax.plot([], [], color="#555555", linestyle="--", label=f"{WRONG:g} units x condition")
     if any(curve.status is not None and (curve.status != 0).any() for curve in curves):
@@ -125,14 +128,14 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
 
 
 def _finish(ax: Axes, family: Family, columns: int = 2) -> None:
-    """Distances that fall to the right, and a legend below."""
+    """Set an axis of distances that decrease to the right, and a legend below."""
     ax.set_xlim(float(family.distance.max()), float(family.distance.min()))
     ax.set_xlabel(family.axis)
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=columns, fontsize=8.0)
 
 
 def _limits(curves: list[Curve]) -> list[Any]:
-    """What each curve must stay below, equal ones once."""
+    """Return the error limit of each curve, without duplicates."""
     found: list[Any] = []
     for curve in curves:
         with np.errstate(all="ignore"):
@@ -148,7 +151,7 @@ def _statuses(ax: Axes, family: Family) -> None:
     )
     for number, curve in enumerate(family.curves):
         if curve.status is not None:
-            # Side by side, so that equal ones are seen.
+            # Markers are offset, so that equal values are distinguishable.
             height = [codes.index(int(code)) + 0.08 * number for code in curve.status]
             style = {"color": _COLORS[number], "marker": _MARKS[number]}
             ax.semilogx(family.distance, height, linestyle="", markersize=4.0, label=curve.method, **style)

@@ -1,4 +1,4 @@
-"""Family 5: forward kinematics toward a singular pose, its certificate, and the basins of Newton's steps."""
+"""Family 5: forward kinematics near a singular pose, its certificate, and the basins of Newton's method."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -23,16 +23,23 @@ from .singular import path_III
 RIGHT, OTHER, LOST = 0, 1, 2
 OUTCOMES = ("the pose asked for", "another pose with these lengths", "no pose found")
 GRID = 81
-"""Start poses along each side of the picture."""
+"""Number of start poses along each side of the plot."""
 
 
 @dataclass(frozen=True, eq=False)
 class Basins:
-    """Outcomes from start poses turned about two axes, by method.
+    """Outcomes of start poses that are rotated about two axes, by method.
 
-    roll, yaw: angles of the start from the pose asked for, rad, (n,). outcome: (n, n) of ``OUTCOMES``, rows
-    of yaw, for each method. proven: share of a sample of the poses found that ``certify_pose`` proves. poses:
-    how many different poses with these lengths were found.
+    Attributes
+    ----------
+    roll, yaw : ndarray, shape (n,)
+        Angles of the start relative to the requested pose (rad).
+    outcome : dict of str to ndarray, shape (n, n)
+        Indices of ``OUTCOMES`` for each method, with rows of equal yaw.
+    proven : float
+        Fraction of a sample of the found poses that ``certify_pose`` proves.
+    poses : int
+        Number of different poses found for these lengths.
     """
 
     roll: Array
@@ -42,12 +49,12 @@ class Basins:
     poses: int
 
     def share(self, method: str, outcome: int) -> float:
-        """Share of the starts that end so."""
+        """Return the fraction of the starts with this outcome."""
         return float(np.mean(self.outcome[method] == outcome))
 
 
 def families() -> list[Family]:
-    """Poses ever nearer to the crossing of Path III, found again from their lengths."""
+    """Compute poses near the crossing of Path III from their leg lengths."""
     robots, motions = path_III()
     robot = robots[0]
     n = len(motions)
@@ -91,7 +98,9 @@ def families() -> list[Family]:
 
 
 def basins(grid: int = GRID, proofs: int = 40) -> Basins:
-    """Turn the start about x and z away from a pose of the paper's machine, all round."""
+    """Rotate the start about x and z away from a pose of the robot of the paper, over the full range of
+    angles.
+    """
     robot = dasgupta1998()
     motion = PAPER_PATHS["I"].path.sample(0.0)
     L = leg_vectors(robot, motion.R, motion.t)[2]
@@ -122,7 +131,7 @@ def basins(grid: int = GRID, proofs: int = 40) -> Basins:
 
 
 def _plain_newton(robot: Robot, L: Array, R: Array, t: Array) -> tuple[Array, Array, Flags]:
-    """Newton's steps, whole and undamped, thirty of them."""
+    """Apply thirty full, undamped Newton steps."""
     R, t = R.copy(), t.copy()
     with np.errstate(all="ignore"):
         for _ in range(30):
@@ -137,7 +146,7 @@ def _plain_newton(robot: Robot, L: Array, R: Array, t: Array) -> tuple[Array, Ar
 
 
 def _exact_pose(robot: Robot, L: Array, R: Array, t: Array) -> tuple[NDArray[Any], NDArray[Any]]:
-    """The pose with exactly these lengths next to a found one, at 50 digits."""
+    """Compute the pose with exactly these lengths near a found one in 50-digit arithmetic."""
     turn, place, p, b, lengths = map(exact, (R, t, robot.p, robot.b, L))
     unit = exact(np.eye(3))
     for _ in range(4):
@@ -155,6 +164,6 @@ def _exact_pose(robot: Robot, L: Array, R: Array, t: Array) -> tuple[NDArray[Any
 
 
 def _distance(robot: Robot, truth: tuple[NDArray[Any], NDArray[Any]], found: tuple[Array, Array]) -> float:
-    """Largest component of the difference in position, over the reach, and in the rotation."""
+    """Return the largest component of the differences of position, relative to the reach, and of rotation."""
     turn, place = (np.abs(one - exact(other)).max() for one, other in zip(truth, found, strict=True))
     return float(max(place / float(np.abs(robot.b).max()), turn))

@@ -1,4 +1,4 @@
-"""Families 6: simulation across a singular pose, with stiff friction, and over long times; by integrator."""
+"""Families 6: simulation across a singular pose, with stiff friction, and over long times, by integrator."""
 
 import dataclasses
 from typing import cast
@@ -25,11 +25,11 @@ from .singular import crossing_of_path_III
 from .sweep.machines import GRAVITY, machine_size, random_machine
 
 STEP = 1e-3
-"""Length of the fixed steps, s."""
+"""Length of the fixed steps (s)."""
 LONGEST = 2.0
-"""Duration of the runs over long times, s."""
+"""Duration of the long runs (s)."""
 TIME_CONSTANTS = np.logspace(0, -6, 10)
-"""Of ever stiffer friction, s."""
+"""Time constants of increasingly stiff friction (s)."""
 LONG_RTOL: dict[str, float] = {"DOP853": 1e-9, "Radau": 1e-5}
 FIXED = f"RK4, {1e3 * STEP:g} ms"
 HELD = f"{FIXED}, forces held"
@@ -38,12 +38,12 @@ NOT_STOPPED = StopConditions(max_condition=float("inf"))
 
 
 def families() -> list[Family]:
-    """Across a singular pose, stiff friction, long runs."""
+    """Return the families: across a singular pose, stiff friction, and long runs."""
     return [_across(), _stiff(), _long()]
 
 
 def _across() -> Family:
-    """Without forces the paper's machine falls over the crossing of Path III; error against the tolerance."""
+    """Simulate a free fall over the crossing of Path III; error over the tolerance."""
     robot = dasgupta1998()
     path, crossing = PAPER_PATHS["III"].path, crossing_of_path_III()
     moving = path.sample(crossing - 0.1)
@@ -83,7 +83,7 @@ def _across() -> Family:
 
 
 def _stiff() -> Family:
-    """Friction in the legs with ever shorter time constants."""
+    """Simulate friction in the legs with decreasing time constants."""
     rng = np.random.default_rng(8)
     robot = random_machine(rng)
     start = _moving(robot)
@@ -105,7 +105,7 @@ def _stiff() -> Family:
             end, codes = advance(ForwardDynamics(machine), start, F, duration, round(duration / STEP))
         curves[FIXED].append(_off(end.t, truth.t[-1], machine))
         status[FIXED].append(int(codes) or (OK if np.isfinite(end.t).all() else NOT_FINITE))
-    # The error that the tolerance of a step allows.
+    # Error that the tolerance of a step permits.
     allowed = np.full(len(times), 1e-9 / EPS)
     return Family(
         "run_stiff",
@@ -131,7 +131,7 @@ def _stiff() -> Family:
 
 
 def _long() -> Family:
-    """Energy of a frictionless machine on springs: its largest change until a time, over the kinetic one."""
+    """Return the largest energy change until a time, relative to the kinetic energy."""
     robot = without_friction(random_machine(np.random.default_rng(8)))
     start = _moving(robot)
     springs = LegSprings.in_equilibrium(robot, start, stiffness=1e2 * robot.M * GRAVITY / machine_size(robot))
@@ -150,7 +150,7 @@ def _long() -> Family:
     for name, drift in drifts.items():
         until = np.maximum.accumulate(drift)
         error = until[np.minimum(np.searchsorted(even, times), len(even) - 1)]
-        # The error that so many steps of that tolerance may add up to.
+        # Error that may accumulate over the steps at this tolerance.
         rtol = LONG_RTOL.get(name.split(",")[0], STEP**3)
         curves.append(Curve(name, error, np.full(len(times), rtol / EPS), shipped=name != HELD))
     return Family(
@@ -166,7 +166,7 @@ def _long() -> Family:
 
 
 def _fixed_drift(robot: Robot, state: Motion, springs: LegSprings, count: int) -> Array:
-    """Change of energy at each fixed step, J, (count,); the springs' forces are held over a step."""
+    """Return the energy change at each fixed step (J), (count,), with constant forces during a step."""
     plant = ForwardDynamics(robot)
     energy = np.empty(count)
     for i in range(count):

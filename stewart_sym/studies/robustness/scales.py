@@ -1,4 +1,6 @@
-"""Families 7: machines of any size, mass and proportion, unlike masses in one, the ends of the range."""
+"""Families 7: machines of any size, mass, and proportion, with very different masses, and at the ends of the
+range.
+"""
 
 import dataclasses
 
@@ -16,7 +18,9 @@ REMEDIES = dict.fromkeys(("scale_platform", "scale_leg"), "moments are taken abo
 
 
 def families(seed: int = 7) -> list[Family]:
-    """Lengths, masses, legs heavier and lighter than the platform, proportions, the ends of the range."""
+    """Return families of lengths, masses, leg-to-platform mass ratios, proportions, and the ends of the
+    range.
+    """
     lengths, masses = np.logspace(3, -4, POINTS), np.logspace(6, -6, POINTS)
     platforms, legs = np.logspace(0, -5, POINTS), np.logspace(4, 0, POINTS)
     found = []
@@ -57,9 +61,9 @@ def families(seed: int = 7) -> list[Family]:
 
 
 def _extreme(seed: int) -> Family:
-    """Lengths from 1e200 to 1e-200 m at unchanged shape, with the motion's scale of time."""
+    """Change lengths from 1e200 to 1e-200 m at constant shape, with the time scale of the motion."""
     factors = np.logspace(200, -200, 81)
-    # Larger machines are lighter, so that inertias stay within the range of double.
+    # Larger machines are lighter, so that their inertias remain within the range of double.
     pairs = [_sized(float(factor), seed, float(1.0 / factor)) for factor in factors]
     robots, motions = [list(each) for each in zip(*pairs, strict=True)]
     curves = shipped.curves(robots, motions)

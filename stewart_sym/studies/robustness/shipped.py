@@ -1,4 +1,4 @@
-"""Every shipped code path to the actuator forces along a family, beside 50 digits."""
+"""Errors of all shipped code for the actuator forces along a family, relative to 50 digits."""
 
 import warnings
 from collections.abc import Sequence
@@ -28,11 +28,25 @@ FLOAT_EPS = float(np.finfo(np.float32).eps)
 
 
 def curves(robots: Sequence[Robot], motions: Sequence[Motion], in_float: bool = False) -> tuple[Curve, ...]:
-    """One curve for each code path: forces alone of one pose and of a batch, every output in C and NumPy.
+    """Return one curve for each implementation: forces of one pose and of a batch, and all outputs in C and
+    NumPy.
 
-    robots, motions: n each, motions of shape (). in_float: with the forces alone in float, whose inputs are
-    rounded to float first. The condition number is the problem's own, never less than the scaled one of H.
-    Raises native.CompilerError without ``__float128``.
+    Parameters
+    ----------
+    robots, motions : sequence
+        n robots and n motions of shape ().
+    in_float : bool
+        True adds the forces in float, whose inputs are rounded to float first.
+
+    Returns
+    -------
+    tuple of Curve
+        Curves. The condition number is the condition number of the problem, at least the scaled one of H.
+
+    Raises
+    ------
+    native.CompilerError
+        Without ``__float128``.
     """
     checked = check_poses(robots, motions)
     truth = np.array([_truth(robot, motion) for robot, motion in zip(robots, motions, strict=True)])
@@ -50,7 +64,7 @@ def curves(robots: Sequence[Robot], motions: Sequence[Motion], in_float: bool = 
 
 
 def float_curve(robots: Sequence[Robot], motions: Sequence[Motion]) -> Curve:
-    """The forces alone in float, with inputs rounded to float and checked so."""
+    """Return the curve of the forces in float, with inputs rounded to float and checked in this form."""
     checked = check_poses(robots, motions, "float")
     condition = condition_of(checked)
     return Curve(
@@ -65,7 +79,7 @@ def float_curve(robots: Sequence[Robot], motions: Sequence[Motion]) -> Curve:
 
 
 def closed_form_curves(robots: Sequence[Robot], motions: Sequence[Motion]) -> tuple[Curve, ...]:
-    """One curve for each kernel of the closed form: of its outputs the worst, beside quadruple precision."""
+    """Return a curve of each kernel of the closed form: the worst output relative to quadruple precision."""
     numbers = np.array([robot_numbers(robot) for robot in robots])
     poses = np.array([motion_numbers(motion) for motion in motions])
     found = closed_form_errors(
@@ -88,7 +102,9 @@ def closed_form_curves(robots: Sequence[Robot], motions: Sequence[Motion]) -> tu
 
 
 def pose_condition(robots: Sequence[Robot], motions: Sequence[Motion]) -> Array:
-    """Condition number of poses: the problem's own, the scaled one of H, that of the legs' frames, (n,)."""
+    """Return the largest condition number of each pose, shape (n,): of the problem, of the scaled H, and of
+    the leg frames.
+    """
     checked = check_poses(robots, motions)
     return np.asarray(np.maximum(condition_of(checked), checked["frames"]))
 
@@ -110,7 +126,8 @@ def _curve(
         if truth[i, 0] is not None:
             off = deviation(F, truth[i])
         else:
-            # Fifty digits reject matrices of very unlike rows; quadruple precision pivots as the kernels do.
+            # The 50-digit solver rejects matrices with very different rows; quadruple precision pivots as the
+            # kernels do.
             off = quad_error(F, quad_forces(robot, motion, as_given=True))
         error[i] = np.abs(off).max() / size[i]
     condition = np.where(checked["truth"] == OK, condition_of(checked), np.inf)
@@ -124,12 +141,12 @@ def _truth(robot: Robot, motion: Motion) -> NDArray[np.object_]:
         return np.full(6, None, dtype=object)
 
 
-# Most families are of one machine, whose constants take a third of the time.
+# Most families have one machine, and its constants require a third of the time.
 _prepared_truth = lru_cache(maxsize=1)(Truth)
 
 
 def _forces(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
-    """Forces and statuses; a robot whose constants overflow, which is an error, has none."""
+    """Return forces and statuses; a robot with overflowing constants has status NOT_FINITE."""
     try:
         kernel = ForceKernel(robot)
     except ValueError:
@@ -143,7 +160,7 @@ def _one_pose(robot: Robot, motion: Motion) -> tuple[Array, int]:
 
 
 def _batch(robot: Robot, motion: Motion) -> tuple[Array, int]:
-    """The pose in the middle of a full block of eight."""
+    """Compute the pose in the middle of a full block of eight."""
     many: dict[str, Any] = {
         name: None if x is None else np.repeat(x[None], 8, axis=0) for name, x in vars(motion).items()
     }
@@ -158,7 +175,7 @@ def _every(robot: Robot, motion: Motion, backend: Any) -> tuple[Array, int]:
 
 
 def _closed_form(robot: Robot, motion: Motion) -> tuple[Array, int]:
-    """F of H F = M [a; alpha] + bias - W_ext, by NumPy's elimination, which assumes nothing of H."""
+    """Compute F of H F = M [a; alpha] + bias - W_ext by NumPy's elimination, without assumptions about H."""
     try:
         ForceKernel(robot)
     except ValueError:

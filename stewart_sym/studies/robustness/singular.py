@@ -1,4 +1,4 @@
-"""Families 1: H becomes singular, in four ways; candidate solves beside the shipped kernels."""
+"""Families 1: H becomes singular in four ways; candidate solvers compared with the shipped kernels."""
 
 import functools
 from collections.abc import Callable
@@ -27,11 +27,13 @@ FAILS = "H singular"
 REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding error against its row"
 
 DAMPED = "damped least squares"
-"""As ``on_singular="damped"`` has it: bounded forces of another wrench."""
+"""Solver of ``on_singular="damped"``, which returns bounded forces of another wrench."""
 
 
 def families(seed: int = 6) -> list[Family]:
-    """Crossing of Path III, similar hexagons at 90 degrees, six lines meeting one line, a flat pose."""
+    """Return four families: crossing of Path III, similar hexagons at 90 degrees, six lines that meet one
+    line, flat pose.
+    """
     found = []
     for name, title, axis, make in (
         ("path_III", "Path III crosses a singular pose", "time from the crossing, s", lambda _: path_III()),
@@ -46,7 +48,9 @@ def families(seed: int = 6) -> list[Family]:
 
 
 def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
-    """Every candidate on H x = c as double has them, beside 50 digits of the same H and c."""
+    """Compute the error of every candidate for H x = c in double, relative to 50 digits of the same H and
+    c.
+    """
     systems = [
         (wrench_matrix(robot, motion), actuator_wrench(robot, motion)[0])
         for robot, motion in zip(robots_, motions, strict=True)
@@ -71,17 +75,17 @@ def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
 
 
 def crossing_of_path_III() -> float:
-    """Time, s, at which Path III crosses a singular pose, to rounding."""
+    """Return the time at which Path III crosses a singular pose, to rounding (s)."""
     path = PAPER_PATHS["III"].path
     return singularity_crossings(dasgupta1998(), path.sample, path.breakpoints())[0].time
 
 
 def path_III() -> tuple[list[Robot], list[Motion]]:
-    """Poses of the paper's machine ever nearer to the crossing, on the tangent of Path III before it."""
+    """Return poses of the robot of the paper near the crossing, on the tangent of Path III before it."""
     robot, path, crossing = dasgupta1998(), PAPER_PATHS["III"].path, crossing_of_path_III()
     moving = path.sample(crossing)
     theta = rpy_from_rotation(moving.R)
-    # Along the tangent, beyond the ends of the path too.
+    # The tangent also extends beyond the ends of the path.
     before, after = (rpy_from_rotation(path.sample(crossing + h).R) for h in (-1e-3, 1e-3))
     theta_dot = (after - before) / 2e-3
     motions = []
@@ -126,7 +130,7 @@ def _exact(H: Array, c: Array) -> list[mpmath.mpf] | None:
 
 
 def _largest(A: Array, k: int, scale: Array) -> tuple[int, int]:
-    """Row and column of the largest entry of what remains."""
+    """Return row and column of the largest remaining entry."""
     i, j = np.unravel_index(np.argmax(np.abs(A[k:, k:])), (len(A) - k, len(A) - k))
     return k + int(i), k + int(j)
 
@@ -137,23 +141,25 @@ _PIVOTS: dict[str, Callable[[Array, int, Array], tuple[int, int]]] = {
     "scaled pivoting": lambda A, k, scale: (k + int(np.argmax(np.abs(A[k:, k]) / scale[k:])), k),
     "complete pivoting": _largest,
 }
-"""Row and column of a step's pivot in elimination; scale: the largest entry of each row at first."""
+"""Function that returns row and column of the pivot of an elimination step; ``scale`` is the initial largest
+entry of each row.
+"""
 
 
 def householder(A: Array, y: Array) -> Array:
-    """QR by LAPACK's reflections."""
+    """Solve by QR factorization with the reflections of LAPACK."""
     Q, R = np.linalg.qr(A)
     return _back(R, Q.T @ y)
 
 
 def singular_values(A: Array, y: Array) -> Array:
-    """By the singular value decomposition, none left out."""
+    """Solve by the complete singular value decomposition."""
     U, sigma, V_T = np.linalg.svd(A)
     return np.asarray(V_T.T @ ((U.T @ y) / sigma))
 
 
 def refined(A: Array, y: Array) -> Array:
-    """Partial pivoting and one step of refinement, its residual in double."""
+    """Solve by partial pivoting and one step of refinement with the residual in double."""
     x = _eliminated(A, y, _PIVOTS["partial pivoting"])
     return x + _eliminated(A, y - A @ x, _PIVOTS["partial pivoting"])
 

@@ -1,4 +1,6 @@
-"""The stability study whole: every family, its verdicts, the report, and the JSON for the README's table."""
+"""Stability study: all families, their verdicts, the report, and the JSON data for the table of the
+documentation.
+"""
 
 from collections.abc import Mapping, Sequence
 
@@ -22,11 +24,11 @@ PARTS = {
     "simulation": runs.families,
     "scales": scales.families,
 }
-"""What makes the families, by what they are about."""
+"""Functions that create the families, by subject."""
 
 
 def study(progress: Progress = silent) -> tuple[list[Family], Basins]:
-    """Make every family; takes about a minute. Raises native.CompilerError without ``__float128``."""
+    """Compute every family in about a minute; raise native.CompilerError without ``__float128``."""
     found: list[Family] = []
     for _, families in tracked(progress, PARTS.items(), lambda part: f"approaching {part[0]}"):
         found += families()
@@ -37,18 +39,20 @@ def study(progress: Progress = silent) -> tuple[list[Family], Basins]:
 def full_report(
     families: Sequence[Family], starts: Basins, swept: Sweep, figures: Mapping[str, Picture]
 ) -> Report:
-    """Verdicts on every method, the families' errors and the random cases, with the pictures given."""
+    """Create the report: verdicts of all methods, errors of the families, and random cases, with the given
+    plots.
+    """
     data = as_json(families, starts, swept)
     text = "\n\n".join([report(data["families"]), basins_report(starts), sweep_report(swept)])
     return Report(text, {family.name: family.columns() for family in families}, data, figures)
 
 
 def methods(family: Family) -> list[Figures]:
-    """Each method's verdict, and whether its statuses are where they must be."""
+    """Return the verdict of each method, and whether its statuses are correct."""
     found = []
     for curve in family.curves:
         each = verdict(curve, family.distance)
-        # Beyond the range of double a status may be on any pose.
+        # Beyond the range of double, a status is valid for any pose.
         right = each["undetected"] == 0 and (family.beyond_range or each["false_alarms"] == 0)
         known = {"method": curve.method, "shipped": curve.shipped, "status": curve.status is not None}
         found.append({**known, "right": right, **each})
@@ -56,7 +60,7 @@ def methods(family: Family) -> list[Figures]:
 
 
 def report(families: Sequence[Figures]) -> str:
-    """Every family's verdicts as text."""
+    """Format the verdicts of all families as text."""
     parts = [
         "Errors against 50 digits along families of poses that approach a degenerate configuration.\n"
         "worst: largest error in rounding units over the problem's own condition number, with status ok.\n"
@@ -84,7 +88,7 @@ def report(families: Sequence[Figures]) -> str:
 
 
 def basins_report(found: Basins) -> str:
-    """Outcomes of forward kinematics in shares of the starts."""
+    """Format the outcomes of forward kinematics as fractions of the starts."""
     rows = [
         (method, *(f"{100 * found.share(method, outcome):.1f} %" for outcome in range(len(OUTCOMES))))
         for method in found.outcome
@@ -97,7 +101,7 @@ def basins_report(found: Basins) -> str:
 
 
 def as_json(families: Sequence[Family], starts: Basins, swept: Sweep) -> Figures:
-    """Everything that the report says, as plain numbers."""
+    """Return the numbers of the report."""
     named = ("name", "title", "fails", "remedy", "axis", "notes")
     shares = {
         method: [starts.share(method, outcome) for outcome in range(len(OUTCOMES))]
@@ -127,7 +131,7 @@ def _number(value: float) -> str:
 
 
 def tables(found: Figures) -> dict[str, str]:
-    """Tables of the documentation from ``stability.json``: name -> Markdown."""
+    """Return the Markdown tables of the documentation from ``stability.json`` by name."""
     shown = [family for family in found["families"] if family["remedy"]]
     return {
         "stability_families": paragraph(_COLUMNS) + table(_HEADER, [_row(family) for family in shown]),
@@ -163,7 +167,7 @@ def _row(family: Figures) -> tuple[str, ...]:
 
 
 def _cases(sweep: Figures) -> str:
-    """The random cases, kind by kind, and in all."""
+    """Format the random cases by kind and in total."""
     kinds = dict.fromkeys(count["kind"] for count in sweep["counts"])
     rows = [_of_kind(kind, [each for each in sweep["counts"] if each["kind"] == kind]) for kind in kinds]
     lowest = min(

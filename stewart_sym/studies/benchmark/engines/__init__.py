@@ -1,1 +1,1 @@
-"""Engines of rigid bodies as baselines of ``benchmark``: the machine as their tree of joints."""
+"""Rigid-body engines as baselines of ``benchmark``, with the machine as a tree of joints."""

@@ -1,6 +1,6 @@
-"""Drake as a candidate of ``benchmark``: ``CalcInverseDynamics`` over the machine's tree, then a 6x6 solve.
+"""Drake candidate of ``benchmark``: ``CalcInverseDynamics`` for the tree of the machine, then a 6x6 solve.
 
-Gravity, load and friction are prepared as forces on the bodies, which is how the call takes them.
+Gravity, load, and friction are prepared as body forces, because the call takes them in this form.
 """
 
 from functools import partial
@@ -25,7 +25,7 @@ with needed_for("the comparison with Drake"):
 
 
 def drake_inverse(robot: Robot, motion: Motion) -> Called:
-    """``CalcInverseDynamics`` at poses (n,); base joints must be universal."""
+    """Measure ``CalcInverseDynamics`` at poses (n,); base joints must be universal."""
     plant, nothing = _plant(robot), _finished(MultibodyPlant(0.0))
     context, no_context = plant.CreateDefaultContext(), nothing.CreateDefaultContext()
     at = states(robot, motion)
@@ -39,15 +39,15 @@ def drake_inverse(robot: Robot, motion: Motion) -> Called:
 
 
 def _tau(plant: Any, context: Any, state: Array, second: Array, forces: Any) -> Any:
-    """One pose; the state is set in it, since Drake keeps what it computed of the last one."""
+    """Compute one pose; the state is set first, because Drake caches the results of the last state."""
     plant.SetPositionsAndVelocities(context, state)
     return plant.CalcInverseDynamics(context, second, forces)
 
 
 def _plant(robot: Robot) -> Any:
-    """Six chains, universal about k and y, prismatic along s, and the platform.
+    """Build six chains, universal about k and y, prismatic along s, and the platform.
 
-    A universal joint is quicker here than two revolute ones with a body between them.
+    A universal joint is faster in Drake than two revolute joints with a body between them.
     """
     plant = MultibodyPlant(0.0)
     plant.mutable_gravity_field().set_gravity_vector(robot.g)
@@ -69,7 +69,7 @@ def _finished(plant: Any) -> Any:
 
 
 def _inertia(mass: float, center: Array, inertia: Array) -> Any:
-    """A body's inertia, unchecked: no rigid body can have the paper's tensors."""
+    """Return an unvalidated inertia, because no rigid body can have the tensors of the paper."""
     if mass == 0:
         return tree.SpatialInertia.Zero()
     unit = inertia / mass + center @ center * np.eye(3) - np.outer(center, center)
@@ -79,7 +79,7 @@ def _inertia(mass: float, center: Array, inertia: Array) -> Any:
 
 
 def _prepared(plant: Any, at: States) -> list[tuple[Any, ...]]:
-    """Every pose as the call takes it: positions with rates, accelerations, and forces on the bodies."""
+    """Prepare the arguments for every pose: positions with rates, accelerations, and body forces."""
     motion, legs = at.motion, at.legs
     count = len(motion.R)
     q = [legs.coordinates.reshape(count, -1), quaternion_from_rotation(motion.R), motion.t]

@@ -1,4 +1,4 @@
-"""Forward dynamics by MuJoCo's ``mj_forward``, as a baseline of the equations of motion."""
+"""Forward dynamics by MuJoCo's ``mj_forward`` as a baseline of the equations of motion."""
 
 from dataclasses import replace
 from typing import Any
@@ -18,20 +18,21 @@ with needed_for("the comparison with MuJoCo"):
 
 
 STIFFNESS = 1e7
-"""1/s^2: MuJoCo's acceleration of a closed point for each meter that it is open.
+"""Ratio of MuJoCo's acceleration of a constrained point to the gap of the constraint (1/s^2).
 
-So large that nanometers hold the loops together, so small that rounding of joint coordinates doesn't matter.
+The value is so large that nanometers close the loops, and so small that rounding of joint coordinates is
+negligible.
 """
 
 _CORRECTIONS = 3
-"""Corrections of MuJoCo's joint coordinates; each leaves a small share of what was missing."""
+"""Number of corrections of MuJoCo's joint coordinates; each reduces the error to a small fraction."""
 
 
 def mujoco_engine(robot: Robot, tree: Tree) -> Called:
-    """``mj_forward`` with five ``connect`` constraints, one step of Newton's method on dense matrices.
+    """Measure ``mj_forward`` with five ``connect`` constraints and one dense Newton step.
 
-    Its constraints give way in proportion to their force. That is made up for: the legs are moved by
-    nanometers, beforehand, so that the constraints' springs push as much as is missing.
+    The constraints yield in proportion to their force. In compensation the legs are moved by nanometers in
+    advance, so that the springs of the constraints supply the missing force.
     """
     model = mujoco.MjModel.from_xml_string(_xml(robot))
     nothing = mujoco.MjModel.from_xml_string(f"<mujoco>{_option(np.zeros(3))}</mujoco>")
@@ -60,7 +61,7 @@ def mujoco_engine(robot: Robot, tree: Tree) -> Called:
 
 
 def _xml(robot: Robot) -> str:
-    """The machine in MuJoCo's format; sites are the points to be closed."""
+    """Format the machine as an MJCF model; sites are the constrained points."""
     carried = robot.p[CARRIER]
     points = (f'<site name="point{i}" pos="{_text(robot.p[i] - carried)}"/>' for i in range(CARRIER))
     platform = _body('<joint type="ball"/>', robot.M, robot.R_0 - carried, robot.I_p, "".join(points))
@@ -82,7 +83,7 @@ def _xml(robot: Robot) -> str:
 
 
 def _option(gravity: Array) -> str:
-    """The solver that is fastest here, nothing from the last call, nothing that isn't asked for."""
+    """Return the options: the fastest solver, without warm start and unrequested computations."""
     off = " ".join(f'{name}="disable"' for name in ("contact", "sensor", "warmstart", "island"))
     return (
         f'<option gravity="{_text(gravity)}" solver="Newton" jacobian="dense" iterations="1" tolerance="0">'

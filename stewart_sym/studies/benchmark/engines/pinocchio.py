@@ -1,7 +1,7 @@
-"""Pinocchio as a candidate of ``benchmark``: of the forces, and of the equations of motion.
+"""Pinocchio candidates of ``benchmark`` for the forces and for the equations of motion.
 
-Forces: recursive Newton-Euler over the machine's tree, then a 6x6 solve. Forward dynamics:
-``constraintDynamics``.
+Forces are computed by recursive Newton-Euler for the tree of the machine and a 6x6 solve, and forward
+dynamics by ``constraintDynamics``.
 """
 
 from collections.abc import Callable, Sequence
@@ -36,7 +36,7 @@ _W_LAST = [1, 2, 3, 0]
 
 
 def pinocchio_rnea(robot: Robot, motion: Motion) -> Called:
-    """``rnea`` at poses (n,); base joints must be universal."""
+    """Measure ``rnea`` at poses (n,); base joints must be universal."""
     model, upper = _model_of_legs(robot)
     platform = model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "platform")
     model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0, robot.I_p), pin.SE3.Identity())
@@ -52,9 +52,9 @@ def pinocchio_rnea(robot: Robot, motion: Motion) -> Called:
 
 
 def _model_of_legs(robot: Robot) -> tuple[Any, list[int]]:
-    """Six chains, revolute about k, revolute about y, prismatic along s, and the joints of the upper parts.
+    """Build six chains, revolute about k and y, prismatic along s; return joints of upper parts.
 
-    The joint of a lower part is the one before that of its upper part.
+    The joint of a lower part precedes the joint of its upper part.
     """
     model, here = pin.Model(), pin.SE3.Identity()
     model.gravity = pin.Motion(robot.g, np.zeros(3))
@@ -70,13 +70,13 @@ def _model_of_legs(robot: Robot) -> tuple[Any, list[int]]:
 
 
 def _prepared(at: States, joints: int, upper: list[int]) -> list[tuple[Any, ...]]:
-    """Every pose as ``rnea`` takes it: q, v, a and the forces from outside, in the frames of the bodies."""
+    """Prepare the arguments of ``rnea`` for every pose: q, v, a, and external forces in body frames."""
     motion, legs = at.motion, at.legs
     R, omega, count = motion.R, motion.omega, len(motion.R)
     quaternions = quaternion_from_rotation(R)[:, _W_LAST]
     q = np.hstack([legs.coordinates.reshape(count, -1), motion.t, quaternions])
     v = np.hstack([legs.rates.reshape(count, -1), turned_back(R, motion.v), turned_back(R, omega)])
-    # Pinocchio's spatial acceleration differs from that of the reference point by omega x v.
+    # Pinocchio's spatial acceleration differs from the acceleration of the reference point by omega x v.
     platform = [turned_back(R, motion.a - np.cross(omega, motion.v)), turned_back(R, motion.alpha)]
     a = np.hstack([at.accelerations.reshape(count, -1), *platform])
     below, above = turned_back(legs.upper, at.lower), turned_back(legs.upper, at.upper)
@@ -100,7 +100,9 @@ def _forces(count: int) -> Any:
 
 
 def pinocchio_engine(robot: Robot, tree: Tree) -> Called:
-    """``constraintDynamics``: the five points as rigid constraints, one step of its proximal solver."""
+    """Measure ``constraintDynamics`` with five rigid point constraints and one step of its proximal
+    solver.
+    """
     solve, of_machine = _solver(*_closed_model(robot))
     nothing, of_nothing = _solver(pin.Model(), [])
     quaternions = quaternion_from_rotation(tree.relative)[:, _W_LAST]
@@ -119,7 +121,7 @@ def pinocchio_engine(robot: Robot, tree: Tree) -> Called:
 
 
 def _solver(model: Any, constraints: Sequence[Any]) -> tuple[Callable[..., Any], tuple[Any, ...]]:
-    """``constraintDynamics`` of a model, which takes the state and then the arguments given with it."""
+    """Return ``constraintDynamics`` of a model, which takes the state, and its further arguments."""
     models, datas = pin.StdVec_RigidConstraintModel(), pin.StdVec_RigidConstraintData()
     for constraint in constraints:
         models.append(constraint)

@@ -1,10 +1,10 @@
-"""The machine as a tree of joints for engines of rigid bodies, and from their joints back to the platform.
+"""Machine as a tree of joints for rigid-body engines, and conversion of joint results to the platform.
 
-Six legs, each revolute about k, revolute about y, prismatic along s. For forward dynamics the platform hangs
-on the last leg by a spherical joint, and five points remain to be closed; for inverse dynamics it is free,
-and the loops are closed after it. Joint coordinates, rates, accelerations, friction, generalized forces and
-Jacobians of the closed loops are prepared beforehand and not timed. Engines share no equation with the
-generated kernels.
+Each of the six legs is revolute about k, revolute about y, and prismatic along s. For forward dynamics the
+platform is connected to the last leg by a spherical joint, and five points are closed by constraints. For
+inverse dynamics the platform is free, and the loops are closed afterwards. Joint coordinates, rates,
+accelerations, friction, generalized forces, and Jacobians of the closed loops are prepared before the timing.
+Engines share no equation with the generated kernels.
 """
 
 from collections.abc import Callable
@@ -24,14 +24,16 @@ from ..figures import Timed
 Run = Callable[[int], object]
 
 CARRIER = 5
-"""The leg that carries the platform."""
+"""Index of the leg that carries the platform."""
 
 _SOLVED = 1024
-"""Systems in one call of the solve, so that the call itself costs nothing a system."""
+"""Number of systems in one call of the solve, so that the overhead of the call is negligible."""
 
 
 def base_frames(robot: Robot) -> Array:
-    """Frames of the first joints, (6, 3, 3): x axis along k; columns are the axes in the base frame."""
+    """Return frames of the first joints, (6, 3, 3), with the x axis along k; columns are axes in the base
+    frame.
+    """
     k = robot.k
     across = np.cross(k, np.eye(3)[np.argmin(np.abs(k), axis=-1)])
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
@@ -42,9 +44,17 @@ def base_frames(robot: Robot) -> Array:
 class Tree:
     """Poses (n,) in joint coordinates.
 
-    legs: their angles and lengths. relative: (n, 3, 3), the platform's orientation against the upper
-    part that carries it. rates: (n, 21), three of each leg, in order, then the platform's angular velocity
-    against its leg, platform frame. forces: (n, 21), actuators, friction of all joints and load.
+    Attributes
+    ----------
+    legs : Legs
+        Angles and lengths of the legs.
+    relative : ndarray, shape (n, 3, 3)
+        Orientation of the platform relative to the upper part that carries it.
+    rates : ndarray, shape (n, 21)
+        Three joint rates of each leg, then the angular velocity of the platform relative to its leg, platform
+        frame.
+    forces : ndarray, shape (n, 21)
+        Generalized forces of actuators, joint friction, and load.
     """
 
     legs: "Legs"
@@ -54,7 +64,7 @@ class Tree:
     _motion: Motion
 
     def accelerations(self, joints: Array) -> Array:
-        """[a; alpha] of the platform, (n, 6), that the accelerations of the joints, (n, 21), mean."""
+        """Return [a; alpha] of the platform, (n, 6), for the accelerations of the joints, (n, 21)."""
         tips, turns = self.legs.accelerations(joints[:, :-3].reshape(-1, 6, 3))
         omega, q, W = self._motion.omega, self.legs.q[:, CARRIER], self.legs.W[:, CARRIER]
         alpha = turns[:, CARRIER] + turned(self._motion.R, joints[:, -3:]) + np.cross(W, omega)
@@ -62,7 +72,9 @@ class Tree:
         return np.concatenate([a, alpha], axis=-1)
 
     def gaps(self, joints: Array) -> Array:
-        """Accelerations, (n, 5, 3), of the tips of the other legs from the platform's points, base frame."""
+        """Return the accelerations of the other leg tips relative to the platform points, (n, 5, 3), base
+        frame.
+        """
         tips, _ = self.legs.accelerations(joints[:, :-3].reshape(-1, 6, 3))
         platform = self.accelerations(joints)[:, None]
         a, alpha, omega = platform[..., :3], platform[..., 3:], self._motion.omega[:, None]
@@ -70,7 +82,9 @@ class Tree:
         return (tips - points)[:, :CARRIER]
 
     def moved(self, tips: Array) -> Array:
-        """``legs.coordinates`` after small moves of the tips of the other legs, (n, 5, 3), base frame."""
+        """Return ``legs.coordinates`` after small displacements of the other leg tips, (n, 5, 3), base
+        frame.
+        """
         found = self.legs.coordinates.copy()
         found[:, :CARRIER] += np.linalg.solve(self.legs.jacobian[:, :CARRIER], tips[..., None])[..., 0]
         return found
@@ -78,11 +92,26 @@ class Tree:
 
 @dataclass(frozen=True, eq=False)
 class Legs:
-    """Kinematics of the legs at poses (n,), base frame, (n, 6, ...).
+    """Kinematics of the legs at poses (n,), base frame, shape (n, 6, ...).
 
-    q, S: platform points from the reference point, legs. coordinates: two angles and the length,
-    s = frame Rx(q1) Ry(q2) e_x. upper: orientation of both parts. jacobian: of the tip by the joints. axes:
-    of both revolute joints, in columns. rates: of the joints. W: angular velocity.
+    Attributes
+    ----------
+    q : ndarray
+        Platform points relative to the reference point.
+    S : ndarray
+        Leg vectors.
+    coordinates : ndarray
+        Two angles and the length; s = frame Rx(q1) Ry(q2) e_x.
+    upper : ndarray
+        Orientation of both parts.
+    jacobian : ndarray
+        Jacobian of the tip by the joint coordinates.
+    axes : ndarray
+        Axes of both revolute joints, in columns.
+    rates : ndarray
+        Joint rates.
+    W : ndarray
+        Angular velocity.
     """
 
     q: Array
@@ -95,7 +124,7 @@ class Legs:
     W: Array
 
     def accelerations(self, joints: Array) -> tuple[Array, Array]:
-        """Accelerations of the tips and of the legs' rotation, both (n, 6, 3)."""
+        """Return accelerations of the tips and angular accelerations of the legs, both (n, 6, 3)."""
         k, y = self.axes[..., 0], self.axes[..., 1]
         along = self.jacobian[..., 2]
         moving = np.cross(self.rates[..., :1] * k, self.rates[..., 1:2] * y)
@@ -106,7 +135,7 @@ class Legs:
 
 
 def legs_of(robot: Robot, motion: Motion) -> Legs:
-    """The legs at poses (n,); base joints must be universal."""
+    """Compute the kinematics of the legs at poses (n,); base joints must be universal."""
     frames = base_frames(robot)
     q = np.einsum("nij,kj->nki", motion.R, robot.p)
     S = motion.t[:, None] + q - robot.b
@@ -126,7 +155,9 @@ def legs_of(robot: Robot, motion: Motion) -> Legs:
 
 
 def tree(robot: Robot, motion: Motion, F: Array) -> Tree:
-    """Joint coordinates of poses (n,) under actuator forces F, N, (n, 6); base joints must be universal."""
+    """Compute joint coordinates at poses (n,) under actuator forces F (N), (n, 6); base joints must be
+    universal.
+    """
     legs = legs_of(robot, motion)
     relative = np.swapaxes(legs.upper[:, CARRIER], -1, -2) @ motion.R
     turning = turned_back(motion.R, motion.omega - legs.W[:, CARRIER])
@@ -135,13 +166,13 @@ def tree(robot: Robot, motion: Motion, F: Array) -> Tree:
 
 
 def _forces(robot: Robot, motion: Motion, F: Array, legs: Legs) -> Array:
-    """Generalized forces of the joints, (n, 21)."""
+    """Compute the generalized forces of the joints, (n, 21)."""
     R, omega = motion.R, motion.omega
     friction = robot.C_s[:, None] * (legs.W - omega[:, None])
     joints = np.concatenate([-robot.C_u[:, None] * legs.rates[..., :2], np.zeros_like(F)[..., None]], axis=-1)
     joints[..., 2] = F - robot.C_p * legs.rates[..., 2]
     joints[..., :2] -= np.einsum("nkij,nki->nkj", legs.axes, friction)
-    # The load acts at the reference point; here it is moved to the point that the last leg carries.
+    # The load acts at the reference point and is moved to the point that the last leg carries.
     given = loaded(motion)
     force = turned(R, given.F_ext)
     moment = turned(R, given.M_ext) + friction.sum(axis=1) - np.cross(legs.q[:, CARRIER], force)
@@ -152,9 +183,18 @@ def _forces(robot: Robot, motion: Motion, F: Array, legs: Legs) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class States:
-    """Poses (n,): motion, its load never None, legs, and accelerations of the legs' joints, (n, 6, 3).
+    """States at poses (n,).
 
-    lower, upper, platform: friction's moments on the bodies, N m, base frame, (n, 6, 3) and (n, 3).
+    Attributes
+    ----------
+    motion : SimpleNamespace
+        Motion with a load, which is never None.
+    legs : Legs
+        Kinematics of the legs.
+    accelerations : ndarray, shape (n, 6, 3)
+        Joint accelerations of the legs.
+    lower, upper, platform : ndarray, shape (n, 6, 3) and (n, 3)
+        Friction moments on the bodies (N m), base frame.
     """
 
     motion: SimpleNamespace
@@ -166,7 +206,7 @@ class States:
 
 
 def states(robot: Robot, motion: Motion) -> States:
-    """The states at poses (n,); base joints must be universal."""
+    """Compute the states at poses (n,); base joints must be universal."""
     legs, given = legs_of(robot, motion), loaded(motion)
     omega, alpha = motion.omega[:, None], given.alpha[:, None]
     Sddot = given.a[:, None] + np.cross(alpha, legs.q) + np.cross(omega, np.cross(omega, legs.q))
@@ -186,13 +226,14 @@ def newton_euler(
     run: Run,
     empty: Run,
 ) -> Called:
-    """A baseline made of a call of an engine's inverse dynamics and a solve.
+    """Return a baseline that consists of an engine's inverse dynamics and a solve.
 
-    tau: generalized forces that the engine found, (n, 24), those of the legs first; rates: of the platform's
-    joint by its twist [v; omega], (n, 6, 6); run, empty: the engine's call over all poses, and over nothing.
+    ``tau`` are the generalized forces of the engine, (n, 24), first of the legs. ``rates`` maps the twist [v;
+    omega] to the joint rates of the platform, (n, 6, 6). ``run`` and ``empty`` are the calls for all poses
+    and for an empty model.
     """
     legs = states.legs
-    # F Ldot equals the power of all joints; both Ldot and the joints' rates are linear in the twist.
+    # F Ldot equals the power of all joints; Ldot and the joint rates are linear in the twist.
     arms = np.concatenate([np.broadcast_to(np.eye(3), (*legs.q.shape, 3)), -cross_matrix(legs.q)], axis=-1)
     joints = np.linalg.inv(legs.jacobian) @ arms
     every = np.concatenate([joints.reshape(len(tau), -1, 6), rates], axis=1)
@@ -219,9 +260,10 @@ def newton_euler(
 def forward_dynamics(
     name: str, call: str, tree: Tree, run: Run, empty: Run, joints: Callable[[], Array], tolerance: float
 ) -> Called:
-    """A baseline made of a call of an engine's forward dynamics with constraints that close the loops.
+    """Return a baseline that consists of an engine's forward dynamics with loop constraints.
 
-    joints: the accelerations that it found, (n, 21); run, empty: its call over all poses, and over nothing.
+    ``joints`` returns the computed joint accelerations, (n, 21). ``run`` and ``empty`` are the calls for all
+    poses and for an empty model.
     """
     count = len(tree.rates)
     parts = (
@@ -232,10 +274,10 @@ def forward_dynamics(
 
 
 def turned(matrix: Array, vector: Array) -> Array:
-    """Products of matrices and vectors."""
+    """Compute products of matrices and vectors."""
     return np.asarray(np.einsum("...ij,...j->...i", matrix, vector))
 
 
 def turned_back(R: Array, vector: Array) -> Array:
-    """Vectors of the base frame in the frames of bodies."""
+    """Rotate vectors from the base frame to the frames of bodies."""
     return turned(np.swapaxes(R, -1, -2), vector)

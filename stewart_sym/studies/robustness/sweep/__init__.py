@@ -1,1 +1,1 @@
-"""Random cases near degenerate configurations, with an oracle in wider arithmetic."""
+"""Random cases near degenerate configurations, checked by arithmetic of higher precision."""

@@ -1,4 +1,4 @@
-"""Machines and motions of the study: general and special, of any size and mass, every leg its own."""
+"""Machines and motions of the study: general and special, of any size and mass, with different legs."""
 
 import dataclasses
 
@@ -11,11 +11,12 @@ from ....robot.robot import Robot
 
 GRAVITY = 9.81
 LEGS = ("general", "axisymmetric", "slender", "nearly massless")
-"""Kinds of legs that a random machine may have."""
+"""Kinds of legs of a random machine."""
 
 _BASE = np.radians([-12.0, 12.0, 108.0, 132.0, 228.0, 252.0])
 _PLATFORM = np.radians([-48.0, 48.0, 72.0, 168.0, 192.0, -72.0])
-# Corners of a hexagon of two side lengths, and of the same hexagon turned by 60 degrees, leg by leg.
+# Angles of the corners of a hexagon with two side lengths, and of the same hexagon rotated by 60 degrees, leg
+# by leg.
 _PAIRS = (-20.0, 20.0, 100.0, 140.0, 220.0, 260.0)
 _PAIRS_TURNED = (-40.0, 40.0, 80.0, 160.0, 200.0, 280.0)
 
@@ -23,9 +24,25 @@ _PAIRS_TURNED = (-40.0, 40.0, 80.0, 160.0, 200.0, 280.0)
 def random_machine(
     rng: np.random.Generator, size: float = 1.0, mass: float = 10.0, legs: str = "general"
 ) -> Robot:
-    """A machine of random legs and points. size: radius of the base, m; mass: of the platform, kg.
+    """Generate a machine with random legs and points.
 
-    legs: of ``LEGS``. Fixed axes lie at 45 degrees or more from the legs of the home pose.
+    The fixed axes are at least 45 degrees from the legs at the home pose.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Source of random numbers.
+    size : float
+        Radius of the base (m).
+    mass : float
+        Mass of the platform (kg).
+    legs : str
+        Kind of legs, one of ``LEGS``.
+
+    Returns
+    -------
+    Robot
+        Machine.
     """
     b, p = (
         radius * (_ring(angles) + 0.08 * rng.normal(size=(6, 3)))
@@ -61,7 +78,7 @@ def random_machine(
 
 
 def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:
-    """A pose about the home pose with rates of the machine's own scale of time and a load; shape ()."""
+    """Generate a pose near the home pose with rates of the time scale of the machine and a load, shape ()."""
     size, weight = machine_size(robot), robot.M * GRAVITY
     rate = float(np.sqrt(GRAVITY / size))
     at_home = robot.b.mean(axis=0) + np.array([0.0, 0.0, 1.1 * size])
@@ -78,23 +95,24 @@ def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:
 
 
 def machine_size(robot: Robot) -> float:
-    """Root mean square distance of the base points from their mean, m."""
+    """Compute the root mean square distance of the base points from their mean (m)."""
     from_mean = robot.b - robot.b.mean(axis=0)
     largest = float(np.abs(from_mean).max())
     return largest * float(np.sqrt(np.mean(np.sum((from_mean / largest) ** 2, axis=-1))))
 
 
 def similar_hexagons(rng: np.random.Generator) -> Robot:
-    """A general machine of similar plane hexagons, the platform's turned by 60 degrees at home.
+    """Generate a general machine with similar planar hexagons; the platform hexagon is rotated by 60 degrees
+    at home.
 
-    Turned by 90 degrees about the normal from there it is singular at any place (Fichter, 1986).
+    Rotated from there by 90 degrees about the normal, it is singular at any position (Fichter, 1986).
     """
     b, p = (_ring(np.radians(angles)) for angles in (_PAIRS, _PAIRS_TURNED))
     return dataclasses.replace(random_machine(rng), b=b, p=0.6 * p)
 
 
 def meeting_one_line(rng: np.random.Generator, motion: Motion) -> Robot:
-    """A general machine whose six legs in that pose, prolonged, meet one line in space."""
+    """Generate a general machine whose six legs, extended, meet one line in space at that pose."""
     robot = random_machine(rng)
     tips = robot.p @ motion.R.T + motion.t
     direction = _unit(rng.normal(size=3))
@@ -104,7 +122,7 @@ def meeting_one_line(rng: np.random.Generator, motion: Motion) -> Robot:
 
 
 def flat(rng: np.random.Generator) -> Robot:
-    """A general machine whose base and platform are plane, so that all six legs can lie in one plane."""
+    """Generate a general machine with planar base and platform, so that all six legs can be in one plane."""
     robot = random_machine(rng)
     plane = np.array([1.0, 1.0, 0.0])
     return dataclasses.replace(robot, b=robot.b * plane, p=robot.p * plane)
@@ -122,7 +140,7 @@ def _across(rng: np.random.Generator, direction: Array) -> Array:
 
 
 def _inertia(rng: np.random.Generator, legs: str) -> Array:
-    """Inertia over mass and size squared of a cloud of four mass points: a body by construction."""
+    """Compute a physical inertia of four mass points, divided by mass and size squared."""
     points = 0.15 * rng.normal(size=(4, 3)) * (np.array([1.0, 0.0, 0.0]) if legs == "slender" else 1.0)
     if legs != LEGS[0]:
         along, across = np.mean(points[:, 0] ** 2), np.mean(points[:, 1:] ** 2)
@@ -132,6 +150,6 @@ def _inertia(rng: np.random.Generator, legs: str) -> Array:
 
 
 def _unit(vector: Array) -> Array:
-    # Divided by the largest component first: squares of lengths may leave the range of double.
+    # The largest component is divided out first, because squares of lengths may exceed the range of double.
     vector = vector / np.abs(vector).max()
     return np.asarray(vector / np.linalg.norm(vector))

@@ -1,9 +1,9 @@
-"""Answers of the shipped C checked in wider arithmetic: error over the problem's own condition number.
+"""Verification of the shipped C code in wider arithmetic, with errors relative to the condition number.
 
-Compiles the plain elimination kernel for ``long double`` and ``__float128`` beside the shipped kernels in
-double and float; wider types share neither regrouping nor preparation with the fast ones. The problem's own
-condition number is what relative changes of the inputs by one unit do to F: measured by random changes of
-every quantity, over the largest of |F|, |D|, |x|.
+The plain elimination kernel is compiled for ``long double`` and ``__float128``, and the shipped kernels for
+double and float. The wider kernels share neither regrouping nor preparation with the fast ones. The condition
+number of the problem is the sensitivity of F to relative changes of the inputs by one unit. It is measured by
+random changes of every quantity, relative to the largest of |F|, |D|, and |x|.
 """
 
 import ctypes
@@ -26,22 +26,25 @@ from ....motion.motion import Motion
 from ....robot.robot import Robot
 
 KERNELS = ("one pose", "batch", "every output")
-"""Shipped kernels that are checked."""
+"""Verified force kernels."""
 CLOSED_KERNELS = tuple(closed_form.OUTPUTS)
-"""Shipped kernels of the closed form that are held against wider arithmetic."""
+"""Kernels of the closed form that are compared with wider arithmetic."""
 KINDS = (
     *("singular", "joint singularity", "zero-length leg", "scales", "joint and singular", "heavy leg"),
     *("proportions", "far reference point", "singular machine"),
 )
-"""Failures that random cases come near to, and machines that are singular at every pose."""
+"""Failures that random cases approach, and machines that are singular at every pose."""
 DOUBTFUL = 10.0
-"""Error over the condition number above which long double is not trusted to tell it, nor random changes of
-the inputs the condition number: each input is changed by itself then, and what they do is added up."""
+"""Error relative to the condition number above which a case is verified more precisely.
+
+The error is then computed in quadruple precision instead of long double. The condition number is the sum of
+the effects of separate changes of each input, instead of random changes of all inputs.
+"""
 SAMPLES = 3
-"""Random changes of the inputs by which a condition number is measured."""
+"""Number of random changes of the inputs for the measurement of a condition number."""
 
 MACHINE = KINDS[-1]
-"""The kind whose robots must be singular at every pose: whatever has H to solve must give a status."""
+"""Kind whose robots must be singular at every pose: every kernel with a solve of H must return a status."""
 
 RESULT = np.dtype(
     [
@@ -52,10 +55,15 @@ RESULT = np.dtype(
         ("made", np.int32),
     ]
 )
-"""Of a case: distance from the failure; size, the largest of |F|, |D| and |x|, N; the problem's own condition
-number, the scaled one of H and that of the legs' frames, the largest of 1 over |k x s| and of the terms of S
-over L; error of each kernel, in rounding units of the size, NaN for unsolvable poses; status of the truth;
-whether it was checked in quadruple precision; status of each kernel; whether such a case was found."""
+"""Record of a case.
+
+``distance`` is the distance from the failure. ``size`` is the largest of |F|, |D|, and |x| (N). The field
+``own`` is the condition number of the problem, and ``scaled`` is the scaled condition number of H. The field
+``frames`` is the condition number of the leg frames, the largest of 1 over |k x s| and of the terms of S over
+L. The field ``error`` contains the error of each kernel in rounding units of the size, NaN for unsolvable
+poses. The field ``truth`` is the correct status, and ``status`` contains the status of each kernel. The field
+``in_quad`` is 1 for verification in quadruple precision, and ``made`` is 1 if such a case was found.
+"""
 
 CLOSED_RESULT = np.dtype(
     [
@@ -65,10 +73,14 @@ CLOSED_RESULT = np.dtype(
         *((name, np.int32) for name in ("made", "in_quad")),
     ]
 )
-"""Of a case: as in ``RESULT``, and of each kernel of ``CLOSED_KERNELS`` the largest error of its blocks, in
-rounding units of the block's size times its condition number, -1 where unsolvable; that condition number and
-the block's index in ``BLOCKS``. A block's condition number is what changes of every input by a rounding unit
-of itself do to it; of kinds "proportions" and "far reference point" at least the scaled one of H."""
+"""Record of a case of the closed form: fields of ``RESULT``, and results of each kernel of
+``CLOSED_KERNELS``.
+
+``error`` is the largest error of its blocks, in rounding units of the size of the block times its condition
+number, -1 if unsolvable. ``condition`` is that condition number, and ``block`` the index of the block in
+``BLOCKS``. The condition number of a block is the effect of relative changes of every input by one rounding
+unit. For the kinds "proportions" and "far reference point" it is at least the scaled one of H.
+"""
 
 _POWERS = {
     **dict.fromkeys(("M", "C"), (-1, -1)),
@@ -80,9 +92,9 @@ _POWERS = {
     "A": (1, -1),
     "B": (1, 0),
 }
-"""Powers of the platform's size by which the last three rows and columns of six are multiplied."""
+"""Powers of the platform size by which the last three rows and columns of six are multiplied."""
 _PARTS = {"A": {"A by pose": (6, 0), "A by twist": (6, 6)}, "B": {"B": (6, 0)}}
-"""Names of the parts of a matrix of which something is known, six by six, and where they begin."""
+"""Names of the 6x6 parts of a matrix with a known error bound, and their first row and column."""
 
 
 def _blocks() -> dict[str, tuple[int, ...]]:
@@ -102,10 +114,14 @@ def _blocks() -> dict[str, tuple[int, ...]]:
 
 
 BLOCKS = _blocks()
-"""Outputs of the closed form's kernels: kernel, offset, rows, columns, stride, and the powers of the
-platform's size by which the last three rows and columns are multiplied to be comparable with the first."""
+"""Outputs of the kernels of the closed form: kernel, offset, rows, columns, stride, and two powers.
 
-# A library named before the sources is dropped, as nothing needs it yet, unless the linker must keep it.
+The last three rows and columns are multiplied by these powers of the platform size to be comparable with the
+first three.
+"""
+
+# The linker drops a library that precedes the sources, because nothing requires it yet, unless it must keep
+# it.
 _FLAGS = ("-Wl,--no-as-needed", "-lquadmath")
 _SOURCES = {
     "wide": ("WIDE", ("wider", "prepare", "closed_form")),
@@ -113,15 +129,16 @@ _SOURCES = {
     "double": ("IN_DOUBLE", ("every_output", "forces", "closed_form")),
     "float": ("IN_FLOAT", ("every_output", "forces", "closed_form")),
 }
-"""Arithmetics: the macro that ``arithmetic.h`` goes by, and the C files that are compiled for each."""
+"""Macro of ``arithmetic.h`` for each arithmetic, and the C files that are compiled for it."""
 
 
 def check_poses(
     robots: Sequence[Robot], motions: Sequence[Motion], precision: str = "double"
 ) -> NDArray[Any]:
-    """Check the answers to poses in quadruple precision: one record of ``RESULT`` each, (n,).
+    """Verify the results of poses in quadruple precision; return one ``RESULT`` record each, shape (n,).
 
-    robots, motions: n each, motions of shape (). Raises native.CompilerError without ``__float128``.
+    ``robots`` and ``motions`` have n entries, motions of shape (). Raises native.CompilerError without
+    ``__float128``.
     """
     numbers = np.array([robot_numbers(robot) for robot in robots])
     poses = np.array([motion_numbers(motion) for motion in motions])
@@ -131,7 +148,7 @@ def check_poses(
 
 
 def check_numbers(numbers: Array, poses: Array, precision: str = "double") -> NDArray[Any]:
-    """The same of robots and motions as in the C structures, (n, 205) and (n, 30)."""
+    """Verify robots and motions stored as C structures, (n, 205) and (n, 30), like ``check_poses``."""
     given = (RESULT, KINDS[0], numbers, np.zeros(len(numbers)), 1, 0)
     return _checked("sweep_cases", *given, DOUBTFUL, precision=precision, in_quad=True, motions=poses)
 
@@ -146,11 +163,39 @@ def check_random(
     samples: int = SAMPLES,
     doubtful: float = DOUBTFUL,
 ) -> NDArray[Any]:
-    """Check random cases near a failure, ``each`` of every robot: records of ``RESULT``, (robots * each,).
+    """Verify random cases near a failure, ``each`` of every robot.
 
-    kind: of ``KINDS``. numbers: robots as in ``struct stewart_robot``, (robots, 205), and their sizes, m.
-    Distances are spread evenly in their logarithm, from 1 to a tenth of a rounding unit. Doubtful answers
-    are checked again in quadruple precision. Raises native.CompilerError without ``__float128``.
+    Distances are logarithmically uniform from 1 to a tenth of a rounding unit. Cases with a ratio above
+    ``doubtful`` are verified again in quadruple precision.
+
+    Parameters
+    ----------
+    kind : str
+        Failure, one of ``KINDS``.
+    numbers : ndarray, shape (robots, 205)
+        Robots in the layout of ``struct stewart_robot``.
+    sizes : ndarray, shape (robots,)
+        Sizes of the robots (m).
+    each : int
+        Number of cases of each robot.
+    seed : int
+        Random seed.
+    precision : str
+        "double" or "float".
+    samples : int
+        Number of random changes of the inputs.
+    doubtful : float
+        Ratio of error to condition number above which a case is verified again.
+
+    Returns
+    -------
+    ndarray of RESULT, shape (robots * each,)
+        Records.
+
+    Raises
+    ------
+    native.CompilerError
+        Without ``__float128``.
     """
     given = (RESULT, kind, numbers, sizes, each, seed)
     return _checked("sweep_cases", *given, doubtful, precision=precision, samples=samples)
@@ -169,11 +214,13 @@ def closed_form_errors(
     motions: Array | None = None,
     doubtful: float = DOUBTFUL,
 ) -> NDArray[Any]:
-    """The closed form's kernels on the cases of ``check_random``: records of ``CLOSED_RESULT``.
+    """Verify the kernels of the closed form for the cases of ``check_random``; return ``CLOSED_RESULT``
+    records.
 
-    kernels: which of ``CLOSED_KERNELS``. in_quad: in quadruple precision throughout, else in long double with
-    the doubtful ones again. motions: given ones, (robots * each, 30), in place of random ones. Of machines
-    that are singular at every pose the statuses alone. Raises native.CompilerError without ``__float128``.
+    ``kernels`` are some of ``CLOSED_KERNELS``. ``in_quad`` uses quadruple precision for all cases; otherwise
+    long double is used, and quadruple precision for cases above ``doubtful``. ``motions``, shape (robots *
+    each, 30), replace random motions. For machines that are singular at every pose, only the statuses are
+    verified. Raises native.CompilerError without ``__float128``.
     """
     blocks = np.array([*BLOCKS.values()], dtype=np.int32)
     chosen = sum(1 << CLOSED_KERNELS.index(kernel) for kernel in kernels)
@@ -185,7 +232,9 @@ def closed_form_errors(
 def random_case(
     kind: str, numbers: Array, sizes: Array, each: int, seed: int, index: int
 ) -> tuple[Array, Array]:
-    """Robot's numbers, (205,), and the motion's, (30,), of the case in double that ``check_random`` has."""
+    """Return the numbers of the robot, (205,), and of the motion, (30,), of a double-precision case of
+    ``check_random``.
+    """
     mine, motion = np.zeros(numbers.shape[1]), np.zeros(30)
     robot = index // each
     drawn = (KINDS.index(kind), False, _nearest("double"), seed, index)
@@ -194,13 +243,13 @@ def random_case(
 
 
 def motion_numbers(motion: Motion) -> Array:
-    """A motion of shape () as the numbers of ``struct stewart_motion``, (30,)."""
+    """Return a motion of shape () in the layout of ``struct stewart_motion``, (30,)."""
     given = loaded(motion)
     return np.concatenate([np.ravel(getattr(given, name)) for name in MOTION])
 
 
 def _nearest(precision: str) -> float:
-    """Decades from 1 to the nearest distance."""
+    """Return the number of decades from 1 to the smallest distance."""
     epsilon = np.finfo(np.float64 if precision == "double" else np.float32).eps
     return float(1.0 - np.log10(epsilon))
 
@@ -219,7 +268,7 @@ def _checked(
     samples: int = SAMPLES,
     motions: Array | None = None,
 ) -> NDArray[Any]:
-    """Records of the C function that checks cases; ``last``: its arguments before them."""
+    """Return the records of a C function that checks cases; ``last`` are its arguments before the records."""
     found = np.zeros(len(numbers) * each, dtype=result)
     how = (KINDS.index(kind), precision == "float", in_quad, samples, _nearest(precision), seed)
     _call(function, *how, len(numbers), numbers, sizes, motions, each, *last, found)
@@ -227,7 +276,7 @@ def _checked(
 
 
 def _call(name: str, *arguments: Any) -> None:
-    """Call a function of the sweep's C; arrays by their addresses."""
+    """Call a C function of the sweep with arrays passed by address."""
     kept = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in arguments]
     function = getattr(_library(), name)
     function.argtypes = _TYPES[name]
@@ -245,10 +294,10 @@ _TYPES: dict[str, list[Any]] = {
 
 
 def sources() -> dict[str, str]:
-    """File name -> text of the sweep's C.
+    """Generate the C sources of the sweep, text by file name.
 
-    Kernels, and what is compiled once for each arithmetic, are headers ``<name>_text.h`` that a source for
-    each includes under names of its own.
+    Kernels, and code that is compiled once for each arithmetic, are headers ``<name>_text.h``. One source for
+    each arithmetic includes them with names of its own.
     """
     every = c_sources("exact") | closed_form.c_sources()
     here = [path for path in files(__package__).iterdir() if path.name.endswith((".c", ".h"))]

@@ -1,8 +1,9 @@
-"""Machines that are singular at every pose: families of points in whole numbers, each with its reason.
+"""Machines that are singular at every pose: families of points with integer coordinates, each with its
+reason.
 
-Coordinates are integers below 2^24 times a power of two, exact in double and in float, so det H is exactly
-0 for the stored numbers and every matrix R. Every family is closed under affine maps of the base and of the
-platform: each machine gets one of each at random, similar hexagons the same for both.
+Coordinates are integers below 2^24 times a power of two, which are exact in double and float. Thus det H is
+exactly 0 for the stored numbers and every matrix R. Every family is closed under affine maps of base and
+platform: each machine receives a random map of each, and similar hexagons receive the same map for both.
 """
 
 import dataclasses
@@ -19,24 +20,24 @@ Whole = NDArray[np.int64]
 Points = tuple[Whole, Whole]
 
 _GRID = 64
-"""Half the width of the grid on which points are drawn."""
+"""Half the width of the grid of the points."""
 _FINE = 10
-"""Bits by which the grid is finer where legs are nearly alike."""
+"""Number of bits by which the grid is finer for nearly equal legs."""
 _CIRCLE = np.array(
     sorted(
         ((x, y, 0) for x in range(-65, 66) for y in range(-65, 66) if x * x + y * y == 65 * 65),
         key=lambda point: np.arctan2(point[1], point[0]),
     )
 )
-"""The 36 points of the grid on the circle of radius 65, in order."""
+"""The 36 grid points on the circle of radius 65, in order."""
 
 
 def singular_machine(
     rng: np.random.Generator, family: str, size: float = 1.0, mass: float = 10.0, legs: str = LEGS[0]
 ) -> Robot:
-    """A random machine of a family of ``FAMILIES``; the other arguments are those of ``random_machine``.
+    """Generate a random machine of a family of ``FAMILIES``; other arguments as in ``random_machine``.
 
-    The size is met within a factor of two or so.
+    The size is approximate within about a factor of two.
     """
     base, platform = FAMILIES[family](rng)
     fine = 2**_FINE if family in NEARLY else 1
@@ -45,19 +46,20 @@ def singular_machine(
     map_p = map_b if family in ALIKE else _map(rng)
     b, p = base[order] @ map_b + fine * rng.integers(-_GRID, _GRID, 3), platform[order] @ map_p
     grain = float(2.0 ** np.round(np.log2(size / (32 * _GRID)))) / fine
-    # The reference point lies anywhere near. The platform is smaller than the base but for equal hexagons.
+    # The reference point is at a random position nearby. The platform is smaller than the base except for
+    # equal hexagons.
     b, p = (b, p) if family == "equal hexagons" else (2 * b, p + fine * rng.integers(-_GRID, _GRID, 3))
     machine = random_machine(rng, size, mass, legs)
     points: list[Array] = [grain * each.astype(np.float64) for each in (b, p)]
     if family in NEARLY:
-        # Some legs are longer; legs from one base point are so together.
+        # Some legs are longer; legs with a common base point have the same factor.
         alike = np.unique(b, axis=0, return_inverse=True)[1].ravel()
         points[0] *= 2.0 ** (rng.integers(14) * rng.integers(2, size=6)[alike, None])
     return dataclasses.replace(machine, b=points[0], p=points[1], name=family)
 
 
 def _map(rng: np.random.Generator) -> Whole:
-    """A regular linear map in whole numbers, 16 times something near a rotation."""
+    """Generate a regular integer linear map, 16 times an approximate rotation."""
     while True:
         frame = np.linalg.qr(rng.normal(size=(3, 3)))[0]
         A = np.round(16 * frame + 2 * rng.normal(size=(3, 3))).astype(np.int64)
@@ -66,37 +68,37 @@ def _map(rng: np.random.Generator) -> Whole:
 
 
 def _any(rng: np.random.Generator) -> Whole:
-    """Six points about a ring, no two alike."""
+    """Generate six different points near a ring."""
     turn = 2 * np.pi * (np.arange(6) + rng.uniform(-0.3, 0.3, 6)) / 6
     ring = np.column_stack([np.cos(turn), np.sin(turn), 0.25 * rng.normal(size=6)])
     return np.asarray(np.round(_GRID * ring), dtype=np.int64)
 
 
 def _with(rng: np.random.Generator, *first: Whole) -> Whole:
-    """Given points, then others about a ring."""
+    """Combine given points with further points near a ring."""
     given = np.concatenate(first)
     return np.concatenate([given, _any(rng)[len(given) :]])
 
 
 def _point(rng: np.random.Generator, count: int) -> Whole:
-    """One point so many times."""
+    """Repeat one point ``count`` times."""
     return np.repeat(_any(rng)[:1], count, axis=0)
 
 
 def _line(rng: np.random.Generator, count: int) -> Whole:
-    """So many points of one line."""
+    """Generate ``count`` points of one line."""
     along = rng.choice(np.arange(-12, 13), count, replace=False)
     return np.asarray(along[:, None] * np.array([5, 0, 0]) + rng.integers(-32, 32, 3), dtype=np.int64)
 
 
 def _conic(rng: np.random.Generator) -> Whole:
-    """Six points of a parabola."""
+    """Generate six points of a parabola."""
     x = rng.choice(np.arange(-8, 9), 6, replace=False)
     return np.column_stack([8 * x, x * x - 32, np.zeros(6, dtype=np.int64)])
 
 
 def _circle(rng: np.random.Generator) -> Whole:
-    """A hexagon on a circle: a point of each sixth."""
+    """Select a hexagon on a circle with one point in each sixth."""
     return np.asarray(_CIRCLE[6 * np.arange(6) + rng.integers(0, 6, 6)])
 
 
@@ -114,12 +116,12 @@ def _regulus(rng: np.random.Generator) -> Points:
 
 
 def _nearly_alike(rng: np.random.Generator, points: Points, groups: tuple[tuple[int, ...], ...]) -> Points:
-    """The points on the finer grid, those of a group of legs beside those of its first, at any degree."""
+    """Move points to the finer grid, and the legs of each group near its first leg."""
     base, platform = (2**_FINE * each for each in points)
     for first, *others in groups:
         shared = rng.uniform(0, _FINE)
         for leg in others:
-            # All legs of a group are alike to one degree, or each leg to its own.
+            # The legs of a group have a common distance, or each leg has its own.
             degree = shared if rng.random() < 0.5 else rng.uniform(0, _FINE)
             reach = int(_GRID * 2 ** (_FINE - degree))
             for end in (base, platform):
@@ -128,7 +130,7 @@ def _nearly_alike(rng: np.random.Generator, points: Points, groups: tuple[tuple[
 
 
 def _also_nearly(*groups: tuple[int, ...]) -> Callable[[np.random.Generator], Points]:
-    """Legs 0 and 1 alike, and groups of legs nearly so."""
+    """Return a generator of machines whose legs 0 and 1 are equal, with groups of nearly equal legs."""
 
     def points(rng: np.random.Generator) -> Points:
         base, platform = _nearly_alike(rng, (_any(rng), _any(rng)), groups)
@@ -148,11 +150,13 @@ NEARLY: dict[str, Callable[[np.random.Generator], Points]] = {
         rng, (_with(rng, _point(rng, 4)), _any(rng)), ((4, 5),)
     ),
 }
-"""Singular for one reason and nearly so for others, to any degree that 24 bits have: several pivots are
-small, and none may stand out."""
+"""Families that are singular for one reason and nearly singular for others, to any degree within 24 bits.
+
+Several pivots are small, and none of them may be distinguishable.
+"""
 
 FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
-    # All legs meet that line.
+    # All legs meet this line.
     "base points on one line": lambda rng: (_line(rng, 6), _any(rng)),
     "platform points on one line": lambda rng: (_any(rng), _line(rng, 6)),
     # Lines through one point have rank 3.
@@ -179,7 +183,9 @@ FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
     "equal hexagons": lambda rng: _twice(_circle(rng)),
     **NEARLY,
 }
-"""Base and platform points by family, before the affine maps; why they are singular, above each."""
+"""Base and platform points by family, before the affine maps; the comment above each family gives the
+reason.
+"""
 
 ALIKE = ("similar hexagons", "equal hexagons")
-"""Families whose base and platform share the linear map."""
+"""Families whose base and platform have the same linear map."""

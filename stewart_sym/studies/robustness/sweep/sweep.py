@@ -1,4 +1,6 @@
-"""Random cases near failure by the million: no wrong answer with status ok, no status on a good pose."""
+"""Verification of a million random cases near failure: no wrong result with status OK, no status for a good
+pose.
+"""
 
 from dataclasses import dataclass
 from types import SimpleNamespace
@@ -18,28 +20,40 @@ from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, close
 from .singular_machines import FAMILIES, singular_machine
 
 GOOD = {"double": 1e12, "float": 1e3}
-"""Condition number below which a pose must get an answer: the largest of the problem's own, the scaled one of
-H and that of the legs' frames."""
+"""Condition number below which a pose must have a result.
+
+It is the largest of the condition numbers of the problem, of the scaled H, and of the leg frames.
+"""
 SIZES, MASSES = (1e-4, 1e3), (1e-6, 1e6)
-"""Extremes of a machine's size, m, and mass, kg."""
+"""Extremes of the size (m) and mass (kg) of a machine."""
 PER_MACHINE = 500
 FLOAT_SHARE = 10
-"""Cases in double for one in float."""
+"""Number of cases in double for each case in float."""
 CLOSED_SHARE = 10
-"""Cases of the force kernels for one of the closed form's, whose truth costs more."""
+"""Number of cases of the force kernels for each case of the closed form, whose verification is more
+expensive.
+"""
 CLOSED = ("forward_dynamics", "joint_inertia", "derivatives")
-"""Kernels of the closed form in the sweep; on machines singular at every pose all but the first."""
+"""Kernels of the closed form in the sweep; machines that are singular at every pose omit the first one."""
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """What was found, a line on the worst case of each count that is not right, how many went to quad.
+    """Results of the sweep.
 
-    figures: for programs. ``counts`` has one for each kernel on each kind of cases: ``cases``, how many;
-    ``answered``, with status ok; ``wrong``, of those, how many err by more than ``WRONG`` units times the
-    condition number; ``rejected_good``, those with a status and a condition number below ``GOOD``;
-    ``worst``, largest error over condition number with status ok, at distance ``where``; ``lowest``, least
-    condition number of a case with a status, inf if there is none.
+    Attributes
+    ----------
+    figures : dict
+        Data. ``counts`` has one record for each kernel and each kind of cases. ``cases`` is the number of
+        cases, and ``answered`` the number with status OK. ``wrong`` is the number of these with an error
+        above ``WRONG`` units times the condition number. ``rejected_good`` is the number with a status and a
+        condition number below ``GOOD``. ``worst`` is the largest error relative to the condition number with
+        status OK, at distance ``where``. ``lowest`` is the smallest condition number of a case with a status,
+        inf without such a case.
+    shown : list of str
+        Descriptions of the worst case of each count with errors.
+    in_quad : int
+        Number of cases in quadruple precision.
     """
 
     figures: Figures
@@ -48,9 +62,9 @@ class Sweep:
 
 
 def sweep(cases: int, seed: int = 0, progress: Progress = silent, kinds: tuple[str, ...] = KINDS) -> Sweep:
-    """Check random cases near failure in double, and a tenth as many in float, in equal parts of each kind.
+    """Verify random cases near failure in double, and a tenth as many in float, in equal parts for each kind.
 
-    Raises ValueError for less than one case of each, native.CompilerError without ``__float128``.
+    Raises ValueError for less than one case of each kind, and native.CompilerError without ``__float128``.
     """
     if cases < len(kinds) * FLOAT_SHARE:
         raise ValueError(f"cases: expected at least {len(kinds) * FLOAT_SHARE}, got {cases}")
@@ -95,12 +109,12 @@ def sweep(cases: int, seed: int = 0, progress: Progress = silent, kinds: tuple[s
 
 
 def condition_of(found: NDArray[Any]) -> Array:
-    """The problem's own condition number, never less than the scaled one of H."""
+    """Return the condition number of the problem, at least the scaled one of H."""
     return np.asarray(np.maximum(np.maximum(found["own"], found["scaled"]), 1.0))
 
 
 def _of_forces(found: NDArray[Any], column: int) -> SimpleNamespace:
-    """One kernel's answers, all (n,): error in rounding units, condition of the problem and of the pose."""
+    """Return the results of one kernel, (n,): error (rounding units) and condition numbers."""
     condition = condition_of(found)
     return SimpleNamespace(
         kernel=KERNELS[column],
@@ -109,7 +123,8 @@ def _of_forces(found: NDArray[Any], column: int) -> SimpleNamespace:
         truth=found["truth"],
         error=found["error"][:, column],
         condition=condition,
-        # Near the joint singularity a leg's frame loses its digits, even if this motion's forces do not.
+        # Near the joint singularity, the frame of a leg is inaccurate, even if the forces of this motion are
+        # accurate.
         of_pose=np.maximum(condition, found["frames"]),
         distance=found["distance"],
     )
@@ -131,7 +146,7 @@ def _of_closed_form(found: NDArray[Any], kernel: str) -> SimpleNamespace:
 
 
 def report(found: Sweep) -> str:
-    """The counts as a table, and each case worth showing in a line."""
+    """Format the counts as a table, and each notable case as one line."""
     rows = [
         (
             f"{count['kind']}, {count['precision']}, {count['kernel']}",
@@ -163,9 +178,10 @@ def report(found: Sweep) -> str:
 
 
 def random_machines(rng: np.random.Generator, count: int, singular: bool) -> tuple[Array, Array]:
-    """Numbers (count, 205) and sizes (count,), half of one meter's order, half anywhere in the extremes.
+    """Generate machines as numbers (count, 205) and sizes (count,), half of them of about one meter, others
+    of any size.
 
-    singular: machines of the families of ``singular_machines`` in turn.
+    ``singular`` selects machines of the families of ``singular_machines`` in turn.
     """
     machines = []
     families = tuple(FAMILIES)
@@ -185,9 +201,9 @@ def random_machines(rng: np.random.Generator, count: int, singular: bool) -> tup
 
 
 def _counted(found: SimpleNamespace, kind: str, precision: str) -> tuple[Figures, int]:
-    """The count, and the index of the case most worth showing."""
+    """Return the count, and the index of the most notable case."""
     answered = found.made & (found.status == OK)
-    # Where the pose is unsolvable any answer with status ok is wrong, however small its error.
+    # Any result with status OK is wrong if the pose is unsolvable.
     ratio = np.where(found.truth == OK, found.error / found.condition, np.inf)
     ratio = np.where(answered, np.where(np.isnan(ratio), np.inf, ratio), -1.0)
     rejected = found.made & (found.status != OK) & (found.truth == OK)
