@@ -28,7 +28,7 @@ WIDTHS = (390, 768, 1024, 1366, 1440)
 """Widths of windows (pixels) in which pages are tested."""
 EXCESS = """() => [document.documentElement, document.querySelector(".content")]
     .filter(Boolean).map((element) => element.scrollWidth - element.clientWidth)"""
-LONGEST_README = 200
+LONGEST_README = 170
 WIDEST_CODE = 110
 """Columns of code that a page shows without scrolling, in a window of 1280 pixels."""
 

@@ -50,7 +50,7 @@ def work(plan: TimedPath, motion=None) -> float:
 @pytest.mark.slow
 def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes() -> None:
     robot, path, _ = case(2)
-    robot = dataclasses.replace(robot, home=path(np.zeros(1)).t[0])
+    robot = dataclasses.replace(robot, home_position=path(np.zeros(1)).t[0])
     plan = parameterize_path(robot, path, grid_size=20)
     free = certify_plan(plan)
     dense = joint_angles(robot, plan.sample(np.linspace(0.0, plan.duration, 20_001)))
