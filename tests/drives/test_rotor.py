@@ -241,13 +241,13 @@ PRICES = {
     ("rubin_m2", 0.004): (5.2e-5, 0.12),
     ("rubin_m2", 0.02): (1.1e-5, 5.2e-3),
 }
-"""What leaving out the momentum, and the rotor, costs: the table of docs: fidelity."""
+"""What leaving out the momentum, and the rotor, costs: the table of docs: limits."""
 
 
 @pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 @pytest.mark.parametrize(("name", "lead"), PRICES)
 def test_what_the_momentum_of_rotors_costs_and_what_their_mass(name: str, lead: float) -> None:
-    """Shares of the peak force, of rotors of 5e-5 kg m^2 in a brisk motion; docs: fidelity."""
+    """Shares of the peak force, of rotors of 5e-5 kg m^2 in a brisk motion; docs: limits."""
     plain = ss.robots.load(name)
     robot = dataclasses.replace(plain, drive=ss.Drive(lead=lead, rotor_inertia=5e-5))
     motion = brisk_motion(robot)
@@ -261,7 +261,7 @@ def test_what_the_momentum_of_rotors_costs_and_what_their_mass(name: str, lead: 
 
 
 def test_the_prices_of_rotors_are_those_of_the_documentation() -> None:
-    text = (DOCS / "howto" / "fidelity.md").read_text(encoding="utf-8")
+    text = (DOCS / "reference" / "limits.md").read_text(encoding="utf-8")
     for column, level in enumerate(("`reflected`", "`no_rotor`")):
         (row,) = (line for line in text.splitlines() if line.startswith(f"| {level} | 2"))
         written = [float(cell) for cell in row.strip("| ").split("|")[2:]]

@@ -239,9 +239,9 @@ def test_tail_is_that_of_the_distributions() -> None:
 
 
 def test_page_states_the_least_move_of_a_payload_that_is_always_named() -> None:
-    told = prose_of(".docs/howto/identify.md")
+    told = prose_of(".docs/reference/limits.md")
     assert f"by {LEAST:g} of the base's radius along each axis" in told
-    assert f"by {BARELY:g} in nine of ten" in told
+    assert f"the same by {BARELY:g} | detected in nine of ten" in told
 
 
 # Arguments and the command
