@@ -53,6 +53,20 @@ EXCESS = """async ([addresses, widths]) => {
     return wide;
 }"""
 """Widths at which pages are wider than their window, by page: one load each, in frames that are not drawn."""
+IS_SORTED = """() => {
+    const heading = document.querySelector("#search-results h2");
+    return heading && !heading.textContent.includes("Searching");
+}"""
+"""Whether the search has ended: results are then in their order."""
+SEARCHES = {
+    "Jacobian": ("theory/kinematics.html", "reference/python/kinematics.html"),
+    "inverse Jacobian": ("theory/kinematics.html", "reference/python/kinematics.html"),
+    "mass matrix": ("theory/equations-of-motion.html",),
+    "direct kinematics": ("theory/kinematics.html",),
+    "install": ("installation.html",),
+    "troubleshoot": ("troubleshooting.html",),
+}
+"""Pages of which one is to be the first result, by query."""
 LONGEST_README = 200
 WIDEST_CODE = 110
 """Columns of code that a page shows without scrolling, in a window of 1280 pixels."""
@@ -114,6 +128,19 @@ def test_no_page_scrolls_sideways(site: Path) -> None:
     assert len(pages) > len(PAGES)
     assert wide_pages([site / "index.html"], widths=(60,)) == {"index.html": [60]}
     assert wide_pages(pages) == {}
+
+
+@pytest.mark.slow
+def test_the_search_of_the_site_finds_the_right_page_first(site: Path) -> None:
+    with chromium("--allow-file-access-from-files") as browser:
+        page = browser.new_page()
+        for query, expected in SEARCHES.items():
+            page.goto(f"{(site / 'search.html').as_uri()}?q={query.replace(' ', '+')}")
+            page.wait_for_selector("#search-results li > a")
+            page.wait_for_function(IS_SORTED)
+            first = page.query_selector("#search-results li > a")
+            assert first is not None
+            assert (first.get_attribute("href") or "").split("#")[0] in expected, query
 
 
 @pytest.mark.slow
