@@ -18,6 +18,7 @@ extensions = [
     "numpydoc",
     "mathml",
     "directives",
+    "notebooks",
 ]
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["_build", "tables"]
