@@ -30,11 +30,12 @@ _ACCENT = re.compile(r"(\\(?:d?dot|hat)\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[a-zA-Z
 def explicit(text: str) -> str:
     """Rewrite LaTeX that docutils misreads.
 
-    A bold Greek letter takes everything after it, the numerator of ``\\frac12`` is 12, and an index of an
-    accented letter is drawn below the letter.
+    A bold Greek letter takes everything after it, the numerator of ``\\frac12`` is 12, an index of an
+    accented letter is drawn below the letter, and a norm with an exponent has signs of two heights.
     """
     text = _BOLD_LETTER.sub(lambda found: _BOLD[found[1] or found[2]], text)
     text = _SCRIPT_LETTER.sub("\N{MATHEMATICAL BOLD SCRIPT CAPITAL J}", text)
+    text = re.sub(r"\\rVert(?=[_^])", r"\\rVert{}", text)
     text = _SHORT_FRACTION.sub(r"\\\1{\2}{\3}", text)
     # The empty group keeps docutils from removing the braces.
     return _ACCENT.sub(r"{{}\1}", text)

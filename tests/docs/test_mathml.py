@@ -26,6 +26,7 @@ def drawn(text: str) -> str:
         (r"\boldsymbol{\omega}\times q", "<mi>𝝎</mi><mo>"),
         (r"\tfrac12 x", "<mn>1</mn><mn>2</mn></mfrac><mi>x</mi>"),
         (r"\frac hL", "<mfrac><mi>h</mi><mi>L</mi></mfrac>"),
+        (r"\lVert S\rVert^2", "<mi>S</mi><mo>‖</mo><msup><mrow></mrow>"),
         (r"\frac{a}{b}", "<mfrac><mi>a</mi><mi>b</mi></mfrac>"),
         (r"\dot{\mathbf M}_{\boldsymbol\xi}", "<msub><mrow><mrow></mrow><mover"),
         (r"\ddot\theta_1", "<msub><mrow><mrow></mrow><mover"),
