@@ -70,7 +70,7 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
             "turns", (6,), "rad/m", "the motor's turn per length: 2 pi gear / lead or gear / radius, not 0"
         ),
         _flat("driving", (6,), "1", "friction per axial force where the motor drives: 1 / efficiency - 1"),
-        _flat("driven", (6,), "1", "the same where the leg drives the motor: 1 - back_efficiency"),
+        _flat("driven", (6,), "1", "the same where the leg drives the motor: 1 - backdrive_efficiency"),
         _flat("coulomb", (6,), "N", "dry friction along the leg: screw_coulomb + |turns| motor_coulomb"),
         _flat("viscous", (6,), "N s/m", "viscous friction: screw_viscous + turns^2 motor_viscous"),
         _flat("stribeck", (6,), "N", "further dry friction at rest"),

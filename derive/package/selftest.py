@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ..kernel.interface import STRUCTS, Member
 from ..mechanics import quantities as n
+from .forces_name import FORCES_HEADER
 from .functions import MODEL, ROBOT, Function, Vector, flat, includes, reads_robot
 from .robot import Machine
 from .text_format import Numbers, in_comment, literal, literals_of_legs, motion_members, stored, template
@@ -33,7 +34,7 @@ def selftest(
         "name": in_comment(machine.name),
         "version": machine.version,
         "arithmetic": template("kit/arithmetic.h"),
-        "includes": includes(functions),
+        "includes": includes(functions) + _kit_include(functions),
         "robot": _constants(machine) if reads_robot(functions) else "",
         "models": "".join(template("kit/selftest_model.c", {"prefix": p}) for p in _prefixes(functions)),
         "motions": _initializers(motions or [_ZERO]),
@@ -42,6 +43,7 @@ def selftest(
         "calls": "\n".join(text for function in functions for text in (_call(function), _batch(function))),
         "vectors": "\n".join(_arrays(function, vectors[function.stem], table) for function in functions),
         "rejected": _rejected_motions(rejected) if any(f.stem == "forces" for f in functions) else "",
+        "kit_forces": _kit_forces(functions),
         "functions": str(len(functions)),
         "most": str(max(function.call.count for function in functions)),
         "most_inputs": str(max(1, *(each.call.taken for each in functions))),
@@ -198,6 +200,22 @@ def _rejected_motions(rejected: Sequence[Vector]) -> str:
         "statuses": ", ".join(str(each.status) for each in rejected),
     }
     return template("kit/selftest_rejected.c", values)
+
+
+def _forces(functions: Sequence[Function]) -> Function | None:
+    return next((function for function in functions if function.stem == "forces"), None)
+
+
+def _kit_include(functions: Sequence[Function]) -> str:
+    return f'#include "{FORCES_HEADER}"\n' if _forces(functions) else ""
+
+
+def _kit_forces(functions: Sequence[Function]) -> str:
+    """The check of the header that gives the forces one name."""
+    if (forces := _forces(functions)) is None:
+        return ""
+    batch = template("kit/selftest_kit_batch.c") if forces.batch else ""
+    return template("kit/selftest_kit_forces.c", {"batch": batch})
 
 
 def _initializers(motions: Sequence[Numbers]) -> str:

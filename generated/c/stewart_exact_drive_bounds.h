@@ -1,6 +1,6 @@
 /* stewart_exact_drive_bounds.h: the actuator forces with a bound of their rounding error.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * The forces are those of stewart_exact_drive_forces.h, operation for operation: the same to the last bit with

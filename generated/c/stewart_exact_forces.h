@@ -1,6 +1,6 @@
 /* stewart_exact_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * One pose puts its six legs into lanes of eight, a batch eight poses, or sixteen in float; compilers make

@@ -1,6 +1,6 @@
 /* stewart_exact_spherical_drive_axial.h: forces that pass through the screws of legs with rotors.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * One pose at a time, for a controller: what stewart_motor_torques takes. Of the robot, b, p and m_r are read.

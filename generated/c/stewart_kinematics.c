@@ -1,6 +1,6 @@
 /* stewart_kinematics.c: see stewart_kinematics.h.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #include "stewart_kinematics.h"
@@ -479,7 +479,7 @@ static void newton_step(
 }
 
 /* Move a pose by a step if ``going`` is 1. */
-static void move(stewart_pose *pose, const stewart_real along[3], const stewart_real turn[3], int going)
+static void advance(stewart_pose *pose, const stewart_real along[3], const stewart_real turn[3], int going)
 {
     int i;
     int j;
@@ -523,7 +523,7 @@ static int search(
                 damp(legs->A, part);
             }
             newton_step(legs, per_size, per_longest, along, turn);
-            move(pose, along, turn, going);
+            advance(pose, along, turn, going);
             status = legs_at(robot, pose, per_size, legs);
             worst = compare(L, legs);
         } else {
@@ -668,7 +668,7 @@ static void go_beyond(
         x[i] = way*x[i];
     }
     trusted(x, per_size, per_longest, v, omega);
-    move(pose, v, omega, 1);
+    advance(pose, v, omega, 1);
 }
 
 /* Compute the squares of the distance (m^2) and of the angle (rad^2) between poses. */

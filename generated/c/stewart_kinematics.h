@@ -1,6 +1,6 @@
 /* stewart_kinematics.h: lengths and rates of the legs, and the platform's pose and velocity from them.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * One pose at a time, for a controller. Of the robot, the points b and p are read and nothing else. The spin

@@ -1,7 +1,7 @@
 /* stewart_outputs.h: the platform's part of c, the solve of kernels with every output, and poses of their
  * batches, for the sources to include.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #ifndef STEWART_OUTPUTS_H

@@ -1,7 +1,7 @@
 /* stewart_solve.h: what kernels do about the platform's six equations H x = c, for the sources to include: what
  * legs add to the platform, by what moments and axes are multiplied, and whether H is singular to rounding.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #ifndef STEWART_SOLVE_H

@@ -1,6 +1,6 @@
 /* stewart_torque.h: torques and currents of the motors, from the forces of the legs.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * One pose at a time, for a controller. Friction and efficiency act between the force of a leg and its motor:
@@ -30,7 +30,7 @@ extern "C" {
 typedef struct {
     stewart_real turns[6]; /* rad/m: the motor's turn per length: 2 pi gear / lead or gear / radius, not 0 */
     stewart_real driving[6]; /* 1: friction per axial force where the motor drives: 1 / efficiency - 1 */
-    stewart_real driven[6]; /* 1: the same where the leg drives the motor: 1 - back_efficiency */
+    stewart_real driven[6]; /* 1: the same where the leg drives the motor: 1 - backdrive_efficiency */
     stewart_real coulomb[6]; /* N: dry friction along the leg: screw_coulomb + |turns| motor_coulomb */
     stewart_real viscous[6]; /* N s/m: viscous friction: screw_viscous + turns^2 motor_viscous */
     stewart_real stribeck[6]; /* N: further dry friction at rest */

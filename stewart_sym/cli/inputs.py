@@ -83,10 +83,9 @@ def log_format(arguments: argparse.Namespace, source: Path | None = None) -> "Tr
     from ..motion.log_reader import with_units_of
     from ..motion.logs import TrajectoryFormat
 
-    names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal")
-    form = TrajectoryFormat(
-        **{name: getattr(arguments, name) for name in (*names, "euler_order")}, length_mode=arguments.lengths
-    )
+    units = ("length_unit", "angle_unit", "time_unit")
+    names = ("columns", *units, "delimiter", "decimal", "euler_order", "length_mode")
+    form = TrajectoryFormat(**{name: getattr(arguments, name) for name in names})
     return form if source is None else with_units_of(source, form)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, partial
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -102,13 +102,21 @@ class ForceKernel(Frozen):
         """Type of the numbers that the kernel computes with."""
         return np.float64 if self.precision == "double" else np.float32
 
-    def forces(self, motion: Motion, threads: int = 1, on_singular: OnSingular = "raise") -> Array:
+    def forces(
+        self,
+        motion: Motion | Sequence[Array | None],
+        threads: int = 1,
+        on_singular: OnSingular = "raise",
+        *,
+        out: tuple[Array, NDArray[np.int32]] | None = None,
+    ) -> Array:
         """Actuator forces of every pose of a motion, (37).
 
         Parameters
         ----------
         motion : Motion
-            Motion of the platform, any leading shape.
+            Motion of the platform, any leading shape. With ``out`` or a sequence of its arrays: R (n, 3, 3),
+            t, omega, v, alpha, a, F_ext, M_ext (n, 3), the last two None for no load.
         threads : int, optional
             How many share the work at most, the caller one of them; the result does not depend on it, and a
             batch too small to gain is not shared.
@@ -116,17 +124,32 @@ class ForceKernel(Frozen):
             What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN, or return "nan"
             without a warning; "damped" as for ``inverse_dynamics``, whose ``wrench_error`` is what F does not
             balance, with fidelity "general" alone.
+        out : tuple of ndarray, optional
+            Arrays that receive the forces, (n, 6), and the statuses, int32, (n,). No array is copied, and
+            only layouts are checked: all arrays must be C-contiguous and of the kernel's ``dtype``.
+            Unsolvable poses keep the forces they had, and raise no error.
 
         Returns
         -------
         ndarray
-            Forces, N, (..., 6), of the kernel's ``dtype``.
+            Forces, N, (..., 6), of the kernel's ``dtype``; the first array of ``out`` if given.
 
         Raises
         ------
         ValueError
-            For unknown options, for a motion without accelerations, and for unsolvable poses.
+            For unknown options, for a motion without accelerations, and for unsolvable poses. With ``out``
+            for an array of another type or layout, and for an output that shares memory with another array.
         """
+        if out is not None:
+            if on_singular != "raise":
+                raise ValueError("on_singular: does not apply with out, whose statuses name unsolvable poses")
+            arrays = [getattr(motion, name) for name in MOTION] if isinstance(motion, Motion) else motion
+            need_rows(arrays, *out, self.dtype)
+            need_apart(arrays, *out)
+            self._shared(out[1].size, threads, partial(self._run, arrays, *out))
+            return out[0]
+        instance(motion, Motion, "motion")
+        motion = cast("Motion", motion)
         option(on_singular, ON_SINGULAR, "on_singular")
         if on_singular == "damped" and self.fidelity != "general":
             raise ValueError(f'on_singular: "damped" needs fidelity "general", this one is "{self.fidelity}"')
@@ -171,68 +194,6 @@ class ForceKernel(Frozen):
         """
         return OnePose(self, np.full(6, np.nan, dtype=self.dtype), np.zeros(_NUMBERS, dtype=self.dtype))
 
-    def forces_into(
-        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
-    ) -> None:
-        """Write forces into given arrays, nothing checked but their layout.
-
-        Parameters
-        ----------
-        arrays : sequence of ndarray
-            R (n, 3, 3), t, omega, v, alpha, a, F_ext, M_ext (n, 3) as in ``Motion``, the last two None for no
-            load; all C-contiguous and of the kernel's ``dtype``.
-        F : ndarray
-            Where forces are written, N, (n, 6), C-contiguous and of this type; unsolvable poses keep the F
-            they had.
-        status : ndarray of int
-            Where statuses are written, int32, (n,).
-        threads : int, optional
-            As for ``forces``.
-
-        Raises
-        ------
-        ValueError
-            Naming the array whose type or layout is another, and F or status where it shares memory with
-            another array.
-        """
-        need_rows(arrays, F, status, self.dtype)
-        need_apart(arrays, F, status)
-        self._shared(status.size, threads, lambda *part: self._run(arrays, F, status, *part))
-
-    def columns_into(
-        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
-    ) -> None:
-        """``forces_into`` of arrays in columns, without a copy: each component's numbers one after the other.
-
-        Rows of all arrays but status are equally far apart, at least n numbers: parts ``[:, first:last]`` of
-        longer arrays will do. All are of the kernel's ``dtype`` and begin anywhere; rows that begin at
-        multiples of 64 bytes, and not at multiples of 4096 bytes from each other, are read fastest. Results
-        are those of ``forces_into`` to the last bit.
-
-        Parameters
-        ----------
-        arrays : sequence of ndarray
-            R (9, n), row-major, t, omega, v, alpha, a, F_ext, M_ext (3, n), the last two None for no load.
-        F : ndarray
-            Where forces are written, N, (6, n); unsolvable poses keep the F they had.
-        status : ndarray of int
-            Where statuses are written, int32, (n,).
-        threads : int, optional
-            As for ``forces``.
-
-        Raises
-        ------
-        ValueError
-            As ``forces_into``.
-        """
-        need_status(status)
-        if isinstance(F, np.ndarray) and F.shape[:-1] == (6,) and status.shape != F.shape[-1:]:
-            raise ValueError(f"status: expected an array {F.shape[-1:]} for F {F.shape}, got {status.shape}")
-        count = status.size
-        stride = stride_of(arrays, F, count, self.dtype)
-        need_apart(arrays, F, status)
-        self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
-
     def forces_soa(
         self,
         R: ArrayLike,
@@ -244,11 +205,14 @@ class ForceKernel(Frozen):
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
         threads: int = 1,
+        *,
+        out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> tuple[Array, NDArray[np.int32]]:
         """Actuator forces of motions in columns, for programs that keep each component by itself.
 
         Nothing is transposed; arrays of another type, or in rows of different lengths, are copied. Three
-        motions in rows have the shapes of three in columns: nothing tells them apart.
+        motions in rows have the shapes of three in columns: nothing tells them apart. Rows that begin at
+        multiples of 64 bytes, and not at multiples of 4096 bytes from each other, are read fastest.
 
         Parameters
         ----------
@@ -261,11 +225,16 @@ class ForceKernel(Frozen):
             External forces at the reference point, N, and moments about it, N m, platform frame.
         threads : int, optional
             How many share the work at most.
+        out : tuple of ndarray, optional
+            Arrays that receive F, (6, n), and the statuses, int32, (n,). No array is copied: R has shape
+            (9, n), all arrays have the kernel's ``dtype``, and all rows but the statuses are equally far
+            apart, as in parts ``[:, first:last]`` of longer arrays. Unsolvable poses keep their forces.
 
         Returns
         -------
         F : ndarray, (6, n)
-            Actuator forces, N, positive when they extend the leg, (37); NaN where the status is not 0.
+            Actuator forces, N, positive when they extend the leg, (37); NaN where the status is not 0. The
+            arrays of ``out`` if given.
         status : ndarray of int32, (n,)
             Codes of ``results.STATUS_TEXT``; 1 where a number is not finite, and where a leg with offset
             joints does not reach.
@@ -273,16 +242,33 @@ class ForceKernel(Frozen):
         Raises
         ------
         ValueError
-            Naming the array of another shape.
+            Naming the array of another shape; with ``out`` also of another type or layout, and an output that
+            shares memory with another array.
         """
-        arrays = as_columns((R, t, omega, v, alpha, a, F_ext, M_ext), self.dtype)
+        given = (R, t, omega, v, alpha, a, F_ext, M_ext)
+        if out is not None:
+            self._columns_into(cast("tuple[Array | None, ...]", given), *out, threads)
+            return out
+        arrays = as_columns(given, self.dtype)
         first = next(array for array in arrays if array is not None)
         count = first.shape[-1]
         stride = max(count, first.strides[0] // first.itemsize)
         F = np.full((6, stride), np.nan, dtype=self.dtype)[:, :count]
         status = np.zeros(count, dtype=np.int32)
-        self.columns_into(arrays, F, status, threads)
+        self._columns_into(arrays, F, status, threads)
         return F, status
+
+    def _columns_into(
+        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int
+    ) -> None:
+        """Write forces, (6, n), and statuses, (n,), of arrays in columns into given arrays."""
+        need_status(status)
+        if isinstance(F, np.ndarray) and F.shape[:-1] == (6,) and status.shape != F.shape[-1:]:
+            raise ValueError(f"status: expected an array {F.shape[-1:]} for F {F.shape}, got {status.shape}")
+        count = status.size
+        stride = stride_of(arrays, F, count, self.dtype)
+        need_apart(arrays, F, status)
+        self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
 
     def _shared(self, count: int, threads: int, run: Callable[[int, int], None]) -> None:
         """Run parts of a batch, each given by its first pose and its length, on threads."""

@@ -70,7 +70,7 @@ def trajectory_for(
 def _absolute(robot: Robot, log: JointTrajectory) -> JointTrajectory:
     """The log with the lengths at the home pose added."""
     if robot.home_position is None:
-        raise ValueError(f"{log.source}: relative lengths: expected a robot file with a key home")
+        raise ValueError(f"{log.source}: relative lengths: expected a robot file with a key home_position")
     L = log.L + leg_lengths(robot, np.eye(3), robot.home_position)
     if np.any(L <= 0.0):
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])

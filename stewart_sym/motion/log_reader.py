@@ -270,8 +270,8 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
 def _need_time_unit(log: Log, units: Sequence[str], finding: str) -> None:
     """Raise ValueError with the remedy if numbers fit other units of time and no unit is stated."""
     if units and "time_unit" not in log.given_units:
-        remedies = " or ".join(f"LogFormat(time_unit='{unit}')" for unit in units)
-        in_s = "LogFormat(time_unit='s')"
+        remedies = " or ".join(f"TrajectoryFormat(time_unit='{unit}')" for unit in units)
+        in_s = "TrajectoryFormat(time_unit='s')"
         raise ValueError(f"{log.source}: {finding} if read in s; give {remedies}, or {in_s} if s is right")
 
 

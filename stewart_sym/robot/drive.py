@@ -188,7 +188,7 @@ def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
     if not (1e-100 < abs(turns) < 1e100 and math.isfinite(leg["rotor_inertia"] * turns * turns)):
         raise ValueError(f"{where('lead')}: expected a lead with which the rotor's inertia is a finite mass")
     if leg["stribeck_force"] > 0.0 and leg["stribeck_speed"] == 0.0:
-        raise ValueError(f"{where('stribeck_force')}: expected a stribeck_speed > 0 beside it")
+        raise ValueError(f"{where('stribeck_force')}: requires a stribeck_speed > 0")
     for name in ("current_limit", "resistance"):
         if leg["torque_constant"] == 0.0 and leg[name] != NUMBERS[name].default:
             raise ValueError(f"{where(name)}: requires a torque_constant > 0")

@@ -28,8 +28,8 @@ class JointOffsets(Frozen):
     Frame D of the lower part has its origin where o meets the moving axis, frame U of the upper part at the
     end of the leg. Zeros are the ordinary leg.
 
-    Spherical platform joints: U has the axes of D. Universal ones: x_U = s, y_U = (k_P x s) / norm(k_P x s),
-    and z_U = x_U x y_U, with k_P = R platform_axis.
+    Spherical platform joints: U has the axes of D. Universal ones: x_U = s, z_U = x_U x y_U, and y_U is the
+    unit vector along k_P x s, with k_P = R platform_axis.
 
     Attributes
     ----------

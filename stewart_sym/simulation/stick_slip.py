@@ -77,7 +77,7 @@ class StickSlip:
         """Reject screws that only their rotor's inertia moves."""
         for leg in np.flatnonzero(self.drive.backdrive_efficiency <= 0.0).tolist():
             raise ValueError(
-                f"robot: drive: leg {leg + 1}: back_efficiency: expected a number > 0 in a simulation, "
+                f"robot: drive: leg {leg + 1}: backdrive_efficiency: expected a number > 0 in a simulation, "
                 f"got {self.drive.backdrive_efficiency[leg]:g}, of a screw that locks itself"
             )
 

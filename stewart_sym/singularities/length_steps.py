@@ -26,8 +26,8 @@ CROSSED = (
     "from there on the same lengths belong to two motions"
 )
 UNDECIDED = (
-    "a singular pose is as near as the noise of the lengths, {:.2g} m: inconclusive at this noise: whether the "
-    "platform crosses it or turns back"
+    "a singular pose is as near as the noise of the lengths, {:.2g} m: inconclusive at this noise, since the "
+    "platform may cross it or turn back"
 )
 # A sample is approached in parts no smaller than this share of the way from the one before.
 _SMALLEST_PART = 2.0**-20

@@ -132,7 +132,7 @@ def test_no_load_is_none_and_unsolvable_poses_keep_what_they_had() -> None:
     unloaded = Motion._unchecked(**{name: getattr(motion, name) for name in FIELDS if name not in LOADS})
     expected, wanted = kernel.forces_and_status(unloaded)
     F, status = np.full((6, 24), 7.5), np.full(19, -1, dtype=np.int32)
-    kernel.columns_into(arrays, F[:, :19], status)
+    kernel.forces_soa(*arrays, out=(F[:, :19], status))
     assert (status == wanted).all()
     assert status.any()
     assert (F[:, :19][:, status == 0] == expected[status == 0].T).all()
@@ -168,14 +168,13 @@ def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
         ("t", ([arrays[0], wide, *arrays[2:]], F, status)),
         ("t", ([arrays[0], np.zeros((3, 8))[:, ::2], *arrays[2:]], F, status)),
         ("a", ([*arrays[:5], arrays[5].astype(np.float32), *arrays[6:]], F, status)),
-        ("arrays", (arrays[:6], F, status)),
         ("F", (arrays, F.T, status)),
         ("F", (arrays, frozen, status)),
         ("status", (arrays, F, np.zeros(4))),
-        ("threads", (arrays, F, status, 0)),
     ]
-    for name, arguments in bad_ones:
-        rejects(rf"^{name}: expected .*\Z", kernel.columns_into, *arguments)
+    for name, (given, *out) in bad_ones:
+        rejects(rf"^{name}: expected .*\Z", kernel.forces_soa, *given, out=tuple(out))
+    rejects(r"^threads: expected .*\Z", kernel.forces_soa, *arrays, threads=0, out=(F, status))
 
 
 def test_what_is_wrong_with_an_array_is_told() -> None:
@@ -200,17 +199,17 @@ def test_what_is_wrong_with_an_array_is_told() -> None:
         ("F: expected memory of its own, got some of R", ([room, *arrays[1:]], room[:6], status)),
         ("status: expected memory of its own, got some of F", (arrays, F, F.view(np.int32)[0, :4])),
     ]
-    for said, arguments in bad_ones:
+    for said, (given, *out) in bad_ones:
         pattern = re.escape(said).replace(r"\.\*", ".*")
-        rejects(rf"^{pattern}.*\Z", kernel.columns_into, *arguments)
+        rejects(rf"^{pattern}.*\Z", kernel.forces_soa, *given, out=tuple(out))
     with pytest.raises(ValueError, match=r"^t: expected an array of real numbers, got one of complex128\Z"):
         kernel.forces_soa(arrays[0], 1j * arrays[1], *arrays[2:])
     with pytest.raises(ValueError, match=r"^F: expected memory of its own, got some of R\Z"):
-        kernel.forces_into(plain, plain[0].reshape(-1)[:24].reshape(4, 6), status)
+        kernel.forces(plain, out=(plain[0].reshape(-1)[:24].reshape(4, 6), status))
     # Interleaved rows share none.
     halves[:, :4] = arrays[0]
     others = [np.hstack([array, array])[:, :4] for array in arrays[1:]]
-    kernel.columns_into([halves[:, :4], *others], halves[:6, 4:], status)
+    kernel.forces_soa(halves[:, :4], *others, out=(halves[:6, 4:], status))
     assert (halves[:6, 4:] == kernel.forces_soa(*arrays)[0]).all()
 
 

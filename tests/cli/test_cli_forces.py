@@ -283,9 +283,9 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
 
 def test_singularities_names_the_point_of_twists_if_the_robot_has_a_tool(robot: Path, run: Run) -> None:
     line = "point      reference point for twists and wrenches, not the tool of the robot file"
-    assert line not in run("singularities", robot, "III", "-o", robot.parent / "plain", "--no-pictures").out
+    assert line not in run("singularities", robot, "III", "-o", robot.parent / "plain", "--no-plots").out
     written(dataclasses.replace(ss.Robot.from_toml(robot), tool=np.array([0.0, 0.0, 0.1])), robot)
-    assert line in run("singularities", robot, "III", "-o", robot.parent / "tool", "--no-pictures").out
+    assert line in run("singularities", robot, "III", "-o", robot.parent / "tool", "--no-plots").out
 
 
 def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path, run: Run) -> None:

@@ -3,6 +3,8 @@
 import re
 from pathlib import Path
 
+from stewart_sym.cli import renamed
+
 ROOT = Path(__file__).parents[2]
 FOLDERS = ("derive", "generated", "stewart_sym", "tests", ".ci", ".docs")
 TEXTS = {
@@ -55,13 +57,17 @@ WORDS = (
 """Private words and the field's terms in their place; the letters spare most lines the slower search."""
 
 
+LISTS = (Path(__file__).name, "prose.py")
+"""Names of files that contain words to be found."""
+
+
 def files() -> list[Path]:
-    """Texts of the repository that people wrote or read, this one aside."""
+    """Texts of the repository that people wrote or read, those with lists of words aside."""
     inside = [path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.is_file()]
     kept = [
         path for path in inside if path.suffix in TEXTS and not {"__pycache__", "_build"} & set(path.parts)
     ]
-    return [ROOT / "README.md", ROOT / "pyproject.toml", *(path for path in kept if path != Path(__file__))]
+    return [ROOT / "README.md", ROOT / "pyproject.toml", *(path for path in kept if path.name not in LISTS)]
 
 
 def found_in(text: str) -> list[tuple[int, str, str]]:
@@ -85,3 +91,34 @@ def test_no_file_has_a_private_word_in_place_of_the_term() -> None:
 
 def test_a_private_word_is_found_with_its_line_and_the_term() -> None:
     assert found_in("one\nwhat it " + "ref" + "uses\n") == [(2, "what it " + "ref" + "uses", "reject")]
+
+
+CODE = (
+    "BaseParameters|DampedSolution|DriveEffort|DriveEstimate|EquationsByParameter|EquationsOfMotion|ForceBounds"
+    "|ForceDerivatives|JointAngles|LegKinematics|Linearisation|LogFormat|LogWarning|ModelFile|MotorMotion"
+    "|PathSingularities|PhysicalityWarning|PlatformPose|angles_kept|array_kernel|columns_into|damped_solution"
+    "|estimated_noise|force_deviations|force_residue|forces_into|forces_of_columns|forces_with_bounds"
+    "|lengths_kept|limits_joint_angles|linearise|pose_of_motors|simulated_experiment|singularities_along"
+    "|straight_conditions|time_path|weights_within_steps"
+)
+"""Former names in code that nothing else has."""
+FORMER = re.compile(
+    rf"(?<!\w)(?:{CODE})\b"
+    rf"|(?<![\w-])(?:{'|'.join(renamed.OPTIONS)})(?![\w-])"
+    rf"|stewart-sym (?:{'|'.join(renamed.SUBCOMMANDS)})(?![\w-])"
+)
+TABLES = ("renamed.py", "test_renamed.py", "test_former_names.py")
+"""Names of files that list former names."""
+
+
+def test_no_file_has_a_former_name() -> None:
+    texts = {path: path.read_text(encoding="utf-8", errors="replace") for path in files()}
+    found = {str(path): FORMER.findall(text) for path, text in texts.items() if path.name not in TABLES}
+    assert {path: names for path, names in found.items() if names} == {}
+
+
+def test_a_former_name_is_found_where_it_is_one() -> None:
+    for text in ("ss.linearise", "forces_into(", "`--no-pictures`", "stewart-sym size a.toml"):
+        assert FORMER.search(text)
+    for text in ("linearize", "--no-plots", "--position-std", "stewart-sym size-actuators a.toml"):
+        assert not FORMER.search(text)

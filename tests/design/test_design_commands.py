@@ -110,7 +110,7 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
         ),
         ((*FREE, "--min-clearance", 0.08, "--rpy", 0, 0, 2.5), "leg clearance"),
         (("--load", 0, 0, 9000, 0, 0, 0), "actuator force"),
-        (("--position", 0, 0, -0.7), "other side of the base"),
+        (("--position", 0, 0, -0.7), "assembly mode"),
         (("--rpy", 0, 0, 0.6), "joint angle"),
     ],
 )
@@ -186,7 +186,7 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
         assert f"{name} inconclusive noise by " in told
     found = json.loads((folder / "F.json").read_text())["legs"]
     assert {leg["motor_torque_limit"] for leg in found} == {"inconclusive_noise"}
-    assert all(leg["motor_peak_torque_sd_N_m"] > 0.0 and leg["motor_energy_sd_J"] > 0.0 for leg in found)
+    assert all(leg["motor_peak_torque_std_N_m"] > 0.0 and leg["motor_energy_std_J"] > 0.0 for leg in found)
     header = (folder / "F.csv").read_text().splitlines()[0].split(",")
     assert {"F_1_std", "torque_1_std", "motor_speed_6_std", "power_3_std"} < set(header)
 
@@ -240,7 +240,7 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, r
         (("workspace", "trajectory.csv"), "trajectory.csv"),
         (
             ("workspace", "hexapod.toml", "--position-bounds", 1, 0, 0, 1, 0, 1),
-            "box: expected least < greatest",
+            "--position-bounds: expected least < greatest",
         ),
         (("workspace", "hexapod.toml", "--rpy", 1, 2, "nan"), "expected a finite number"),
         (("workspace", "hexapod.toml", "--kind", "every"), "--kind"),

@@ -100,12 +100,12 @@ def test_positions_and_rotations_are_those_of_the_tool(seed: int) -> None:
     plain = limited(rng)
     robot = dataclasses.replace(plain, tool=machine_size(plain) * np.array([0.1, -0.2, 0.9]))
     angles = rng.uniform(-0.2, 0.2, 3)
-    one, other = (ss.workspace(each, angles=angles, poses=20_000) for each in (plain, robot))
+    one, other = (ss.workspace(each, rpy=angles, samples=20_000) for each in (plain, robot))
     arm = rotation_from_rpy(angles) @ robot.tool
-    np.testing.assert_allclose(other.box, one.box + arm[:, None], rtol=1e-12)
+    np.testing.assert_allclose(other.bounds, one.bounds + arm[:, None], rtol=1e-12)
     assert abs(other.volume - one.volume) < other.error + one.error
     turns = np.array([[-0.6, 0.6]] * 3)
-    found = ss.workspace(robot, "orientation", turns=turns, poses=100_000)
+    found = ss.workspace(robot, "orientation", rpy_bounds=turns, samples=100_000)
     np.testing.assert_allclose(found.position, home_pose(robot).t + robot.tool)
     R = rotation_from_rpy(rng.uniform(*turns.T, (200_000, 3)))
     q = np.einsum("njk,ik->nij", R, robot.p)
@@ -122,14 +122,14 @@ def test_a_load_acts_at_the_tool() -> None:
     load = np.array([300.0, -200.0, 100.0, 5.0, 6.0, 7.0])
     at = at_reference(robot, ss.PoseLimits(load=load)).load
     F, M = load[:3], load[3:]
-    moved = at_rest(np.eye(3), robot.tool, F, M).about_point(-robot.tool)
+    moved = at_rest(np.eye(3), robot.tool, F, M).at_point(-robot.tool)
     np.testing.assert_allclose(at, np.concatenate([moved.F_ext, moved.M_ext]))
     limits, box = ss.PoseLimits(load=load), home_pose(robot).t[:, None] + [[-0.2, 0.2]] * np.ones((3, 1))
-    found = ss.workspace(robot, limits=limits, box=box + robot.tool[:, None], poses=2000)
+    found = ss.workspace(robot, limits=limits, position_bounds=box + robot.tool[:, None], samples=2000)
     plain = dataclasses.replace(robot, tool=np.zeros(3))
-    same = ss.workspace(plain, limits=ss.PoseLimits(load=at), box=box, poses=2000)
-    assert found.reasons == same.reasons
-    assert 0.1 < found.reasons["inside"] < 0.9
+    same = ss.workspace(plain, limits=ss.PoseLimits(load=at), position_bounds=box, samples=2000)
+    assert found.limit_fractions == same.limit_fractions
+    assert 0.1 < found.limit_fractions["feasible"] < 0.9
 
 
 def test_a_volume_below_its_error_is_doubted() -> None:
@@ -137,7 +137,7 @@ def test_a_volume_below_its_error_is_doubted() -> None:
     t, size = home_position(robot.b, machine_size(robot)), machine_size(robot)
     box = np.stack([t - 0.3 * size, t + 0.3 * size], axis=-1)
     with pytest.warns(WorkspaceWarning, match="the error exceeds the volume"):
-        found = ss.workspace(robot, "six_dof", position=t, box=box, poses=2000)
+        found = ss.workspace(robot, "six_dof", position=t, position_bounds=box, samples=2000)
     assert not found.is_known
 
 
@@ -449,8 +449,8 @@ def test_capability_refers_to_the_tool_of_the_robot_file() -> None:
     robot = dataclasses.replace(robot, tool=machine_size(robot) * np.array([0.3, -0.4, 1.2]))
     motion = random_motion(rng, robot, (40,), load=False)
     direction = np.array([0.6, 0.0, 0.8])
-    size = ss.capability_polytope(robot, motion).largest(direction)
-    fast = ss.capability_polytope(robot, motion, "acceleration").largest(direction)
+    size = ss.capability_polytope(robot, motion).max_along(direction)
+    fast = ss.capability_polytope(robot, motion, "acceleration").max_along(direction)
     assert np.isfinite(size).any()
     assert np.isfinite(fast).any()
     R, r = motion.R, motion.R @ robot.tool

@@ -67,12 +67,11 @@ def test_recipes_name_tests_that_there_are() -> None:
     ).read_text(encoding="utf-8")
 
 
-def test_contributing_and_changes_are_linked_from_the_readme() -> None:
+def test_the_readme_names_the_pages_for_contributors_and_of_changes() -> None:
     readme = (TOP / "README.md").read_text(encoding="utf-8")
-    assert all(
-        f"({page.relative_to(TOP).as_posix()})" in readme
-        for page in (DOCS / "contributing.md", DOCS / "changelog.md")
-    )
+    for page in (DOCS / "contributing.md", DOCS / "changelog.md"):
+        assert page.exists()
+        assert f"`{page.relative_to(TOP).as_posix()}`" in readme
 
 
 def test_folders_have_at_most_14_modules_and_modules_500_lines() -> None:

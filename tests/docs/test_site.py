@@ -70,7 +70,7 @@ SEARCHES = {
     "troubleshoot": ("troubleshooting.html",),
 }
 """Pages of which one is to be the first result, by query."""
-LONGEST_README = 200
+LONGEST_README = 170
 WIDEST_CODE = 110
 """Columns of code that a page shows without scrolling, in a window of 1280 pixels."""
 

@@ -81,9 +81,9 @@ def test_a_batch_is_shared_in_parts_of_thousands_four_a_thread_at_most(
 
     monkeypatch.setattr(forces.ForceKernel, "_run", noted)
     alone, shared = np.zeros((2, count, 6))
-    kernel.forces_into(arrays, alone, np.zeros(count, dtype=np.int32))
+    kernel.forces(arrays, out=(alone, np.zeros(count, dtype=np.int32)))
     parts.clear()
-    kernel.forces_into(arrays, shared, np.zeros(count, dtype=np.int32), threads)
+    kernel.forces(arrays, threads, out=(shared, np.zeros(count, dtype=np.int32)))
     assert len(parts) == expected
     assert sum(size for _, size in parts) == count
     assert (shared == alone).all()
@@ -195,7 +195,11 @@ def test_given_arrays_that_do_not_fit_are_named() -> None:
     kernel = ss.ForceKernel(robot)
     arrays = [np.ascontiguousarray(getattr(motion, name)) for name in FIELDS]
     F, status = np.zeros((4, 6)), np.zeros(4, dtype=np.int32)
-    kernel.forces_into(arrays, F, status)
+    assert kernel.forces(arrays, out=(F, status)) is F
+    assert (F == kernel.forces(motion)).all()
+    assert kernel.forces(motion, out=(np.zeros((4, 6)), status)).tobytes() == F.tobytes()
+    rejects("on_singular: does not apply with out", kernel.forces, motion, 1, "nan", out=(F, status))
+    rejects("motion: expected a Motion", kernel.forces, arrays)
     frozen = F.copy()
     frozen.setflags(write=False)
     bad = [
@@ -206,8 +210,8 @@ def test_given_arrays_that_do_not_fit_are_named() -> None:
         ("F", (arrays, frozen, status)),
         ("status", (arrays, F, status.astype(np.int64))),
     ]
-    for name, arguments in bad:
-        rejects(rf"^{name}: expected", kernel.forces_into, *arguments)
+    for name, (given, *out) in bad:
+        rejects(rf"^{name}: expected", kernel.forces, given, out=tuple(out))
 
 
 def test_a_warning_points_at_the_line_of_the_caller() -> None:

@@ -51,7 +51,7 @@ def test_nothing_of_others_is_replaced(folder: Path, fails: Fails) -> None:
 
 def test_two_files_do_not_go_to_standard_output(folder: Path, run: Run, fails: Fails) -> None:
     export = ["export", "hexapod.toml", "--format"]
-    assert "-o -: expected a file" in fails(*export, "urdf", "-o", "-")
+    assert "-o -: a URDF model consists of two files; name a file" in fails(*export, "urdf", "-o", "-")
     assert run(*export, "usd", "-o", "-").out.startswith("#usda 1.0\n")
 
 

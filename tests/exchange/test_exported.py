@@ -86,7 +86,7 @@ def closures_in_drake(
     plant.mutable_gravity_field().set_gravity_vector(robot.g)
     plant.Finalize()
     context, world = plant.CreateDefaultContext(), plant.world_frame()
-    plant.SetFreeBodyPose(context, plant.GetBodyByName("platform"), RigidTransform(robot.home))
+    plant.SetFreeBodyPose(context, plant.GetBodyByName("platform"), RigidTransform(robot.home_position))
     gaps, rows = [], []
     values = re.findall(r'<drake:ball_constraint_(?:body|p)_\w+(?:>| \w+=")([^<"]+)', text)
     for one, first, other, second in zip(*(values[i::4] for i in range(4)), strict=True):
@@ -106,15 +106,15 @@ def closures_in_drake(
 @pytest.mark.parametrize("name", MACHINES)
 def test_drake_closes_the_loops_and_needs_our_forces_at_rest(name: str, form: str) -> None:
     robot = MACHINES[name]()
-    if robot.home is None:
-        robot = dataclasses.replace(robot, home=level_home(robot))
+    if robot.home_position is None:
+        robot = dataclasses.replace(robot, home_position=level_home(robot))
     plant, context, gaps, J = closures_in_drake(robot, form)
     assert plant.num_constraints() == plant.num_actuators() == len(gaps) == 6
     assert np.abs(gaps).max() < 1e-12
     slides = [plant.GetJointByName(f"leg_{i}").velocity_start() for i in range(1, 7)]
     found = balanced(-plant.CalcGravityGeneralizedForces(context), J, slides)
     zero = np.zeros(3)
-    at_home = ss.Motion(np.eye(3), robot.home, zero, zero, zero, zero)
+    at_home = ss.Motion(R=np.eye(3), t=robot.home_position, omega=zero, v=zero, alpha=zero, a=zero)
     truth = ss.inverse_dynamics(robot, at_home).F
     np.testing.assert_allclose(found, truth, rtol=0, atol=1e-9 * np.abs(truth).max())
 

@@ -44,7 +44,7 @@ def with_mass(made: Family, name: str, point: Array, off: Array) -> Family:
 def at_rest(found: ss.ImportedModel, engine: InMujoco, made: Family) -> tuple[Array, Array]:
     """Forces of the legs at home, here and in MuJoCo, (6,) each."""
     zero = np.zeros(3)
-    motion = ss.Motion(np.eye(3), found.robot.home, zero, zero, zero, zero)
+    motion = ss.Motion(R=np.eye(3), t=found.robot.home_position, omega=zero, v=zero, alpha=zero, a=zero)
     numbers = re.findall(r"\d 'lower(\d)' 'upper\d'", found.assumptions[0])
     F = ss.inverse_dynamics(found.robot, motion).F[[numbers.index(str(i)) for i in range(1, 7)]]
     truth = engine.forces([f"slide{i}" for i in range(1, 7)])
@@ -119,7 +119,7 @@ def test_the_platform_is_the_heaviest_body_that_the_legs_hold(load: float, tmp_p
     seed, made = first_with(loaded)
     text = mjcf(made, seed)
     found = imported(text, tmp_path)
-    np.testing.assert_allclose(found.robot.home, InMujoco(text).frame(TOP)[1], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.robot.home_position, InMujoco(text).frame(TOP)[1], rtol=0, atol=1e-12)
     assert any(line.startswith(f"platform: {TOP!r}, the heaviest") for line in found.assumptions)
 
 
@@ -140,7 +140,7 @@ def test_the_frame_of_an_aligned_platform_is_that_of_mujoco(
     model = mujoco.MjModel.from_xml_string(text)
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    np.testing.assert_allclose(found.robot.home, data.body("platform").xpos, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.robot.home_position, data.body("platform").xpos, rtol=0, atol=1e-12)
     points = np.array([data.site(f"tip_{i}_b").xpos for i in range(1, 7)])
     np.testing.assert_allclose(found.robot.p, points - data.body("platform").xpos, rtol=0, atol=1e-12)
     np.testing.assert_allclose(found.robot.R_0, 0.0, atol=1e-12)
@@ -206,7 +206,7 @@ def test_empty_elements_of_sdf_take_their_defaults(tmp_path: Path) -> None:
         text = re.sub(old, "", text)
     notes = r"<stewart_sym:notes>.*?</stewart_sym:notes>"
     robots = [
-        ss.import_model(written(ss.ModelFile(re.sub(notes, "", each), loops), tmp_path / f"{name}.sdf"))
+        ss.import_model(written(ss.ExportedModel(re.sub(notes, "", each), loops), tmp_path / f"{name}.sdf"))
         for name, each in (("empty", left), ("missing", text))
     ]
     assert robots[0].robot.to_dict() == robots[1].robot.to_dict()
@@ -241,8 +241,10 @@ def test_ball_constraints_close_a_urdf_as_its_loops_do(tmp_path: Path) -> None:
 
     seed, made = first_with(by_balls, True)
     made = replace(made, gravity=np.array([0.0, 0.0, -9.81]))
-    alone = ss.import_model(written(ss.ModelFile(*urdf(made, seed, drake=True)), tmp_path / "alone.urdf"))
-    beside = ss.import_model(written(ss.ModelFile(*urdf(made, seed, drake=False)), tmp_path / "beside.urdf"))
+    alone = ss.import_model(written(ss.ExportedModel(*urdf(made, seed, drake=True)), tmp_path / "alone.urdf"))
+    beside = ss.import_model(
+        written(ss.ExportedModel(*urdf(made, seed, drake=False)), tmp_path / "beside.urdf")
+    )
     assert alone.robot.to_dict() == beside.robot.to_dict()
     assert "left out: what NAME.loops.json would state: friction of closures, armatures, and notes" in (
         alone.assumptions

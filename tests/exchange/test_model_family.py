@@ -21,7 +21,7 @@ SAME, SAME_MASS = 1e-8, 1e-12
 STATED = re.compile(r"are off by up to (\S+) N")
 
 
-def imported(file: ss.ModelFile, path: Path) -> ss.ImportedModel:
+def imported(file: ss.ExportedModel, path: Path) -> ss.ImportedModel:
     with warnings.catch_warnings(action="ignore"):
         return ss.import_model(written(file, path))
 
@@ -29,7 +29,7 @@ def imported(file: ss.ModelFile, path: Path) -> ss.ImportedModel:
 def forces(found: ss.ImportedModel, R: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
     """Forces at rest of the legs as they are numbered in the file, (6,)."""
     zero = np.zeros(3)
-    F = ss.inverse_dynamics(found.robot, ss.Motion(R, t, zero, zero, zero, zero)).F
+    F = ss.inverse_dynamics(found.robot, ss.Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero)).F
     numbers = re.findall(r"\d 'lower(\d)' 'upper\d'", found.assumptions[0])
     return F[[numbers.index(str(i)) for i in range(1, 7)]]
 
@@ -40,7 +40,7 @@ def need_same_forces(
     slides = [f"slide{i}" for i in range(1, 7)]
     signs = np.array([grows(made, i) for i in range(6)])
     R_0, t_0 = engine.frame(TOP)
-    np.testing.assert_allclose(found.robot.home, t_0, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.robot.home_position, t_0, rtol=0, atol=1e-12)
     stated = [float(each) for line in found.assumptions for each in STATED.findall(line)]
     assert bool(stated) <= made.off
     rng = np.random.default_rng([seed, 4])
@@ -69,9 +69,9 @@ def test_a_random_mjcf_has_the_forces_of_mujoco_and_its_mass(seed: int, tmp_path
     mujoco.MjModel.from_xml_string(text)
     if made.fault:
         with pytest.raises(ValueError, match=r"model\.xml: leg \d: [^\n]*$"):
-            imported(ss.ModelFile(text), tmp_path / "model.xml")
+            imported(ss.ExportedModel(text), tmp_path / "model.xml")
         return
-    found = imported(ss.ModelFile(text), tmp_path / "model.xml")
+    found = imported(ss.ExportedModel(text), tmp_path / "model.xml")
     need_same_mass(found.robot, moving_mass(made))
     need_same_forces(made, found, InMujoco(text), seed)
 
@@ -83,8 +83,8 @@ def test_a_random_urdf_has_the_forces_of_pinocchio_and_its_mass(seed: int, tmp_p
     text, loops = urdf(made, seed, drake=False)
     if made.fault:
         with pytest.raises(ValueError, match=r"model\.urdf: leg \d: [^\n]*$"):
-            imported(ss.ModelFile(text, loops), tmp_path / "model.urdf")
+            imported(ss.ExportedModel(text, loops), tmp_path / "model.urdf")
         return
-    found = imported(ss.ModelFile(text, loops), tmp_path / "model.urdf")
+    found = imported(ss.ExportedModel(text, loops), tmp_path / "model.urdf")
     need_same_mass(found.robot, moving_mass(made))
     need_same_forces(made, found, InPinocchio(text, json.loads(loops)), seed)

@@ -336,8 +336,8 @@ def test_command_takes_currents(robot: ss.Robot, excited: ss.Excitation, tmp_pat
     # Viscous friction of the drives is in that of the prismatic joints.
     assert found["robot_file"]["agreement"] == "agrees"
     found = json.loads(run(*words[:-2], *out, code=1).out)
-    assert any("dry friction of up to 30 N in the robot file" in line for line in found["doubts"])
-    assert not any("--position-std" in line for line in found["doubts"])
+    assert any("dry friction of up to 30 N in the robot file" in line for line in found["warnings"])
+    assert not any("--position-std" in line for line in found["warnings"])
     assert found["robot_file"] == {"agreement": "not compared", "probability": None}
     words[1] = str(written(robot, tmp_path / "plain.toml"))
     assert "expected a drive with a torque_constant of every leg" in run(*words, *out, code=2).err

@@ -147,7 +147,7 @@ def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
     assert "robot file: agrees with the forces" in (right / "report.txt").read_text()
     wrong = tmp_path / "wrong"
     assert "--position-std" in run("identify", PAPERS, *measured, "-o", wrong, code=1).err
-    assert {row["sigma"] for row in read(wrong / "parameters.csv")} == {"inf"}
+    assert {row["std"] for row in read(wrong / "parameters.csv")} == {"inf"}
     report = (wrong / "report.txt").read_text()
     assert "verdict: rejected" in report
     assert "robot file: not compared" in report

@@ -311,7 +311,7 @@ import json, os, signal, sys
 from pathlib import Path
 from stewart_sym.cli import main as cli
 from stewart_sym.cli.machine import check
-from stewart_sym.io import writing as publish
+from stewart_sym.io import atomic_write as publish
 
 def ended(target, name, ignored, error):
     child = os.fork()

@@ -33,7 +33,7 @@ def _case(seed: int, ratio: tuple[float, float], offsets: float = 0.0) -> tuple[
     drawn = rng.uniform(*ratio, (6, 1))
     wrist = (length * np.sin(angle) * drawn / (1.0 + drawn))[:, 0]
     found = offsets_of(rng, robot, "universal", offsets)
-    changed = dataclasses.replace(found, platform_axis=axes @ motion.R, wrist=wrist)
+    changed = dataclasses.replace(found, platform_axis=axes @ motion.R, wrist_offset=wrist)
     return dataclasses.replace(robot, offsets=changed), motion
 
 
@@ -58,8 +58,10 @@ def _closed_chain(robot: ss.Robot, motion: ss.Motion, i: int) -> Array:
         outward, y, s, z = frame(q)
         first = np.cos(q[3]) * y + np.sin(q[3]) * z
         second = np.cos(q[4]) * s + np.sin(q[4]) * np.cross(s, first)
-        end = part * (o.cross[i] * outward + o.along[i] * y + o.across[i] * z) + q[2] * s
-        wrist = part * o.wrist[i] * np.cross(first, second)
+        end = (
+            part * (o.axis_offset[i] * outward + o.slide_offset_y[i] * y + o.slide_offset_z[i] * z) + q[2] * s
+        )
+        wrist = part * o.wrist_offset[i] * np.cross(first, second)
         return np.concatenate([(end + wrist - point) / size, second - axis])
 
     size = float(np.linalg.norm(point))
@@ -105,9 +107,11 @@ def test_wrists_longer_than_the_distance_from_the_axis_are_unreachable() -> None
         distance = np.linalg.norm(np.cross(robot.offsets.platform_axis @ motion.R.T, reach), axis=1)
         leg = seed % 6
         for times, reachable in ((0.999, True), (1.001, False), (3.0, False)):
-            wrist = robot.offsets.wrist.copy()
+            wrist = robot.offsets.wrist_offset.copy()
             wrist[leg] = times * distance[leg]
-            longer = dataclasses.replace(robot, offsets=dataclasses.replace(robot.offsets, wrist=wrist))
+            longer = dataclasses.replace(
+                robot, offsets=dataclasses.replace(robot.offsets, wrist_offset=wrist)
+            )
             status = int(ss.inverse_dynamics(longer, motion, on_singular="nan").status)
             assert (status != UNREACHABLE) == reachable, (seed, times)
 
@@ -131,16 +135,17 @@ def _right_angles(robot: ss.Robot, motion: ss.Motion, i: int, angles: Array) -> 
     across = point - point @ axis * axis
     across /= np.linalg.norm(across)
     n = np.cos(angles) * across + np.sin(angles) * np.cross(axis, across)
-    ends = point - o.wrist[i] * n
+    ends = point - o.wrist_offset[i] * n
     plain = dataclasses.replace(
         robot,
         b=np.zeros((6, 3)),
         offsets=dataclasses.replace(
-            o, platform_joint="spherical", wrist=np.zeros(6), platform_axis=np.zeros((6, 3))
+            o, platform_joint="spherical", wrist_offset=np.zeros(6), platform_axis=np.zeros((6, 3))
         ),
     )
     none = np.zeros((len(ends), 3))
-    poses = ss.Motion(np.broadcast_to(np.eye(3), (len(ends), 3, 3)), ends - robot.p[i], none, none)
+    R = np.broadcast_to(np.eye(3), (len(ends), 3, 3))
+    poses = ss.Motion(R=R, t=ends - robot.p[i], omega=none, v=none)
     with np.errstate(all="ignore"):
         s = chains(plain, poses).s[:, i]
     miss, outward = np.sum(s * np.cross(axis, n), axis=1), np.sum(s * n, axis=1)
@@ -173,12 +178,12 @@ def _energy(robot: ss.Robot, pose: ss.Motion) -> float:
     k_P = o.platform_axis @ pose.R.T
     y_U = np.cross(k_P, s)
     y_U /= np.linalg.norm(y_U, axis=1, keepdims=True)
-    end = robot.p @ pose.R.T + pose.t - o.wrist[:, None] * np.cross(y_U, k_P)
+    end = robot.p @ pose.R.T + pose.t - o.wrist_offset[:, None] * np.cross(y_U, k_P)
     upper = end + _placed(robot.r_u0, s, y_U, np.cross(s, y_U))
     y = np.cross(robot.k, s)
     y /= np.linalg.norm(y, axis=1, keepdims=True)
     outward = np.cross(y, robot.k)
-    lower = robot.b + o.cross[:, None] * outward + _placed(robot.r_d0, s, y, np.cross(s, y))
+    lower = robot.b + o.axis_offset[:, None] * outward + _placed(robot.r_d0, s, y, np.cross(s, y))
     cross = robot.b + _placed(o.cross_center, outward, y, robot.k)
     moments = robot.m_u @ upper + robot.m_d @ lower + o.cross_mass @ cross
     return float(-robot.g @ (moments + robot.M * (pose.t + pose.R @ robot.R_0)))

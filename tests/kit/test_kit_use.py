@@ -352,4 +352,4 @@ def test_kits_without_fused_multiply_add_have_the_bits_of_numpy(flags: str, tmp_
     given = (address(numbers), ctypes.c_size_t(count), of_poses, address(F), None)
     assert library.stewart_exact_forces_batch(*given) == 0
     fields = dict(zip(kernel.MOTION, arrays, strict=True))
-    np.testing.assert_array_equal(ss.array_kernel(robot, np).forces(**fields).F, F)
+    np.testing.assert_array_equal(ss.ArrayKernel(robot, np).forces(**fields).F, F)

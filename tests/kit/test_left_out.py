@@ -42,14 +42,14 @@ def test_generate_and_prepare_warn_of_omitted_rotors_with_the_same_effect(
     command = ["generate", tmp_path / "robot.toml", "-o", tmp_path / "kit", *options]
     told = run(*command, "--fidelity", "slender").err
     (line,) = [each for each in told.splitlines() if "omits" in each]
-    assert f"rotors with up to {robot.m_r.max():.3g} kg of reflected mass in each leg" in line
+    assert f"rotors with up to {robot.reflected_mass.max():.3g} kg of reflected mass in each leg" in line
     with pytest.warns(UserWarning, match="omits physics") as caught:
         kernel = ss.ForceKernel(robot, fidelity="slender")
     assert str(caught[0].message).partition("; for all")[0] in line
     motion = poses(robot, "exact", 8)
     check_effect(line, kernel.forces(motion), ss.inverse_dynamics(robot, motion).F)
     readme = (tmp_path / "kit" / "README.md").read_text(encoding="utf-8")
-    assert f"rotors with up to {robot.m_r.max():.3g} kg" in " ".join(readme.split())
+    assert f"rotors with up to {robot.reflected_mass.max():.3g} kg" in " ".join(readme.split())
 
 
 @pytest.mark.parametrize(
@@ -73,12 +73,12 @@ def test_prepare_names_the_physics_that_a_level_omits(
 
 
 @pytest.mark.parametrize(("form", "cross"), [("mjcf", 0.0), ("sdf", 0.0), ("drake", 0.01), ("usd", 0.01)])
-@pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 def test_export_states_the_effect_of_physics_without_a_place(form: str, cross: float) -> None:
     robot = dataclasses.replace(dasgupta(), drive=LOSSY)
     motion = poses(robot, "exact", 8)
     if cross:
-        robot = dataclasses.replace(robot, offsets=ss.JointOffsets(cross=cross))
+        robot = dataclasses.replace(robot, offsets=ss.JointOffsets(axis_offset=cross))
     full = ss.inverse_dynamics(robot, motion).F
     effort = ss.drive_effort(robot, motion)
     found = {
@@ -100,7 +100,7 @@ def test_export_states_the_effect_of_physics_without_a_place(form: str, cross: f
 def test_paper_rejects_physics_that_its_equations_omit(physics: str, tmp_path: Path) -> None:
     robot = with_rotors(dasgupta())
     if physics == "offsets":
-        robot = dataclasses.replace(dasgupta(), offsets=ss.JointOffsets(cross=0.01))
+        robot = dataclasses.replace(dasgupta(), offsets=ss.JointOffsets(axis_offset=0.01))
     motion = poses(dasgupta(), "exact", 2)
     for call in (ss.inverse_dynamics, ss.simulate, ss.ForceKernel):
         arguments = {ss.inverse_dynamics: (motion,), ss.simulate: (motion[0], np.zeros(6), 0.1)}.get(call, ())

@@ -273,7 +273,7 @@ def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) 
     log = write(tmp_path / "log.csv", NAMES, poses())
     for rate, words in (("0.1", "1 instant of"), ("2", "5 instants of"), ("5", "")):
         told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", "--rate", rate).err
-        expected = f"log.csv: {words} 2 s at a rate of {rate} Hz, of 41 rows: what happens between"
+        expected = f"log.csv: {words} 2 s at a rate of {rate} Hz, of 41 rows; the motion between"
         assert expected in told if words else "at a rate" not in told
 
 

@@ -80,7 +80,9 @@ def test_a_stated_unit_is_taken_as_stated_and_a_wrong_row_does_not_count(tmp_pat
     assert "length_unit='mm'" in fault(robot, path)
     assert "angle_unit='deg'" in fault(robot, path, ss.TrajectoryFormat(length_unit="mm"))
     assert fault(robot, path, ss.TrajectoryFormat(length_unit="mm", angle_unit="deg")) == ""
-    assert "give LogFormat" not in fault(robot, path, ss.TrajectoryFormat(length_unit="m", angle_unit="rad"))
+    assert "give TrajectoryFormat" not in fault(
+        robot, path, ss.TrajectoryFormat(length_unit="m", angle_unit="rad")
+    )
     log(path, poses(t, theta, 1e3, np.degrees(1.0)), units="s,mm,mm,mm,deg,deg,deg")
     assert fault(robot, path) == ""
     theta[7] = 500.0

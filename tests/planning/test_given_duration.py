@@ -50,7 +50,7 @@ def work(plan: TimedPath, motion=None) -> float:
 @pytest.mark.slow
 def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes() -> None:
     robot, path, _ = case(2)
-    robot = dataclasses.replace(robot, home=path(np.zeros(1)).t[0])
+    robot = dataclasses.replace(robot, home_position=path(np.zeros(1)).t[0])
     plan = parameterize_path(robot, path, grid_size=20)
     free = certify_plan(plan)
     dense = joint_angles(robot, plan.sample(np.linspace(0.0, plan.duration, 20_001)))
@@ -172,7 +172,7 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     def progress(text: str, share: float | None = None) -> None:
         shown.append(text)
 
-    options = {"least": "peak_force", "duration": duration, "progress": progress}
+    options = {"minimize": "peak_force", "duration": duration, "progress": progress}
     plan = parameterize_path(robot, path, grid_size=100, **options)
     tries = [text for text in shown if "least peak force, try " in text]
     assert len(set(tries)) > 3

@@ -10,10 +10,10 @@ from pages import DOCS
 from sweeps import FULL, share
 
 import stewart_sym as ss
-from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.time_path import TimedPath, time_path
+from stewart_sym.planning.path_parameterization import TimedPath, parameterize_path
+from stewart_sym.planning.plan_certificate import certify_plan
 from stewart_sym.planning.timing.motor_terms import MotorTerms, directions
-from stewart_sym.planning.timing.path_terms import Limits
+from stewart_sym.planning.timing.path_terms import PathLimits
 from stewart_sym.robot.drive import Drive
 from stewart_sym.studies.reports.plan import Plan
 
@@ -24,17 +24,19 @@ def check_agreement(plan: TimedPath) -> None:
     """Compare a plan, its certificate, and its report with the oracle: the same peaks, within limits."""
     fine, proof = fine_motors(plan), certify_plan(plan)
     assert fine.used <= 1.0 + 1e-6
-    assert proof.holds
+    assert proof.is_valid
     # The certificate has a limit of jerk too.
-    assert proof.used >= fine.used - 1e-6
+    assert proof.max_utilization >= fine.used - 1e-6
     if plan.limits.jerk is None:
-        assert proof.used <= fine.used + 1e-6
+        assert proof.max_utilization <= fine.used + 1e-6
     # Peaks between the places of either grid are not found.
     np.testing.assert_array_less(fine.force, proof.force.value * (1.0 + 1e-4))
     found = Plan(plan.robot, None, plan, proof, rate=100.0).motors.summary
     assert found.exceeded() == []
     for name, limit in PEAKS.items():
-        assert (found.peaks[name] / getattr(plan.robot.drive, limit)).max() <= proof.used * (1.0 + 1e-12)
+        assert (found.peaks[name] / getattr(plan.robot.drive, limit)).max() <= proof.max_utilization * (
+            1.0 + 1e-12
+        )
     np.testing.assert_allclose(found.peaks["torque"], fine.torque, rtol=1e-3)
 
 
@@ -42,13 +44,13 @@ def check_agreement(plan: TimedPath) -> None:
 @pytest.mark.parametrize("seed", range(share(200, 50)))
 def test_plan_certificate_and_report_agree_on_limits_of_motors_with_all_terms(seed: int) -> None:
     robot, path = sweep_case(seed)
-    check_agreement(time_path(robot, path, cells=60 if FULL else 40))
+    check_agreement(parameterize_path(robot, path, grid_size=60 if FULL else 40))
 
 
 @pytest.mark.slow
 def test_smooth_plans_keep_the_limits_of_motors_on_both_sides_of_turning_points() -> None:
     robot, path = sweep_case(3)
-    plan = time_path(robot, path, cells=40, limits=Limits(jerk=1e6))
+    plan = parameterize_path(robot, path, grid_size=40, limits=PathLimits(jerk=1e6))
     assert plan.profile.ease is not None
     check_agreement(plan)
 
@@ -62,11 +64,11 @@ def heave(s: np.ndarray) -> ss.Motion:
 
 def test_a_heave_with_coulomb_friction_is_as_fast_as_its_limits_allow_and_certified() -> None:
     robot = ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml")
-    drive = Drive(lead=0.005, efficiency=0.9, back_efficiency=0.8, motor_coulomb=0.1, torque_limit=0.25)
-    plan = time_path(dataclasses.replace(robot, drive=drive), heave, cells=20)
+    drive = Drive(lead=0.005, efficiency=0.9, backdrive_efficiency=0.8, motor_coulomb=0.1, torque_limit=0.25)
+    plan = parameterize_path(dataclasses.replace(robot, drive=drive), heave, grid_size=20)
     proof = certify_plan(plan)
-    assert proof.holds
-    assert proof.active > 0.99
+    assert proof.is_valid
+    assert proof.active_fraction > 0.99
     assert plan.profile.ease is None
 
 
@@ -85,7 +87,7 @@ def cell_of(drive: Drive, through: np.ndarray, rotor: np.ndarray, rate: np.ndarr
 
 def test_a_limit_counts_where_the_efficiency_changes_between_places() -> None:
     s = np.linspace(-1.0, 1.0, 4)
-    drive = Drive(lead=2.0 * np.pi, efficiency=0.5, back_efficiency=0.5)
+    drive = Drive(lead=2.0 * np.pi, efficiency=0.5, backdrive_efficiency=0.5)
     np.testing.assert_allclose(cell_of(drive, s, -1.0 - s, np.ones(4)), 1.0)
 
 

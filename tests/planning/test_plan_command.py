@@ -275,7 +275,7 @@ def limited(limit: str) -> str:
             )
         ),
         (PLAN + FIRST, "via 2: the path turns back at the pose"),
-        ('minimize = "energy"\n' + PLAN, 'via.toml: least: expected a duration for "energy" (at line 1)'),
+        ('minimize = "energy"\n' + PLAN, 'via.toml: minimize: expected a duration for "energy" (at line 1)'),
         (
             'minimize = "energy"\nduration = 1e9\n' + PLAN,
             "via.toml: duration: expected at most 10,000,000 instants, got 1e+09 s at a rate of",

@@ -189,7 +189,7 @@ def test_fields_are_checked_by_name() -> None:
             [0, 0, 0, math.nan, 0, 0],
             "regularization_speed: leg 4: expected a finite number",
         ),
-        ("stribeck_force", 1.0, "stribeck_force: leg 1: expected a stribeck_speed"),
+        ("stribeck_force", 1.0, "stribeck_force: leg 1: requires a stribeck_speed"),
     ):
         rejects(words, ss.Drive, lead=5e-3, **{field: value})
     with pytest.raises(ValueError, match="robot: drive: expected a Drive or None, got 3"):

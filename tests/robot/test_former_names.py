@@ -234,6 +234,8 @@ ATTRIBUTES = {
         "deviation",
     ),
     "ForceKernel": (
+        "columns_into",
+        "forces_into",
         "forces_of_columns",
         "one_pose",
         "function",

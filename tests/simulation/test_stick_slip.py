@@ -179,7 +179,9 @@ def test_a_drive_without_losses_changes_nothing(bare: ss.Robot, holding: np.ndar
 
 def test_a_screw_that_locks_itself_is_rejected(bare: ss.Robot, holding: np.ndarray) -> None:
     locked = dataclasses.replace(bare, drive=ss.Drive(lead=5e-3, efficiency=0.4, backdrive_efficiency=-0.2))
-    with pytest.raises(ValueError, match="leg 1: back_efficiency: expected a number > 0 in a simulation"):
+    with pytest.raises(
+        ValueError, match="leg 1: backdrive_efficiency: expected a number > 0 in a simulation"
+    ):
         ss.simulate(locked, HOME, holding, 0.1)
 
 

@@ -119,7 +119,7 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
 
 def test_a_missing_scene_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     line = fails_in_one_line(capsys, "choose-fidelity", tmp_path / "none.toml")
-    assert "none.toml: cannot read the scene of advise: No such file" in line
+    assert "none.toml: cannot read the scene of choose-fidelity: No such file" in line
 
 
 def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:

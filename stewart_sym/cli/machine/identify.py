@@ -143,7 +143,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         noise,
         *model,
         form,
-        _shared(arguments) == "legs",
+        arguments.identical_legs,
         terms,
         lines,
     )
@@ -165,18 +165,13 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repo
         )
     robot = robot_of(arguments.robot)
     noise = (arguments.position_std, arguments.angle_std) if _pose_noise(arguments) else (0.0, 0.0)
-    names = ("period", "samples", "candidates", "seed")
-    options = {name: getattr(arguments, name) for name in names} | {"shared": _shared(arguments)}
+    names = ("period", "samples", "candidates", "seed", "identical_legs")
+    options = {name: getattr(arguments, name) for name in names}
     harmonics = 5 if arguments.harmonics is None else arguments.harmonics
     excited = choose_excitation(robot, harmonics=harmonics, progress=progress, **options)
     progress("identifying")
     found = simulate_experiment(robot, excited, arguments.force_std, arguments.seed, *noise)
     return simulated_report(robot, found), found.estimate
-
-
-def _shared(arguments: argparse.Namespace) -> str | None:
-    """Return the legs that share parameters, or None."""
-    return "legs" if arguments.identical_legs else None
 
 
 def _pose_noise(arguments: argparse.Namespace) -> bool:

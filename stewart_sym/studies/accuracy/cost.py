@@ -310,7 +310,7 @@ def _tasks(
         tasks[candidate, "one pose"] = Task(_one_pose(kernel, few), FEW)
         arrays = [np.ascontiguousarray(array, dtype=kernel.dtype) for array in many]
         F, status = np.zeros((MANY, 6), dtype=kernel.dtype), np.zeros(MANY, dtype=np.int32)
-        batch = functools.partial(kernel.forces_into, arrays, F, status)
+        batch = functools.partial(kernel.forces, arrays, out=(F, status))
         tasks[candidate, "batch"] = Task(repeated(batch), MANY)
     motion = Motion(**dict(zip(MOTION, slow, strict=True)))
     for name, forces in ways.items():

@@ -114,7 +114,7 @@ def _batch(precision: forces.Precision, threads: int) -> _Make:
         arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
         F = np.zeros((len(poses), 6), dtype=prepared.dtype)
         status = np.zeros(len(poses), dtype=np.int32)
-        run = repeated(lambda: prepared.forces_into(arrays, F, status, threads))
+        run = repeated(lambda: prepared.forces(arrays, threads, out=(F, status)))
         return Runner(run, checked(F, status), library=library)
 
     return make
@@ -126,7 +126,8 @@ def _columns(poses: Poses, flags: Flags) -> Runner:
     prepared = _compiled(library, poses.robot, "double")
     arrays = [_in_columns(array.reshape(len(poses), -1).T) for array in poses.arrays]
     F, status = _in_columns(np.zeros((6, len(poses)))), np.zeros(len(poses), dtype=np.int32)
-    run = repeated(lambda: prepared.columns_into(arrays, F, status))
+    compute: Callable[..., object] = prepared.forces_soa
+    run = repeated(lambda: compute(*arrays, out=(F, status)))
     return Runner(run, checked(F.T, status), library=library)
 
 

@@ -47,7 +47,7 @@ def _readme(found: Figures) -> str:
     rows += [(FORWARD, f"{each['median']:.0f}", "") for each in ours]
     baselines = found["motion"]["baselines"]
     rows += [(f"{FORWARD}, {each['name']}", f"{each['median']:.0f}", "") for each in baselines]
-    return table(("forces with friction and load", "ns per pose", "ratio to CasADi, closed form"), rows)
+    return table(("forces with friction and load", "ns per pose", "relative to CasADi"), rows)
 
 
 def _shares(found: Figures) -> str:
@@ -138,7 +138,7 @@ def _sizes(found: Figures) -> str:
     swept = [each for each in found["sweep"] if each["name"] == name]
     counts = [f"{each['poses']:.0e}".replace("e+0", "e") for each in swept]
     return paragraph(
-        f"From {counts[0]} to {counts[-1]} poses ({name}, one call of `forces_into` each) the longest "
+        f"From {counts[0]} to {counts[-1]} poses ({name}, one call of `forces` each) the longest "
         f"time per pose is {flatness:.2f} times the shortest."
     ) + table(("poses", *counts), [("ns per pose", *(f"{each['median']:.0f}" for each in swept))])
 

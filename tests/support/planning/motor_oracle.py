@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from stewart_sym.dynamics.inverse import inverse_dynamics
-from stewart_sym.kinematics.inverse import inverse_kinematics
-from stewart_sym.planning.time_path import TimedPath
-from stewart_sym.planning.timing.path_terms import travelled
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
+from stewart_sym.planning.path_parameterization import TimedPath
+from stewart_sym.planning.timing.path_terms import traveled
 from stewart_sym.reference.newton_euler import rotor_force
 
 FINER = 100
@@ -76,17 +76,17 @@ def _leg_rates(plan: TimedPath, share: np.ndarray, cell: np.ndarray) -> np.ndarr
 def _at(plan: TimedPath, s: np.ndarray, square: np.ndarray, second: np.ndarray, sign: np.ndarray) -> Fine:
     """Largest values at places whose legs move with signs, (n, 6)."""
     robot, drive = plan.robot, plan.robot.drive
-    motion = travelled(plan.path(s), np.sqrt(square), second)
+    motion = traveled(plan.path(s), np.sqrt(square), second)
     F, L_dot = inverse_dynamics(robot, motion, plan.formulation).F, inverse_kinematics(robot, motion).L_dot
-    within = np.broadcast_to(drive.smoothing, (6,))
+    within = np.broadcast_to(drive.regularization_speed, (6,))
     x = np.clip(L_dot / np.where(within > 0.0, within, 1.0), -1.0, 1.0)
     sign = np.where(within > 0.0, 0.5 * x * (3.0 - x**2), sign)
     turns = 2.0 * np.pi / drive.lead
     rotor = rotor_force(robot, motion)
     through = F - rotor
-    slow = np.exp(-((L_dot / np.where(drive.stribeck > 0.0, drive.stribeck_speed, 1.0)) ** 2))
-    loss = drive.screw_coulomb + np.abs(turns) * drive.motor_coulomb + drive.stribeck * slow
-    of_load = np.where(through * sign > 0.0, 1.0 / drive.efficiency - 1.0, 1.0 - drive.back_efficiency)
+    slow = np.exp(-((L_dot / np.where(drive.stribeck_force > 0.0, drive.stribeck_speed, 1.0)) ** 2))
+    loss = drive.screw_coulomb + np.abs(turns) * drive.motor_coulomb + drive.stribeck_force * slow
+    of_load = np.where(through * sign > 0.0, 1.0 / drive.efficiency - 1.0, 1.0 - drive.backdrive_efficiency)
     loss = loss + np.abs(through) * of_load
     effort = F + sign * loss + (drive.screw_viscous + turns**2 * drive.motor_viscous) * L_dot
     torque, power = effort / turns, effort * L_dot

@@ -69,7 +69,7 @@ def go_beyond(
     for i in range(6):
         x[i] = way * x[i]
     trusted(x, per_size, per_longest, v, omega)
-    move(pose, v, omega, 1)
+    advance(pose, v, omega, 1)
 
 
 def apart(one: "Pose", other: "Pose", squares: "array(2)") -> None:

@@ -253,7 +253,7 @@ def newton_step(
     trusted(x, per_size, per_longest, along, turn)
 
 
-def move(pose: "Pose", along: "array(3)", turn: "array(3)", going: "Integer") -> None:
+def advance(pose: "Pose", along: "array(3)", turn: "array(3)", going: "Integer") -> None:
     """Move a pose by a step if ``going`` is 1."""
     R = array(9)
     turned = turned_by(turn)
@@ -287,7 +287,7 @@ def search(
             if anywhere(part > 0.0):
                 damp(legs.A, part)
             newton_step(legs, per_size, per_longest, along, turn)
-            move(pose, along, turn, going)
+            advance(pose, along, turn, going)
             status = legs_at(robot, pose, per_size, legs)
             worst = compare(L, legs)
         else:
