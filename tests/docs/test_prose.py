@@ -17,7 +17,7 @@ LIMITS: dict[str, dict[str, float]] = {
         "that of": 1.43,
         "opening with of": 0.37,
         "beside": 0.52,
-        "vague verb": 2.27,
+        "unclear word": 2.27,
         "where for if": 1.69,
         "British spelling": 0.04,
         "long sentence": 3.22,
@@ -27,7 +27,7 @@ LIMITS: dict[str, dict[str, float]] = {
         "that of": 3.65,
         "opening with of": 0.91,
         "beside": 1.20,
-        "vague verb": 3.18,
+        "unclear word": 3.18,
         "where for if": 3.31,
         "British spelling": 0.00,
         "long sentence": 2.77,
@@ -37,7 +37,7 @@ LIMITS: dict[str, dict[str, float]] = {
         "that of": 0.72,
         "opening with of": 0.00,
         "beside": 0.36,
-        "vague verb": 0.72,
+        "unclear word": 0.72,
         "where for if": 0.00,
         "British spelling": 0.00,
         "long sentence": 0.72,
@@ -47,7 +47,7 @@ LIMITS: dict[str, dict[str, float]] = {
         "that of": 0.26,
         "opening with of": 0.00,
         "beside": 0.00,
-        "vague verb": 0.00,
+        "unclear word": 0.00,
         "where for if": 0.00,
         "British spelling": 0.00,
         "long sentence": 1.02,
@@ -79,9 +79,9 @@ TEXTS: dict[str, Callable[[], Iterable[str]]] = {
 }
 
 
-def excess(passages: Iterable[str], limits: dict[str, float]) -> list[str]:
+def excess(pieces: Iterable[str], limits: dict[str, float]) -> list[str]:
     """Return a line for each rate above its limit."""
-    found = rates(count_findings(passages))
+    found = rates(count_findings(pieces))
     assert found.keys() == limits.keys()
     return [f"{rule}: {found[rule]:.2f} > {limit}" for rule, limit in limits.items() if found[rule] > limit]
 
@@ -98,7 +98,7 @@ def test_rates_are_within_their_limits(kind: str) -> None:
         "that of": "The first mass is that of a leg.",
         "opening with of": "Of the legs only one moves.",
         "beside": "The file has a table beside the text.",
-        "vague verb": "The file says the unit.",
+        "unclear word": "The file says the unit.",
         "where for if": "It returns NaN where not known.",
         "British spelling": "The colour of the centre is grey.",
         "long sentence": "word " * 31 + "end.",

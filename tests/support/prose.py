@@ -17,7 +17,7 @@ RULES = {
     "that of": r"\b(?:that|those) of\b|\bthose (?:that|which|with|in)\b",
     "opening with of": r"^of (?!course\b|length\b|shape\b)",
     "beside": r"\bbesides?\b",
-    "vague verb": r"\b(?:says|said|stands|stood|tells|told|bears|brings|holds|leaves|wanted|sought)\b",
+    "unclear word": r"\b(?:says|said|stands|stood|tells|told|bears|brings|holds|leaves|wanted|sought)\b",
     "where for if": r"^where\b(?!.*\?)"
     r"|(?<![:,]) where (?:not|needed|given|one|two|none|all|no|they|it|there|an?)\b",
     "British spelling": r"\b(?:metres?|millimetres?|centres?|colours?|behaviour|neighbours?|licence|grey"
