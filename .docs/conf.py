@@ -18,6 +18,7 @@ extensions = [
     "numpydoc",
     "mathml",
     "directives",
+    "notebooks",
 ]
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["_build", "tables"]
@@ -41,6 +42,7 @@ html_theme = "furo"
 html_title = "stewart-sym"
 html_static_path = ["static"]
 html_css_files = ["wide.css"]
+html_search_scorer = str(Path(__file__).parent / "static" / "scorer.js")
 html_copy_source = False
 html_show_sphinx = False
 html_show_copyright = False

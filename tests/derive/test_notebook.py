@@ -1,8 +1,9 @@
-"""The notebook of the derivation runs from start to end, and shows what the code gives now.
+"""The notebooks of the derivation run from start to end, and show what the code gives now.
 
-``COMMAND`` runs it and writes the outputs into the committed file.
+``COMMAND`` runs them and writes the outputs into the committed files.
 """
 
+import base64
 import os
 import subprocess
 import sys
@@ -17,9 +18,11 @@ from quick_compiler import quick_path
 
 from stewart_sym.io.extras import EXTRAS
 
-NOTEBOOK = resources.files("stewart_sym.derive") / "derivation.ipynb"
+FOLDER = resources.files("stewart_sym.derive")
+NOTEBOOKS = ("derivation", "closed_form", "evidence")
+DRAWINGS = REPOSITORY / ".docs" / "drawings"
 COMMAND = "PYTHONPATH=tests/support:tests/support/kernels python tests/derive/test_notebook.py"
-REWRITE = f"run `{COMMAND}` and look at the notebook"
+REWRITE = f"run `{COMMAND}` and look at the notebooks"
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
@@ -36,22 +39,42 @@ sys.meta_path.insert(0, Missing())
 """
 
 
-def test_the_readme_names_it_and_a_page_says_what_it_needs_and_how_to_open_it() -> None:
-    assert "`derive/derivation.ipynb`" in (REPOSITORY / "README.md").read_text(encoding="utf-8")
-    page = (REPOSITORY / ".docs" / "explanation" / "checks.md").read_text(encoding="utf-8")
+def test_the_readme_names_it_and_a_page_says_how_to_open_it() -> None:
+    page = " ".join((REPOSITORY / ".docs" / "explanation" / "checks.md").read_text("utf-8").split())
     assert 'pip install ".[notebook]"' in page
     assert "jupyter lab derive/derivation.ipynb" in page
+    assert "derive/derivation.ipynb" in (REPOSITORY / "README.md").read_text(encoding="utf-8")
 
 
-def test_every_cell_is_committed_as_executed_in_order_without_error() -> None:
-    cells = _code_cells(_committed())
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_every_cell_is_committed_as_executed_in_order_without_error(name: str) -> None:
+    cells = _code_cells(_committed(name))
     assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
     assert not [out for cell in cells for out in cell.outputs if _is_unwanted(out)]
 
 
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_attached_drawings_are_those_of_the_documentation(name: str) -> None:
+    for cell in _committed(name).cells:
+        for file, data in cell.get("attachments", {}).items():
+            assert base64.b64decode(data["image/png"]) == (DRAWINGS / file).read_bytes(), file
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_every_figure_has_a_text(name: str) -> None:
+    figures = [
+        out.metadata.get("image/png", {}).get("alt", "")
+        for cell in _code_cells(_committed(name))
+        for out in cell.outputs
+        if "image/png" in out.get("data", {})
+    ]
+    assert all(figures)
+
+
 @pytest.mark.slow
+@pytest.mark.parametrize("name", NOTEBOOKS)
 def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """In a folder of its own, and without the packages of other extras."""
     installed = install(tmp_path)
@@ -69,31 +92,32 @@ def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
         cwd=tmp_path,
     )
     assert Path(used.stdout.strip()).is_relative_to(installed)
-    committed = _code_cells(_committed())
-    fresh = _code_cells(_executed(tmp_path))
+    committed = _code_cells(_committed(name))
+    fresh = _code_cells(_executed(name, tmp_path))
     assert not [out for cell in fresh for out in cell.outputs if out.output_type == "error"]
     for was, now in zip(committed, fresh, strict=True):
         assert _shown(now) == _shown(was), f"cell {was.id} shows something else: {REWRITE}"
 
 
-def test_outputs_tell_nothing_of_the_machine_they_were_made_on() -> None:
-    text = NOTEBOOK.read_text("utf-8")
-    assert _committed().metadata == METADATA
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_outputs_tell_nothing_of_the_machine_they_were_made_on(name: str) -> None:
+    text = (FOLDER / f"{name}.ipynb").read_text("utf-8")
+    assert _committed(name).metadata == METADATA
     for place in {str(Path.home()), os.getcwd(), sys.prefix, "site-packages", " at 0x"}:
         assert place not in text
 
 
-def _committed() -> Any:
+def _committed(name: str) -> Any:
     import nbformat
 
-    return nbformat.reads(NOTEBOOK.read_text("utf-8"), as_version=4)  # type: ignore[no-untyped-call]
+    return nbformat.reads((FOLDER / f"{name}.ipynb").read_text("utf-8"), as_version=4)  # type: ignore[no-untyped-call]
 
 
-def _executed(folder: Path) -> Any:
+def _executed(name: str, folder: Path) -> Any:
     """The notebook after a run in ``folder``; CellExecutionError when a cell fails."""
     from nbclient import NotebookClient
 
-    notebook = _committed()
+    notebook = _committed(name)
     client = NotebookClient(
         notebook,
         timeout=3600,
@@ -125,14 +149,15 @@ def _shown(cell: Any) -> list[dict[str, str]]:
     ]
 
 
-def _rewrite() -> None:
+def _rewrite(name: str) -> None:
     import nbformat
 
     with TemporaryDirectory() as folder:
-        notebook = _executed(Path(folder))
+        notebook = _executed(name, Path(folder))
     notebook.metadata = METADATA
-    nbformat.write(notebook, str(NOTEBOOK))  # type: ignore[no-untyped-call]
+    nbformat.write(notebook, str(FOLDER / f"{name}.ipynb"))  # type: ignore[no-untyped-call]
 
 
 if __name__ == "__main__":
-    _rewrite()
+    for chosen in sys.argv[1:] or NOTEBOOKS:
+        _rewrite(chosen)

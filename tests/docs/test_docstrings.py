@@ -178,8 +178,9 @@ def test_pages_name_arguments(page: str) -> None:
     assert [call for piece in pieces(text) for call in swappable(piece)] == []
 
 
-def test_the_notebook_names_arguments() -> None:
-    cells = json.loads((TOP / "derive" / "derivation.ipynb").read_text(encoding="utf-8"))["cells"]
+@pytest.mark.parametrize("notebook", sorted(TOP.glob("derive/*.ipynb"), key=str))
+def test_the_notebooks_name_arguments(notebook: Path) -> None:
+    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
     sources = [("".join(cell["source"]), cell["cell_type"]) for cell in cells]
     code = [piece for text, kind in sources for piece in ([text] if kind == "code" else pieces(text))]
     assert len(code) > len(cells)

@@ -1,8 +1,10 @@
 """The site builds without a warning, loads nothing from a network, and every local link leads somewhere."""
 
+import json
 import re
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -16,6 +18,8 @@ LOADED = re.compile(
     r'<(?:script|img|iframe|link|source|video)\b[^>]*?\b(?:src|href)="(https?:|//)', re.IGNORECASE
 )
 ENTRY = re.compile(r'<dt class="sig[^>]* id="stewart_sym\.(\w+)"')
+NOTEBOOK = re.compile(r"<!-- notebook: (derive/\w+\.ipynb) -->")
+ORDER = ("derivation", "closed_form", "evidence")
 TOCTREE = re.compile(r"```\{toctree\}\n(.*?)```", re.DOTALL)
 BUILD = (
     "import socket, sys\n"
@@ -26,8 +30,46 @@ BUILD = (
 )
 WIDTHS = (390, 768, 1024, 1366, 1440)
 """Widths of windows (pixels) in which pages are tested."""
-EXCESS = """() => [document.documentElement, document.querySelector(".content")]
-    .filter(Boolean).map((element) => element.scrollWidth - element.clientWidth)"""
+EXCESS = """async ([addresses, widths]) => {
+    const wide = {};
+    const measure = async (address) => {
+        const frame = document.createElement("iframe");
+        // Without scripts, which a layout does not need, and never drawn.
+        frame.setAttribute("sandbox", "allow-same-origin");
+        frame.style = "visibility: hidden; height: 900px";
+        const loaded = new Promise((done) => frame.addEventListener("load", done));
+        frame.src = address;
+        document.body.append(frame);
+        await loaded;
+        const inner = frame.contentDocument;
+        const isWide = (width) => {
+            frame.style.width = `${width}px`;
+            return [inner.documentElement, inner.querySelector(".content")]
+                .some((element) => element && element.scrollWidth > element.clientWidth);
+        };
+        const found = widths.filter(isWide);
+        if (found.length) wide[address] = found;
+        frame.remove();
+    };
+    const worker = async () => { while (addresses.length) await measure(addresses.pop()); };
+    await Promise.all([1, 2, 3, 4].map(worker));
+    return wide;
+}"""
+"""Widths at which pages are wider than their window, by page: one load each, in frames that are not drawn."""
+IS_SORTED = """() => {
+    const heading = document.querySelector("#search-results h2");
+    return heading && !heading.textContent.includes("Searching");
+}"""
+"""Whether the search has ended: results are then in their order."""
+SEARCHES = {
+    "Jacobian": ("theory/kinematics.html", "reference/python/kinematics.html"),
+    "inverse Jacobian": ("theory/kinematics.html", "reference/python/kinematics.html"),
+    "mass matrix": ("theory/equations-of-motion.html",),
+    "direct kinematics": ("theory/kinematics.html",),
+    "install": ("installation.html",),
+    "troubleshoot": ("troubleshooting.html",),
+}
+"""Pages of which one is to be the first result, by query."""
 LONGEST_README = 170
 WIDEST_CODE = 110
 """Columns of code that a page shows without scrolling, in a window of 1280 pixels."""
@@ -73,19 +115,52 @@ def test_the_site_has_every_page_and_loads_nothing_from_elsewhere(site: Path) ->
     assert not re.findall(r"(?:url\(|@import\s*)['\"]?(?:https?:)?//", sheets)
 
 
+def wide_pages(pages: Iterable[Path], widths: tuple[int, ...] = WIDTHS) -> dict[str, list[int]]:
+    """Return the widths of windows (pixels) in which pages scroll sideways, by page."""
+    with chromium("--allow-file-access-from-files") as browser:
+        page = browser.new_page()
+        page.goto((DOCS / "static" / "wide.css").as_uri())
+        addresses = [path.as_uri() for path in pages]
+        found: dict[str, list[int]] = page.evaluate(EXCESS, [addresses, list(widths)])
+    return {Path(address).name: wide for address, wide in found.items()}
+
+
 @pytest.mark.slow
 def test_no_page_scrolls_sideways(site: Path) -> None:
     pages = [path for path in site.rglob("*.html") if "_static" not in path.parts]
     assert len(pages) > len(PAGES)
-    with chromium() as browser:
+    assert wide_pages([site / "index.html"], widths=(60,)) == {"index.html": [60]}
+    assert wide_pages(pages) == {}
+
+
+@pytest.mark.slow
+def test_the_search_of_the_site_finds_the_right_page_first(site: Path) -> None:
+    with chromium("--allow-file-access-from-files") as browser:
         page = browser.new_page()
-        wide = []
-        for path in pages:
-            page.goto(path.as_uri())
-            for width in WIDTHS:
-                page.set_viewport_size({"width": width, "height": 900})
-                wide += [(path.name, width, excess) for excess in page.evaluate(EXCESS) if excess > 0]
-    assert wide == []
+        for query, expected in SEARCHES.items():
+            page.goto(f"{(site / 'search.html').as_uri()}?q={query.replace(' ', '+')}")
+            page.wait_for_selector("#search-results li > a")
+            page.wait_for_function(IS_SORTED)
+            first = page.query_selector("#search-results li > a")
+            assert first is not None
+            assert (first.get_attribute("href") or "").split("#")[0] in expected, query
+
+
+@pytest.mark.slow
+def test_notebooks_are_pages_with_equations_figures_and_code(site: Path) -> None:
+    found = {}
+    for page in (DOCS / "theory").glob("derivation*.md"):
+        (name,) = NOTEBOOK.findall(page.read_text(encoding="utf-8"))
+        html = (site / "theory" / page.with_suffix(".html").name).read_text(encoding="utf-8")
+        cells = json.loads((TOP / name).read_text(encoding="utf-8"))["cells"]
+        assert html.count("<summary>Code</summary>") == sum(cell["cell_type"] == "code" for cell in cells)
+        found[name] = html
+    assert found.keys() == {path.relative_to(TOP).as_posix() for path in TOP.glob("derive/*.ipynb")}
+    first, second, third = (found[f"derive/{name}.ipynb"] for name in ORDER)
+    assert "W_z*kappa;" in first
+    assert "../_images/leg.png" in first
+    assert [html.count("data:image/png") for html in (first, second, third)] == [2, 0, 1]
+    assert min(first.count("<math"), second.count("<math")) > 100
 
 
 @pytest.mark.slow

@@ -33,12 +33,12 @@ COLORS = np.array(
 
 
 @contextmanager
-def chromium() -> Iterator[Browser]:
-    """The browser that Debian has."""
+def chromium(*arguments: str) -> Iterator[Browser]:
+    """Start the browser that Debian has, with more arguments."""
     with sync_playwright() as playwright:
         path = shutil.which("chromium")
         assert path is not None, "expected Debian's package chromium"
-        browser = playwright.chromium.launch(executable_path=path, args=[*ARGUMENTS])
+        browser = playwright.chromium.launch(executable_path=path, args=[*ARGUMENTS, *arguments])
         yield browser
         browser.close()
 

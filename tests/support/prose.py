@@ -1,11 +1,12 @@
 """Rates of unclear English in docstrings, comments, messages, and pages."""
 
 import ast
-import io
 import re
-import tokenize
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from functools import cache
+from itertools import chain
 from pathlib import Path
 
 LONGEST_SENTENCE = 30
@@ -16,7 +17,9 @@ RULES = {
     "that of": r"\b(?:that|those) of\b|\bthose (?:that|which|with|in)\b",
     "opening with of": r"^of (?!course\b|length\b|shape\b)",
     "beside": r"\bbesides?\b",
-    "vague verb": r"\b(?:says|said|stands|stood|tells|told|bears|brings|holds|leaves|wanted|sought)\b",
+    "unclear word": r"\b(?:says|said|stands|stood|tells|told|bears|brings|holds|leaves|wanted|sought)\b",
+    "where for if": r"^where\b(?!.*\?)"
+    r"|(?<![:,]) where (?:not|needed|given|one|two|none|all|no|they|it|there|an?)\b",
     "British spelling": r"\b(?:metres?|millimetres?|centres?|colours?|behaviour|neighbours?|licence|grey"
     r"|(?:linear|normal|optim|minim|maxim|initial|general|parametr)is(?:e|es|ed|ing|ation))\b",
 }
@@ -24,11 +27,13 @@ RULES = {
 
 _MARKUP = re.compile(r"`+[^`]+`+|\$[^$]+\$|!?\[(?=[^\]]*\]\()|\]\([^)]*\)|\*\*|https?://\S+")
 _SENTENCE_END = re.compile(r"(?<=[.!?])[\"')]?\s+(?=[\"'(]?[A-Z])")
+_BLOCKS = ("body", "orelse", "finalbody", "handlers", "cases")
 _ENTRY = re.compile(r"\s*(?:[-*+]|\d+\.|#+|>)\s+")
+_COMMENT = re.compile(r"^((?:.*\s)?)#[!: ]*(?!noqa|type:|mypy|fmt)(.*)$")
 _SECTION_LINE = re.compile(r"\s*-{3,}\s*$")
 
 
-def count_findings(passages: Iterator[str]) -> Counter[str]:
+def count_findings(passages: Iterable[str]) -> Counter[str]:
     """Count words, sentences that are too long, and findings of each rule."""
     counts: Counter[str] = Counter()
     for passage in passages:
@@ -47,6 +52,15 @@ def rates(counts: Counter[str]) -> dict[str, float]:
     return {rule: 1000 * counts[rule] / max(counts["words"], 1) for rule in (*RULES, "long sentence")}
 
 
+@dataclass
+class Texts:
+    """Docstrings, comments, and messages of a module."""
+
+    docstrings: list[str] = field(default_factory=list)
+    comments: list[str] = field(default_factory=list)
+    messages: list[str] = field(default_factory=list)
+
+
 def page_passages(page: Path) -> Iterator[str]:
     """Yield paragraphs, list entries, and table cells of a Markdown page, without code and directives."""
     text = re.sub(
@@ -62,26 +76,40 @@ def page_passages(page: Path) -> Iterator[str]:
 
 def code_passages(module: Path) -> Iterator[str]:
     """Yield the paragraphs of docstrings and the comments of a module."""
+    texts = module_texts(module)
+    return chain(chain.from_iterable(map(_docstring_passages, texts.docstrings)), texts.comments)
+
+
+@cache
+def module_texts(module: Path) -> Texts:
+    """Read the texts of a module; formatted values of messages count as one word."""
     source = module.read_text(encoding="utf-8")
-    for node in ast.walk(ast.parse(source)):
-        for statement in getattr(node, "body", []) if not isinstance(node, ast.Lambda | ast.IfExp) else []:
-            value = getattr(statement, "value", None) if isinstance(statement, ast.Expr) else None
-            if isinstance(value, ast.Constant) and isinstance(value.value, str):
-                yield from _docstring_passages(value.value)
-    yield from _comments(source)
+    texts = Texts(comments=_comments(source))
+    todo: list[ast.AST] = [ast.parse(source)]
+    # Statements alone are visited: there are ten times as many expressions.
+    while todo:
+        node = todo.pop()
+        for name in _BLOCKS:
+            todo += getattr(node, name, ())
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+            values = (statement.value for statement in node.body if isinstance(statement, ast.Expr))
+            texts.docstrings += [
+                value.value
+                for value in values
+                if isinstance(value, ast.Constant) and isinstance(value.value, str)
+            ]
+        elif isinstance(node, ast.Raise | ast.Expr):
+            call = node.exc if isinstance(node, ast.Raise) else node.value
+            if isinstance(call, ast.Call) and (
+                isinstance(node, ast.Raise) or _name(call.func).endswith("warn")
+            ):
+                texts.messages += [text for argument in call.args for text in _texts(argument)]
+    return texts
 
 
-def message_passages(module: Path) -> Iterator[str]:
-    """Yield the texts of raised errors and of warnings in a module; formatted values count as one word."""
-    tree = ast.parse(module.read_text(encoding="utf-8"))
-    for node in ast.walk(tree):
-        call = node.exc if isinstance(node, ast.Raise) else node
-        is_message = isinstance(node, ast.Raise) or (
-            isinstance(call, ast.Call) and ast.unparse(call.func).endswith("warn")
-        )
-        if is_message and isinstance(call, ast.Call):
-            for argument in call.args:
-                yield from _texts(argument)
+def _name(function: ast.expr) -> str:
+    """Return the last name of a called function."""
+    return getattr(function, "attr", getattr(function, "id", ""))
 
 
 def _docstring_passages(docstring: str) -> Iterator[str]:
@@ -94,18 +122,20 @@ def _docstring_passages(docstring: str) -> Iterator[str]:
     yield from re.split(r"\n\s*\n|\n(?=\s*\w[\w, *]* : )|(?<= : )", "\n".join(kept))
 
 
-def _comments(source: str) -> Iterator[str]:
-    """Yield blocks of comments without pragmas."""
-    block: list[str] = []
-    last = -1
-    for token in tokenize.generate_tokens(io.StringIO(source).readline):
-        if token.type == tokenize.COMMENT and not re.match(r"#\s*(?:noqa|type:|mypy|fmt)", token.string):
-            if token.start[0] != last + 1:
-                yield " ".join(block)
-                block = []
-            block.append(token.string.lstrip("# "))
-            last = token.start[0]
-    yield " ".join(block)
+def _comments(source: str) -> list[str]:
+    """Return blocks of comments without pragmas."""
+    blocks: list[list[str]] = []
+    last, is_string = -1, False
+    for number, line in enumerate(source.splitlines(), 1):
+        found = _COMMENT.match(line) if "#" in line and not is_string else None
+        is_string ^= line.count('"""') % 2 == 1
+        # An odd number of quotation marks before the sign: it is within a string.
+        if found and found[1].count('"') % 2 == 0 and found[1].count("'") % 2 == 0:
+            if number != last + 1 or not blocks:
+                blocks.append([])
+            blocks[-1].append(found[2])
+            last = number
+    return [" ".join(block) for block in blocks]
 
 
 def _texts(argument: ast.expr) -> Iterator[str]:

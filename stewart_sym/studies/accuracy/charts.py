@@ -82,10 +82,10 @@ def _fidelities(found: Figures) -> str:
         f"{motion['peak_force_N']:,.0f} N on Path {name}" for name, motion in found["motions"].items()
     )
     lead = paragraph(
-        "What each level leaves out, what it costs (operations; nanoseconds per pose, one at a time, in "
-        "double and in float; bytes of code to prepare and compute one pose in double) and how far it is "
-        f"off on the paper's paths, largest error in per cent of the largest force ({peaks}); on "
-        f"{machine['cores']} cores of an {machine['processor']}, {compiler}:"
+        "The table lists the physics, the cost, and the error of each level. Times are nanoseconds for one "
+        "pose at a time, in double and in float; bytes are the code that prepares and computes one pose in "
+        "double. Errors are the largest error on each of the paper's paths, in percent of the largest force "
+        f"({peaks}). The machine has {machine['cores']} cores of an {machine['processor']}, and {compiler}."
     )
     header = ("fidelity", "physics", "operations", "ns", "float, ns", "bytes")
     rows = [
@@ -125,8 +125,9 @@ def _implementations(found: Figures) -> str:
         if each["name"] in ("NumPy kernel", "vector reference")
     ]
     return paragraph(
-        "Rounding adds to that, measured beside the same equations at 50 digits; for `general`, at worst (on "
-        f"Path III, through a singular pose), {', '.join([*parts, *others])}; for the others about as much."
+        "Rounding errors, measured against the same equations with 50 digits, are added to the errors of the "
+        "table. For `general` the largest ones, on Path III through a singular pose, are "
+        f"{', '.join([*parts, *others])}. They are similar for the other levels."
     )
 
 
@@ -136,9 +137,9 @@ def _is_general(each: Figures) -> bool:
 
 def _advice(found: Figures) -> str:
     lead = paragraph(
-        "What `choose-fidelity` picks on Path I: the kernel with the fewest operations, float before double, "
-        "whose "
-        f"errors of model and rounding, times a margin of {MARGIN:g}, are within the tolerance:"
+        "The table lists the choice of `choose-fidelity` on Path I for four tolerances. It is the kernel "
+        "with the fewest operations, float before double, whose model and rounding errors, multiplied by a "
+        f"margin of {MARGIN:g}, are within the tolerance."
     )
     rows = []
     for label, tolerance in _TOLERANCES:

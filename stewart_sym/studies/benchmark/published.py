@@ -4,6 +4,9 @@ from ...io.extras import install
 from ..common.output import Figures, paragraph, table
 from .figures import CLOSED, FORWARD, PLAIN
 
+_RATIOS = ("ratio to CasADi, closed form", "ratio to CasADi, plain C")
+"""Headers of the ratios to CasADi's two programs."""
+
 README_ROWS = (
     "one pose",
     "batch, one core",
@@ -77,7 +80,7 @@ def _builds(found: Figures) -> str:
         )
         for each in made
     ]
-    header = ("", "vectors", "flags", "ns per pose", "cycles", "of the closed form", "of the plain C")
+    header = ("", "vectors", "flags", "ns per pose", "cycles", *_RATIOS)
     return table(header, rows) + _limits(found)
 
 
@@ -90,9 +93,10 @@ def _limits(found: Figures) -> str:
         for peak in found["peaks"]
     )
     return paragraph(
-        f"The clock runs at {found['cycle']['clock_GHz']:.2f} GHz, by a dependent chain of additions in the "
-        "same rounds. The limit, an operation a lane, at the rate of fused multiply-adds in the same rounds, "
-        f"divisions and roots counted as any other: {each}."
+        f"The processor's clock is {found['cycle']['clock_GHz']:.2f} GHz, measured with a dependent chain of "
+        "additions in the same rounds. The lower limit of the time assumes one operation per lane at the "
+        "rate of fused multiply-adds in the same rounds, and counts divisions and square roots like other "
+        f"operations. {each}."
     )
 
 
@@ -112,21 +116,20 @@ def _times(found: Figures) -> str:
         for each in every
     ]
     return paragraph(
-        f"Nanoseconds per pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
-        f"benchmark` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians "
-        "of "
-        f"{found['rounds']} rounds; ratios to CasADi's C of the closed form in the leg frame, and of the "
-        "equations as stated:"
-    ) + table(("", "ns per pose", "of the closed form", "of the plain C", "vectors"), rows)
+        f"The table lists nanoseconds per pose of `{found['formulation']}` with friction and load, medians "
+        f"of {found['rounds']} rounds, as `stewart-sym benchmark` prints them. The machine has "
+        f"{machine['cores']} cores of an {machine['processor']}{vectors}, and {compiler}. Ratios are to "
+        "CasADi's C of the closed form in the leg frame, and to CasADi's C of the unchanged equations."
+    ) + table(("", "ns per pose", *_RATIOS, "vectors"), rows)
 
 
 def _cores(found: Figures) -> str:
     speedup = found["cores"]
     low, high = speedup["quartiles"]
     return paragraph(
-        f"{speedup['cores']} cores over one core: {speedup['median']:.2f} times (quartiles {low:.2f} to "
-        f"{high:.2f}, round by round), a batch of {speedup['poses']:,} poses; multiply-adds alone "
-        f"{found['cores_arithmetic']['median']:.2f} times."
+        f"{speedup['cores']} cores over one core: {speedup['median']:.2f} times as fast (quartiles {low:.2f} "
+        f"to {high:.2f} over the rounds) in a batch of {speedup['poses']:,} poses. Multiply-adds alone are "
+        f"{found['cores_arithmetic']['median']:.2f} times as fast."
     )
 
 
@@ -145,7 +148,7 @@ def _calls(found: Figures) -> str:
         (f"`{call}`", f"{each['median'] / 1e3:.2f}", f"{each['overhead_over_c_ns'] / 1e3:.2f}")
         for call, each in zip(("slot.solve()", "inverse_dynamics()"), found["calls"], strict=True)
     ]
-    lead = paragraph("One pose from Python, and what the call adds to the C:")
+    lead = paragraph("Calls for one pose from Python, and their time in addition to the C function:")
     return lead + table(("", "us per call", "us over C"), rows)
 
 
@@ -162,8 +165,8 @@ def _passes(found: Figures) -> str:
     ]
     header = ("after the pass", "without friction", "with friction", "one pose, ns", "batch, ns")
     return paragraph(
-        "What each reduction of the derivation brings, forces alone: operations, and time per pose, alone "
-        f"and in batches of {batch:,} on one core:"
+        "The table lists operations and times per pose after each reduction of the derivation, for the "
+        f"forces alone. Batches have {batch:,} poses and use one core."
     ) + table(header, rows)
 
 
@@ -194,21 +197,22 @@ def motion(found: Figures, rounds: int) -> str:
         for each in found["baselines"]
     ]
     lead = paragraph(
-        "The closed form's functions in C (`stewart_exact_motion.h`), one pose at a time, "
-        f"nanoseconds per pose, medians of the same {rounds} rounds over {poses} poses, and the ratio "
-        "to inverse dynamics:"
+        "The table lists the functions of the closed form in C (`stewart_exact_motion.h`) for one pose at a "
+        f"time. Nanoseconds per pose are medians of the same {rounds} rounds over {poses} poses."
     )
     about = paragraph(
         f"Forward dynamics is {found['times_faster']:.1f} times as fast as the better of the two baselines, "
-        f"{better['name']} (target {found['target_times_faster']:g}). The baselines are {names} over all 13 "
-        "bodies as a tree with five points closed by constraints, same load and friction, called from "
-        "Python, less a call over a model without bodies; their state and generalized forces are given to "
-        f"them, and their accelerations agree with ours to {agreement} of a pose's largest (MuJoCo's "
-        "constraints give way; their springs hold with the loops open by "
-        f"{1e9 * found['loops_open_m']:.0f} nm). The paper's inertia tensors belong to no body and MuJoCo "
-        "takes none like them: all of this table has tensors near them that bodies can have."
+        f"{better['name']} (target {found['target_times_faster']:g}). The baselines are {names}. Their model "
+        "is a tree of all 13 bodies with five loop closures, the same load, and the same friction. They are "
+        "called from Python with the state and the generalized forces; the time of a call for a model "
+        "without bodies is subtracted."
+    ) + paragraph(
+        f"Their accelerations agree with ours to {agreement} of the largest one of a pose. MuJoCo's "
+        "constraints are soft: the loops are open by "
+        f" {1e9 * found['loops_open_m']:.0f} nm. No body can have the inertia tensors of the paper, and "
+        "MuJoCo rejects them. Therefore this table uses physically possible tensors near them."
     )
-    return lead + table(("", "ns per pose", "ratio", "at most"), rows) + about
+    return lead + table(("", "ns per pose", "ratio to inverse dynamics", "at most"), rows) + about
 
 
 def _compiling(found: Figures) -> str:
@@ -217,7 +221,7 @@ def _compiling(found: Figures) -> str:
     size = found["text"]
     if size is not None:
         line += (
-            " A program that prepares a robot and computes one pose at a time is left with "
+            " A program that prepares a robot and computes one pose at a time has "
             f"{size['total']:,} bytes of machine code ({found['machine']['architecture']}, "
             f"`{' '.join(size['flags'])}`, linked with `--gc-sections`)."
         )

@@ -139,7 +139,8 @@ class PreparedModel:
 
     def __init__(self, robot: Robot, formulation: Formulation = "exact", fidelity: str = "general") -> None:
         """Prepare the kernel and its buffers; raises as ``ForceKernel``."""
-        self._slot: OnePose = ForceKernel(robot, formulation, fidelity=fidelity).single_pose()
+        kernel = ForceKernel(robot, formulation, fidelity=fidelity, warns=False)
+        self._slot: OnePose = kernel.single_pose()
         self._views = {each.name: getattr(self._slot, each.name) for each in fields(Motion)}
 
     def __call__(self, motion: Motion) -> Array:

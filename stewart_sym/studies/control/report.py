@@ -149,11 +149,11 @@ def _published_conditions(given: dict[str, Any]) -> str:
     t, phi = (vector(offset) for offset in (settings.offset_t, settings.offset_phi))
     return paragraph(
         "`stewart-sym control` tracks the paper's Paths I and II with controllers that differ only in "
-        "their model of the machine: computed torque by `exact`, by `paper` and by the platform alone "
-        "(massless legs, (41)), and PD with gravity compensation of the whole machine. The plant is `exact`; "
-        f"forces are held at {settings.rate:g} Hz; k_p = {settings.k_p:g} 1/s^2, k_d = {settings.k_d:g} 1/s; "
-        f"the start is off the path by {t} mm and {phi} mrad. Ratios are to `exact`, of RMS errors and of "
-        "peak forces:"
+        "their model of the machine. Three use computed torque with `exact`, `paper`, or massless legs, "
+        "(41); the fourth is PD control with gravity compensation of the whole machine. The plant is "
+        f"`exact`. Forces are constant between samples at {settings.rate:g} Hz; k_p = {settings.k_p:g} "
+        f"1/s^2, k_d = {settings.k_d:g} 1/s. The start differs from the path by {t} mm and {phi} mrad. "
+        "Ratios of RMS errors and peak forces are to `exact`."
     )
 
 
@@ -188,15 +188,15 @@ def _legs(rows: dict[tuple[str, str], Figures]) -> str:
     slow, fast = rows["I", "massless"], rows["II", "massless"]
     slow_pd, fast_pd = rows["I", "gravity"], rows["II", "gravity"]
     return paragraph(
-        "The legs' share: without them in the model the platform is "
-        f"{slow['position_rms_mm']:.3g} mm and {slow['orientation_rms_mrad']:.3g} mrad off on Path I, "
-        f"{fast['position_rms_mm']:.3g} mm and {fast['orientation_rms_mrad']:.3g} mrad on Path II: "
+        "Effect of the legs: with massless legs in the model the errors are "
+        f"{slow['position_rms_mm']:.3g} mm and {slow['orientation_rms_mrad']:.3g} mrad on Path I, "
+        f"{fast['position_rms_mm']:.3g} mm and {fast['orientation_rms_mrad']:.3g} mrad on Path II. This is "
         f"{_ratio(slow, 'position_rms_mm')} and {_ratio(fast, 'position_rms_mm')} times the position error "
-        f"of `exact`, at {slow['force_peak_N_to_exact']:.2f} and {fast['force_peak_N_to_exact']:.2f} times "
-        "its peak force. On Path I that is their weight: the whole machine's gravity and no inertia at all "
-        f"keeps to {slow_pd['position_rms_mm']:.3g} mm there. On Path II, the same line in a tenth of the "
-        f"time, it is {fast_pd['position_rms_mm']:.3g} mm off, {_ratio(fast_pd, 'position_rms_mm')} times as "
-        "far as `exact`."
+        f"of `exact`, with {slow['force_peak_N_to_exact']:.2f} and {fast['force_peak_N_to_exact']:.2f} times "
+        "its peak force. On Path I the weight of the legs causes the error: PD control with the whole "
+        f"machine's weight and no inertia has {slow_pd['position_rms_mm']:.3g} mm there. On Path II, the "
+        f"same line in a tenth of the time, its error is {fast_pd['position_rms_mm']:.3g} mm, "
+        f"{_ratio(fast_pd, 'position_rms_mm')} times the error of `exact`."
     )
 
 
@@ -204,13 +204,15 @@ def _faults(rows: dict[tuple[str, str], Figures]) -> str:
     slow, fast = rows["I", "paper"], rows["II", "paper"]
     settled = "position_settled_rms_mm"
     return paragraph(
-        f"The share of the printed equations' faults: `paper` errs {_ratio(slow, 'position_rms_mm')} and "
-        f"{_ratio(fast, 'position_rms_mm')} times as much as `exact` in position, "
-        f"{_ratio(slow, 'orientation_rms_mrad')} and {_ratio(fast, 'orientation_rms_mrad')} times in "
-        f"orientation, by {slow['orientation_rms_mrad']:.3g} and {fast['orientation_rms_mrad']:.3g} mrad; "
-        f"over the second half of each path, with the start forgotten, {_ratio(slow, settled)} and "
-        f"{_ratio(fast, settled)} times in position. The {rows['I', 'exact'][settled]:.2g} and "
-        f"{rows['II', 'exact'][settled]:.2g} mm that `exact` is left with there come from holding the forces."
+        "Effect of the faults of the printed equations: the position error of `paper` is "
+        f"{_ratio(slow, 'position_rms_mm')} and {_ratio(fast, 'position_rms_mm')} times the error of "
+        f"`exact`. Its orientation errors are {slow['orientation_rms_mrad']:.3g} and "
+        f"{fast['orientation_rms_mrad']:.3g} mrad, {_ratio(slow, 'orientation_rms_mrad')} and "
+        f"{_ratio(fast, 'orientation_rms_mrad')} times the errors of `exact`. Over the second half of each "
+        f"path, after the start has decayed, the position error is {_ratio(slow, settled)} and "
+        f"{_ratio(fast, settled)} times as large. The remaining errors of `exact`, "
+        f"{rows['I', 'exact'][settled]:.2g} and {rows['II', 'exact'][settled]:.2g} mm, result from the "
+        "constant forces between samples."
     )
 
 
@@ -221,10 +223,10 @@ def _with_friction(friction: dict[str, list[float]], rows: dict[tuple[str, str],
         f"{rows[path, name]['position_rms_mm']:.3g}" for path in ("I", "II") for name in ("gravity", "exact")
     ]
     return paragraph(
-        f"The friction that the paper states is next to none. With {C_p:g} N s/m in the legs and {turning} "
-        "N m s in the universal and spherical joints, PD with gravity compensation, whose model "
-        f"has none, is {errors[0]} mm off on Path I and {errors[2]} mm on Path II, `exact` {errors[1]} and "
-        f"{errors[3]} mm."
+        f"The friction in the paper is almost zero. With {C_p:g} N s/m in the legs and {turning} N m s in "
+        "the universal and spherical joints, the errors of PD control with gravity compensation are "
+        f"{errors[0]} mm on Path I and {errors[2]} mm on Path II, as its model has no friction. The "
+        f"errors of `exact` are {errors[1]} and {errors[3]} mm."
     )
 
 

@@ -93,9 +93,9 @@ def tables(found: Figures) -> dict[str, str]:
     )
     remarks = paragraph(
         "Near singularity: all six legs within 1/1000 rad of the fixed axes of their universal joints, the "
-        "longest path through the kernel. The model, prepared once, is the caller's; the kits have no data "
-        "of their own. From libraries the objects need only the square root and copies of memory; those in "
-        "`float` hold no double-precision instruction."
+        "longest path through the kernel. The caller owns the model, which is prepared once; the kits have "
+        "no static data. The object files need only the square root and memory copies from libraries. The "
+        "`float` object files contain no double-precision instruction."
     )
     return {"controller": _conditions(found) + table(header, [_published(row) for row in rows]) + remarks}
 
@@ -110,9 +110,9 @@ def _conditions(found: Figures) -> str:
     return paragraph(
         f"`stewart-sym controller` writes one-pose kernels for {found['robot']}, cross-compiles them with "
         f"{gcc}, `{' '.join(found['flags'])}` and {' or '.join(own.values())}, and runs them "
-        f"under QEMU {qemu}, which counts instructions. The most of {poses} poses, one "
-        "of them with a leg near its joint singularity, all within the bounds of 50-digit forces; flash, RAM "
-        "and stack in bytes:"
+        f"under QEMU {qemu}, which counts instructions. The table lists the largest number over {poses} "
+        "poses, one of them with a leg near its joint singularity. All forces are within the error bounds "
+        "around 50-digit forces. Flash, RAM, and stack are in bytes."
     )
 
 
@@ -139,12 +139,11 @@ def drive_tables(found: Figures) -> dict[str, str]:
     """The same of a machine with a drive, with what its torques take."""
     rows = found["rows"]
     said = paragraph(
-        f"The same of the robot `{found['robot']}` with the drive of the page on drives: instructions of the "
-        "forces with rotors, and of what is called after them, `axial_forces`, which legs with rotors need "
-        f"alone, and `motor_torques`, {torque_operations(False).total} operations without Stribeck's "
-        f"friction, which this drive has none of, {torque_operations().total} with it, as "
-        "`stewart_torque.h` says; flash of torques is that of both functions, their stack the "
-        "deeper one; in bytes:"
+        f"The next table is for the robot `{found['robot']}` with the drive of the page on drives. It lists "
+        "the instructions of the forces with rotors, of `axial_forces`, which only legs with rotors need, "
+        f"and of `motor_torques`. The torques take {torque_operations(False).total} operations without "
+        f"Stribeck friction, as here, and {torque_operations().total} with it (`stewart_torque.h`). Flash of "
+        "the torques is the sum of both functions, and stack is the deeper one, in bytes."
     )
     header = (
         *("kit", "processor", "forces", "near singularity", "axial", "torques"),

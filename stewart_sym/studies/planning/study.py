@@ -272,12 +272,12 @@ def _gains_table(found: Figures) -> str:
         (name, *(f"{value:.3f}" for value in np.quantile(found[key], [0.0, 0.25, 0.5, 0.75, 1.0])))
         for key, name in names.items()
     ]
-    text = f"Planned over straight paths through six via poses of {found['machines']} random machines:"
+    text = f"Planned over straight paths through six via poses, {found['machines']} random machines:"
     return paragraph(text) + table(("ratio", "least", "quarter", "median", "three quarters", "largest"), rows)
 
 
 def _claim_table(found: Figures) -> str:
-    header = ("motion", "median", "quarter", "three quarters", "above 0", "above 0.5", "of the peaks")
+    header = ("motion", "median", "quarter", "three quarters", "above 0", "above 0.5", "peaks")
     rows = []
     for name, values in found["correlation"].items():
         low, middle, high = np.quantile(values, [0.25, 0.5, 0.75])
@@ -285,8 +285,9 @@ def _claim_table(found: Figures) -> str:
         peaks = found["correlation_of_peaks"][name]
         rows.append((name, *(f"{value:.2f}" for value in (middle, low, high)), *shares, f"{peaks:.2f}"))
     text = (
-        "Rank correlation of the condition number of H and the largest force of a leg along each of "
-        f"{found['paths']} straight paths of random machines, and that of the peaks of all paths:"
+        "Rank correlation between the condition number of H and the largest leg force along each of "
+        f"{found['paths']} straight paths of random machines. The column peaks is the rank correlation "
+        "between the peak values of all paths."
     )
     return paragraph(text) + table(header, rows)
 
@@ -307,8 +308,8 @@ def _path_III_table(found: Figures) -> str:
         )
     text = (
         "The signs of det H at the ends of Path III are {:+.0f} and {:+.0f}: every path between them crosses "
-        "a singular pose. With the end turned by {:.1f} degrees about the platform's own axis there is one "
-        "that does not:"
+        "a singular pose. If the end is turned by {:.1f} degrees about the axis of the platform, a path "
+        "without a singular pose exists:"
     ).format(*found["signs_of_det_H"], np.degrees(found["yaw_rad"]))
     header = ("path", "crossings", "peak condition number", "mean", "peak force in 6 s, N")
     return paragraph(text) + table(header, rows)

@@ -39,14 +39,14 @@ def axis_families(seed: int = 2) -> list[Family]:
         _family(
             "joint_singularity_at_rest",
             "Forces near a leg's joint singularity, axisymmetric legs at rest: well conditioned",
-            "status 3 where the sine is rounding error",
+            "status 3 if the sine is at rounding level",
             shipped.curves(*resting),
             fails=f"{FAILS}, at rest",
         ),
         _family(
             "joint_singularity_closed_form",
             "Equations of motion, forward dynamics and derivatives near a leg's joint singularity",
-            "forward dynamics solved in joint coordinates; status 3 where the sine is rounding error",
+            "forward dynamics solved in joint coordinates; status 3 if the sine is at rounding level",
             shipped.closed_form_curves(*moving),
             error_axis="error over each output's size",
         ),
@@ -92,7 +92,7 @@ def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot]
     return _family(
         "joint_singularity_forces",
         "Forces near a leg's joint singularity, moving machine",
-        "sine and frame from k x s; status 3 where the sine is rounding error",
+        "sine and frame from k x s; status 3 if the sine is at rounding level",
         shipped.curves(*moving),
         growth=growth,
         growth_axis="largest force, N, and condition number",
@@ -182,9 +182,9 @@ def _short(seed: int) -> Family:
     motions = [motion] * len(robots)
     return Family(
         "zero_length",
-        "Forces where a leg's length goes to zero",
+        "Forces as a leg's length approaches zero",
         "leg of length zero",
-        "status 2 where the length is rounding error of its terms",
+        "status 2 if the length is at the rounding level of its terms",
         "length of leg 1, m",
         shipped.curves(robots, motions),
         growth={"condition of the pose": shipped.pose_condition(robots, motions)},
@@ -219,7 +219,7 @@ def _limits(seed: int) -> Family:
         curves.append(Curve(name, error, condition, status, shipped=True))
     return Family(
         "length_limits",
-        "Leg lengths beside a limit",
+        "Leg lengths next to a limit",
         "leg length at its limit",
         "status 8 in forward kinematics, from the first rounding unit on",
         "share of the length to the limit",

@@ -81,7 +81,7 @@ def families() -> list[Family]:
         Family(
             "forward_kinematics",
             "Forward kinematics toward the crossing of Path III",
-            "forward kinematics where two poses meet",
+            "forward kinematics at the meeting of two poses",
             "status 4 from a condition number of 4e6; `certify_pose` proves a pose",
             "time from the crossing, s",
             (curve,),

@@ -111,7 +111,7 @@ def _stiff() -> Family:
         "run_stiff",
         "Simulation with stiff friction",
         "stiff friction or springs",
-        'DOP853 stays accurate with more steps; method "Radau" where they grow too many',
+        'DOP853 remains accurate with more steps; method "Radau" if the steps become too many',
         "time constant of the friction, s",
         tuple(
             Curve(name, np.array(curves[name]), allowed, np.array(status[name], np.int32), name != FIXED)

@@ -79,7 +79,7 @@ def _extreme(seed: int) -> Family:
         "scale_extreme",
         "Machines of 1e-200 to 1e200 m: overflow and subnormal numbers",
         "overflow, underflow",
-        "status 1 where a result or a square leaves the range of double",
+        "status 1 if a result or a square exceeds the range of double",
         "radius of the base, m",
         curves,
         factors,

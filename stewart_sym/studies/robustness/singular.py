@@ -24,7 +24,7 @@ from .family import Curve, Family, distances
 from .sweep.machines import flat, meeting_one_line, random_machine, random_motion, similar_hexagons
 
 FAILS = "H singular"
-REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding error against its row"
+REMEDY = "elimination with partial pivoting; status 4 if a pivot is at the rounding level of its row"
 
 DAMPED = "damped least squares"
 """Solver of ``on_singular="damped"``, which returns bounded forces of another wrench."""

@@ -174,11 +174,11 @@ def _cases(sweep: Figures) -> str:
         count["lowest"] for count in sweep["counts"] if count["precision"] == "double" and count["lowest"]
     )
     lead = paragraph(
-        f"Of {sweep['cases']:,} random cases, in double and float, {sweep['wrong']:,} answers are wrong with "
-        f"status 0, and {sweep['rejected_good']:,} good poses have a status, by kind as follows. Worst: as "
-        "above, with the precision and the kernel where it is; of a singular machine any answer is wrong. In "
+        f"The sweep has {sweep['cases']:,} random cases in double and float. {sweep['wrong']:,} answers are "
+        f"wrong with status 0, and {sweep['rejected_good']:,} good poses have a status. Worst: the largest "
+        "error as above, with its precision and kernel; any answer for a singular machine is wrong. In "
         f"double no pose has a status at a condition number below {lowest:.0e}. "
-        "`stewart-sym stability --cases N` draws N others with `--seed`."
+        "`stewart-sym stability --cases N` generates N other cases from `--seed`."
     )
     header = ("random cases", "cases", "kernels", "worst", "wrong", "good poses with a status")
     return lead + table(header, rows)
