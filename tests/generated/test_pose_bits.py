@@ -18,7 +18,7 @@ WAYS = {
     for name, flags in (("native", pose_bits.NATIVE), ("kit", pose_bits.PORTABLE))
     for compiler in ("gcc", "clang")
     for precision in (("double", "float") if name == "native" or FULL else ("double",))
-    for every in [precision == "double" and name == "native"]
+    for every in [(compiler, precision, name) == ("gcc", "double", "native")]
 }
 
 
