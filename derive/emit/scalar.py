@@ -94,7 +94,7 @@ class _Source(Source):
             "Leg": leg,
             "Platform": t.Structure("platform_constants", "Constants of the platform.", tuple(prepared)),
             "PoseTerms": t.Structure("pose_terms", "Terms of the pose that are common to all legs.", pose),
-            "LegSizes": t.Structure("leg_sizes", "Magnitudes for the check of a short leg.", sizes),
+            "LegSizes": t.Structure("leg_sizes", "Magnitudes for the check of a zero-length leg.", sizes),
             "Model": t.Structure(f"{name}_model", "Prepared constants of a robot.", model),
         }
 

@@ -131,9 +131,9 @@ def test_flags_are_strict_arithmetic(cache: Path, compiler: LoggedCompiler) -> N
 def test_fast_math_is_rejected_wherever_it_stands(
     compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rejects(r"^flags: -ffast-math is rejected", load_adder, flags=("-ffast-math",))
+    rejects(r"^flags: -ffast-math changes the arithmetic", load_adder, flags=("-ffast-math",))
     monkeypatch.setenv("CC", f"{compiler.path} -Ofast")
-    rejects(r"^CC: -Ofast is rejected", load_adder)
+    rejects(r"^CC: -Ofast changes the arithmetic", load_adder)
     assert compiler.calls == []
 
 

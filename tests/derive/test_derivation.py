@@ -24,7 +24,7 @@ def test_legs_that_enter_differently_are_rejected() -> None:
     N, R_G, F, E, M = (vector(name) for name in ("N", "R_G", "F", "E", "M"))
     found = platform.equations_of_motion(N, R_G, F, E, M)
     twisted = platform.PlatformEquations(found.H * sp.diag(1, 1, 1, 1, 1, 2), found.x, found.c)
-    rejects("alike", platform.leg_share, twisted)
+    rejects("in the same way", platform.leg_share, twisted)
 
 
 def transverse(name: str) -> Transverse:

@@ -156,7 +156,7 @@ def test_a_fused_product_and_sum_are_one_of_the_two() -> None:
     counts = force_operations(reduced_forces(EXACT))
     assert 0.6 * counts.total.add < counts.fused < counts.total.add
     text = c_sources("exact_forces")["stewart_exact_forces.h"]
-    assert f"in one instruction {counts.total.total - counts.fused} and" in text
+    assert f"fused multiply-add instructions: {counts.total.total - counts.fused} and" in text
 
 
 def test_paper_kernel_is_cheaper_than_the_papers_program() -> None:

@@ -199,7 +199,7 @@ def test_torques_are_called_from_cpp(tmp_path: Path) -> None:
 def test_the_readme_says_what_torques_take() -> None:
     robot = robot_named(machine(True))
     text = kit(robot, Choice(("torque",))).files["README.md"].decode()
-    assert "constants of its drives, `stewart_robot_turned_drives`" in text
+    assert "and constants `stewart_robot_turned_drives` of its drives" in text
     assert "| `F` | in | [6] | N | actuator forces, positive when they extend the leg, (37) |" in text
     assert "| `torque` | out | [6] | N m |" in text
     assert "| `stewart_motor_torques` | 352 | " in text

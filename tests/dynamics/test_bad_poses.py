@@ -98,7 +98,7 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
     c_kernel.library.cache_clear()
     inverse_dynamics._say_once.cache_clear()
     robot, motion = dasgupta(), at_rest([0.1, 0, 0.5])
-    with pytest.warns(RuntimeWarning, match="NumPy kernels serve"):
+    with pytest.warns(RuntimeWarning, match="NumPy kernels are used"):
         first = ss.inverse_dynamics(robot, motion).F
     with warnings.catch_warnings(action="error"):
         second = ss.inverse_dynamics(robot, motion).F

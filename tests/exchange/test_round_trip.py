@@ -245,7 +245,7 @@ def test_a_model_as_mujoco_itself_writes_it_is_read(name: str, tmp_path: Path) -
     model = mujoco.MjModel.from_xml_string(without_notes(ss.export_model(robot, "mjcf")).text)
     mujoco.mj_saveLastXML(str(tmp_path / "saved.xml"), model)
     found = ss.import_model(tmp_path / "saved.xml")
-    assert any(line.startswith("axes and loops are off by up to") for line in found.assumptions)
+    assert any(line.startswith("axes and loops have errors of up to") for line in found.assumptions)
     for field in (*"bpkM", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p"):
         value = np.asarray(getattr(robot, field))
         atol = 1e-5 * np.abs(value).max()
@@ -294,7 +294,7 @@ def test_without_a_home_pose_what_is_told_from_it_is_left_out() -> None:
     angles = noted({"joint_angle_limit": ROBOTS["joint angles"].joint_angle_limit, "length_mode": "relative"})
     robot, said = with_notes(ROBOTS["hexapod"], Model("tilted", np.zeros(3), (), (), notes=angles))
     assert robot.to_dict() == ROBOTS["hexapod"].to_dict()
-    assert [line.partition(": from the home pose")[0] for line in said] == [
+    assert [line.partition(": requires a home position")[0] for line in said] == [
         "length_mode",
         "joint_angle_limit",
     ]

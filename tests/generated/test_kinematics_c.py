@@ -194,7 +194,7 @@ def test_steps_are_those_of_the_header(precision: str) -> None:
     for width, found in done.items():
         assert np.mean(found) >= 0.99, width
     header = c_sources("kinematics")["stewart_kinematics.h"]
-    assert "no more than {}, {} and {}".format(*STEPS["double"]) in header
+    assert "at most {}, {}, and {} (double)".format(*STEPS["double"]) in header
 
 
 def test_guess_is_found_again_without_a_step() -> None:

@@ -198,7 +198,7 @@ def test_without_a_compiler_numpy_serves_and_says_so(monkeypatch: pytest.MonkeyP
     expected = ss.regressor(robot, motion)
     monkeypatch.setattr(parameters, "library", nothing)
     inverse_dynamics._say_once.cache_clear()
-    with pytest.warns(RuntimeWarning, match="NumPy kernels serve"):
+    with pytest.warns(RuntimeWarning, match="NumPy kernels are used"):
         np.testing.assert_array_equal(ss.regressor(robot, motion), expected)
 
 

@@ -96,7 +96,7 @@ def test_what_cannot_be_found_is_said() -> None:
     with pytest.raises(ValueError, match="L: "):
         ss.forward_kinematics(robot, np.full(6, 50 * machine_size(robot)), guess=(motion.R, motion.t))
     without, motion = offset_case(0)
-    rejects("drive: expected one", ss.motor_angles, without, motion)
+    rejects("drive: expected a drive with a lead", ss.motor_angles, without, motion)
     rejects("angle: no pose", ss.pose_from_motor_angles, robot, np.full(6, 1e5), (motion.R, motion.t))
 
 

@@ -182,7 +182,7 @@ def test_generated_code_says_under_which_terms_it_may_be_used() -> None:
 
 
 def test_a_readme_says_that_keys_of_trajectories_do_not_apply() -> None:
-    assert b"`tool`, `euler_order` and `length_mode` under" in made().files["README.md"]
+    assert b"`tool`, `euler_order`, and `length_mode` under" in made().files["README.md"]
 
 
 def test_version_and_limits_are_in_the_headers() -> None:

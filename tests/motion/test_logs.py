@@ -227,7 +227,7 @@ def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, word
     rejects(f"comma.csv: line 2: .*{words}", read_csv, path)
 
 
-@pytest.mark.parametrize(("gravity", "where"), [(-9.81, "below the base"), (9.81, "than at home at every")])
+@pytest.mark.parametrize(("gravity", "where"), [(-9.81, "below the base"), (9.81, "than at home in every")])
 def test_poses_on_the_other_side_of_the_base_are_doubted(gravity: float, where: str) -> None:
     rng = np.random.default_rng(8)
     for _ in range(5):

@@ -89,7 +89,7 @@ def test_a_stated_unit_is_taken_as_stated_and_a_wrong_row_does_not_count(tmp_pat
     assert "angle_unit" not in fault(robot, log(path, poses(t, theta)))
 
 
-@pytest.mark.parametrize("command", ["forces", "size", "singularities", "view", "identify"])
+@pytest.mark.parametrize("command", ["forces", "size-actuators", "singularities", "view", "identify"])
 def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path: Path, fails: Fails) -> None:
     robot = dasgupta()
     written(robot, tmp_path / "robot.toml")

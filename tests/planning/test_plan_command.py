@@ -262,7 +262,7 @@ def limited(limit: str) -> str:
         (PLAN.replace("0.1", "9.0"), "via 2: out of reach, the pose exceeds the limit of leg length of leg"),
         (
             limited("max_condition = 12.0").replace("[0.1", "[900.0"),
-            "via poses: lengths of 450.2 m beside",
+            "via poses: lengths of 450.2 m compared with",
         ),
         *(
             (
@@ -271,7 +271,7 @@ def limited(limit: str) -> str:
             )
             for x, words in (
                 ("9.0", "via 2: out of reach, the nearest pose within its tolerance exceeds the limit of"),
-                ("900.0", "via poses: lengths of 450.2 m beside"),
+                ("900.0", "via poses: lengths of 450.2 m compared with"),
             )
         ),
         (PLAN + FIRST, "via 2: the path turns back at the pose"),

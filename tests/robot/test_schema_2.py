@@ -402,7 +402,7 @@ def test_a_mistake_is_one_line_with_key_and_line(
 
 def test_tables_without_a_file_name_the_key_alone() -> None:
     rejects(r"\Arobot: base: missing\Z", ss.Robot.from_dict, {"schema": 2, "name": "x"})
-    with pytest.raises(ValueError, match=r"\Arobot: length_mode: \"relative\" is to the home pose"):
+    with pytest.raises(ValueError, match=r"\Arobot: length_mode: \"relative\" refers to the home pose"):
         dataclasses.replace(ss.robots.dasgupta1998(), length_mode="relative")
 
 

@@ -211,7 +211,7 @@ def test_progress_is_told_in_shares_that_end_at_one(rate: float | None) -> None:
     assert shares == sorted(shares)
     assert shares[0] > 0.0
     assert shares[-1] == pytest.approx(1.0)
-    with pytest.raises(ValueError, match=r"^progress: expected a function \(share\), got int"):
+    with pytest.raises(ValueError, match=r"^progress: expected a function \(fraction\), got int"):
         ss.simulate(robot, state, np.zeros(6), 0.05, progress=3)
 
 

@@ -399,7 +399,7 @@ def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
         ({"duration": 1e9}, r"^duration: expected at most 86400 s, a day, got 1000000000.0$"),
         ({"forces": lambda time, state: np.zeros(3)}, r"^forces: expected six numbers from the law at 0 s"),
         ({"control_rate": -1.0}, r"^control_rate: expected a number > 0"),
-        ({"output_step": 1e-12}, r"^output_step: expected at least 1e-08 s, for at most 10000000 instants"),
+        ({"output_step": 1e-12}, r"^output_step: expected at least 1e-08 s, for at most 10000000 samples"),
         ({"rtol": 1e-14}, r"^rtol: expected a number in \[1e-13, 0.01\], got 1e-14$"),
         ({"rtol": 0.1}, r"^rtol: expected"),
         (

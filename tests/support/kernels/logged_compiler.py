@@ -69,7 +69,7 @@ def run_child(
     assert done.returncode == 0, done.stderr
     warned = [line for line in done.stderr.splitlines() if "Warning" in line]
     assert bool(warned) == (without is not None), done.stderr
-    assert all("$STEWART_SYM_CACHE" in line and str(without) in line for line in warned)
+    assert all("set STEWART_SYM_CACHE" in line and str(without) in line for line in warned)
     return Path(done.stdout.strip())
 
 

@@ -347,7 +347,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         "N m/mA": (driven(torque_constant=6e-5, rated_torque=1.0), "1 N m need 1.67e+04 A"),
         "winding in milliohm": (
             driven(torque_constant=0.1, resistance=400.0, torque_limit=2.0),
-            "400 ohm, by which 20 A need 8e+03 V",
+            "400 ohm, with which 20 A need 8e+03 V",
         ),
     },
     "speed-limit": {
@@ -361,7 +361,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
             "the motor drives leg 1 at up to 0.25 m/s",
         ),
     },
-    "joint-angle": {"in radians among degrees": (few_degrees, "0.6 degrees beside a stroke of 0.4 m")},
+    "joint-angle": {"in radians among degrees": (few_degrees, "0.6 degrees with a stroke of 0.4 m")},
     "overlap": {"parts that overlap": (from_one_end, "both measured from one end")},
     "singular-everywhere": {
         "base on one line": (of(b=lambda b: b * [1, 0, 0]), "base points on one line"),
