@@ -65,14 +65,14 @@ def _oblique(vector: tuple[float, float, float]) -> Array:
 
 def universal_joint() -> "Figure":
     """Draw the two axes of the universal joint, the leg, and the direction n of the constraint moment."""
-    sheet = Sheet(6.4, 5.3)
-    center = np.array([2.9, 2.1])
+    sheet = Sheet(6.4, 6.0)
+    center = np.array([2.9, 3.0])
     k, y = _oblique((1.0, 0.0, 0.0)), _oblique((0.0, -1.0, 0.0))
-    s, n = _oblique((0.62, 0.0, 0.78)), _oblique((0.0, 0.0, 1.0))
+    s, n = _oblique((0.62, 0.0, 0.78)), _oblique((0.0, 0.0, -1.0))
     for side in (-1.0, 1.0):
         foot = center + 1.25 * side * k
-        sheet.line(foot, foot - [0.0, 1.25], color=BASE, width=5.0)
-    sheet.line(center - 1.25 * k - [0.0, 1.25], center + 1.25 * k - [0.0, 1.25], color=BASE, width=5.0)
+        sheet.line(foot, foot - [0.0, 1.6], color=BASE, width=5.0)
+    sheet.line(center - 1.25 * k - [0.0, 1.6], center + 1.25 * k - [0.0, 1.6], color=BASE, width=5.0)
     sheet.line(center - 1.25 * k, center + 1.25 * k, color=AXIS, width=4.0)
     sheet.line(center - 0.85 * y, center + 0.85 * y, color=LOWER, width=4.0)
     for side in (-1.0, 1.0):
@@ -83,16 +83,16 @@ def universal_joint() -> "Figure":
     sheet.arrow(center + 1.25 * k, center + 2.2 * k, AXIS)
     sheet.text(center + 2.3 * k + [0.35, -0.35], "$k$, fixed axis\non the base", AXIS)
     sheet.arrow(center + 0.85 * y, center + 1.75 * y, LOWER)
-    sheet.text(center + 1.75 * y + [-0.75, -0.35], "$y$, axis on the leg", LOWER)
+    sheet.text(center + 1.75 * y + [-0.22, -0.45], "$y$, axis\non the leg", LOWER)
     sheet.arrow(center + 2.1 * s, center + 2.8 * s, LOWER)
     sheet.text(center + 2.85 * s + [0.05, 0.1], "$s$", LOWER, "left")
-    sheet.moment(center, center + 2.2 * n)
+    sheet.moment(center, center + 2.0 * n)
     sheet.text(
-        center + 2.3 * n + [-0.25, 0.35],
+        center + 2.4 * n,
         "constraint moment $M_u\\,n$\n$n = k \\times y$, normal to both axes",
         MOMENT,
     )
-    sheet.text([1.4, 0.75], "base", BASE)
+    sheet.text([1.4, 1.2], "base", BASE)
     return sheet.figure
 
 
