@@ -1,8 +1,9 @@
 """Equations of one leg: kinematics (1)-(9), leg frame (10), and equations of motion (11)-(29).
 
-Equations (11)-(14) are the centers of mass and their accelerations, (15) and (16) the inertias. Inputs are the platform's motion, outputs the leg's terms in the equations of the platform. Vectors are in the
-leg frame T = [x y z], in which S = (L, 0, 0) and k = (k1, 0, k3) keep the closed form short. SymPy solves the
-twelve equations of motion. The tests compare the solution with the printed results (21), (24), (27), (29).
+Equations (11)-(14) are the centers of mass and their accelerations, (15) and (16) the inertias. Inputs are
+the platform's motion, outputs the leg's terms in the equations of the platform. Vectors are in the leg frame
+T = [x y z], in which S = (L, 0, 0) and k = (k1, 0, k3) keep the closed form short. SymPy solves the twelve
+equations of motion. The tests compare the solution with the printed results (21), (24), (27), (29).
 """
 
 from dataclasses import dataclass
