@@ -1,8 +1,8 @@
 """Blocks, the common data structure of ``derive``, and the count of their operations.
 
 A block is a named straight-line program: inputs, ordered steps ``name = expression``, and outputs. The
-derivation creates blocks, ``cse`` transforms them, the emitters print them, and the notebook displays them. A
-block depends neither on the Stewart platform nor on a target language.
+derivation creates blocks, passes rewrite them, printers print them, and the notebook displays them. A block
+depends neither on the Stewart platform nor on a target language.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -180,7 +180,8 @@ class Block:
         Returns
         -------
         dict
-            Components of each output by name; constants are integers.
+            Components of each output by name. A component that is a constant is an ``int``, or a ``float`` if
+            it is a multiple of 1/2.
         """
         known, (steps, outputs) = dict(values), self._runners
         for name, runner in steps:
@@ -209,7 +210,10 @@ class Builder:
     steps: list[Step] = field(default_factory=list)
 
     def scalar(self, name: str, expr: sp.Expr, equation: str = "", meaning: str = "") -> sp.Expr:
-        """Name ``expr``; a number or a symbol is returned without a name.
+        """Add the step ``name = expr`` and return its symbol.
+
+        A number, a symbol, or a negated symbol is returned unchanged, without a step. An equal step is not
+        added again.
 
         Raises
         ------
@@ -275,7 +279,7 @@ def substitution(steps: Iterable[Step]) -> dict[sp.Symbol, sp.Expr]:
 
 
 def as_value(quantity: Quantity, exprs: Sequence[sp.Expr]) -> sp.Expr | sp.Matrix:
-    """Arrange components in storage order as a value for equations: the inverse of the storage."""
+    """Convert components in storage order to a scalar, a 3x1 matrix, or a 3x3 matrix for equations."""
     if not quantity.shape:
         return exprs[0]
     if quantity.shape == (3,):
@@ -347,16 +351,17 @@ def _runner(expr: sp.Expr) -> _Runner:
 
 
 def count(exprs: Iterable[sp.Expr]) -> Operations:
-    """Count the operations of expressions in the form in which the emitters print them."""
+    """Count the operations of expressions in the form in which the printers print them."""
     return sum((_count(sp.sympify(expr)) for expr in exprs), Operations())
 
 
 @cache
 def common_factor(expr: sp.Add) -> sp.Integer:
-    """Return the common integer factor of all terms of a sum, which programs apply to the sum.
+    """Return the common integer factor of all terms of a sum.
 
-    Example: J_xx + J_yy - J_zz of a rod is exactly zero, and so is three times this sum. A sum of three
-    separate products may have a rounding error.
+    Programs multiply the sum by this factor: 3 a + 3 b - 3 c is computed as 3 (a + b - c). If a + b - c is
+    exactly zero, as J_xx + J_yy - J_zz of a rod, the result is exactly zero too. A sum of three separate
+    products may have a rounding error.
     """
     found = expr.as_content_primitive()[0]
     return found if found.is_Integer else sp.S.One

@@ -1,6 +1,6 @@
-"""Equations of motion, forward dynamics, and derivatives of the forces, with checks of the results.
+"""Equations of motion, forward dynamics, joint-space inertia, force derivatives, and linearization.
 
-Each function turns a status into an error, a warning, or NaN.
+For poses without a solution, the argument ``on_singular`` selects an error, a warning, or NaN.
 """
 
 from __future__ import annotations
@@ -75,11 +75,11 @@ def equations_of_motion(
 
     Notes
     -----
-    The closed form that Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998), mentions without
-    deriving it: legs are mechanisms of three degrees of freedom, and C follows from Christoffel symbols. With
-    "exact", dM/dt - 2 C is skew-symmetric. The backends "c" and "numpy" evaluate this closed form for "exact"
-    and universal base joints without offsets. Otherwise they compute the terms from inverse dynamics, which
-    can require that H is regular.
+    The terms have a closed form, which Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998),
+    mention but do not derive. Each leg is treated as a mechanism with three degrees of freedom, and C follows
+    from Christoffel symbols, so that dM/dt - 2 C is skew-symmetric. The backends "c" and "numpy" evaluate
+    this closed form for the formulation "exact" and universal base joints without offsets. In all other cases
+    the terms are computed from inverse dynamics by linearity, which can require that H is regular.
 
     Examples
     --------
@@ -339,7 +339,8 @@ def joint_space_inertia(
 ) -> Array:
     """Compute the mass matrix with the leg lengths as coordinates, H^-1 M H^-T.
 
-    Column i contains the actuator forces that a unit acceleration of leg i requires at rest, without gravity.
+    Column i contains the actuator forces for L_ddot_i = 1 m/s^2 and no acceleration of the other legs, at
+    rest and without gravity.
 
     Parameters
     ----------
@@ -432,12 +433,12 @@ def _need(robot: Robot, motion: Motion, on_singular: str) -> None:
 
 
 def _broadcast(motion: Motion, shape: tuple[int, ...]) -> Motion:
-    """Broadcast a motion, without its accelerations, to a leading shape."""
+    """Broadcast a motion to a leading shape; if the shape changes, accelerations are omitted."""
     lead = len(motion.shape)
     if shape == motion.shape:
         return motion
     wide: dict[str, Any] = {
-        # Copies are made because products with broadcast rows would round differently.
+        # Copies, because NumPy's products with broadcast rows (stride 0) can round differently.
         name: value if value is None else np.array(np.broadcast_to(value, (*shape, *value.shape[lead:])))
         for name, value in vars(motion).items()
         if name not in ("alpha", "a")

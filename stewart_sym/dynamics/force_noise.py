@@ -13,7 +13,7 @@ import numpy as np
 
 from ..io.arguments import instance
 from ..io.array_types import Array
-from ..kinematics.forward_kinematics import inverse_jacobian
+from ..kinematics.forward_kinematics import twist_per_rates
 from ..kinematics.inverse_kinematics import legs_or_overflow
 from ..motion.motion import Motion
 from ..motion.rotation import motion_about_axes, orthonormal, rotation_from_vector
@@ -148,7 +148,7 @@ def displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice) -> It
     L = _factors(trajectory.noise, trajectory.time[part])
     motion, tool = trajectory.at(part), trajectory.noise.tool
     coordinates = trajectory.noise.coordinates[:, part]
-    inverse = inverse_jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
+    inverse = twist_per_rates(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
     motion = motion if tool is None else motion.at_point(tool)
     for i in range(6):
         for k in range(3):
@@ -177,7 +177,7 @@ def _on_legs(robot: Robot, motion: Motion, inverse: Array, shift: Array, legs: A
     if shift.any():
         step = np.einsum("nij,nj->ni", inverse, shift)
         R, t = orthonormal(rotation_from_vector(step[:, 3:]) @ R), t + step[:, :3]
-        inverse = inverse_jacobian(robot, R, t)
+        inverse = twist_per_rates(robot, R, t)
     twist = np.einsum("nij,nj->ni", inverse, legs[1])
     # Zero accelerations of the platform give the part of L_ddot that depends on the velocities.
     none = np.zeros(t.shape)

@@ -1,7 +1,7 @@
 """Forward kinematics: platform pose, velocity, and acceleration from leg lengths, (2), (5), (8).
 
-Six leg lengths have up to forty poses, the assembly modes. The start of the search determines which
-assembly mode is found.
+Six leg lengths have up to forty poses. Each of them is called an assembly mode. The start of the search
+determines which assembly mode is found.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ from .pose_search import (
     EPS,
     MOST_STARTS,
     impossible_pairs,
-    jacobian,
     nearest_found,
     newton,
     platform_size,
+    rates_per_twist,
     searched,
     solve,
 )
@@ -47,7 +47,8 @@ Status = Codes
 Guess = tuple[ArrayLike, ArrayLike]
 REASONS = STATUS_TEXT | {SINGULAR: "H is singular: leg lengths and rates determine neither pose nor twist"}
 """One-line text for each status code of forward kinematics."""
-# Two assembly modes with equal lengths to rounding are at most about sqrt(eps) away from a singular pose.
+# Largest condition number of a pose that its lengths determine. Near a singular pose, up to a distance of
+# about sqrt(eps), a second pose can have the same lengths to rounding.
 _MOST_CONDITION = 1.0 / (16.0 * math.sqrt(EPS))
 
 
@@ -64,9 +65,11 @@ class ForwardKinematicsResult:
     t : ndarray, shape (..., 3)
         Position of the reference point in the base frame (m). NaN if the status is not 0.
     residual : ndarray, shape (...)
-        Largest difference between the given lengths and the lengths of the last pose that was tried (m).
+        Largest difference between the given lengths and the lengths of the returned pose (m). If no pose was
+        found: of the last pose of a search.
     iterations : ndarray of int, shape (...)
-        Number of Newton steps, including the steps of unsuccessful starts.
+        Number of Newton steps. Without a guess, the steps of unsuccessful starts are included. With a guess,
+        the steps of further searches are included if their result replaced an earlier one.
     status : ndarray of int, shape (...)
         ``results.OK``, ``NOT_CONVERGED``, ``SINGULAR`` (a pose has the lengths, but is too close to a
         singular pose to be determined by them), or ``OUT_OF_LIMITS``.
@@ -89,7 +92,9 @@ def forward_kinematics(
     """Compute the platform poses from leg lengths by damped Newton steps on (2).
 
     If several assembly modes are found from a guess, the result is the pose nearest to the guess. The
-    distance is the root of the sum of squares of the translation (m) and the rotation angle (rad).
+    distance is the root of the sum of squares of the translation (m) and the rotation angle (rad). There is
+    no guarantee that every nearer pose is found. With offset joints, the result is the pose to which Newton
+    steps from the guess converge.
 
     Parameters
     ----------
@@ -99,11 +104,13 @@ def forward_kinematics(
         Leg lengths (m).
     guess : tuple of array_like, optional
         Start pose (R, t) with shapes (..., 3, 3) and (..., 3). By default the search starts nearly parallel
-        to the base, on the side opposite to gravity or on the side of the home pose. If no pose is found,
-        it continues from other poses on this side, and at last on the other side.
+        to the base, on the side of the home pose; without a home pose, on the side opposite to gravity, see
+        ``up_direction``. If no pose is found, the search continues from rotated poses on this side, then from
+        poses on the other side, and at last from random poses, up to 100 starts in total.
     on_failure : {"raise", "nan", "warn"}, optional
-        Reaction to lengths without a pose: raise ValueError, return NaN, or warn and return NaN. ``status``
-        contains the result code of each pose.
+        Reaction to a status other than 0 (no pose found, a pose too close to a singular pose, or lengths
+        outside the limits): raise ValueError, return NaN, or warn and return NaN. ``status`` contains the
+        result code of each pose.
     check_limits : bool, optional
         If True, lengths outside the robot's ``length_limits`` are failures.
 
@@ -116,7 +123,8 @@ def forward_kinematics(
     ------
     ValueError
         If lengths are not finite and positive, if the guess is not a pose, or, with ``on_failure="raise"``,
-        if lengths have no pose. The error lists the starts that were tried, or a proof that no pose exists.
+        if a status is not 0. If no pose was found, the error names the number of starts, or two legs that
+        cannot have their lengths at the same time.
 
     See Also
     --------
@@ -126,8 +134,8 @@ def forward_kinematics(
 
     Notes
     -----
-    A pose has status 0 if its lengths agree with ``L`` to 16 rounding units of the largest component of q, t,
-    and b in S = q + t - b, (1). Six leg lengths have up to forty poses (M. Raghavan, J. Mech.
+    A pose is found if its lengths agree with ``L`` to 16 eps times the largest component of R p, t, and b in
+    S = R p + t - b, (1), where eps = 2.2e-16. Six leg lengths have up to forty poses (M. Raghavan, J. Mech.
     Des. 115, 1993).
 
     Examples
@@ -159,7 +167,7 @@ def forward_kinematics(
         ends = searched(robot, flat) if poses is None else nearest_found(robot, flat, *poses)
     R, t, residual, iterations, found = ends
     status = np.full(len(flat), NOT_CONVERGED)
-    status[found] = np.where(_unsettled(robot, jacobian(robot, R[found], t[found])), SINGULAR, OK)
+    status[found] = np.where(_unsettled(robot, rates_per_twist(robot, R[found], t[found])), SINGULAR, OK)
     if check_limits:
         low, high = robot.length_limits.T
         status = np.where(np.any((flat < low) | (flat > high), axis=-1), OUT_OF_LIMITS, status)
@@ -182,7 +190,7 @@ def forward_kinematics(
 
 
 def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
-    """Return the text that explains why lengths (6,) have no pose: the proof, or the extent of the search."""
+    """Return the reason for a status of lengths (6,): a limit, two legs, or the extent of the search."""
     if status == OUT_OF_LIMITS:
         low, high = robot.length_limits.T
         leg = int(np.argmax((L < low) | (L > high)))
@@ -314,9 +322,9 @@ def forward_acceleration(
     return Accelerations(*_rates(robot, R, t, (v, omega), L_ddot, "L_ddot", on_failure))
 
 
-def inverse_jacobian(robot: Robot, R: Array, t: Array) -> Array:
-    """Return the map from leg rates to twists, (H^T)^-1, shape (..., 6, 6); NaN if H is singular."""
-    J = jacobian(robot, R, t)
+def twist_per_rates(robot: Robot, R: Array, t: Array) -> Array:
+    """Return (H^T)^-1, which maps leg rates to the twist, shape (..., 6, 6); NaN if H is nearly singular."""
+    J = rates_per_twist(robot, R, t)
     unsettled = _unsettled(robot, J)[..., None, None]
     return np.where(unsettled, np.nan, np.linalg.inv(np.where(unsettled, np.eye(6), J)))
 
@@ -352,7 +360,7 @@ def _rates(
     with np.errstate(over="ignore", invalid="ignore"):
         # The platform has no acceleration here, so L_ddot contains only the velocity terms of (8).
         wanted = wanted - np.asarray(legs_or_overflow(robot, motion).L_ddot)
-        J = jacobian(robot, motion.R, motion.t)
+        J = rates_per_twist(robot, motion.R, motion.t)
         unsettled = np.broadcast_to(_unsettled(robot, J), shape)
         solution, _ = solve(np.broadcast_to(J, (*shape, 6, 6)), np.broadcast_to(wanted, (*shape, 6)))
     finite = np.all(np.isfinite(solution), axis=-1)

@@ -29,7 +29,7 @@ from ..robot.robot import Robot
 from .conditioning import characteristic_length
 from .forward_kinematics import checked_lengths
 from .inverse_kinematics import leg_vectors
-from .pose_search import jacobian
+from .pose_search import rates_per_twist
 
 Rationals = NDArray[np.object_]
 """Arrays of ``Fraction`` objects, with which NumPy computes exactly."""
@@ -206,7 +206,7 @@ def _about_inverse(robot: Robot, R: Array, t: Array, length: float) -> Rationals
     """Return an approximate inverse of g' at the pose; None if g' is singular."""
     with np.errstate(all="ignore"):
         L = leg_vectors(robot, R, t)[2]
-        G = jacobian(robot, R, t) * L[:, None] / np.repeat([1.0, length], 3)
+        G = rates_per_twist(robot, R, t) * L[:, None] / np.repeat([1.0, length], 3)
         try:
             A = np.linalg.inv(G)
         except np.linalg.LinAlgError:

@@ -36,7 +36,7 @@ _AT_ONCE = 64
 _ALMOST = 1e-6
 
 
-def jacobian(robot: Robot, R: Array, t: Array) -> Array:
+def rates_per_twist(robot: Robot, R: Array, t: Array) -> Array:
     """Return J = H^T, shape (..., 6, 6), whose rows [s^T, (q x s)^T] map the twist [v; omega] to L_dot, (5).
 
     With offset joints, J is the derivative of the lengths.
@@ -113,7 +113,7 @@ def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
 def nearest_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
     """Return, for each guess (n, ...), the nearest of the poses found from it.
 
-    If no bound proves that the first pose is the nearest, further searches follow. They use short steps, or
+    If ``_is_nearest`` does not accept the first pose, further searches follow. They use short steps, or
     steps that are never rejected (the first four damped or undamped). They also start on the other side of
     the singular poses near the results, and finally around the guess.
     """
@@ -203,9 +203,11 @@ def distance(one: Poses, other: Poses, length: float = 1.0) -> Array:
 
 
 def _is_nearest(robot: Robot, guess: Poses, found: Found) -> Flags:
-    """Return True for poses that a bound proves to be the nearest to the guess, shape (n,).
+    """Return True for poses that are the nearest to the guess according to an estimate, shape (n,).
 
-    The bound limits the second derivatives of the lengths: any other pose is at least twice as far away.
+    The estimate limits the second derivatives of the lengths by their values at the pose found. To second
+    order, any other pose is then at least twice as far away from the pose found as the guess. This is not a
+    rigorous proof, because the second derivatives can be larger between the poses.
     """
     length = platform_size(robot)
     with np.errstate(over="ignore", invalid="ignore"):

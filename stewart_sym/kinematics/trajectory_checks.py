@@ -14,7 +14,7 @@ from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
 from .mounting import platform_side
 from .offset_legs import leg_lengths
-from .pose_search import jacobian
+from .pose_search import rates_per_twist
 
 # Number of samples that are checked.
 _SOME = 64
@@ -176,7 +176,7 @@ def impossible(robot: Robot, t: Array, R: Array, tool: Array) -> str | None:
     L = leg_lengths(robot, R, t)
     if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
         return "legs beyond length_limits"
-    turned = np.linalg.det(jacobian(robot, R, t))
+    turned = np.linalg.det(rates_per_twist(robot, R, t))
     return "through a singular pose" if np.ptp(np.sign(turned)) > 0.0 else None
 
 
@@ -187,7 +187,7 @@ def side_change(robot: Robot, motion: Motion) -> int | None:
     """
     with np.errstate(invalid="ignore"):
         if robot.offsets is None:
-            H = jacobian(robot, motion.R, motion.t)
+            H = rates_per_twist(robot, motion.R, motion.t)
         else:
             H = columns_of_H(robot, joint_motion(robot, motion).G)
         sign = np.sign(np.linalg.det(H))

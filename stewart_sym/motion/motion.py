@@ -146,18 +146,18 @@ class Motion(Frozen):
     def at_point(self, point: ArrayLike) -> Motion:
         """Return the motion of another point of the platform in place of the reference point.
 
-        ``motion.about_point(robot.tool)`` is the tool's, ``.about_point(-robot.tool)`` undoes it. Of a load
-        the moment becomes that about the new point.
+        ``motion.at_point(robot.tool)`` is the motion of the tool; ``.at_point(-robot.tool)`` undoes it. If
+        the motion has a load, its moment becomes the moment about the new point.
 
         Parameters
         ----------
-        point : array_like
-            Where the point is, from the reference point, m, platform frame, (3,).
+        point : array_like, shape (3,)
+            Position of the point from the reference point in the platform frame (m).
 
         Returns
         -------
         Motion
-            Of the same shape.
+            Motion of the point, of the same shape.
         """
         p = finite_array(point, (3,), "point")
         arm = self.R @ p

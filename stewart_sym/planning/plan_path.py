@@ -30,20 +30,25 @@ OBJECTIVES: tuple[Objective, ...] = ("mean", "peak")
 PRICE = 0.5
 """Default weight of length and bending relative to the condition number."""
 
+# Exponent of the power mean that approximates the largest condition number along a path.
 _PEAK_POWER = 16
 # Singular value, relative to the smallest one of the via poses, below which a path counts as singular.
 _NEAR = 0.1
+# Weights of the squared violations of limits: one minimization for each, from the result of the previous one.
 _PENALTIES = (10.0, 1e3, 1e5)
+# Largest number of L-BFGS-B iterations of one minimization.
 _STEPS = 60
 # Number of initial guesses, and size of their random detours (characteristic lengths and radians).
 _STARTS = 12
 _SWING = 0.6
+# Number of samples along a path for its condition numbers and for the check that it does not turn back.
 _FINE = 2001
 # Number of searches for the nearest reachable pose, and its largest violation of a limit due to rounding.
 _TRIES = 8
 _TOUCHES = 1e-3 * ROOM
+# Rate of the pose at a via pose, relative to the largest rate, up to which the path turns back there.
 _RESTS = 1e-6
-# Tested blends of the initial spline, 0, and the best one, 1, in this order.
+# Shares of the best path in blends with the initial spline (1: best path, 0: initial spline), in test order.
 _SHARES = (1.0, 0.9, 0.75, 0.5, 0.25, 0.1, 0.03, 0.01, 0.0)
 
 
@@ -108,17 +113,17 @@ def plan_path(
     via_poses : sequence of ViaPose
         At least two poses, in the order in which the path reaches them.
     limits : PoseLimits, optional
-        Limits of leg lengths, joint angles, condition number, and clearance. ``forces`` and ``load`` have no
-        effect, because ``parameterize_path`` limits the forces along a path.
+        Limits of leg lengths, joint angles, condition number, and clearance. The fields ``limits.forces``
+        and ``limits.load`` have no effect, because ``parameterize_path`` limits the forces along a path.
     objective : {"mean", "peak"}, optional
-        Statistic of the condition number that is minimized. If the initial spline is within the limits,
-        neither the mean nor the peak exceeds its value on the initial spline.
+        Statistic of the condition number that is minimized, see Notes. If the initial spline is within the
+        limits, neither the mean nor the peak exceeds its value on the initial spline.
     smoothness_weight : float, optional
-        Weight of length and bending. The objective is the condition number plus the weight times the mean
-        squares of the first and second derivatives, each relative to the initial spline. With 0 the path
-        bends more and the forces increase.
+        Weight w of length and bending in the objective, see Notes. With 0 the path bends more and the forces
+        increase.
     load : array_like, shape (6,), optional
-        External wrench [F_ext; M_ext] along the path in the platform frame (N and N m).
+        External wrench [F_ext; M_ext] at the reference point in the platform frame (N and N m). It has no
+        effect on the path, but is part of its motions, so that ``parameterize_path`` includes it.
     progress : callable, optional
         Function that is called with a text and the completed fraction, 0 to 1.
 
@@ -139,6 +144,15 @@ def plan_path(
     --------
     parameterize_path : Fastest motion along a path within limits.
     path_singularities : Singularities along a path.
+
+    Notes
+    -----
+    The objective is K / K_0 + w E / E_0, where K_0 and E_0 belong to the initial spline. K is the power mean
+    (mean of kappa^p)^(1/p) of the condition numbers kappa at the samples, with p = 1 for "mean" and p = 16
+    for "peak". E is the mean square of the first derivative of the pose by the path parameter, plus the mean
+    square of the second derivative divided by (pi (n - 1))^2 for n via poses. The pose consists of the
+    translation divided by the characteristic length, and of twice the quaternion. Violations of limits are
+    added as penalties.
 
     Examples
     --------
@@ -168,7 +182,7 @@ def plan_path(
     straight = search.path(search.nothing, wrench)
     at_first = conditions_along(robot, straight)
     x = search.best(progress)
-    # Blends near the initial spline have its mean and peak, so some blend does not exceed either of them.
+    # The last blend is the initial spline itself, so at least one blend does not exceed its mean and peak.
     for share in _SHARES if not search.broken(0.0 * x) else (1.0,):
         path = search.path(share * x, wrench)
         found = conditions_along(robot, path)
@@ -224,7 +238,11 @@ def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Condit
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """Optimization of one path; the variables are the shifts of via poses within their tolerances, and w."""
+    """Optimization of one path.
+
+    The variables are the shifts of via poses within their tolerances, and the coordinates w of ``Family``,
+    which move the spline between the via poses.
+    """
 
     family: Family
     costs: PoseCosts

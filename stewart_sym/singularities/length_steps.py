@@ -13,7 +13,7 @@ from ..io.progress import Progress, tracked
 from ..io.sample_times import elapsed
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse_kinematics import leg_vectors
-from ..kinematics.pose_search import ToSingular, jacobian, newton, other_side, solve, way_to_singular
+from ..kinematics.pose_search import ToSingular, newton, other_side, rates_per_twist, solve, way_to_singular
 from ..motion import rotation
 from ..robot.robot import Robot
 
@@ -269,7 +269,7 @@ def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
 
 def pose_of(robot: Robot, R: Array, t: Array, L: Array) -> _Pose:
     """Return a pose with its Jacobian and the sign of its determinant."""
-    J = jacobian(robot, R, t)
+    J = rates_per_twist(robot, R, t)
     return _Pose(R, t, L, J, np.linalg.slogdet(J)[0])
 
 

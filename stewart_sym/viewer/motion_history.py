@@ -19,7 +19,7 @@ from ..io.toml_reader import file_name, opened
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.mounting import path_for
-from ..kinematics.pose_search import jacobian
+from ..kinematics.pose_search import rates_per_twist
 from ..motion.interpolation import Path, interpolate
 from ..motion.log_rates import noise_text
 from ..motion.log_reader import PLAIN
@@ -223,7 +223,7 @@ def _instants(
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
         length = characteristic_length(robot) or 1.0
-        H = np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2)
+        H = np.swapaxes(rates_per_twist(robot, motion.R, motion.t), -1, -2)
         condition = scaled_condition_number(H, length)
     if forces is None:
         # The formulation of the paper has neither rotors nor offsets.

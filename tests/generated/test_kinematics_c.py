@@ -30,7 +30,7 @@ from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kernel.kinematics import search_operations
 from stewart_sym.derive.program.block import Operations
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.kinematics.pose_search import jacobian
+from stewart_sym.kinematics.pose_search import rates_per_twist
 from stewart_sym.motion.rotation import rotation_from_vector
 
 # By how much exact lengths of what is found may miss, in rounding units of the terms of S: 16 and their own.
@@ -285,7 +285,7 @@ def singular_poses(count: int, shift: float) -> tuple[ss.Robot, Array, Array]:
         return rotation_from_vector(u[:, None] * phi) @ R_0, t_0 + u[:, None] * way
 
     def sign(u: Array) -> Array:
-        return np.asarray(np.sign(np.linalg.det(jacobian(robot, *at(u)))))
+        return np.asarray(np.sign(np.linalg.det(rates_per_twist(robot, *at(u)))))
 
     low, high = np.zeros(count), np.ones(count)
     side = sign(low)
@@ -299,7 +299,7 @@ def singular_poses(count: int, shift: float) -> tuple[ss.Robot, Array, Array]:
 
 
 def condition(robot: ss.Robot, R: AnyArray, t: AnyArray) -> Array:
-    H = np.swapaxes(jacobian(robot, R.astype(np.float64), t.astype(np.float64)), -1, -2)
+    H = np.swapaxes(rates_per_twist(robot, R.astype(np.float64), t.astype(np.float64)), -1, -2)
     return scaled_condition_number(H, characteristic_length(robot))
 
 

@@ -17,8 +17,8 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.kinematics.forward_kinematics import inverse_jacobian
-from stewart_sym.kinematics.pose_search import jacobian
+from stewart_sym.kinematics.forward_kinematics import twist_per_rates
+from stewart_sym.kinematics.pose_search import rates_per_twist
 from stewart_sym.motion.rotation import rotation_from_rpy
 
 EPS = float(np.finfo(np.float64).eps)
@@ -182,7 +182,7 @@ def singular_pose() -> Poses:
 
     def sign(time: float) -> float:
         motion = path.sample(time)
-        return float(np.linalg.slogdet(jacobian(dasgupta(), motion.R, motion.t))[0])
+        return float(np.linalg.slogdet(rates_per_twist(dasgupta(), motion.R, motion.t))[0])
 
     assert sign(low) != sign(high)
     while low < (middle := 0.5 * (low + high)) < high:
@@ -197,7 +197,7 @@ def test_rates_are_found_up_to_a_condition_number() -> None:
     R, t = np.broadcast_to(R, (len(away), 3, 3)), t + np.multiply.outer(away, [0.3, -0.2, 0.1])
     size = ss.kinematics.conditioning.characteristic_length(robot)
     condition = ss.kinematics.conditioning.scaled_condition_number(
-        np.swapaxes(jacobian(robot, R, t), -1, -2), size
+        np.swapaxes(rates_per_twist(robot, R, t), -1, -2), size
     )
     v, _ = ss.forward_velocity(robot, R, t, np.ones(6), "nan")
     settled = np.isfinite(v[:, 0])
@@ -282,7 +282,7 @@ def test_rates_at_a_singular_pose_are_rejected() -> None:
     assert caught[0].filename == __file__
     assert np.isnan([v[1], omega[1]]).all()
     assert np.isfinite([v[::2], omega[::2]]).all()
-    np.testing.assert_array_equal(np.isnan(inverse_jacobian(robot, R, t)).all(axis=(-2, -1)), [0, 1, 0])
+    np.testing.assert_array_equal(np.isnan(twist_per_rates(robot, R, t)).all(axis=(-2, -1)), [0, 1, 0])
     with pytest.raises(ValueError, match=r"^L_ddot: an input is not finite, or a result overflows$"):
         ss.forward_acceleration(robot, R[0], t[0], STILL, np.full(3, 1e200), np.ones(6))
 

@@ -12,7 +12,7 @@ from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.kinematics.pose_search import jacobian
+from stewart_sym.kinematics.pose_search import rates_per_twist
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.rotation import rotation_from_rpy
 from stewart_sym.studies.common.output import csv_lines
@@ -33,7 +33,7 @@ def test_paths_planned_in_joint_space_need_the_same_forces(name: str, guessed: b
 
 def test_path_iii_leads_through_a_singular_pose_and_no_farther() -> None:
     robot, motion, legs = paper_legs("III")
-    sign = np.linalg.slogdet(jacobian(robot, motion.R, motion.t))[0]
+    sign = np.linalg.slogdet(rates_per_twist(robot, motion.R, motion.t))[0]
     turn = int(np.flatnonzero(sign != sign[0])[0])
     start = motion.R[0], motion.t[0]
     before = ss.motion_from_lengths(robot, legs.L[:turn], legs.L_dot[:turn], guess=start)

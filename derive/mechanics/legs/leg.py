@@ -1,8 +1,9 @@
-"""Equations of one leg: kinematics (1)-(9), frame (10), inertia (11)-(16), and equations of motion.
+"""Equations of one leg: kinematics (1)-(9), leg frame (10), and equations of motion (11)-(29).
 
-Inputs are the platform's motion, outputs the leg's terms in the equations of the platform. Vectors are in the
-leg frame T = [x y z], in which S = (L, 0, 0) and k = (k1, 0, k3) keep the closed form short. SymPy solves the
-twelve equations of motion. The tests compare the solution with the printed results (21), (24), (27), (29).
+Equations (11)-(14) are the centers of mass and their accelerations, (15) and (16) the inertias. Inputs are
+the platform's motion, outputs the leg's terms in the equations of the platform. Vectors are in the leg frame
+T = [x y z], in which S = (L, 0, 0) and k = (k1, 0, k3) keep the closed form short. SymPy solves the twelve
+equations of motion. The tests compare the solution with the printed results (21), (24), (27), (29).
 """
 
 from dataclasses import dataclass
@@ -80,9 +81,10 @@ class LegDynamics:
     K : Matrix, shape (3, 1)
         Transverse force at the spherical joint (N), (21), without axial component.
     f : Matrix, shape (3, 1)
-        Friction moment at the spherical joint (N m), (18).
+        Friction moment of the spherical joint on the platform (N m), (18). The moment on the leg is -f.
     reactions : dict
-        F_s, F_u, F_p, F_c, M_p, M_u by name, linear in the axial force x.
+        F_s, F_u, F_p, F_c, M_p, M_u by name, linear in the axial force x. M_p is only valid with
+        ``with_reactions``.
     """
 
     L_dot: sp.Expr
@@ -206,8 +208,9 @@ def axes(
 def spin_axis(form: Formulation, k: sp.Matrix, W: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     """Return the direction about which the leg cannot rotate, and its time derivative, leg frame.
 
-    In the printed equations it is the leg, which rotates with W. In the corrected equations it is n = k x y,
-    the normal to both axes of the universal joint: k is fixed, and y rotates with the leg.
+    In the printed equations and for a spherical base joint, the direction is s with the derivative W x s. In
+    the corrected equations it is n = k x y, the normal to both axes of the universal joint. Its derivative is
+    k x (W x y), because k is fixed to the base and y rotates with the leg.
     """
     if form.no_spin or form.base_joint == SPHERICAL:
         return X_AXIS, cross(W, X_AXIS)
@@ -274,18 +277,19 @@ def _tidy(expr: sp.Expr, m: LegFrameMotion) -> sp.Expr:
 
 @dataclass(frozen=True)
 class PartForces:
-    """Right-hand sides of Newton's and Euler's equations for the two parts, leg frame.
+    """Known terms of Newton's and Euler's equations for the two parts, leg frame.
 
     Attributes
     ----------
     r_d, r_u : Matrix, shape (3, 1)
         Centers of mass of the lower and upper part from the base point (m).
     N_d, N_u : Matrix, shape (3, 1)
-        m (a - g) (N).
+        m (a - g) (N), with the acceleration a of the center of mass.
     E_d, E_u : Matrix, shape (3, 1)
-        I A + W x I W, with the rotor's term in E_d (N m).
+        Rate of the angular momentum about the center of mass, I A + W x I W (N m). E_d includes the term of
+        the rotor.
     f : Matrix, shape (3, 1)
-        Friction moment at the spherical joint (N m).
+        Friction moment of the spherical joint on the platform (N m). The moment on the upper part is -f.
     """
 
     r_d: sp.Matrix
@@ -414,7 +418,10 @@ def leg_equations(
 
 
 def whole_leg(equations: LegEquations) -> tuple[sp.Matrix, sp.Matrix]:
-    """Return (19), the sum of (17) and (18), and its known part C of (20): M_u n + S x F_s = C."""
+    """Return (19), the sum of (17) and (18), and the right-hand side C of (20).
+
+    Equation (20) is (19) with the unknowns on the left-hand side: M_u n + S x F_s = C.
+    """
     total = (equations.euler_lower + equations.euler_upper).applyfunc(sp.expand)
     nothing = dict.fromkeys((AXIAL, *equations.unknowns), 0)
     return total, -total.subs(nothing)
@@ -423,8 +430,9 @@ def whole_leg(equations: LegEquations) -> tuple[sp.Matrix, sp.Matrix]:
 def eliminate(form: Formulation, equations: LegEquations, C: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
     """Solve the twelve equations for the twelve unknowns as functions of x.
 
-    C is the known part of (19). With a spherical base joint the axial component of (19) determines the rate
-    of the free spin. It is omitted, as in the paper, so eleven equations remain for eleven unknowns.
+    (20) replaces (18), and C is its right-hand side. With a spherical base joint there is no M_u, and the
+    axial component of (20) would determine the acceleration of the free spin. This component is omitted, as
+    in the paper, so eleven equations remain for eleven unknowns.
     """
     total, known = whole_leg(equations)
     moments = list(total + known - C)
@@ -448,7 +456,8 @@ def leg_dynamics(
 ) -> LegDynamics:
     """Set up and solve the equations of one leg, and name the quantities of the paper.
 
-    ``with_reactions`` names E_d, which M_p requires. Otherwise only I_d + I_u is formed, as in (19).
+    With ``with_reactions``, E_d is computed for M_p. Otherwise only I_d + I_u is formed, as in (19), and M_p
+    is not valid. The other results are the same, because they depend only on E_d + E_u.
     """
     L_dot, W, L_ddot, A = rotation(build, form, m)
     r_d, r_u, N_d, N_u, f = center_forces(build, c, m, L_dot, W, L_ddot, A)

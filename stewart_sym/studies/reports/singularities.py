@@ -11,7 +11,7 @@ from ...io.array_types import Array
 from ...io.sample_times import time_text
 from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse_kinematics import ROUNDING, leg_vectors, wrench_matrix
-from ...kinematics.pose_search import jacobian
+from ...kinematics.pose_search import rates_per_twist
 from ...motion.interpolation import Path
 from ...results import OK
 from ...robot.robot import LEGS, Robot
@@ -215,7 +215,7 @@ def curves(found: Examination) -> Columns:
     times = times[(times >= along.start) & (times <= along.end)]
     motion = found.path(times)
     length = characteristic_length(robot) or 1.0
-    H = moments_over(np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2), length)
+    H = moments_over(np.swapaxes(rates_per_twist(robot, motion.R, motion.t), -1, -2), length)
     s = np.linalg.svd(H, compute_uv=False)
     forces = inverse_dynamics(robot, motion, found.formulation, on_singular="nan")
     _, S, L = leg_vectors(robot, motion.R, motion.t)

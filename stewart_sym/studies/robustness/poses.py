@@ -11,7 +11,7 @@ from ...kinematics.conditioning import characteristic_length, scaled_condition_n
 from ...kinematics.forward_kinematics import forward_kinematics
 from ...kinematics.inverse_kinematics import leg_vectors
 from ...kinematics.pose_certificate import certify_pose
-from ...kinematics.pose_search import jacobian, newton, solve
+from ...kinematics.pose_search import newton, rates_per_twist, solve
 from ...motion.rotation import orthonormal, rotation_from_vector
 from ...motion.straight_line import PAPER_PATHS
 from ...precision.truth import digits
@@ -63,7 +63,7 @@ def families() -> list[Family]:
     condition = np.empty(n)
     for i, motion in enumerate(motions):
         L = leg_vectors(robot, motion.R, motion.t)[2]
-        H = np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2)
+        H = np.swapaxes(rates_per_twist(robot, motion.R, motion.t), -1, -2)
         condition[i] = scaled_condition_number(H, characteristic_length(robot))
         found = forward_kinematics(robot, L, (motion.R, motion.t + 1e-6), "nan")
         status[i] = found.status
@@ -135,7 +135,7 @@ def _plain_newton(robot: Robot, L: Array, R: Array, t: Array) -> tuple[Array, Ar
     R, t = R.copy(), t.copy()
     with np.errstate(all="ignore"):
         for _ in range(30):
-            J = jacobian(robot, R, t)
+            J = rates_per_twist(robot, R, t)
             good = np.asarray(np.isfinite(J).all(axis=(-2, -1)))
             miss = np.where(good[:, None], L - leg_vectors(robot, R, t)[2], 0.0)
             step, _ = solve(np.where(good[:, None, None], J, np.eye(6)), miss)

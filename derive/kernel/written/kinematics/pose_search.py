@@ -1,9 +1,9 @@
 """Kinematics of the legs, forward and inverse, in the part of Python that ``read`` reads.
 
 The search of a pose is Newton's on (2). Each step solves J d = miss by Householder's reflections, which
-leave the singular values of J as they are, so that its triangle also says how near to singular H is. If a
-bound does not prove that the pose found is the nearest to the guess, a damped search and a search from
-behind the next singular pose follow, and the nearest result counts.
+leave the singular values of J as they are, so that its triangle also says how near to singular H is. If an
+estimate of second order does not accept the pose found as the nearest to the guess, a damped search and a
+search from behind the next singular pose follow, and the nearest result counts.
 """
 
 
