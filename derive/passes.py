@@ -1,6 +1,6 @@
-"""What each reduction is worth: the ``exact`` force kernel after every pass, with its operations and its C.
+"""Force kernel of the formulation ``exact`` after every pass, with its operations and its C, for the benchmark.
 
-For the benchmark. The passes themselves are in ``cse`` and ``actuator_forces``; here they are put in order.
+The modules ``cse`` and ``actuator_forces`` contain the passes; this module defines their order.
 """
 
 from collections.abc import Callable

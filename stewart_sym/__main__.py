@@ -1,12 +1,12 @@
-"""Where ``stewart-sym`` and ``python -m stewart_sym`` begin; Ctrl-C during imports exits with 130."""
+"""Entry point of ``stewart-sym`` and of ``python -m stewart_sym``; Ctrl-C during imports exits with 130."""
 
 import os
 import sys
 
 
 def main() -> int:
-    """Run the command line of this process; returns the exit code, 130 where it was interrupted."""
-    # Before NumPy is imported: of matrices as small as ours, threads of OpenBLAS wait more than they work.
+    """Run the command line of this process and return the exit code, 130 after an interrupt."""
+    # Set before NumPy is imported: for small matrices, threads of OpenBLAS cost more time than they save.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         from .cli.main import main as run

@@ -14,9 +14,9 @@
  * velocity        969 (509 mul, 421 add, 26 div, 13 sqrt)
  * A search takes the operations of `search` once and the operations of `step` for each step. From guesses within
  * 0.001, 0.05, and 0.3 rad of the pose, and as many lengths of the longest leg, 99 of 100 poses of random robots
- * require at most 3, 4, and 6 (double) and 2, 3, and 5 (float) steps. A second and a third search follow unless a
- * bound proves that the first result is the nearest one to the guess. The proof mostly succeeds within 0.02 (m and rad)
- * of a pose that is not near a singular one. STEWART_MAX_SEARCHES 1 omits these searches.
+ * require at most 3, 4, and 6 (double) and 2, 3, and 5 (float) steps. A second and a third search follow unless an
+ * estimate of second order shows that the first result is the nearest one to the guess. It mostly does within
+ * 0.02 (m and rad) of a pose that is not near a singular one. STEWART_MAX_SEARCHES 1 omits these searches.
  */
 #ifndef STEWART_KINEMATICS_H
 #define STEWART_KINEMATICS_H
