@@ -1,6 +1,7 @@
-"""Force kernel of the formulation ``exact`` after every pass, with its operations and its C, for the benchmark.
+"""Force kernel of the formulation ``exact`` after every pass, with its operations and its C.
 
-The modules ``cse`` and ``actuator_forces`` contain the passes; this module defines their order.
+For the benchmark. The modules ``cse`` and ``actuator_forces`` contain the passes; this module defines their
+order.
 """
 
 from collections.abc import Callable

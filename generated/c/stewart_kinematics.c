@@ -692,8 +692,8 @@ static void apart(const stewart_pose *one, const stewart_pose *other, stewart_re
 
 /* Return 1 if any other pose with the same lengths is farther away than twice a distance, else 0.
  *
- * ``away`` is the square of the distance. An estimate of second order: it bounds the second derivatives
- * at this pose. */
+ * ``away`` is the square of the distance. An estimate of second order, from second derivatives at this
+ * pose. */
 static int is_nearest(
     const stewart_robot *robot, stewart_real per_size, stewart_real away, const legs_at_pose *legs)
 {

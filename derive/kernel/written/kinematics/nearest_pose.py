@@ -91,7 +91,8 @@ def apart(one: "Pose", other: "Pose", squares: "array(2)") -> None:
 def is_nearest(robot: "Robot", per_size: "Real", away: "Real", legs: "LegsAtPose") -> "Integer":
     """Return 1 if any other pose with the same lengths is farther away than twice a distance, else 0.
 
-    ``away`` is the square of the distance. An estimate of second order: it bounds the second derivatives at this pose."""
+    ``away`` is the square of the distance. An estimate of second order, from second
+    derivatives at this pose."""
     shortest = legs.L[0]
     arm = 0.0
     for i in range(6):
