@@ -1,6 +1,6 @@
 """Common part of the array modules: status codes, constants, and functions of an array namespace.
 
-Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
+Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
 SPDX-License-Identifier: 0BSD
 """
 

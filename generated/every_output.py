@@ -1,6 +1,6 @@
 """Common part of the modules of inverse dynamics and regressor: robot, motion, platform, checks, solver.
 
-Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
 Each number of a structure may be an array with one value per pose, so the component is the first index: ``t`` is a

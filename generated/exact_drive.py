@@ -1,6 +1,6 @@
 """Inverse dynamics and joint reactions of a Gough-Stewart platform on arrays, kernel `exact_drive`.
 
-Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
 Arguments and results are described in every_output.py.

@@ -1,6 +1,6 @@
 """Dynamics of a Gough-Stewart platform on arrays of the array API: NumPy, JAX, PyTorch, and others.
 
-Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
 Each number of a structure may be an array with one value per pose, so the component is the first index: ``F`` is

@@ -1,6 +1,6 @@
 """Regressor of a Gough-Stewart platform on arrays, formulation `exact`, universal base joints.
 
-Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
 Columns of Y are in ``force_NAME``, rows 0 to 2, and ``moment_NAME``, rows 3 to 5. Arguments and results are described

@@ -1,6 +1,6 @@
 """Fidelity levels of the force kernels of ``exact``, from all terms to the platform only.
 
-Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
+Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
 SPDX-License-Identifier: 0BSD
 """
 

@@ -1,6 +1,6 @@
 """Columns of the regressor for the rotors of the legs on arrays, formulation `exact`, universal base joints.
 
-Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
 The module exact_regressor.py does not contain these columns. The names follow the same pattern.

@@ -1,6 +1,6 @@
 /* stewart.h: arithmetic, status codes, and data types of the stewart-sym kernels.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * Units: lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
@@ -12,7 +12,7 @@
 
 #include <stddef.h>
 
-#define STEWART_SYM_VERSION "0.1.0" /* version of the generator */
+#define STEWART_SYM_VERSION "0.1.0.dev0" /* version of the generator */
 
 /* Compilers that assume finite numbers remove the checks of inputs and results, and wrong inputs then give
  * STEWART_OK. With -DSTEWART_ALLOW_FAST_MATH the caller must check all inputs and results. */

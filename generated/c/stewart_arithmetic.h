@@ -1,6 +1,6 @@
 /* stewart_arithmetic.h: arithmetic and thresholds of the kernels, included by their sources.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #ifndef STEWART_ARITHMETIC_H

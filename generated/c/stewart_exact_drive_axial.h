@@ -1,6 +1,6 @@
 /* stewart_exact_drive_axial.h: axial forces in the screws of legs with rotors.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * The function computes one pose, for a controller. Its results are inputs of stewart_motor_torques. It reads b, p, k, m_r, and j_r

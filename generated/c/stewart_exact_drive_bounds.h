@@ -1,6 +1,6 @@
 /* stewart_exact_drive_bounds.h: actuator forces with bounds of their rounding errors.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * The forces are computed by the same operations as in stewart_exact_drive_forces.h and are identical to the last bit with

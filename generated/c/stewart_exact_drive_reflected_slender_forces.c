@@ -1,6 +1,6 @@
 /* stewart_exact_drive_reflected_slender_forces.c: see stewart_exact_drive_reflected_slender_forces.h.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #include "stewart_exact_drive_reflected_slender_forces.h"

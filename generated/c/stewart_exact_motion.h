@@ -1,6 +1,6 @@
 /* stewart_exact_motion.h: closed form of the equations of motion, forward dynamics, and derivatives.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  *     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]

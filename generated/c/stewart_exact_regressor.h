@@ -1,6 +1,6 @@
 /* stewart_exact_regressor.h: regressor, the matrix Y of the equations of motion that are linear in the parameters.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  *     H F + [R F_ext; R M_ext] = Y pi

@@ -1,6 +1,6 @@
 /* stewart_exact_spherical_forces.h: actuator forces from prepared constants, optimized for speed.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * A single pose uses six of eight lanes for its legs. A batch uses eight lanes, or sixteen in float, for poses.

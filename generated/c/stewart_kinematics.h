@@ -1,6 +1,6 @@
 /* stewart_kinematics.h: inverse and forward kinematics: leg lengths and rates, and the platform's pose and twist.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * Each function computes one pose, for a controller. Of the robot only the points b and p are read. The spin of a leg

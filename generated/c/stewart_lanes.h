@@ -1,7 +1,7 @@
 /* stewart_lanes.h: moments about platform point 1 and the linear solver, for one pose and for a block of poses in
  * lanes, included by the sources of kernels.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #ifndef STEWART_LANES_H

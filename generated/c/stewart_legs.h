@@ -1,6 +1,6 @@
 /* stewart_legs.h: leg lengths with first and second derivatives, and leg vectors, of many poses.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * Of the robot only the points b and p are read. The spin of a leg about its own axis has no effect, so the functions

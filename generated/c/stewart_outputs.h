@@ -1,7 +1,7 @@
 /* stewart_outputs.h: platform's part of c, linear solver, and batches of the complete inverse dynamics, included by
  * the sources of kernels.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #ifndef STEWART_OUTPUTS_H

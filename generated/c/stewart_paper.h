@@ -1,6 +1,6 @@
 /* stewart_paper.h: inverse dynamics and joint reactions of a Gough-Stewart platform.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * Formulation `paper`: equations as printed, including their four errors.

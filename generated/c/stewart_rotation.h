@@ -1,6 +1,6 @@
 /* stewart_rotation.h: R, omega, and alpha of a motion from roll, pitch, and yaw or from a quaternion.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #ifndef STEWART_ROTATION_H

@@ -1,7 +1,7 @@
 /* stewart_solve.h: common functions for the platform's six equations H x = c, included by the sources of kernels:
  * contributions of the legs, scaling of moments and axes, and the test for a singular H.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  */
 #ifndef STEWART_SOLVE_H

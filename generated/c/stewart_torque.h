@@ -1,6 +1,6 @@
 /* stewart_torque.h: motor torques and currents from the forces of the legs.
  *
- * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
  * The function computes one pose, for a controller. Friction and efficiency act between the force of a leg and its

@@ -31,7 +31,7 @@ POWERS = {
     **dict.fromkeys(("speed_limit", "regularization_speed", "v", "duration", "time"), (0.5, 0)),
     **dict.fromkeys(("motor_coulomb", "torque_constant", "torque_limit"), (1.0, 1)),
     **dict.fromkeys(("motor_speed_limit", "rate"), (-0.5, 0)),
-    **{"resistance": (0.5, 1), "stiffness": (-1.0, 1), "clearance": (1.0, 0)},
+    **{"resistance": (0.5, 1), "stiffness": (-1.0, 1), "min_clearance": (1.0, 0)},
 }
 LENGTH, MASS = 2.0**-8, 3.0**-12
 """So unlike that no product of their powers is near another."""
@@ -104,7 +104,7 @@ COMMANDS = {
     "plan": ("via.toml", "-o", "out", "--no-plots"),
     "forces": ("hexapod.toml", "trajectory.csv", "-o", "out.csv"),
 }
-FREE = ("condition_number", "_std_", "/deviations/", "time_s", "/steps", "certificate/instants")
+FREE = ("condition_number", "_std_", "/std/", "time_s", "/steps", "certificate/instants")
 """With moments of another unit, of rounding, where a peak is flat, of steps."""
 
 

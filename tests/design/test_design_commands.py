@@ -85,7 +85,7 @@ def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run
     assert data["extent"][2][0] > 0.0
     rows = read(folder / "workspace" / "slices.csv")
     assert {row["axes"] for row in rows} >= {"t_x-t_y", "theta_y-theta_z"}
-    assert {row["first_limit"] for row in rows} >= {"inside", "leg length", "joint angle"}
+    assert {row["first_limit"] for row in rows} >= {"feasible", "leg_length", "joint_angle"}
 
 
 def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(run: Run) -> None:

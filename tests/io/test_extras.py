@@ -59,7 +59,7 @@ def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extr
 def test_what_the_readme_installs_serves_all_but_the_comparisons() -> None:
     errors = errors_without(of_extras("bench", "casadi", "cluster"))
     comparing = {"baselines_casadi", "drake_inverse", "mujoco_constraints", "pinocchio"}
-    assert {name.rpartition(".")[2] for name in errors} == comparing | {"workspace"}
+    assert {name.rpartition(".")[2] for name in errors} == comparing | {"workspace_map"}
 
 
 @pytest.mark.parametrize("package", sorted(set(EXTRAS) - {"mpl_toolkits", "distributed"}))

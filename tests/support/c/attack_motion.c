@@ -41,7 +41,7 @@ static int many(
     memcpy(&linearization, out, sizeof linearization);
     switch (what) {
     case EQUATIONS: return KERNEL_NAME(_equations_batch)(model, count, motions, missing ? 0 : &equations, status);
-    case BIAS: return KERNEL_NAME(_bias_batch)(model, count, motions, single, status);
+    case BIAS: return KERNEL_NAME(_bias_and_friction_batch)(model, count, motions, single, status);
     case FORWARD_DYNAMICS: return KERNEL_NAME(_forward_dynamics_batch)(model, count, motions, F, single, status);
     case JOINT_INERTIA: return KERNEL_NAME(_joint_inertia_batch)(model, count, motions, single, status);
     case DERIVATIVES: return KERNEL_NAME(_derivatives_batch)(model, count, motions, missing ? 0 : &derivatives, status);
