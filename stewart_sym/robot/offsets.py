@@ -28,8 +28,8 @@ class Offsets(Frozen):
     part has its origin where o meets the moving axis, frame U of the upper part at the end of the leg. Zeros
     are the ordinary leg.
 
-    Spherical platform joints: U has the axes of D. Universal ones: x_U = s, z_U = x_U x y_U, and y_U is the
-    unit vector along k_P x s, with k_P = R platform_axis.
+    With spherical platform joints, U has the axes of D. With universal ones, x_U = s and z_U = x_U x y_U. The
+    axis y_U is the unit vector along k_P x s, with k_P = R platform_axis.
 
     Attributes
     ----------
