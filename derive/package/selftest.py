@@ -208,15 +208,17 @@ def _rejected_motions(rejected: Sequence[Vector]) -> str:
 
 
 def _forces(functions: Sequence[Function]) -> Function | None:
+    """Return the forces among the functions of a kit, None for a kit without them."""
     return next((function for function in functions if function.stem == "forces"), None)
 
 
 def _kit_include(functions: Sequence[Function]) -> str:
+    """Include ``stewart_kit.h`` if the kit has it."""
     return f'#include "{FORCES_HEADER}"\n' if _forces(functions) else ""
 
 
 def _kit_forces(functions: Sequence[Function]) -> str:
-    """The check of the header that gives the forces one name."""
+    """Compare the functions of ``stewart_kit.h`` with the kernel that they call."""
     if (forces := _forces(functions)) is None:
         return ""
     batch = template("kit/selftest_kit_batch.c") if forces.batch else ""
