@@ -54,8 +54,6 @@ GROUPS = {
         "chart": "studies.chart",
         "stability": "studies.stability",
         "benchmark": "studies.benchmark",
-        "control": "studies.control",
-        "controller": "studies.controller",
     },
 }
 """Module of each subcommand by group, in the order of the help.

@@ -26,6 +26,7 @@ from pages import (
     same_picture,
     text_of,
 )
+from published import PICTURES
 from sweeps import slow_but
 
 import stewart_sym as ss
@@ -35,14 +36,14 @@ from stewart_sym.robot import bodies, drive, offsets, schema_2
 from stewart_sym.simulation import scene
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
-from stewart_sym.studies.published import PICTURES
 
 FAULTS = ".docs/explanation/faults.md"
 RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for block in blocks(page))]
 SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blocks(page))}
-LONG = {f".docs/gallery/{name}.md" for name in ("mpc", "computed-torque", "around-a-singularity")} | {
-    f".docs/howto/{name}.md" for name in ("arrays", "controller")
-}
+LONG = {
+    f".docs/gallery/{name}.md"
+    for name in ("mpc", "computed-torque", "controller-models", "around-a-singularity")
+} | {f".docs/howto/{name}.md" for name in ("arrays", "controller")}
 DARKEST_PAPER = 0.94
 """Brightness below which a dot of a drawing is ink, 0 to 1."""
 NOT_RUN = ("sh .ci/setup ", "pip install ")

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import published
 import pytest
 from machines import dasgupta, machine_in_motion
 from numpy.typing import NDArray
@@ -19,15 +20,12 @@ from stewart_sym.backend import fidelity
 from stewart_sym.backend.kernel import module
 from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.scene import Scene, read_scene
-from stewart_sym.studies import published
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.benchmark import published as published_bench
 from stewart_sym.studies.benchmark.baselines import Called
 from stewart_sym.studies.benchmark.equation_kernels import MotionGroup
 from stewart_sym.studies.benchmark.figures import CLOSED, Timed
 from stewart_sym.studies.common.host import DISTURBED
-from stewart_sym.studies.control import control
-from stewart_sym.studies.control import report as control_report
 from stewart_sym.studies.paper.reproduce import fault_cost, work_energy
 
 FAULTS, CHECKS = ".docs/explanation/faults.md", ".docs/explanation/checks.md"
@@ -254,16 +252,6 @@ def test_every_figure_that_changes_changes_a_table() -> None:
     changes_tables("bench", found, places)
 
 
-def shown_of_control(found: dict[str, Any]) -> list[tuple[Any, ...]]:
-    """Of every controller of the machine as printed."""
-    kinds = {"position": "mm", "orientation": "mrad"}
-    shown = {f"{kind}_{of}_{unit}" for kind, unit in kinds.items() for of in ("rms", "max")}
-    shown |= {f"{kind}_rms_{unit}_to_exact" for kind, unit in kinds.items()}
-    shown |= {"force_peak_N", "force_rms_N", "force_peak_N_to_exact"}
-    shown |= {"position_settled_rms_mm", "position_settled_rms_mm_to_exact"}
-    return [("machines", "printed", "rows", ..., name) for name in sorted(shown)]
-
-
 def shown_of_stability(found: dict[str, Any]) -> list[tuple[Any, ...]]:
     methods = [
         ("families", 0, "methods", ..., name) for name in ("worst", "digits", "rejected_at", "undetected")
@@ -286,28 +274,12 @@ def shown_of_chart(found: dict[str, Any]) -> list[tuple[Any, ...]]:
     ]
 
 
-@pytest.mark.parametrize("places", [shown_of_control, shown_of_stability, shown_of_chart])
+@pytest.mark.parametrize("places", [shown_of_stability, shown_of_chart])
 def test_every_figure_of_a_study_that_is_shown_changes_a_table(
     places: Callable[[dict[str, Any]], list[tuple[Any, ...]]],
 ) -> None:
     study = places.__name__.removeprefix("shown_of_")
     changes_tables(study, figures(study), places(figures(study)))
-
-
-@pytest.mark.slow
-def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
-    """On the shorter path; the notebook has both of the machine as printed."""
-    committed, machines = figures("control"), control.papers_machines()
-    studies = {label: control.track_paths(robot, ("II",)) for label, robot in machines.items()}
-    found = json.loads(json.dumps(control_report.as_json(studies)))
-    assert found["settings"] == committed["settings"]
-    assert found["machines"].keys() == committed["machines"].keys()
-    for label, machine in found["machines"].items():
-        rows = control_report.by_name(committed["machines"][label]["rows"])
-        assert machine["friction"] == committed["machines"][label]["friction"]
-        for key, row in control_report.by_name(machine["rows"]).items():
-            numbers = {name: value for name, value in row.items() if isinstance(value, float)}
-            assert numbers == pytest.approx({name: rows[key][name] for name in numbers}, rel=1e-4), key
 
 
 def test_the_committed_chart_is_what_the_code_computes() -> None:

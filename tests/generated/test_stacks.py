@@ -1,7 +1,7 @@
 """The stack that kits quote is what the cross compiler tells today.
 
-``PYTHONPATH=tests/support:tests/support/packages python tests/generated/test_stacks.py`` measures every
-function anew and rewrites ``stewart_sym/kit/stack.json``.
+``python tests/generated/test_stacks.py`` measures every function anew and rewrites
+``stewart_sym/kit/stack.json``. Its ``PYTHONPATH`` lists ``tests/support``, ``packages``, and ``studies``.
 """
 
 import dataclasses
@@ -15,7 +15,9 @@ from typing import Any
 import machines
 import numpy as np
 import pytest
+import toolchain
 from kits import kit_of
+from toolchain import CORES, Core
 
 from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.native import CompilerError
@@ -26,11 +28,9 @@ from stewart_sym.kit.files import stack_key
 from stewart_sym.kit.kit_options import check
 from stewart_sym.kit.parts import Parts, parts
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.microcontroller import toolchain
-from stewart_sym.studies.microcontroller.toolchain import CORES, Core
 
 TABLE = Path(__file__).parents[2] / "stewart_sym" / "kit" / "stack.json"
-REWRITE = "run `PYTHONPATH=tests/support:tests/support/packages python tests/generated/test_stacks.py`"
+REWRITE = "run `python tests/generated/test_stacks.py`"
 
 
 def robots() -> list[Robot]:

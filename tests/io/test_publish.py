@@ -41,7 +41,6 @@ def at_robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (["singularities", "robot.toml", "I", "-o", ".", "--no-plots"], "path.csv"),
         (["simulate", "swing.toml", "-o", ".", "--no-plots"], "run.csv"),
         (["reproduce", "-o", ".", "--no-plots"], "report.txt"),
-        (["control", "-o", ".", "--no-plots"], "control.csv"),
         (["stability", "-o", ".", "--no-plots"], "stability.txt"),
     ],
 )

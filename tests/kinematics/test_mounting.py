@@ -33,7 +33,6 @@ from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
 from stewart_sym.studies.common.output import csv_lines
-from stewart_sym.studies.control import control
 
 # One machine shows a lost sign; another, one that its numbers hide.
 SEEDS = 20 if FULL else 2
@@ -208,18 +207,6 @@ def test_the_papers_paths_are_on_the_side_of_the_platform(tmp_path: Path) -> Non
     up, down = (named_paths(machine, tmp_path) for machine in (robot, in_axes(robot, Z_DOWN)))
     for one, there in zip(up, down, strict=True):
         np.testing.assert_allclose(there, one, rtol=1e-6)
-
-
-@pytest.mark.slow
-def test_controllers_track_the_papers_paths_on_the_side_of_the_platform() -> None:
-    settings = control.Settings(rate=100.0, k_p=25.0, k_d=10.0, step=0.01)
-    up, down = (
-        control.track_paths(robot, ("I",), settings).runs["I"]
-        for robot in (dasgupta(), in_axes(dasgupta(), Z_DOWN))
-    )
-    for name, run in up.items():
-        np.testing.assert_allclose(down[name].F, run.F, rtol=1e-6)
-        np.testing.assert_allclose(down[name].position, run.position, rtol=1e-6)
 
 
 def named_paths(robot: ss.Robot, folder: Path) -> list[Array]:

@@ -134,7 +134,7 @@ def test_a_partial_run_replaces_no_published_one(tmp_path: Path) -> None:
     (tmp_path / "bench.json").write_text(json.dumps({"left_out": ["CasADi"]}))
     committed = Path(__file__).parents[2] / ".docs" / "bench.json"
     before = committed.read_bytes()
-    command = [sys.executable, "-m", "stewart_sym.studies.published", str(tmp_path)]
+    command = [sys.executable, "tests/support/studies/published.py", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, cwd=committed.parents[1])
     assert done.returncode == 1
     (line,) = done.stderr.splitlines()

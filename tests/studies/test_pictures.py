@@ -24,18 +24,10 @@ from stewart_sym.motion.motion import at_rest
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies.accuracy import bound_plot
 from stewart_sym.studies.common.drawing import legend_below, log_numbers
-from stewart_sym.studies.control import report
 from stewart_sym.studies.design import workspace_report
 from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
 
 Array = NDArray[np.float64]
-
-
-def _control() -> Figure:
-    time = np.linspace(0.0, 1.0, 20)
-    errors = {"position": 1e-3 * (2.0 + time), "orientation": 1e-3 * (3.0 + time), "largest_force": 9 + time}
-    runs = {name: SimpleNamespace(time=time, **errors) for name in report.NAMES}
-    return report.figure(SimpleNamespace(runs={"I": runs}, robot=dasgupta1998()))  # type: ignore[arg-type]
 
 
 def _drift() -> Figure:
@@ -59,7 +51,6 @@ def _path() -> Figure:
 PICTURES: dict[str, Callable[[], Figure]] = {
     "bounds": lambda: bound_plot.figure(bound_plot.bounds_study(cases=20)),
     "chart": chart,
-    "control": _control,
     "drift": _drift,
     "run": _run,
     "path": _path,

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ...backend.native import CompilerError
+from stewart_sym.backend.native import CompilerError
 
 GCC, SIZE, NM, OBJDUMP = (f"arm-none-eabi-{tool}" for tool in ("gcc", "size", "nm", "objdump"))
 QEMU = "qemu-system-arm"

@@ -1,26 +1,24 @@
 """One-pose kernels on emulated microcontrollers: right, small, quick, and alone."""
 
 import json
-import re
 import shutil
 import subprocess
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+import microcontroller as measure
 import numpy as np
 import pytest
-from command_line import Run
+import toolchain
 from machines import dasgupta, random_robot
+from microcontroller import right
 from sweeps import FULL, slow_but
 
 from stewart_sym.backend.native import CompilerError
 from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
-from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.common.output import Figures
-from stewart_sym.studies.microcontroller import measure, microcontroller_report, toolchain
-from stewart_sym.studies.microcontroller.measure import right
 
 INSTRUCTIONS = {"double": 3300, "float": 2850}
 """Of a kit of a precision at the kit's own flags, at most."""
@@ -50,7 +48,7 @@ def measured(precision: str, baked: bool) -> Figures:
 
 
 def study_of(kits: list[tuple[str, bool]]) -> Figures:
-    return measure.of_rows(dasgupta(), "general", [measured(*kit) for kit in kits])
+    return measure.of_rows(dasgupta(), [measured(*kit) for kit in kits])
 
 
 @pytest.fixture(
@@ -81,21 +79,6 @@ def test_a_pose_takes_no_more_instructions_than_a_controller_has(row: Figures) -
         assert row["instructions"] < row["near_singular_joints"] <= AT_MOST[False]
 
 
-@pytest.mark.slow
-def test_the_study_measures_every_kit_and_float_takes_no_more_instructions_than_double(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    kits = study_of(KITS)
-    monkeypatch.setattr(
-        measure, "measured", lambda robot, level, baked, precision: measured(precision, baked)
-    )
-    found = measure.study(dasgupta())
-    assert found == kits
-    counts = {(row["precision"], row["baked"]): row["instructions"] for row in found["rows"]}
-    for baked in (False, True):
-        assert counts["float", baked] <= counts["double", baked]
-
-
 def test_code_and_stack_are_small(row: Figures) -> None:
     assert 1000 < row["flash"]["kernel"] + row["flash"]["robot"] <= FLASH[row["precision"]]
     assert row["flash"]["image"] > row["flash"]["kernel"]
@@ -112,16 +95,6 @@ def test_objects_ask_for_no_heap_no_libm_and_no_double(row: Figures) -> None:
     assert row["double"] == []
 
 
-def test_the_report_and_the_published_table_say_what_was_found(found: Figures) -> None:
-    text = microcontroller_report.report(found)
-    assert text.count("poses right") == len(found["rows"])
-    again = json.loads(json_text(microcontroller_report.full_report(found).data))
-    said = microcontroller_report.tables(again)["controller"]
-    for each in found["rows"]:
-        assert f"{each['instructions']:,}" in text
-        assert f"| {each['instructions']:,} |" in said
-
-
 def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: Figures) -> None:
     agrees_with_the_committed(found, "controller.json")
 
@@ -129,8 +102,6 @@ def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: 
 def agrees_with_the_committed(found: Figures, name: str) -> None:
     path = DOCS / name
     committed, today = json.loads(path.read_text(encoding="utf-8")), json.loads(json_text(found))
-    for key in ("units", "generator"):
-        committed.pop(key, None)
     shown = {(row["precision"], row["baked"]) for row in today["rows"]}
     assert shown <= {(row["precision"], row["baked"]) for row in committed["rows"]}
     committed["rows"] = [row for row in committed["rows"] if (row["precision"], row["baked"]) in shown]
@@ -140,30 +111,19 @@ def agrees_with_the_committed(found: Figures, name: str) -> None:
                 for key in MEASURED:
                     row.pop(key)
         del committed["tools"], today["tools"]
-    assert committed == today, f"run `stewart-sym controller -o DIR` and copy its figures to .docs/{name}"
+    assert committed == today, f"run `microcontroller.py` and `published.py`: .docs/{name}"
 
 
 @pytest.mark.slow
-def test_what_torques_take_is_measured_and_published(tmp_path: Path) -> None:
-    """Of the machine of the page on drives, whose legs have rotors."""
-    page = (DOCS / "howto" / "drives.md").read_text(encoding="utf-8")
-    (drive,) = re.findall(r"> driven\.toml <<'END'\n(.*?)END\n", page, re.DOTALL)
-    file = tmp_path / "driven.toml"
-    file.write_text(
-        (DOCS / "examples" / "hexapod.toml").read_text(encoding="utf-8") + drive, encoding="utf-8"
-    )
-    robot = Robot.from_toml(file)
+def test_the_committed_figures_of_a_drive_are_those_found_today(tmp_path: Path) -> None:
+    robot = measure.driven_robot(tmp_path, DOCS)
     rows = [measure.measured(robot, "general", baked, precision) for precision, baked in OPPOSITE]
-    found = measure.of_rows(robot, "general", rows)
     assert all(map(right, rows))
-    said = microcontroller_report.drive_tables(json.loads(json_text(found)))["controller_drive"]
-    for each in found["rows"]:
+    for row in rows:
         # No more than the forces: what a controller adds to them.
-        assert 0 < each["drive"]["motor_torques"] < each["instructions"]
-        assert 0 < each["drive"]["axial_forces"] < each["instructions"]
-        assert f" {each['drive']['motor_torques']:,} |" in said
-        assert f"{each['drive']['motor_torques']:,}" in microcontroller_report.report(found)
-    agrees_with_the_committed(found, "controller_drive.json")
+        assert 0 < row["drive"]["motor_torques"] < row["instructions"]
+        assert 0 < row["drive"]["axial_forces"] < row["instructions"]
+    agrees_with_the_committed(measure.of_rows(robot, rows), "controller_drive.json")
 
 
 # --- what the study must be able to find --------------------------------------------------------
@@ -235,29 +195,6 @@ def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPa
     assert not right(row)
 
 
-@pytest.mark.parametrize("tool", list(toolchain.PACKAGES))
-def test_a_missing_tool_is_one_line_with_its_package(
-    tool: str, monkeypatch: pytest.MonkeyPatch, run: Run
-) -> None:
-    real = shutil.which
-    monkeypatch.setattr(shutil, "which", lambda name: None if name == tool else real(name))
-    (line,) = run("controller", code=2).err.splitlines()
-    assert line.startswith(f"stewart-sym: error: {tool} not found")
-    assert f"apt-get install {toolchain.PACKAGES[tool]}" in line
-
-
-def test_the_command_writes_the_table_and_the_figures(
-    tmp_path: Path, found: Figures, monkeypatch: pytest.MonkeyPatch, run: Run
-) -> None:
-    monkeypatch.setattr(measure, "study", lambda *_: found)
-    printed = run("controller", "-o", tmp_path / "out").out
-    assert microcontroller_report.report(found) in printed
-    assert json.loads((tmp_path / "out" / "controller.json").read_text()) == json.loads(
-        json_text({"generator": "stewart-sym controller", **microcontroller_report.full_report(found).data})
-    )
-    assert (tmp_path / "out" / "controller.txt").read_text() == microcontroller_report.report(found) + "\n"
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("level", "scale", "joint", "baked"),
@@ -287,9 +224,8 @@ def test_the_self_test_of_a_kit_decides(tmp_path: Path) -> None:
     """Exit codes of a program reach the study."""
     for code in (0, 3):
         core = toolchain.CORES["double"]
-        own = Path(measure.__file__).parent
         for file in ("start.c", "board.h", "link.ld"):
-            shutil.copyfile(own / file, tmp_path / file)
+            shutil.copyfile(measure.BOARD / file, tmp_path / file)
         (tmp_path / "main.c").write_text(f"int main(void);\nint main(void) {{ return {code}; }}\n")
         built = [
             toolchain.compiled(core, tmp_path / name, ["-Wno-pedantic"]) for name in ("start.c", "main.c")

@@ -1,70 +1,82 @@
-"""Kits on a controller: written, cross-compiled, run under QEMU, measured."""
+"""Measurement of one-pose kits on emulated Arm Cortex-M processors: instructions, flash, and stack.
+
+``python tests/support/studies/microcontroller.py RUN`` runs in the top folder of the source, and writes
+``controller.json`` and ``controller_drive.json`` into the folder RUN. The C sources of the folder ``board``
+start the emulated processor and count.
+"""
 
 import re
 import shutil
+import sys
 import tempfile
 from collections.abc import Mapping, Sequence
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import toolchain
+from toolchain import CORES, Core
 
-from ...backend.kernel import MOTION
-from ...backend.native import CompilerError
-from ...derive.package.functions import Vector
-from ...derive.package.text_format import robot_symbol
-from ...dynamics.sample_poses import sample
-from ...io.array_types import Array
-from ...io.progress import Progress, silent, tracked
-from ...kinematics.inverse_kinematics import inverse_kinematics
-from ...kit import Choice, kit
-from ...kit.kit_options import PRECISIONS, STEMS, TORQUE
-from ...kit.vectors import knows_axes, rejected, vectors
-from ...motion.motion import Motion
-from ...results import NOT_FINITE
-from ...robot.robot import Robot
-from ..common.output import Figures
-from . import toolchain
-from .toolchain import CORES, Core
+from stewart_sym.backend.kernel import MOTION
+from stewart_sym.backend.native import CompilerError
+from stewart_sym.derive.package.functions import Vector
+from stewart_sym.derive.package.text_format import robot_symbol
+from stewart_sym.dynamics.sample_poses import sample
+from stewart_sym.io.array_types import Array
+from stewart_sym.io.json_text import json_text
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
+from stewart_sym.kit import Choice, kit
+from stewart_sym.kit.kit_options import PRECISIONS, STEMS, TORQUE
+from stewart_sym.kit.vectors import knows_axes, rejected, vectors
+from stewart_sym.motion.motion import Motion
+from stewart_sym.results import NOT_FINITE
+from stewart_sym.robot.robot import Robot
+from stewart_sym.robots import dasgupta1998
+from stewart_sym.studies.common.output import Figures
 
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""
 NEAR_JOINT_SINGULAR = 1e-3
 """Sine of a leg's angle to its fixed axis: below 1/32 the code path near the joint singularity is taken."""
 _SELFTEST = "selftest.c"
-_OWN = ("start.c", "count.c", "board.h", "link.ld")
+BOARD = Path(__file__).parent / "board"
+"""Folder of the sources that start the processor and count."""
+_DOCS = Path(".docs")
+_DRIVE_KITS = (("double", False), ("float", True))
+"""Precision and baking of the kits with a drive."""
 _OF_DRIVES = ("_axial", "_torque")
 """With what names of sources of torques end."""
 _HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})
 
 
 def right(row: Figures) -> bool:
-    """Whether all that was tried of a kit came out as it has to, and nothing is asked of heap or libm."""
+    """Return True if all results of a kit are right, and it needs neither heap nor libm."""
     return not any(row[name] for name in ("failed", "rejected_wrongly", "selftest", "foreign", "double"))
 
 
-def study(robot: Robot, progress: Progress = silent, level: str = "general") -> Figures:
-    """Measure general and baked kits, double on a Cortex-M7 and float on a Cortex-M4F.
-
-    Raises CompilerError where a tool is missing or fails, ValueError as ``kit`` does.
-    """
-    if said := toolchain.missing():
-        raise CompilerError(said)
-    kits = [(precision, bake) for precision in CORES for bake in (False, True)]
-    rows = [
-        measured(robot, level, bake, precision)
-        for precision, bake in tracked(
-            progress, kits, lambda kit: f"{'baked' if kit[1] else 'general'} kit in {kit[0]}"
-        )
-    ]
-    return of_rows(robot, level, rows)
+def driven_robot(folder: Path, docs: Path = _DOCS) -> Robot:
+    """Write the robot file of the page on drives into a folder, and read it."""
+    page = (docs / "howto" / "drives.md").read_text(encoding="utf-8")
+    (drive,) = re.findall(r"> driven\.toml <<'END'\n(.*?)END\n", page, re.DOTALL)
+    file = folder / "driven.toml"
+    text = (docs / "examples" / "hexapod.toml").read_text(encoding="utf-8")
+    file.write_text(text + drive, encoding="utf-8")
+    return Robot.from_toml(file)
 
 
-def of_rows(robot: Robot, level: str, rows: Sequence[Figures]) -> Figures:
-    """Figures of the kits of one robot, and what made them."""
-    made = {"tools": toolchain.versions(), "flags": toolchain.FLAGS}
-    return {"robot": robot.name, "fidelity": level, "rows": rows, **made}
+def of_rows(robot: Robot, rows: Sequence[Figures]) -> Figures:
+    """Return the figures of the kits of one robot, and the tools that made them."""
+    made = {"tools": toolchain.versions(), "flags": toolchain.FLAGS, "units": _UNITS}
+    return {"robot": robot.name, "fidelity": "general", "rows": rows, **made}
+
+
+_UNITS = {
+    "drive": "instructions per call, and bytes",
+    "worst": "share of the bound",
+    "instructions": "per call",
+    "near_singular_joints": "instructions per call",
+    **dict.fromkeys(("flash", "ram", "stack"), "bytes"),
+}
 
 
 # --- one kit ----------------------------------------------------------------------------------
@@ -93,8 +105,7 @@ def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
         folder = Path(name)
         for file, content in made.items():
             (folder / Path(file).name).write_bytes(content)
-        for file in _OWN:
-            shutil.copyfile(str(files(__package__) / file), folder / file)
+        shutil.copytree(BOARD, folder, dirs_exist_ok=True)
         kernel = next(path.stem for path in folder.glob("stewart_*_pose.c"))
         torques = sorted(path.stem for path in folder.glob("*.c") if path.stem.endswith(_OF_DRIVES))
         header = _cases_header(robot, level, bake, precision, kernel, torques)
@@ -301,3 +312,24 @@ def _nested(values: Array, form: str = "{}") -> str:
 def _literal(value: float) -> str:
     special: Mapping[str, str] = {"nan": "NAN", "inf": "INFINITY"}
     return special.get(repr(value), repr(value))
+
+
+def main(arguments: list[str]) -> int:
+    """Measure the kits of the documentation, write their figures to a folder, and return the exit code."""
+    if said := toolchain.missing():
+        print(said, file=sys.stderr)
+        return 2
+    run = Path(arguments[0])
+    run.mkdir(parents=True, exist_ok=True)
+    kits = [(precision, bake) for precision in CORES for bake in (False, True)]
+    studies = {"controller": (dasgupta1998(), kits), "controller_drive": (driven_robot(run), _DRIVE_KITS)}
+    all_right = True
+    for name, (robot, chosen) in studies.items():
+        rows = [measured(robot, "general", bake, precision) for precision, bake in chosen]
+        (run / f"{name}.json").write_text(json_text(of_rows(robot, rows)), encoding="utf-8")
+        all_right = all_right and all(map(right, rows))
+    return 0 if all_right else 2
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,7 +1,7 @@
 """Generator of the tables of the documentation from the results of the studies.
 
-``python -m stewart_sym.studies.published [RUN]`` runs in the top folder of the source. RUN is a folder that
-``benchmark``, ``chart``, ``control``, ``controller``, ``stability``, or ``planning.study`` wrote: its JSON
+``python tests/support/studies/published.py [RUN]`` runs in the top folder of the source. RUN is a folder that
+``benchmark``, ``chart``, ``stability``, ``microcontroller.py``, or ``planning_study.py`` wrote: its JSON
 files and plots replace the files in ``.docs``. Tables are written to ``.docs/tables`` and to the marked
 places of the README.
 """
@@ -13,18 +13,17 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from .accuracy import charts
-from .benchmark import published as benchmark
-from .common.output import Figures
-from .control import report as control
-from .microcontroller import microcontroller_report as microcontroller
-from .planning import study as planning
-from .robustness import study as robustness
+import microcontroller_tables as microcontroller
+import planning_study as planning
+
+from stewart_sym.studies.accuracy import charts
+from stewart_sym.studies.benchmark import published as benchmark
+from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.robustness import study as robustness
 
 STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "bench": benchmark.tables,
     "chart": charts.tables,
-    "control": control.tables,
     "controller": microcontroller.tables,
     "controller_drive": microcontroller.drive_tables,
     "plan": planning.tables,
@@ -33,11 +32,11 @@ STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
 """Function that generates the tables of each study, by the name of its JSON file."""
 
 PICTURES = (
-    *("bench.png", "bench_motion.png", "control.png"),
+    *("bench.png", "bench_motion.png"),
     *("plan_claim.png", "plan_path_III.png", "plan_durations.png"),
     *("chart.png", "scales.png", "bounds.png", "singular_path_III.png"),
 )
-COMMAND = "python -m stewart_sym.studies.published"
+COMMAND = "python tests/support/studies/published.py"
 
 
 def written(top: Path) -> dict[Path, str]:

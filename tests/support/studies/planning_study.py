@@ -1,6 +1,6 @@
 """Condition numbers and forces along random paths, paths planned and straight, and Path III planned anew.
 
-``python -m stewart_sym.studies.planning.study DIR`` writes ``plan.json``, ``plan_claim.png``,
+``python tests/support/studies/planning_study.py RUN`` writes ``plan.json``, ``plan_claim.png``,
 ``plan_path_III.png`` and ``plan_durations.png``.
 """
 
@@ -13,26 +13,35 @@ from typing import Any
 import numpy as np
 from scipy.stats import spearmanr
 
-from ...dynamics.inverse_dynamics import inverse_dynamics
-from ...io.array_types import Array
-from ...io.atomic_write import replaced_file
-from ...io.json_text import json_text
-from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
-from ...motion.motion import at_rest
-from ...motion.rotation import rotation_from_vector, vector_from_rotation
-from ...motion.straight_line import PAPER_PATHS
-from ...planning.path_parameterization import MINIMIZE, parameterize_path
-from ...planning.plan_path import PlannedPath, conditions_along, plan_path
-from ...planning.pose_path import Family, PosePath, ViaPose
-from ...planning.timing.path_terms import PathLimits, traveled
-from ...robot.robot import Robot
-from ...robots import dasgupta1998
-from ...singularities.path_singularities import singularity_crossings
-from ..common.drawing import BLUE, DARK, GREY, RED, Figure, legend_below, log_numbers, new_figure
-from ..common.output import Figures, paragraph, table
-from ..common.report import SMALL, Picture, draw
-from ..robustness.sweep.machines import GRAVITY, random_machine
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
+from stewart_sym.io.array_types import Array
+from stewart_sym.io.atomic_write import replaced_file
+from stewart_sym.io.json_text import json_text
+from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
+from stewart_sym.motion.motion import at_rest
+from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation
+from stewart_sym.motion.straight_line import PAPER_PATHS
+from stewart_sym.planning.path_parameterization import MINIMIZE, parameterize_path
+from stewart_sym.planning.plan_path import PlannedPath, conditions_along, plan_path
+from stewart_sym.planning.pose_path import Family, PosePath, ViaPose
+from stewart_sym.planning.timing.path_terms import PathLimits, traveled
+from stewart_sym.robot.robot import Robot
+from stewart_sym.robots import dasgupta1998
+from stewart_sym.singularities.path_singularities import singularity_crossings
+from stewart_sym.studies.common.drawing import (
+    BLUE,
+    DARK,
+    GREY,
+    RED,
+    Figure,
+    legend_below,
+    log_numbers,
+    new_figure,
+)
+from stewart_sym.studies.common.output import Figures, paragraph, table
+from stewart_sym.studies.common.report import SMALL, Picture, draw
+from stewart_sym.studies.robustness.sweep.machines import GRAVITY, random_machine
 
 PATH_COUNT, MACHINE_COUNT, VIA_COUNT = 1000, 50, 6
 YAW = 0.3

@@ -1,1 +1,0 @@
-"""Controllers that differ in nothing but their model of the machine."""

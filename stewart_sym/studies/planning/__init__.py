@@ -1,1 +1,0 @@
-"""What planning gains: condition numbers, forces, and whether the one tells of the other."""
