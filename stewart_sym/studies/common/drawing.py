@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...io.array_types import Array
 from ...io.extras import needed_for
 from ...robot.robot import Robot
 
@@ -51,30 +52,28 @@ def legend_line(label: str, **style: Any) -> Any:
     return Line2D([], [], label=label, **style)
 
 
+def plot_legs(axes: Axes, x: Array, values: Array, **style: Any) -> None:
+    """Plot a labeled curve of each leg from values of shape (n, 6) over x, shape (n,) or (n, 6)."""
+    across = x if x.ndim == 2 else np.tile(x[:, None], len(LEG_COLORS))
+    for leg, color in enumerate(LEG_COLORS):
+        axes.plot(across[:, leg], values[:, leg], color=color, label=f"leg {leg + 1}", **style)
+
+
 def as_written(name: str) -> str:
     """Replace dollar signs in a name, such as the name of a robot, so that they do not start a formula."""
     return name.replace("$", r"\$")
 
 
 def legend_below(figure: Figure, handles: list[Any] | None = None, **style: Any) -> None:
-    """Add a legend below the figure, in as many columns as fit.
-
-    The entries are the handles, or the labeled curves of all axes without duplicates.
-    """
+    """Add a legend of the handles, or of all labeled curves, below the figure, in as many columns as fit."""
     if handles is None:
         found = [axes.get_legend_handles_labels() for axes in figure.axes]
         named = {label: one for ones, labels in found for one, label in zip(ones, labels, strict=True)}
     else:
         named = {one.get_label(): one for one in handles}
     for columns in range(len(named), 0, -1):
-        legend = figure.legend(
-            list(named.values()),
-            list(named),
-            loc="outside lower center",
-            ncols=columns,
-            frameon=False,
-            **style,
-        )
+        where: Any = {"loc": "outside lower center", "ncols": columns, "frameon": False}
+        legend = figure.legend(list(named.values()), list(named), **where, **style)
         if legend.get_window_extent().width <= (1.0 - _MARGIN) * figure.bbox.width:
             return
         if columns > 1:
@@ -88,25 +87,10 @@ def name_points(
     bars: Sequence[tuple[Place, Place]] = (),
     size: float = 7.5,
 ) -> None:
-    """Write labels with thin lines near their points.
+    """Write ``names`` (text, point, and color) with thin lines near their points.
 
-    Parameters
-    ----------
-    axes : Axes
-        Axes, whose figure keeps its layout from this call on.
-    names : sequence of (str, Place, str)
-        Text, point, and color of each label.
-    markers : sequence of Place
-        All drawn points, which labels do not cover.
-    bars : sequence of (Place, Place)
-        Ends of drawn lines, which labels do not cover.
-    size : float
-        Font size.
-
-    Raises
-    ------
-    ValueError
-        If there is no room for all labels.
+    The labels do not cover the ``markers`` and the ends of the ``bars``. The layout of the figure is fixed
+    from this call on. Raises ValueError if there is no room for all labels.
     """
     with needed_for("drawing"):
         import textalloc
@@ -146,10 +130,9 @@ def name_points(
 
 
 def log_numbers(axis: Axis) -> None:
-    """Set the tick labels of a logarithmic axis after its limits are final.
+    """Set powers of ten, or plain numbers over few decades, as tick labels of a logarithmic axis.
 
-    The labels are powers of ten, or plain numbers over few decades. Below one decade the axis becomes linear,
-    because equally spaced ticks are read as a linear scale.
+    Below one decade the axis becomes linear, because equally spaced ticks are read as a linear scale.
     """
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
@@ -166,9 +149,7 @@ def log_numbers(axis: Axis) -> None:
 
 
 def vertical(robot: Robot) -> tuple[int, bool]:
-    """Return the axis of the base frame that is drawn vertically, and True if it points down, based on
-    gravity.
-    """
+    """Return the axis of the base frame that gravity makes vertical, and True if it points down."""
     along = np.abs(robot.g)
     steep = along[2] >= _ALONG_Z * np.linalg.norm(robot.g)
     axis = 2 if steep else int(np.argmax(along))

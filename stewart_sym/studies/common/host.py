@@ -13,9 +13,8 @@ from ...backend import native
 _VECTORS = ("avx512f", "avx2", "asimd")
 """Instruction sets that indicate the widest vector registers, widest first."""
 
-
 DISTURBED = 0.03
-"""Fraction of the core time used by other processes above which times are reported as disturbed."""
+"""Fraction of the core time of other processes above which times are reported as disturbed."""
 
 
 def machine() -> dict[str, Any]:
@@ -33,17 +32,12 @@ def machine() -> dict[str, Any]:
 
 
 def load_average() -> tuple[float, float, float] | None:
-    """Return the mean number of busy processes in the last 1, 5, and 15 minutes; None if the system lacks
-    it.
-    """
+    """Return the mean number of busy processes in the last 1, 5, and 15 minutes, if the system has it."""
     return os.getloadavg() if hasattr(os, "getloadavg") else None
 
 
 def software(*packages: str) -> dict[str, Any]:
-    """List the compiler, its flags, and the versions of Python, this package, NumPy, and other packages.
-
-    Raises native.CompilerError without a compiler.
-    """
+    """List the compiler, if any, its flags, and versions; raises native.CompilerError without a compiler."""
     compiler = native.find_compiler()
     if compiler is None:
         raise native.CompilerError("no C compiler found")

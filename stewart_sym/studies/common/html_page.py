@@ -11,7 +11,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeGuard
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...io.arguments import safe_text
 from ...io.json_text import plain
@@ -28,31 +27,31 @@ _MOST_NUMBERS = 6
 
 
 def html_page(title: str, report: Report, progress: Progress = silent) -> str:
-    """Format a report as HTML.
+    """Format a report as HTML; raises ImportError for plots without Matplotlib.
 
-    Lists of records in the data of the report and text tables become tables. Columns over time become tables
-    that are collapsed initially. Raises ImportError for plots without Matplotlib.
+    Lists of records in the data and text tables become tables, and columns over time collapsed tables.
     """
-    parts = (
-        [_section("Result", f'<pre class="wide" tabindex="0">{_text(report.text)}</pre>')]
-        if report.text
-        else []
-    )
+    result = f'<pre class="wide" tabindex="0">{_text(report.text)}</pre>'
+    parts = [_section("Result", result)] if report.text else []
     for number, (name, view) in enumerate(report.views.items()):
         progress(f"writing {name}", number / len(report.views))
         parts.append(_section(name, frame(view())))
-    parts += [
-        _section(_words(name), _figure(name, picture, progress)) for name, picture in report.figures.items()
-    ]
-    parts += [
-        _section(_words(name), _table(_words(name), rows)) for name, rows in _lists("", plain(report.data))
-    ]
+    for name, picture in report.figures.items():
+        progress(f"drawing {name}")
+        parts.append(_section(_words(name), _figure(_words(name), picture)))
+    for name, records in _lists("", plain(report.data)):
+        keys = list(dict.fromkeys(key for record in records for key in record))
+        rows = [list(map(record.get, keys)) for record in records]
+        parts.append(_section(_words(name), _table(_words(name), map(_words, keys), rows)))
     for name, table in report.tables.items():
-        parts.append(
-            _closed(f"{name}.csv", table)
-            if isinstance(table, Mapping)
-            else _section(_words(name), _rows_of(_words(name), table))
-        )
+        if isinstance(table, Mapping):
+            caption, rows = _sampled(f"{name}.csv", columns=table)
+            body = f"<summary>{_text(caption)}</summary>\n{_table(caption, table, rows)}"
+            parts.append(f"<details>\n{body}\n</details>\n")
+        else:
+            names, *lines = csv.reader(io.StringIO(table))
+            caption, rows = _sampled(_words(name), lines=[list(map(_number, line)) for line in lines])
+            parts.append(_section(_words(name), _table(caption, map(_words, names), rows)))
     values = {"title": _text(title), "parts": "\n".join(parts), "generator": _text(generator())}
     inner = ["main"] if report.views else []
     return document(title, filled("report.html", values), "sort", ("style.css", "report.css"), inner)
@@ -61,15 +60,14 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
 def _section(title: str, body: str) -> str:
     # File names are not capitalized.
     head = title if "." in title else title[:1].upper() + title[1:]
-    return filled("section.html", {"title": _text(head), "body": body})
+    return f"<section>\n<h2>{_text(head)}</h2>\n{body}\n</section>\n"
 
 
-def _figure(name: str, picture: Picture, progress: Progress) -> str:
-    progress(f"drawing {name}")
+def _figure(name: str, picture: Picture) -> str:
     stream = io.BytesIO()
     svg(picture, stream)
     data = base64.b64encode(stream.getvalue()).decode()
-    return filled("figure.html", {"name": _text(_words(name)), "data": data})
+    return f'<figure><img alt="{_text(name)}" src="data:image/svg+xml;base64,{data}"></figure>\n'
 
 
 def _lists(where: str, data: object) -> Iterator[tuple[str, Sequence[Mapping[str, Any]]]]:
@@ -80,7 +78,7 @@ def _lists(where: str, data: object) -> Iterator[tuple[str, Sequence[Mapping[str
     elif _is_list_of_tables(data):
         yield (
             where,
-            [{key: value for key, value in row.items() if not _is_list_of_tables(value)} for row in data],
+            [{key: each for key, each in row.items() if not _is_list_of_tables(each)} for row in data],
         )
         for number, row in enumerate(data, 1):
             inner = {key: value for key, value in row.items() if _is_list_of_tables(value)}
@@ -91,51 +89,33 @@ def _is_list_of_tables(data: Any) -> TypeGuard[list[Mapping[str, Any]]]:
     return isinstance(data, list) and bool(data) and all(isinstance(row, Mapping) for row in data)
 
 
-def _table(caption: str, rows: Sequence[Mapping[str, Any]]) -> str:
-    """Format records as a table; nested or long values are text in one cell."""
-    names = list(dict.fromkeys(name for row in rows for name in row))
-    cells = ["".join(map(_cell, map(row.get, names))) for row in rows]
-    return _filled_table(caption, map(_words, names), cells)
-
-
-def _rows_of(caption: str, text: str) -> str:
-    """Format CSV text as a table; a long table is sampled."""
-    names, *rows = csv.reader(io.StringIO(text))
-    shown = rows if len(rows) <= MOST_ROWS else [rows[i] for i in _some(len(rows))]
-    cells = ["".join(_cell(_number(text)) for text in row) for row in shown]
-    return _filled_table(_thinned(caption, len(shown), len(rows)), map(_words, names), cells)
-
-
 def _number(text: str) -> float | str:
     with contextlib.suppress(ValueError):
-        number = float(text)
-        return text if math.isnan(number) else number
+        return text if math.isnan(float(text)) else float(text)
     return text
 
 
-def _closed(caption: str, columns: Mapping[str, Any]) -> str:
-    """Format columns over time as a collapsed table; the file of the subcommand contains all rows."""
-    count = max(map(len, columns.values()), default=0)
-    some = _some(count)
-    lists = [plain(np.asarray(column)[some]) for column in columns.values()]
-    rows = ["".join(map(_cell, row)) for row in zip(*lists, strict=True)]
-    shown = _thinned(caption, len(some), count)
-    return filled("closed.html", {"title": _text(shown), "body": _filled_table(shown, columns, rows)})
+def _sampled(
+    caption: str, columns: Mapping[str, Any] | None = None, lines: Sequence[Sequence[Any]] = ()
+) -> tuple[str, list[Sequence[Any]]]:
+    """Return a caption with the number of rows, and the displayed rows of columns or lines."""
+    count = len(lines) if columns is None else max(map(len, columns.values()), default=0)
+    some = np.unique(np.linspace(0, max(count - 1, 0), min(count, MOST_ROWS)).astype(np.int64))
+    if columns is None:
+        rows = [lines[i] for i in some]
+    else:
+        rows = list(zip(*(plain(np.asarray(column)[some]) for column in columns.values()), strict=True))
+    shown = f"{count}" if len(some) == count else f"{len(some)} of {count}"
+    return f"{caption}: {shown} rows", rows
 
 
-def _some(count: int) -> NDArray[np.int64]:
-    """Return the indices of the displayed rows of a table with ``count`` rows."""
-    return np.unique(np.linspace(0, max(count - 1, 0), min(count, MOST_ROWS)).astype(np.int64))
-
-
-def _thinned(caption: str, shown: int, count: int) -> str:
-    return f"{caption}: {count} rows" if shown == count else f"{caption}: {shown} of {count} rows"
-
-
-def _filled_table(caption: str, names: Iterable[str], rows: Sequence[str]) -> str:
+def _table(caption: str, names: Iterable[str], rows: Iterable[Sequence[Any]]) -> str:
+    """Format rows as a sortable table; nested or long values are text in one cell."""
     heads = "".join(f'<th scope="col"><button type="button">{_text(name)}</button></th>' for name in names)
-    values = {"caption": _text(caption), "heads": heads, "rows": "".join(f"<tr>{row}</tr>" for row in rows)}
-    return filled("table.html", values)
+    body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in rows)
+    label = f'class="wide" tabindex="0" role="region" aria-label="{_text(caption)}"'
+    head = f"<caption>{_text(caption)}</caption><thead><tr>{heads}</tr></thead>"
+    return f'<div {label}><table class="sorts">{head}<tbody>{body}</tbody></table></div>\n'
 
 
 def _cell(value: object) -> str:

@@ -7,10 +7,10 @@ from importlib.resources import files
 def loop_source(
     header: str, body: str, pose: str = "stewart_motion", number: str = "stewart_real"
 ) -> dict[str, str]:
-    """Generate the C source of the loop ``drive`` for ``c_loop``, as text by file name.
+    """Generate the C source of the loop ``drive`` as text by file name.
 
-    ``body`` is the body of a function of ``machine``, ``motion``, and ``F`` that computes the forces F of one
-    pose and returns a status. ``pose`` and ``number`` are the types of ``motion`` and ``F``.
+    ``body`` of a function of ``machine``, ``motion``, and ``F`` computes the forces F of one pose and returns
+    a status. ``pose`` and ``number`` are the types of ``motion`` and ``F``.
     """
     arguments = f"const void *machine, const {pose} *motion, {number} *F"
     text = f'#include <string.h>\n#include "{header}"\nstatic int call({arguments})\n{{\n{body}\n}}\n'

@@ -89,6 +89,12 @@ def aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1)
     return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])
 
 
+def leg_table(name: str, columns: Mapping[str, Sequence[str]]) -> str:
+    """Format a text table with a row for each leg, numbered in the first column ``name``."""
+    numbers = [str(leg + 1) for leg in range(LEGS)]
+    return aligned([name, *columns], list(zip(numbers, *columns.values(), strict=True)))
+
+
 def paragraph(line: str) -> str:
     """Format a Markdown paragraph with lines of at most 110 characters and an empty line."""
     return textwrap.fill(line, 110, break_on_hyphens=False, break_long_words=False) + "\n\n"

@@ -18,15 +18,8 @@ Array = NDArray[Any]
 class Spread:
     """Standard deviations of random motions.
 
-    Attributes
-    ----------
-    shift : float
-        Standard deviation of positions, relative to the radius of the base.
-    turn : float
-        Standard deviation of angles (rad).
-    rate : float
-        Standard deviation of rates and accelerations, in units of the radius and of the time sqrt(radius /
-        gravity).
+    ``shift`` of positions is relative to the radius of the base, ``turn`` of angles in rad, and ``rate`` of
+    rates and accelerations in units of the radius and of the time sqrt(radius / gravity).
     """
 
     shift: float
@@ -39,26 +32,8 @@ def random_motions(
 ) -> Motion:
     """Generate random motions of shape (count,) near the home pose.
 
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of random numbers.
-    robot : Robot
-        Robot.
-    count : int
-        Number of motions.
-    spread : Spread
-        Standard deviations.
-    gravity : float
-        Acceleration (m/s^2) that defines the time scale of the machine.
-    load : float
-        Mass (kg) whose weight is the magnitude of the external force; its lever arm is the radius of the
-        base.
-
-    Returns
-    -------
-    Motion
-        Motions of shape (count,).
+    ``gravity`` (m/s^2) defines the time scale of the machine. The external force is the weight of the mass
+    ``load`` (kg), and its lever arm is the radius of the base.
     """
     size, home = radius(robot.b), home_pose(robot).t
     rate = np.sqrt(gravity / size)

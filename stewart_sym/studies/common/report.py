@@ -48,20 +48,10 @@ class Picture:
 
 @dataclass(frozen=True, eq=False)
 class Report:
-    """Result of a command.
+    """Result of a command: text for readers, and tables and plots by file name without suffix.
 
-    Attributes
-    ----------
-    text : str
-        Text for readers.
-    tables : mapping of str to Table
-        Tables by the name of the CSV file without its suffix.
-    data : mapping
-        Numbers for programs, with units in the keys or in a table ``units``.
-    figures : mapping of str to Picture
-        Plots by file name without suffix.
-    views : mapping of str to callable
-        Functions that create the view of each motion, by title.
+    ``data`` are numbers for programs, with units in the keys or in a table ``units``. ``views`` are functions
+    that create the view of each motion, by title.
     """
 
     text: str
@@ -74,8 +64,7 @@ class Report:
 def write(report: Report, folder: Path, name: str, progress: Progress = silent) -> None:
     """Write ``name.txt``, ``name.json``, every table as CSV, and every plot into a folder.
 
-    Raises OSError with the name of the file that cannot be written, and ImportError for plots without
-    Matplotlib.
+    Raises OSError with the name of the file, and ImportError for plots without Matplotlib.
     """
     texts: dict[str, Table] = {
         f"{name}.txt": report.text.rstrip("\n") + "\n",

@@ -15,9 +15,7 @@ SHORTEST = 2e-3
 """Shortest duration of one sample (s)."""
 
 ENORMOUS = 10**5
-"""Units of work above which a run requires no warm-up, because the data of so many poses exceed every
-cache.
-"""
+"""Units of work above which a run requires no warm-up, because their data exceed every cache."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,10 +67,7 @@ def measured(
 
 
 def _sample(task: Task, repeats: dict[Key, int], key: Key) -> float:
-    """Measure the time per unit (ns) in a sample of sufficient duration.
-
-    An untimed run precedes it to load the data into the cache and to wake the threads.
-    """
+    """Measure the time per unit (ns) after an untimed run that loads the caches and wakes the threads."""
     if task.units < ENORMOUS:
         task.run(1)
     while True:
@@ -110,9 +105,7 @@ def _no_collection() -> Iterator[None]:
 
 
 def time_source() -> dict[str, Any]:
-    """Describe the time source and its shortest observed step; raise ValueError if a sample has fewer than
-    1000 steps.
-    """
+    """Describe the time source; raise ValueError if a sample has fewer than 1000 of its steps."""
     info = time.get_clock_info("perf_counter")
     step = min(_step() for _ in range(100))
     if not info.monotonic or step > 1e-3 * SHORTEST:

@@ -1,8 +1,4 @@
-"""Report of ``size-actuators``: requirements of every actuator and joint, compared with the limits of the
-robot.
-
-The plot contains force over speed, exceedance of force over time, strokes, and joint angles.
-"""
+"""Report of ``size-actuators``: requirements of every actuator and joint, and the limits of the robot."""
 
 import functools
 from collections.abc import Callable, Iterator, Sequence
@@ -19,24 +15,28 @@ from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
-from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure
+from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
 from ..common.output import aligned, csv_text
 from ..common.report import SMALL, Picture, Report
 
 _UNITS = (
-    {
-        "force": "N",
-        "speed": "m/s",
-        "power": "W",
-        "max_push_force": "N",
-        "max_pull_force": "N",
-        "rms_force": "N",
-        "max_driving_power": "W",
-    }
+    {"force": "N", "speed": "m/s", "power": "W"}
+    | {"max_push_force": "N", "max_pull_force": "N", "rms_force": "N", "max_driving_power": "W"}
     | {"max_braking_power": "W", "length": "m", "stroke": "m", "base_angle": "rad", "platform_angle": "rad"}
     | {"torque": "N m", "motor_speed": "rad/s", "current": "A", "motor_power": "W", "rms_torque": "N m"}
 )
 """Units of the values in the JSON data."""
+
+_FURTHER = {
+    "force": {
+        "force, rms": "rms_force",
+        "max_push_force": "max_push_force",
+        "max_pull_force": "max_pull_force",
+    },
+    "power": {"power into the leg": "max_driving_power", "power out of the leg": "max_braking_power"},
+    "torque": {"torque, rms": "rms_torque"},
+}
+"""Rows that follow the quantiles of a requirement."""
 
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
 _DIGITS = 4
@@ -56,11 +56,14 @@ def views(
     robot: Robot, sources: Sequence[str], read: Sequence[Trajectory | PoseLog]
 ) -> dict[str, Callable[[], Viewer]]:
     """Return functions that create the view of each motion; files of the same name are numbered."""
-    made: dict[str, Callable[[], Viewer]] = {}
-    for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
-        name = f"{source}, motion {number}" if sources.count(source) > 1 else source
-        made[name] = functools.partial(lambda each: Viewer(robot, of_trajectory(robot, each)), trajectory)
-    return made
+    names = [
+        f"{source}, motion {number}" if sources.count(source) > 1 else source
+        for number, source in enumerate(sources, 1)
+    ]
+    return {
+        name: functools.partial(lambda each: Viewer(robot, of_trajectory(robot, each)), trajectory)
+        for name, trajectory in zip(names, read, strict=True)
+    }
 
 
 def doubt(needs: ActuatorRequirementsResult) -> str | None:
@@ -72,24 +75,15 @@ def doubt(needs: ActuatorRequirementsResult) -> str | None:
 
 
 def rows(needs: ActuatorRequirementsResult | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
-    """Yield name, unit, and value for each leg, shape (6,), of every requirement, without the margin.
-
-    The argument may also contain the standard deviations of the requirements.
-    """
+    """Yield name, unit, and values, shape (6,), of every requirement, or of its standard deviations."""
     for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
         unit, values = _UNITS[name], getattr(needs, name)
         for share, at in zip(needs.quantiles, () if values is None else values, strict=values is not None):
             words = "peak" if share == 1.0 else f"{100.0 * float(share):g} % of time"
             yield f"{name.replace('_', ' ')}, {words}", unit, at
-        if name == "force":
-            yield "force, rms", unit, needs.rms_force
-            yield "max_push_force", unit, needs.max_push_force
-            yield "max_pull_force", unit, needs.max_pull_force
-        if name == "power":
-            yield "power into the leg", unit, needs.max_driving_power
-            yield "power out of the leg", unit, needs.max_braking_power
-        if name == "torque" and needs.rms_torque is not None:
-            yield "torque, rms", unit, needs.rms_torque
+        for words, more in _FURTHER.get(name, {}).items():
+            if getattr(needs, more) is not None:
+                yield words, unit, getattr(needs, more)
     yield "stroke", "m", needs.stroke
     yield "shortest leg", "m", needs.length[:, 0]
     yield "longest leg", "m", needs.length[:, 1]
@@ -117,9 +111,8 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
         seen = np.zeros(LEGS, dtype=bool) if sd is None else shows(values, sd, _DIGITS)
         if sd is not None and seen.any():
             noisy = True
-            cells.append(
-                ("  +-", *(spread_text(off) if each else "" for off, each in zip(sd, seen, strict=True)), "")
-            )
+            spreads = (spread_text(off) if each else "" for off, each in zip(sd, seen, strict=True))
+            cells.append(("  +-", *spreads, ""))
     legs = [f"leg {leg + 1}" for leg in range(LEGS)]
     neutral = "the home pose" if robot.home_position is not None else "the mean direction of each leg"
     lines = [
@@ -135,16 +128,20 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     if noisy:
         lines.append("+-: standard deviations that the noise of the logs leaves, at most.")
     if unknown is not None:
-        lines.append(f"{unknown[0].upper()}{unknown[1:]}.")
+        lines.append(f"{_capital(unknown)}.")
     found = compared(robot, needs)
     told = [*needs.crossings, *(f"Exceeded: {line}" for line in found.exceeded)]
-    told += [f"{line[0].upper()}{line[1:]}" for line in found.not_decided]
+    told += map(_capital, found.not_decided)
     told += [f"Margin missing: {line}" for line in found.margin_missing]
-    told += [f"{line[0].upper()}{line[1:]}" for line in found.margin_not_decided]
+    told += map(_capital, found.margin_not_decided)
     if not told:
         stated = states_limits(robot, needs)
         told = ["Every limit of the robot file suffices." if stated else "The robot file states no limit."]
     return "\n".join([*lines, *told])
+
+
+def _capital(line: str) -> str:
+    return line[:1].upper() + line[1:]
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> dict[str, Any]:
@@ -180,10 +177,8 @@ def _data_of_noise(found: LimitMargins, needs: ActuatorRequirementsResult) -> di
 def _table(needs: ActuatorRequirementsResult) -> str:
     legs = [f"leg{leg + 1}" for leg in range(LEGS)]
     header = ("need", "unit", *legs, *(f"{leg}_std" for leg in legs if needs.std is not None))
-    found = [
-        (name, unit, *values.tolist(), *([] if sd is None else sd.tolist()))
-        for (name, unit, values), sd in zip(rows(needs), _deviations(needs), strict=True)
-    ]
+    pairs = zip(rows(needs), _deviations(needs), strict=True)
+    found = [(*row, *values.tolist(), *([] if sd is None else sd.tolist())) for (*row, values), sd in pairs]
     return csv_text([header, *found])
 
 
@@ -219,8 +214,7 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
 def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort: Array) -> None:
     """Draw the effort of each leg over its rate, and the limits near the range of the curves."""
     step = max(1, len(rate) // _MOST)
-    for leg, color in enumerate(LEG_COLORS):
-        axes.plot(rate[::step, leg], effort[::step, leg], color=color, linewidth=0.8, alpha=0.8)
+    plot_legs(axes, rate[::step], effort[::step], linewidth=0.8, alpha=0.8)
     across, along = 1.1 * np.abs(rate).max() or 1.0, 1.1 * np.abs(effort).max() or 1.0
     axes.axhline(0.0, color=DARK, linewidth=0.7)
     axes.axvline(0.0, color=DARK, linewidth=0.7)

@@ -1,7 +1,4 @@
-"""Report of ``workspace``: volume, limiting constraints, and slices through the center pose.
-
-The plot displays the slices, colored by condition number and violated limit.
-"""
+"""Report of ``workspace``: volume, limiting constraints, and slices through the center pose."""
 
 import itertools
 import math
@@ -33,9 +30,7 @@ _ENDS[4] *= 0.5
 _MARGIN = 0.12
 
 _OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
-"""Colors of the limits in the order of ``REASONS``; poses within the limits have the color of their condition
-number.
-"""
+"""Colors of the limits in the order of ``REASONS``."""
 _MOST = 100.0
 # Smallest ratio of the condition numbers that the color scale spans.
 _LEAST_RATIO = 1.5
@@ -45,18 +40,10 @@ _WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 @dataclass(frozen=True, eq=False)
 class Slice:
-    """Poses of a plane through the center pose.
+    """Plane through the center pose in which two of ``AXES`` vary, with values (m or rad), (n,) and (m,).
 
-    Attributes
-    ----------
-    axes : tuple of int
-        Two indices of ``AXES`` that vary.
-    first, second : ndarray, shape (n,) and (m,)
-        Values of the axes (m or rad).
-    codes : ndarray of int8, shape (n, m)
-        First violated limits, indices of ``REASONS``.
-    condition : ndarray, shape (n, m)
-        Scaled condition numbers.
+    ``codes`` are the first violated limits, indices of ``REASONS``, and ``condition`` the scaled condition
+    numbers, shape (n, m).
     """
 
     axes: tuple[int, int]
@@ -108,17 +95,9 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
             "clearance_m": limits.clearance,
             "load_N_N_m": limits.load,
         },
-        "volume": found.volume,
-        "error": found.error,
-        "unit": found.unit,
-        "bounds": found.bounds,
-        "extent": found.extent,
-        "tool_m": found.tool,
-        "position_m": found.position,
-        "rpy_rad": found.rpy,
-        "distance_to_limit": found.distance_to_limit,
-        "limit_fractions": found.limit_fractions,
-        "samples": found.samples,
+        **{name: getattr(found, name) for name in ("volume", "error", "unit", "bounds", "extent")},
+        **{"tool_m": found.tool, "position_m": found.position, "rpy_rad": found.rpy},
+        **{name: getattr(found, name) for name in ("distance_to_limit", "limit_fractions", "samples")},
         "units": {"bounds": _names(found), "extent": _names(found), "distance_to_limit": _clear_unit(found)},
     }
     figures = {"slices": Picture(lambda: figure(robot, found, planes), SMALL)}
@@ -151,8 +130,8 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
         clear = f"{clear} that" if np.isfinite(found.distance_to_limit) else "no pose"
         lines.append(f"clear      {clear} was found beyond a limit")
     rows = [
-        (name, f"{low:.4g}", f"{high:.4g}", f"{least:.4g}", f"{most:.4g}")
-        for name, (low, high), (least, most) in zip(_names(found), found.extent, found.bounds, strict=True)
+        (name, *(f"{end:.4g}" for end in ends))
+        for name, ends in zip(_names(found), np.hstack([found.extent, found.bounds]), strict=True)
     ]
     header = ("coordinate", "at least from", "to", "searched from", "to")
     lines += ["", aligned(header, rows), ""]
@@ -260,18 +239,15 @@ def _scale(plane: Slice) -> float:
 def _draw(axes: Axes, plane: Slice, norm: Any) -> Any:
     from matplotlib.colors import ListedColormap
 
-    first, second = _scale(plane) * plane.first, _scale(plane) * plane.second
-    colors = ListedColormap(list(_OUTSIDE))
+    at = _scale(plane) * plane.first, _scale(plane) * plane.second
+    colors: Any = {"cmap": ListedColormap(list(_OUTSIDE)), "vmin": -0.5, "vmax": len(_OUTSIDE) - 0.5}
     axes.grid(False)
-    axes.pcolormesh(
-        first, second, plane.codes.T, cmap=colors, vmin=-0.5, vmax=len(_OUTSIDE) - 0.5, rasterized=True
-    )
-    shown = np.ma.masked_where(plane.codes != INSIDE, plane.condition)
-    mesh = axes.pcolormesh(first, second, shown.T, cmap="viridis_r", norm=norm, rasterized=True)
-    if 0 < np.count_nonzero(plane.codes == INSIDE) < plane.codes.size:
-        axes.contour(
-            first, second, (plane.codes == INSIDE).T.astype(float), levels=[0.5], colors=DARK, linewidths=0.9
-        )
+    axes.pcolormesh(*at, plane.codes.T, rasterized=True, **colors)
+    inside = plane.codes == INSIDE
+    shown = np.ma.masked_where(~inside, plane.condition)
+    mesh = axes.pcolormesh(*at, shown.T, cmap="viridis_r", norm=norm, rasterized=True)
+    if 0 < np.count_nonzero(inside) < inside.size:
+        axes.contour(*at, inside.T.astype(float), levels=[0.5], colors=DARK, linewidths=0.9)
     axes.set_aspect("equal")
     unit = "m" if plane.axes[0] < 3 else "degrees"
     names = [AXES[i] if i < 3 else ("roll", "pitch", "yaw")[i - 3] for i in plane.axes]

@@ -17,19 +17,8 @@ LEG_STYLES = ("-", "--", "-.", ":", (0, (5, 1)), (0, (3, 1, 1, 1)))
 def cone(directions: Array, printed: Array, corrected: Array, fixed_axis: Array) -> Figure:
     """Draw a leg that sweeps once around a cone, with its second joint axis by both conditions.
 
-    Parameters
-    ----------
-    directions : ndarray, shape (n, 3)
-        Directions of the leg, first and last equal.
-    printed, corrected : ndarray, shape (n, 3)
-        Second axis of the universal joint without spin, and as the joint turns it.
-    fixed_axis : ndarray, shape (3,)
-        Fixed axis of the joint.
-
-    Returns
-    -------
-    Figure
-        Two views in space, and the angle between fixed and second axis.
+    ``directions`` of the leg, first and last equal, and second axes of the joint ``printed`` without spin and
+    ``corrected`` have shape (n, 3).
     """
     figure = new_figure(9.5, 3.8)
     shown = np.linspace(0, len(directions) - 1, 13).astype(int)
@@ -41,11 +30,9 @@ def cone(directions: Array, printed: Array, corrected: Array, fixed_axis: Array)
         axes.plot(*directions.T, color=INK, linewidth=1.0)
         for i in shown:
             axes.plot(*np.array([np.zeros(3), directions[i]]).T, color=INK, linewidth=0.6, alpha=0.5)
-            tick = np.array([directions[i] - 0.16 * axes_y[i], directions[i] + 0.16 * axes_y[i]])
-            axes.plot(*tick.T, color=color, linewidth=2.0)
+            axes.plot(*(directions[i] + np.outer([-0.16, 0.16], axes_y[i])).T, color=color, linewidth=2.0)
         # The first and the last position are the same place.
-        end = np.array([directions[-1] - 0.3 * axes_y[-1], directions[-1] + 0.3 * axes_y[-1]])
-        axes.plot(*end.T, color=color, linewidth=3.0)
+        axes.plot(*(directions[-1] + np.outer([-0.3, 0.3], axes_y[-1])).T, color=color, linewidth=3.0)
         axes.plot(*np.array([np.zeros(3), 0.9 * fixed_axis]).T, color=INK, linestyle="--", linewidth=1.2)
         axes.text(*(0.98 * fixed_axis), "k")
         axes.set_title(title, fontsize=9.0, color=color)

@@ -1,6 +1,7 @@
 """Tables of ``reproduce`` as aligned plain text."""
 
 import functools
+import itertools
 import textwrap
 from collections.abc import Sequence
 from typing import Any
@@ -55,23 +56,16 @@ def _data(found: Reproduction) -> dict[str, Any]:
 
 def report(found: Reproduction) -> str:
     """Format all tables, with units and definitions, as one text."""
-    physicality = [f"  {line}" for line in found.robot.find_invalid_inertias()]
     head = [
         "Dasgupta & Mruthyunjaya (1998), section 5, computed again",
         "",
         f"Machine: the paper's appendix as printed. Computed by: {found.backend}.",
         "`paper`: the equations as printed; `exact`: with their faults corrected. SI units.",
         "Its inertias, as printed, belong to no rigid body:",
-        *physicality,
+        *(f"  {line}" for line in found.robot.find_invalid_inertias()),
     ]
-    parts = [
-        "\n".join(head),
-        _claims_table(found),
-        _fault_table(found),
-        _energy_table(found),
-        _operations_table(found),
-    ]
-    return "\n\n\n".join(parts) + "\n"
+    tables = (_claims_table, _fault_table, _energy_table, _operations_table)
+    return "\n\n\n".join(["\n".join(head), *(table(found) for table in tables)]) + "\n"
 
 
 def _claims_table(found: Reproduction) -> str:
@@ -80,13 +74,10 @@ def _claims_table(found: Reproduction) -> str:
         (row["where"], row["says"], row["paper"]["text"], row["exact"]["text"], _verdict(row), row["rule"])
         for row in claims(found)
     ]
+    header = ("section", "the text says", "`paper`", "`exact`", "verdict", "holds if")
     return _section(
         "(a) What the text claims, and what was computed",
-        _wrapped(
-            ("section", "the text says", "`paper`", "`exact`", "verdict", "holds if"),
-            cells,
-            (8, 23, 22, 22, 8, 16),
-        ),
+        _wrapped(header, cells, (8, 23, 22, 22, 8, 16)),
         "A verdict is `paper`'s; where `exact` has another, it follows after a semicolon. Dynamic "
         "fraction: |F_d / F|, of all legs and all instants of the paper's time grid, "
         f"those left out where |F| is below {NEAR_ZERO:.0%} of the leg's largest on the path, since the "
@@ -102,11 +93,8 @@ def _verdict(row: Figures) -> str:
 
 
 def _fault_table(found: Reproduction) -> str:
-    header = (
-        "fault kept",
-        *(f"Path {name}" for name in PAPER_PATHS),
-        *(f"{name} at rest" for name in PAPER_PATHS),
-    )
+    header = ["fault kept", *(f"Path {name}" for name in PAPER_PATHS)]
+    header += [f"{name} at rest" for name in PAPER_PATHS]
     cells = [
         (
             _FAULT_NAMES[frozenset(cost["faults"])],
@@ -125,15 +113,11 @@ def _fault_table(found: Reproduction) -> str:
 
 def _energy_table(found: Reproduction) -> str:
     header = ("path", "faults kept", "work, J", "gain, J", "(work - gain) / gain")
-    cells = [
-        (
-            row["path"],
-            _FAULT_NAMES[frozenset(row["faults"])],
-            *(f"{row[name]:.6f}" for name in ("work_J", "gain_J")),
-            _mismatch(row["mismatch"]),
-        )
-        for row in found.work_energy
-    ]
+    cells = []
+    for row in found.work_energy:
+        work, gain = (f"{row[name]:.6f}" for name in ("work_J", "gain_J"))
+        kept = _FAULT_NAMES[frozenset(row["faults"])]
+        cells.append((row["path"], kept, work, gain, _mismatch(row["mismatch"])))
     return _section(
         "(c) Work of the actuators beside the gain of energy",
         aligned(header, cells, left=2),
@@ -200,11 +184,6 @@ def _wrapped(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Seque
 
 
 def _block(row: Sequence[str], widths: Sequence[int]) -> str:
-    cells = [textwrap.wrap(cell, width) or [""] for cell, width in zip(row, widths, strict=True)]
-    lines = []
-    for i in range(max(map(len, cells))):
-        parts = [
-            (cell[i] if i < len(cell) else "").ljust(width) for cell, width in zip(cells, widths, strict=True)
-        ]
-        lines.append("  ".join(parts).rstrip())
-    return "\n".join(lines)
+    cells = [textwrap.wrap(cell, width) for cell, width in zip(row, widths, strict=True)]
+    lines = itertools.zip_longest(*cells, fillvalue="")
+    return "\n".join("  ".join(map(str.ljust, line, widths)).rstrip() for line in lines)

@@ -116,8 +116,7 @@ _FIGURES: tuple[tuple[int, str, str, Callable[[int, PathRun, PathRun], Figure]],
 def _six_panels(number: int, title: str, label: str) -> tuple[Figure, list[Axes]]:
     figure = new_figure(10.0, 6.2)
     figure.suptitle(f"Fig. {number}  {title}")
-    grid = figure.subplots(2, 3, sharex=True)
-    panels = [axes for row in grid for axes in row]
+    panels = list(figure.subplots(2, 3, sharex=True).flat)
     for leg, axes in enumerate(panels):
         axes.set_title(f"leg {leg + 1}", fontsize=9.0)
         axes.margins(x=0.0)

@@ -25,15 +25,11 @@ LIGHT_PLATFORM = 4.0
 """Platform mass (kg), comparable to the mass of one leg, for the claim on the mass ratio."""
 
 FAULTS: tuple[frozenset[int], ...] = (
-    frozenset({newton_euler.SPIN}),
-    frozenset({newton_euler.MOMENT}),
-    frozenset({newton_euler.TRANSPORT}),
+    *(frozenset({fault}) for fault in (newton_euler.SPIN, newton_euler.MOMENT, newton_euler.TRANSPORT)),
     newton_euler.PAPER,
     frozenset({newton_euler.SIGN}),
 )
-"""Sets of printed faults whose effect is measured: each fault separately, and the faults of `paper`
-together.
-"""
+"""Sets of printed faults whose effect is measured: each fault alone, and the faults of `paper` together."""
 
 _FORMULATION: Mapping[frozenset[int], Formulation] = {
     newton_euler.EXACT: "exact",
@@ -44,18 +40,10 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 @dataclass(frozen=True, eq=False)
 class PathRun:
-    """Results for one path in one formulation.
+    """Results for one path in one formulation at times (s), shape (n,).
 
-    Attributes
-    ----------
-    path, formulation : str
-        Name of the path and formulation.
-    time : ndarray, shape (n,)
-        Times (s).
-    F, F0 : ndarray, shape (n, 6)
-        Total and massless-leg actuator forces (N), (37) and (41).
-    condition, scaled_condition : ndarray, shape (n,)
-        Condition numbers of H; the scaled one with moments divided by the characteristic length.
+    F and F0 are total and massless-leg actuator forces (N), (37) and (41), shape (n, 6). The condition
+    numbers of H have shape (n,); the scaled one with moments divided by the characteristic length.
     """
 
     path: str
@@ -80,24 +68,10 @@ class PathRun:
 
 @dataclass(frozen=True, eq=False)
 class Reproduction:
-    """Results of ``reproduce``.
+    """Results of ``reproduce``: runs by (path, formulation), and results of the functions of this module.
 
-    Attributes
-    ----------
-    robot : Robot
-        Robot of the paper.
-    backend : str
-        Description of the kernels and the compiler.
-    runs : mapping
-        Runs by (path, formulation).
-    light : mapping
-        Path I with a platform of ``LIGHT_PLATFORM`` kg, by formulation.
-    rest : mapping
-        Poses of Path I at rest, by formulation.
-    singular_time : float
-        Time at which H is singular on Path III (s).
-    fault_costs, work_energy, operations : list of dict
-        Results of the functions ``fault_cost``, ``work_energy``, and ``operations``.
+    By formulation, ``light`` is Path I with a platform of ``LIGHT_PLATFORM`` kg, and ``rest`` are the poses
+    of Path I at rest. H is singular on Path III at ``singular_time`` (s).
     """
 
     robot: Robot
@@ -170,29 +144,25 @@ def without_friction(robot: Robot) -> Robot:
 
 
 def fault_cost(robot: Robot, faults: frozenset[int]) -> Figures:
-    """Measure the effect of a set of printed faults without friction, by path.
-
-    The effect is the RMS of F - F_exact over the RMS of F_exact, for all legs and samples, in motion and at
-    rest at the same poses.
+    """Return the RMS of F - F_exact over the RMS of F_exact by path, in motion and at rest, without
+    friction.
     """
     frictionless = without_friction(robot)
-    moving, resting = {}, {}
-    for name, (path, dtau) in PAPER_PATHS.items():
-        motion = path.sample(path.time_grid(dtau))
-        moving[name] = _difference(frictionless, motion, faults)
-        resting[name] = _difference(frictionless, at_rest(motion.R, motion.t), faults)
-    return {"faults": sorted(faults), "moving": moving, "at_rest": resting}
+    moving = {name: path.sample(path.time_grid(dtau)) for name, (path, dtau) in PAPER_PATHS.items()}
+    resting = {name: at_rest(motion.R, motion.t) for name, motion in moving.items()}
+    found = {
+        how: {name: _difference(frictionless, motion, faults) for name, motion in motions.items()}
+        for how, motions in (("moving", moving), ("at_rest", resting))
+    }
+    return {"faults": sorted(faults), **found}
 
 
 def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
-    """Compute the work of the actuators and the increase of kinetic and potential energy along a path (J).
+    """Compute the work of the actuators and the increase of energy along a path (J), without friction.
 
-    The robot has no friction. The power is integrated by Gauss-Legendre quadrature between the jumps of
-    acceleration. The mismatch, relative to the energy increase, is 0 for correct equations. The forces of
-    `exact` and `paper` are from the kernels; forces of other faults, power, and energy are from the
-    reference.
-
-    Path III passes a singular pose, at which F is unbounded, but its power F.Ldot = D.Ldot - c.twist is not.
+    The power is integrated by Gauss-Legendre quadrature between the jumps of acceleration. The mismatch,
+    relative to the energy increase, is 0 for correct equations. F is unbounded at the singular pose of Path
+    III, but its power F.Ldot = D.Ldot - c.twist is not.
     """
     frictionless = without_friction(robot)
     path = PAPER_PATHS[name].path
@@ -211,8 +181,7 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
 
 
 def operations() -> list[Figures]:
-    """Count the operations (mul, add, div, sqrt) of the generated kernels for the type of machine in the
-    paper.
+    """Count the operations (mul, add, div, sqrt) of the generated kernels for the paper's type of machine.
 
     The final system comprises the sum of c, the solution, and F = D - x.
     """

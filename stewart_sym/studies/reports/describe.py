@@ -1,6 +1,4 @@
-"""Report of ``check``: dimensions, masses, and limits of a robot, and its condition at the home pose at
-rest.
-"""
+"""Report of ``check``: dimensions, masses, and limits of a robot, and its condition at the home pose."""
 
 import math
 import warnings
@@ -36,11 +34,7 @@ class _Unit(NamedTuple):
 
 
 def report(robot: Robot, length_unit: str = "m") -> Report:
-    """Describe the robot, with a plot.
-
-    ``length_unit`` is the unit of lengths in the text; all other quantities, and the JSON data, are in SI
-    units.
-    """
+    """Describe the robot, with a plot; ``length_unit`` is the unit of lengths in the text."""
     with warnings.catch_warnings():
         # The row "side" lists both sides if they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
@@ -119,6 +113,11 @@ def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
 
 def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
+    inertias = "possible for rigid bodies"
+    if bodies:
+        inertias = f"that no rigid body can have: {', '.join(bodies)}"
+    masses = robot.m_d + robot.m_u
+    sizes = [f"{radius(points) / unit.meters:.4g} {unit.name}" for points in (robot.b, robot.p)]
     rows = [
         ("name", robot.name),
         ("joints", f"{robot.base_joint} at the base, {_platform_joint(robot)} at the platform"),
@@ -126,24 +125,14 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ("gravity", f"{_vector(robot.g)} m/s^2"),
         *_sides(robot),
         ("platform", f"{robot.M:g} kg, center of mass {unit.vector(robot.R_0)} {unit.name}"),
-        (
-            "legs",
-            f"{_range(robot.m_d + robot.m_u)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})",
-        ),
-        ("mass ratio", f"platform to one leg {robot.M / np.mean(robot.m_d + robot.m_u):.3g}"),
-        (
-            "size",
-            f"base points {radius(robot.b) / unit.meters:.4g} {unit.name}, "
-            f"platform points {radius(robot.p) / unit.meters:.4g} {unit.name} (RMS radius)",
-        ),
+        ("legs", f"{_range(masses)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})"),
+        ("mass ratio", f"platform to one leg {robot.M / np.mean(masses):.3g}"),
+        ("size", f"base points {sizes[0]}, platform points {sizes[1]} (RMS radius)"),
         *_conventions(robot, unit),
         ("friction", _friction(robot)),
         *([] if robot.drive is None else _drives(robot.drive, unit)),
         ("limits", _limits(robot, unit)),
-        (
-            "inertias",
-            f"that no rigid body can have: {', '.join(bodies)}" if bodies else "possible for rigid bodies",
-        ),
+        ("inertias", inertias),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
 
@@ -156,11 +145,8 @@ def _sides(robot: Robot) -> list[tuple[str, str]]:
         return []
     above, below = "+-" if robot.g[axis] < 0.0 else "-+"
     name = "xyz"[axis]
-    text = (
-        f"a platform on the {above}{name} side of the base stands on its legs (compression), "
-        f"one on the {below}{name} side hangs from them (tension)"
-    )
-    return [("sides", text)]
+    stands = f"a platform on the {above}{name} side of the base stands on its legs (compression)"
+    return [("sides", f"{stands}, one on the {below}{name} side hangs from them (tension)")]
 
 
 def _platform_joint(robot: Robot) -> str:
@@ -171,8 +157,8 @@ _OFFSETS = {
     "axis_offset": "from the fixed to the moving axis",
     "slide_offset_y": "along it",
     "slide_offset_z": "across it",
+    "wrist_offset": "in the platform joint",
 }
-_OFFSETS |= {"wrist_offset": "in the platform joint"}
 
 
 def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
@@ -206,15 +192,12 @@ def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
 
 def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     shortest, longest = robot.length_limits.T
-    outside = (home.L < shortest) | (home.L > longest)
-    legs = ", ".join(str(i + 1) for i in np.flatnonzero(outside))
+    legs = ", ".join(str(i + 1) for i in np.flatnonzero((home.L < shortest) | (home.L > longest)))
+    outside = f"; outside their limits: leg {legs}" if legs else ""
     rows = [
         ("side", _side(robot, home)),
         ("position", f"{unit.vector(home.t)} {unit.name}, level, at rest"),
-        (
-            "leg lengths",
-            f"{unit.vector(home.L)} {unit.name}" + (f"; outside their limits: leg {legs}" if legs else ""),
-        ),
+        ("leg lengths", f"{unit.vector(home.L)} {unit.name}{outside}"),
     ]
     if np.isfinite(longest).all() and not legs:
         back, forth = np.min(home.L - shortest), np.min(longest - home.L)
@@ -286,14 +269,14 @@ def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
     turn = f"{_range(lead[most])} {unit.name} per turn of the motor"
     if not most.all():
         turn += f" ({legs_text(np.flatnonzero(~most).tolist())}: {_range(lead[~most])})"
-    parts = [turn]
-    parts.append(f"reflected mass {_short_range(drive.reflected_mass)} kg")
-    parts.append(
-        f"efficiency {_range(drive.efficiency)} driving, {_short_range(drive.backdrive_efficiency)} back"
-    )
-    for name, (words, per) in _DRIVE_FRICTION.items():
-        if np.any(getattr(drive, name)):
-            parts.append(f"{words} {_range(getattr(drive, name))} {per}")
+    back = _short_range(drive.backdrive_efficiency)
+    parts = [turn, f"reflected mass {_short_range(drive.reflected_mass)} kg"]
+    parts.append(f"efficiency {_range(drive.efficiency)} driving, {back} back")
+    parts += [
+        f"{words} {_range(getattr(drive, name))} {per}"
+        for name, (words, per) in _DRIVE_FRICTION.items()
+        if np.any(getattr(drive, name))
+    ]
     limits = [
         f"{words} up to {_short_range(getattr(drive, name))} {per}"
         for name, (words, per) in _DRIVE_LIMITS.items()

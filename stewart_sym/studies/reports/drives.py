@@ -12,8 +12,8 @@ from ...drives.noise import MotorDeviations
 from ...io.array_types import Array, Flags
 from ...io.sample_times import elapsed, least_step
 from ...robot.robot import LEGS, Robot
-from ..common.drawing import DARK, LEG_COLORS, Figure, as_written, new_figure
-from ..common.output import Columns, aligned, csv_text, of_legs
+from ..common.drawing import DARK, Figure, as_written, new_figure, plot_legs
+from ..common.output import Columns, csv_text, leg_table, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 _HEADINGS = {"power": "shaft power"}
@@ -22,9 +22,7 @@ _FAR = 3.0
 
 
 def drive_columns(part: MotorStates, sd: MotorDeviations | None = None) -> Columns:
-    """Return the written columns by name (N m, rad/s, A, and W), with currents and standard deviations if
-    available.
-    """
+    """Return the written columns by name (N m, rad/s, A, and W)."""
     found: Columns = {}
     for name, column in _COLUMNS.items():
         for ending, values in (("", getattr(part, name)), ("_std", getattr(sd, name, None))):
@@ -37,11 +35,7 @@ class DriveDigest:
     """Peaks, root mean squares, and energies of the motors over a run, and the data of its plot."""
 
     def __init__(self, robot: Robot, time: Array, weights: Array | None = None) -> None:
-        """Start a run of a robot with a drive at the given times (s), shape (n,).
-
-        ``weights`` are the weights of the times in integrals (s), shape (n,); the default is the trapezoidal
-        rule.
-        """
+        """Start a run of a robot with a drive at times (s) with weights in integrals (s), shape (n,)."""
         assert robot.drive is not None
         self.drive, self.name, self.time = robot.drive, robot.name, time
         self._weights = trapezoids(elapsed(time)) if weights is None else weights
@@ -49,11 +43,7 @@ class DriveDigest:
         self._torque, self._speed = np.full((2, len(time), LEGS), np.nan, dtype=np.float32)
 
     def add(
-        self,
-        part: MotorStates,
-        where: slice,
-        sd: MotorDeviations | None = None,
-        there: Flags | None = None,
+        self, part: MotorStates, where: slice, sd: MotorDeviations | None = None, there: Flags | None = None
     ) -> None:
         """Add the next samples; ``sd`` and ``there`` are the arguments of ``Summary.add``."""
         self.summary.add(part, self._weights[where], self.time[where], sd, there)
@@ -67,20 +57,16 @@ class DriveDigest:
     def table(self) -> str:
         """Format a line for each motor: peaks and root mean square with their limits, and energy."""
         found, drive = self.summary, self.drive
-        peaks, sd = found.peaks, found.peak_sd
-        rows = []
-        for leg in range(LEGS):
-            cells = [
-                _beside(peaks[name][leg], getattr(drive, f"{name}_limit")[leg], _of(sd.get(name), leg))
-                for name in self._known()
-            ]
-            means = ["-", "-"]
-            if self.lasts:
-                rms = found.rms_torque[leg], drive.rated_torque[leg], _of(found.rms_torque_sd, leg)
-                means = [_beside(*rms), _beside(found.energy[leg], np.inf, found.energy_sd[leg])]
-            rows.append((str(leg + 1), *cells, *means))
-        names = [f"{_HEADINGS.get(name, name)}, {PEAKS[name]}" for name in self._known()]
-        return aligned(("motor", *names, "RMS torque, N m", "electrical energy, J"), rows)
+        columns = {}
+        for name in self._known():
+            limit, sd = getattr(drive, f"{name}_limit"), found.peak_sd.get(name)
+            columns[f"{_HEADINGS.get(name, name)}, {PEAKS[name]}"] = _cells(found.peaks[name], limit, sd)
+        means = {"RMS torque, N m": ["-"] * LEGS, "electrical energy, J": ["-"] * LEGS}
+        if self.lasts:
+            rms = _cells(found.rms_torque, drive.rated_torque, found.rms_torque_sd)
+            energy = _cells(found.energy, np.full(LEGS, np.inf), found.energy_sd)
+            means = dict(zip(means, (rms, energy), strict=True))
+        return leg_table("motor", columns | means)
 
     def _known(self) -> list[str]:
         return [name for name in PEAKS if name != "current" or np.any(self.drive.torque_constant > 0.0)]
@@ -119,35 +105,30 @@ class DriveDigest:
         """Plot torque over time, and torque over speed with the limits of the motor as a frame."""
         figure = new_figure(9.0, 4.4)
         over_time, over_speed = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
-        for leg, color in enumerate(LEG_COLORS):
-            curve: Any = {"color": color, "linewidth": 1.1, "label": f"leg {leg + 1}"}
-            over_time.plot(self.time, self._torque[:, leg], **curve)
-            over_speed.plot(self._speed[:, leg], self._torque[:, leg], **curve)
+        plot_legs(over_time, self.time, self._torque, linewidth=1.1)
+        plot_legs(over_speed, self._speed, self._torque, linewidth=1.1)
         over_time.set(xlabel="time, s", ylabel="motor torque, N m", xlim=(self.time[0], self.time[-1]))
         over_speed.set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
-        torque = _near(self.drive.torque_limit, self._torque)
-        speed = _near(self.drive.speed_limit, self._speed)
         style: Any = {"color": DARK, "linewidth": 0.9, "linestyle": (0, (4, 2))}
-        for sign in (-1.0, 1.0):
-            if torque is not None:
-                over_time.axhline(sign * torque, **style)
-                over_speed.axhline(sign * torque, **style)
-            if speed is not None:
-                over_speed.axvline(sign * speed, **style)
+        for torque in _near(self.drive.torque_limit, self._torque):
+            over_time.axhline(torque, **style)
+            over_speed.axhline(torque, **style)
+        for speed in _near(self.drive.speed_limit, self._speed):
+            over_speed.axvline(speed, **style)
         figure.legend(*over_time.get_legend_handles_labels(), loc="outside lower center", ncols=LEGS)
         figure.suptitle(f"{as_written(self.name)}: motors", fontsize=11.0)
         return figure
 
 
-def _near(limits: Array, values: NDArray[np.float32]) -> float | None:
-    """Return the smallest limit of all motors, or None if it is too far from the values to be drawn."""
+def _near(limits: Array, values: NDArray[np.float32]) -> tuple[float, ...]:
+    """Return the smallest limit in both directions, or nothing if it is too far from the values."""
     narrowest, largest = float(limits.min()), float(np.nanmax(np.abs(values), initial=0.0))
-    return narrowest if narrowest <= _FAR * largest else None
+    return (-narrowest, narrowest) if narrowest <= _FAR * largest else ()
 
 
-def _of(sd: Array | None, leg: int) -> float | None:
-    return None if sd is None else float(sd[leg])
-
-
-def _beside(value: float, limit: float, sd: float | None) -> str:
-    return amount_text(value, sd, 4) + (f" of {limit:g}" if np.isfinite(limit) else "")
+def _cells(values: Array, limits: Array, sd: Array | None) -> list[str]:
+    """Format the value of each motor with its standard deviation and its limit, if any."""
+    return [
+        amount_text(value, None if sd is None else sd[i], 4) + (f" of {most:g}" if np.isfinite(most) else "")
+        for i, (value, most) in enumerate(zip(values, limits, strict=True))
+    ]

@@ -1,8 +1,4 @@
-"""Energy over time of a free-swinging machine on leg springs in both formulations; correct equations conserve
-it.
-
-Without friction or drives, and with springs as actuators, the energy of machine and springs is constant.
-"""
+"""Energy of a frictionless machine on leg springs in both formulations; correct equations conserve it."""
 
 import dataclasses
 from collections.abc import Mapping
@@ -31,19 +27,9 @@ COLORS = {"exact": BLUE, "paper": RED}
 
 @dataclass(frozen=True, eq=False)
 class Drift:
-    """Energy drift of one run.
+    """Energy drift at times (s), shape (n,): change of the energy of machine and springs over ``scale``.
 
-    Attributes
-    ----------
-    times : ndarray, shape (n,)
-        Times (s).
-    drift : ndarray, shape (n,)
-        Change of the energy of machine and springs since the start, divided by ``scale``; zero without
-        motion.
-    scale : float
-        Mean kinetic energy (J), see ``energy_scale``; 0 without motion.
-    stop : StopEvent
-        Reason of the end of the run.
+    ``scale`` is the result of ``energy_scale`` (J), and ``stop`` the end of the run.
     """
 
     times: Array
@@ -71,23 +57,10 @@ def energy_drift(
     rtol: float = 1e-9,
     thresholds: StopConditions | None = None,
 ) -> dict[Formulation, Drift]:
-    """Simulate the swinging machine of the springs, and return its drift in each formulation.
+    """Simulate a machine on springs without friction, dampers, and load, and return its drift in each
+    formulation.
 
     Both drifts are relative to the mean kinetic energy of the run in ``exact``.
-
-    Parameters
-    ----------
-    springs : LegSprings
-        Springs; their dampers, and the friction of their robot, are omitted.
-    state : Motion
-        Initial state of shape (), whose load is omitted.
-    duration, rtol, thresholds
-        Arguments of ``simulate``, which also defines the errors.
-
-    Returns
-    -------
-    dict of str to Drift
-        Drift by formulation.
     """
     robot = without_friction(springs.robot)
     springs = dataclasses.replace(springs, robot=robot, damping=0.0)
@@ -103,21 +76,14 @@ def energy_drift(
 
 
 def drift_of(run: StateHistory, stop: StopEvent, springs: LegSprings, scale: float) -> Drift:
-    """Compute the energy drift of machine and springs along a run, relative to ``scale`` (J).
-
-    ``stop`` is the end of the run.
-    """
+    """Compute the energy drift of machine and springs along a run, relative to ``scale`` (J)."""
     energy = run.energy + springs.energy(run.L)
     drift = (energy - energy[0]) / scale if scale else np.zeros_like(energy)
     return Drift(run.time, drift, scale, stop)
 
 
 def energy_scale(run: SimulationResult, springs: LegSprings) -> float:
-    """Compute the mean kinetic energy over the time of a run (J), which is insensitive to short peaks.
-
-    The result is 0 if it is below ``STILL`` of the energy of weight and springs, because the motion is then
-    only rounding errors.
-    """
+    """Compute the mean kinetic energy of a run (J), or 0 if the motion is only rounding errors."""
     even = run.at(np.linspace(0.0, run.stop.time, INSTANTS))
     mean = float(even.kinetic_energy.mean())
     stored = float((np.abs(even.potential_energy) + np.abs(springs.energy(even.L))).max())
@@ -132,21 +98,15 @@ def summary(drifts: Mapping[Formulation, Drift]) -> str:
 
 
 def figure(drifts: Mapping[Formulation, Drift]) -> Figure:
-    """Plot the magnitudes of the drifts over time with a logarithmic axis, for runs with more than one
-    sample.
-    """
+    """Plot the magnitudes of the drifts over time, for runs with more than one sample."""
     drifts = {name: drift for name, drift in drifts.items() if len(drift.times) > 1}
     picture = new_figure(8.0, 4.2)
     axes = picture.subplots()
     for name, drift in drifts.items():
         # The drift of the first sample is zero, which has no logarithm.
-        axes.semilogy(
-            drift.times[1:],
-            np.maximum(np.abs(drift.drift[1:]), STILL),
-            color=COLORS[name],
-            linewidth=1.3,
-            label=f"{name}, largest {drift.worst:.1e}",
-        )
+        size = np.maximum(np.abs(drift.drift[1:]), STILL)
+        label = f"{name}, largest {drift.worst:.1e}"
+        axes.semilogy(drift.times[1:], size, color=COLORS[name], linewidth=1.3, label=label)
     axes.set(xlabel="time, s", ylabel="change of energy / mean kinetic energy")
     axes.set_title("Energy of the frictionless machine on leg springs", fontsize=10.0)
     axes.margins(x=0.0)

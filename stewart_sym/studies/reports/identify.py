@@ -59,55 +59,14 @@ def from_measurement(
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
 ) -> IdentificationResult:
-    """Identify the parameters that a trajectory excites from forces measured at the same times.
+    """Identify the parameters that a trajectory excites from forces F (N), shape (n, 6), at times (s), shape
+    (n,).
 
-    Parameters
-    ----------
-    robot : Robot
-        Robot.
-    trajectory : Trajectory
-        Measured motion.
-    time : ndarray, shape (n,)
-        Times of the forces (s).
-    F : ndarray, shape (n, 6)
-        Forces (N).
-    sigma, noise, physical, drive
-        Arguments of ``identify``.
-    source : str
-        Name of the file of the forces.
-    friction, identical_legs
-        Arguments of ``base_parameters``.
-    form : TrajectoryFormat
-        Format of the trajectory file, whose units appear in warnings.
-    lines : sequence of int, optional
-        Line numbers of the forces in ``source``; default: from 2.
-
-    Returns
-    -------
-    IdentificationResult
-        Identified parameters.
-
-    Raises
-    ------
-    ValueError
-        If the times differ from the times of the trajectory.
+    ``source`` and ``lines`` are the file of the forces and their line numbers, from 2 by default. ``form`` is
+    the format of the trajectory file, whose units appear in warnings. ``friction`` and ``identical_legs`` are
+    arguments of ``base_parameters``, all others of ``identify``.
     """
-    if len(time) != len(trajectory.time):
-        raise ValueError(
-            f"{source}: expected {len(trajectory.time)} rows, as many as {trajectory.source}, got {len(time)}"
-        )
-    largest, span = float(np.abs(trajectory.time).max()), float(np.ptp(trajectory.time))
-    off = np.abs(time - trajectory.time) > _SAME_TIME * span + 2.0 * np.spacing(largest)
-    if np.any(off):
-        i = int(np.argmax(off))
-        expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
-        line = i + 2 if lines is None else lines[i]
-        said = f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}"
-        for factor in (1e-6, 1e-3, 1e3, 1e6):
-            if np.allclose(time, factor * trajectory.time, _SAME_TIME, _SAME_TIME * factor * span):
-                said += f": all {factor:g} times as large, expected their unit in a row of units below the "
-                said += "header, or for both files in --time-unit"
-        raise ValueError(said)
+    _need_equal_times(trajectory, time, source, lines)
     bad = at_replaced(trajectory, trajectory.time)
     if bad.any():
         trajectory = Trajectory(trajectory.time[~bad], trajectory.motion[~bad], trajectory.source, ())
@@ -119,82 +78,101 @@ def from_measurement(
     smooth = motion if noise is None else smoothed(motion, noise)[0]
     base = base_parameters(moved, smooth, friction, identical_legs)
     found = identify(moved, motion, F, sigma, base, noise, physical, drive_terms=drive)
+    said = []
     if bad.any():
-        said = f"motion: {np.count_nonzero(bad)} of {len(bad)} instants at wrong rows are left out of the fit"
-        found = replace(found, warnings=(*found.warnings, f"{said}; check these rows"))
+        text = f"motion: {np.count_nonzero(bad)} of {len(bad)} instants at wrong rows are left out of the fit"
+        said.append(f"{text}; check these rows")
     if of_tool:
         base = base_parameters(robot, smooth.at_point(-robot.tool), friction, identical_legs)
+        found = replace(found, warnings=(*found.warnings, *said))
         return about_reference(robot, base, found, robot.tool)
-    if noise is None and found.verdict in ("misfit", "rejected"):
-        found = replace(found, warnings=(*found.warnings, *_scatter(trajectory, form)))
-    dry_sought = drive is not None and "coulomb" in drive
-    if not dry_sought and found.verdict in ("misfit", "rejected") and robot.drive is not None:
-        dry = terms_of(robot, [f"coulomb{leg}" for leg in range(1, 7)]).max()
-        if dry > 0.0:
-            said = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
-            found = replace(found, warnings=(*found.warnings, f"{said}, --drive-terms coulomb seeks it"))
-    return replace(found, warnings=(*found.warnings, *_unlike_forces(robot, found, F)))
+    if found.verdict in ("misfit", "rejected"):
+        said += _scatter(trajectory, form) if noise is None else []
+        said += _dry_friction(robot) if drive is None or "coulomb" not in drive else []
+    return replace(found, warnings=(*found.warnings, *said, *_unlike_forces(robot, found, F)))
 
 
-def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> tuple[str, ...]:
+def _need_equal_times(trajectory: Trajectory, time: Array, source: str, lines: Sequence[int] | None) -> None:
+    """Reject forces at other times than the trajectory, with the ratio of the units if it is evident."""
+    if len(time) != len(trajectory.time):
+        raise ValueError(
+            f"{source}: expected {len(trajectory.time)} rows, as many as {trajectory.source}, got {len(time)}"
+        )
+    largest, span = float(np.abs(trajectory.time).max()), float(np.ptp(trajectory.time))
+    off = np.abs(time - trajectory.time) > _SAME_TIME * span + 2.0 * np.spacing(largest)
+    if not np.any(off):
+        return
+    i = int(np.argmax(off))
+    expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
+    line = i + 2 if lines is None else lines[i]
+    said = f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}"
+    for factor in (1e-6, 1e-3, 1e3, 1e6):
+        if np.allclose(time, factor * trajectory.time, _SAME_TIME, _SAME_TIME * factor * span):
+            said += f": all {factor:g} times as large, expected their unit in a row of units below the "
+            said += "header, or for both files in --time-unit"
+    raise ValueError(said)
+
+
+def _dry_friction(robot: Robot) -> list[str]:
+    """Return a warning about dry friction of the drives that the fit does not include."""
+    names = [f"coulomb{leg}" for leg in range(1, 7)]
+    dry = 0.0 if robot.drive is None else terms_of(robot, names).max()
+    said = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
+    return [f"{said}, --drive-terms coulomb seeks it"] if dry > 0.0 else []
+
+
+def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> list[str]:
     """Return warnings about forces of another magnitude, and about an implausible noise."""
     said = []
     if found.normalized_residual < _LEAST_MISFIT:
         said.append(
             f"force_std: the forces scatter by {found.normalized_residual:.2g} of it about the model: "
-            "expected their standard "
-            "deviation, deviations of the results are too large"
+            "expected their standard deviation, deviations of the results are too large"
         )
-    got, expected = (
-        float(np.sqrt(np.mean(each**2))) for each in (F, inverse_dynamics(robot, found.motion).F)
-    )
+    got, expected = (np.sqrt(np.mean(each**2)) for each in (F, inverse_dynamics(robot, found.motion).F))
     if not expected / _MOST_TIMES < got < expected * _MOST_TIMES:
         said.append(
             f"forces: {got:.3g} N in RMS beside {expected:.3g} N of the robot file along this motion: "
             "are they in another unit? expected N"
         )
-    return tuple(said)
+    return said
 
 
-def _scatter(trajectory: Trajectory, form: TrajectoryFormat) -> tuple[str, ...]:
+def _scatter(trajectory: Trajectory, form: TrajectoryFormat) -> list[str]:
     """Return a warning with the estimated noise of the poses in the units of their file."""
     try:
         seen = estimate_pose_noise(trajectory.time, trajectory.motion)
     except (ValueError, ImportError):
-        return ()
+        return []
     if seen.position <= _DIGITS * np.abs(trajectory.motion.t).max() and seen.angle <= _DIGITS:
-        return ()
+        return []
     form = form.with_units({})
     position = f"{seen.position / form.meters_per_unit:.2g}"
     angle = f"{seen.angle / form.radians_per_unit:.2g}"
-    return (
-        f"motion: its poses scatter by {position} {form.length_unit} and {angle} {form.angle_unit} about a "
-        f"smooth motion: --position-std {position} --angle-std {angle} takes that into account",
-    )
+    text = f"motion: its poses scatter by {position} {form.length_unit} and {angle} {form.angle_unit} about a"
+    remedy = f"--position-std {position} --angle-std {angle} takes that into account"
+    return [f"{text} smooth motion: {remedy}"]
 
 
 def doubts(found: IdentificationResult) -> list[str]:
     """Return one line for each warning of the result, and one line about nonphysical results, if any."""
-    if not found.nonphysical:
-        return list(found.warnings)
-    many = len(found.nonphysical)
-    remedy = "--enforce-physical keeps to bodies that can exist"
-    return [
-        *found.warnings,
-        f"results that no machine can have: {many}; farthest off: {found.nonphysical[0]}; {remedy}",
-    ]
+    lines = list(found.warnings)
+    if found.nonphysical:
+        text = f"results that no machine can have: {len(found.nonphysical)}; farthest off: "
+        remedy = "--enforce-physical keeps to bodies that can exist"
+        lines.append(f"{text}{found.nonphysical[0]}; {remedy}")
+    return lines
+
+
+_OF_NOISE = "those of the stated noise"
 
 
 def verdict(found: IdentificationResult) -> list[str]:
     """Return lines about the residual: its size, the verdict, and the warnings."""
+    inflated = f"inflated {found.inflation_factor:.3g} times"
     text = {
         "consistent": "consistent with the model and the stated noise",
-        "misfit": "misfit; deviations "
-        + (
-            f"inflated {found.inflation_factor:.3g} times"
-            if found.inflation_factor > 1.0
-            else "those of the stated noise"
-        ),
+        "misfit": f"misfit; deviations {inflated if found.inflation_factor > 1.0 else _OF_NOISE}",
         "rejected": "rejected; no deviations can be given",
         "untested": "untested, no more forces than unknowns",
     }[found.verdict]
@@ -224,15 +202,16 @@ def measured_report(
         robot = seen_by_motors(robot)
     departure, p = found.compare_with(robot)
     file = base.matrix @ inertial_parameters(robot).values
-    far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
+    off = dict(zip(base.names, departure, strict=True))
     if found.drive is not None:
         # Viscous terms may include friction of the joints.
         of_joints = np.array([name.startswith("viscous") for name in found.drive.names])
         of_drives = np.where(of_joints, np.nan, terms_of(given, found.drive.names))
-        off, p_terms = found.drive.compare_with(of_drives)
-        far += [name for name, each in zip(found.drive.names, off, strict=True) if abs(each) > _FAR]
+        off_terms, p_terms = found.drive.compare_with(of_drives)
+        off |= dict(zip(found.drive.names, off_terms, strict=True))
         # The smaller of two probabilities is doubled (Bonferroni).
         p = p if isnan(p_terms) else min(1.0, 2.0 * min(p, p_terms))
+    far = [name for name, each in off.items() if abs(each) > _FAR]
     agrees = "agrees" if p >= _FAR_LEVEL and not far else "does not agree"
     agreement = f"{agrees} with the forces, probability of such a departure {p:.2g}"
     if found.verdict == "rejected":
@@ -245,34 +224,19 @@ def measured_report(
         bodies = found.parameters
         full = zip(bodies.names, bodies.units, bodies.values.tolist(), strict=True)
         tables["bodies"] = csv_text([("name", "unit", "value"), *full])
-    return _report(
-        [
-            _count(robot, base),
-            _noise(sigma, noise),
-            *verdict(found),
-            f"robot file: {agreement}{named}",
-            *(
-                ["C_p of the robot file: with the viscous friction of its drives"]
-                if robot is not given
-                else []
-            ),
-            *drive_lines(given, found.drive),
-        ],
-        base,
-        {"estimated": found.values, "std": found.std, "robot_file": file, "departure": departure},
-        tables,
-        {
-            **_data(robot, found, sigma, noise),
-            "robot_file": {"agreement": agrees, "probability": p},
-            **({} if found.drive is None else {"drive": _drive_rows(given, found.drive)}),
-        },
-    )
+    lines = [_count(robot, base), _noise(sigma, noise), *verdict(found), f"robot file: {agreement}{named}"]
+    if robot is not given:
+        lines.append("C_p of the robot file: with the viscous friction of its drives")
+    data = {**_data(robot, found, sigma, noise), "robot_file": {"agreement": agrees, "probability": p}}
+    if found.drive is not None:
+        data["drive"] = _drive_rows(given, found.drive)
+        lines += drive_lines(given, found.drive)
+    numbers = {"estimated": found.values, "std": found.std, "robot_file": file, "departure": departure}
+    return _report(lines, base, numbers, tables, data)
 
 
-def drive_lines(robot: Robot, found: DriveIdentificationResult | None) -> list[str]:
+def drive_lines(robot: Robot, found: DriveIdentificationResult) -> list[str]:
     """Format a table of the drive terms, and list the terms that are not identifiable."""
-    if found is None:
-        return []
     rows = [
         (
             *(row["name"], row["unit"], f"{row['estimated']:.6g}", f"{row['std']:.2g}"),
@@ -284,12 +248,8 @@ def drive_lines(robot: Robot, found: DriveIdentificationResult | None) -> list[s
     unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.std) & np.isfinite(found.std)
     names = ", ".join(name for name, each in zip(found.names, unsure, strict=True) if each)
     said = [f"within {_TOLD} sigma of zero, so that the motion does not tell them: {names}"] if names else []
-    return [
-        "",
-        aligned(("drives", "unit", "estimated", "std", "robot file"), rows, left=2),
-        *said,
-        *found.unidentifiable,
-    ]
+    table = aligned(("drives", "unit", "estimated", "std", "robot file"), rows, left=2)
+    return ["", table, *said, *found.unidentifiable]
 
 
 def _drive_rows(robot: Robot, found: DriveIdentificationResult) -> list[dict[str, Any]]:
@@ -312,12 +272,9 @@ def _report(
     head = ("name", "formula", "unit", *numbers)
     rows = list(zip(base.names, base.formulas, base.units, *columns, strict=True))
     shown = [(_SHOWN.get(name, (name, ".6g"))) for name in numbers]
+    forms = [digits for _, digits in shown]
     cells = [
-        [
-            name,
-            unit,
-            *("-" if isnan(v) else f"{v:{digits}}" for v, (_, digits) in zip(values, shown, strict=True)),
-        ]
+        [name, unit, *("-" if isnan(v) else f"{v:{form}}" for v, form in zip(values, forms, strict=True))]
         for name, _, unit, *values in rows
     ]
     table = aligned(["parameter", "unit", *(title for title, _ in shown)], cells, left=2)
@@ -342,6 +299,7 @@ def _data(
     robot: Robot, found: IdentificationResult, sigma: ArrayLike, noise: PoseNoise | None
 ) -> dict[str, Any]:
     """Return the numbers of the text above the table for the JSON data."""
+    lag = found.force_lag
     return {
         "robot": robot.name,
         "base_parameters": found.base.rank,
@@ -356,11 +314,7 @@ def _data(
         "residual_probability": found.p_noise,
         "smooth_residual_probability": found.p_model,
         "inflation_factor": found.inflation_factor,
-        **(
-            {}
-            if found.force_lag is None
-            else {"force_lag_s": found.force_lag[0], "force_lag_std_s": found.force_lag[1]}
-        ),
+        **({} if lag is None else {"force_lag_s": lag[0], "force_lag_std_s": lag[1]}),
         "warnings": found.warnings,
         "nonphysical": found.nonphysical,
         "near_zero": found.near_zero,
@@ -391,34 +345,27 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
     )
     errors = "errors in standard deviations (of a normal distribution)"
     harmonics, period = len(excited.path.sine), excited.path.period
-    return _report(
-        [
-            _count(robot, estimate.base),
-            f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} instants; "
-            f"condition number {excited.condition:.4g}",
-            _noise(found.force_std, found.pose_noise),
-            *verdict(estimate),
-            *([] if estimate.verdict == "rejected" else [f"{errors}: {shares}; largest {np.max(size):.2f}"]),
-        ],
-        estimate.base,
-        {
-            "true": found.true_values,
-            "estimated": estimate.values,
-            "std": estimate.std,
-            "z_score": found.z_scores,
-        },
-        {
-            "trajectory": trajectory_columns(robot, excited.time, found.measured_motion),
-            "forces": {"time": excited.time} | of_legs("F", found.F),
-        },
-        {
-            **_data(robot, estimate, found.force_std, found.pose_noise),
-            "period_s": period,
-            "harmonics": harmonics,
-            "samples": len(excited.time),
-            "condition_number": excited.condition,
-        },
-    )
+    lines = [
+        _count(robot, estimate.base),
+        f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} instants; "
+        f"condition number {excited.condition:.4g}",
+        _noise(found.force_std, found.pose_noise),
+        *verdict(estimate),
+    ]
+    if estimate.verdict != "rejected":
+        lines.append(f"{errors}: {shares}; largest {np.max(size):.2f}")
+    numbers = {"true": found.true_values, "estimated": estimate.values, "std": estimate.std}
+    tables = {
+        "trajectory": trajectory_columns(robot, excited.time, found.measured_motion),
+        "forces": {"time": excited.time} | of_legs("F", found.F),
+    }
+    data = _data(robot, estimate, found.force_std, found.pose_noise) | {
+        "period_s": period,
+        "harmonics": harmonics,
+        "samples": len(excited.time),
+        "condition_number": excited.condition,
+    }
+    return _report(lines, estimate.base, numbers | {"z_score": found.z_scores}, tables, data)
 
 
 def _count(robot: Robot, base: BaseParametersResult) -> str:

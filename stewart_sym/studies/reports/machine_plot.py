@@ -64,19 +64,21 @@ def draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:
     size = float(np.max(np.ptp(np.concatenate([base, tips]), axis=0)))
     below = (0.05 if down else -0.05) * size * np.eye(3)[axis]
     for corners, color in ((base, BASE), (tips, PLATFORM)):
-        ring = corners[around(corners)]
-        axes.plot(*np.concatenate([ring, ring[:1]]).T, color=color, linewidth=1.6)
+        axes.plot(*_ring(corners).T, color=color, linewidth=1.6)
     for leg in range(LEGS):
         axes.plot(*np.stack([base[leg], tips[leg]]).T, color=LEG, linewidth=1.4)
         axes.text(*(base[leg] + below), str(leg + 1), fontsize=8.0, ha="center", va="top")
     return [base, tips]
 
 
-def frame(axes: Any, robot: Robot, extent: Array) -> None:
-    """Set limits and labels of the axes for the drawn points, shape (n, 3), with the vertical axis upright.
+def _ring(corners: Array) -> Array:
+    """Return the corners of a polygon in order, first and last equal."""
+    order = around(corners)
+    return np.asarray(corners[[*order, order[0]]])
 
-    Titles must be set before. The layout of the figure is fixed from this call on.
-    """
+
+def frame(axes: Any, robot: Robot, extent: Array) -> None:
+    """Set the axes for the drawn points, shape (n, 3), after the titles; the layout is fixed from now on."""
     low, high = extent.min(axis=0), extent.max(axis=0)
     pad = 0.04 * float(np.max(high - low))
     for name, a, b in zip("xyz", low - pad, high + pad, strict=True):
@@ -176,8 +178,7 @@ def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
     places, names = [], []
     bars = [(_place(one), _place(other)) for one, other in zip(robot.b, tips, strict=True)]
     for corners, color in ((robot.b, BASE), (tips, PLATFORM)):
-        ring = corners[around(corners)]
-        axes.plot(*np.concatenate([ring, ring[:1]]).T[:2], color=color, linewidth=1.2)
+        axes.plot(*_ring(corners).T[:2], color=color, linewidth=1.2)
         axes.plot(*corners.T[:2], marker="o", color=color, markersize=4.0, linestyle="")
         places += [_place(corner) for corner in corners]
         names += [(text, at, color) for text, at in _numbers(corners)]

@@ -24,7 +24,7 @@ from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
-from ..common.drawing import BLUE, GREY, LEG_COLORS, RED, Figure, legend_below, log_numbers, new_figure
+from ..common.drawing import BLUE, GREY, RED, Figure, legend_below, log_numbers, new_figure, plot_legs
 from ..common.motion_columns import trajectory_columns
 from ..common.output import Columns, by_leg, of_legs
 from ..common.report import Picture, Report
@@ -36,11 +36,12 @@ _INSTANTS = 10_001
 _DRAWN, _POSES = 4001, 801
 
 
+_CERTIFIED = ("is_valid", "samples", "max_utilization", "lengths_ok", "angles_ok", "active_fraction")
+
+
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """Path with its time parameterization and results; ``rate`` is the sampling rate of its trajectory
-    (Hz).
-    """
+    """Path with its time parameterization and results, sampled at ``rate`` (Hz)."""
 
     robot: Robot
     planned: PlannedPath
@@ -95,13 +96,8 @@ def along(plan: Plan, times: Array) -> Columns:
     place, motion = plan.timed.profile.at(times), plan.timed.sample(times)
     legs = inverse_kinematics(plan.robot, motion)
     forces = inverse_dynamics(plan.robot, motion, plan.timed.formulation).F
-    columns: Columns = {
-        "time": times,
-        "s": place.s,
-        "s_dot": place.rate,
-        "s_ddot": place.second,
-        "scaled_condition": conditions(plan.robot, motion),
-    }
+    columns: Columns = {"time": times, "s": place.s, "s_dot": place.rate, "s_ddot": place.second}
+    columns["scaled_condition"] = conditions(plan.robot, motion)
     return columns | of_legs("L", legs.L) | of_legs("L_dot", legs.L_dot) | of_legs("F", forces)
 
 
@@ -177,9 +173,8 @@ def _conditions(found: Conditions) -> str:
 def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
     """Return the number of each via pose with a tolerance, and the displacement of the path from it."""
     found = []
-    for number, (given, passed) in enumerate(
-        zip(planned.requested_poses, planned.reached_poses, strict=True), start=1
-    ):
+    pairs = zip(planned.requested_poses, planned.reached_poses, strict=True)
+    for number, (given, passed) in enumerate(pairs, start=1):
         if given.has_tolerance:
             moves = np.concatenate([passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)])
             # Small rotations are rounding errors.
@@ -193,7 +188,7 @@ def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
 def data(plan: Plan) -> dict[str, Any]:
     """Return the numbers of the summary for the JSON data."""
     found, planned = plan.certificate, plan.planned
-    legs = {
+    legs: dict[str, Any] = {
         "min_length_m": found.shortest.value,
         "max_length_m": found.longest.value,
         "peak_speed_m_per_s": found.speed.value,
@@ -218,35 +213,28 @@ def data(plan: Plan) -> dict[str, Any]:
         ],
         "legs": by_leg(legs | ({} if plan.motors is None else plan.motors.columns())),
         "certificate": {
-            "is_valid": found.is_valid,
-            "samples": found.samples,
-            "max_utilization": found.max_utilization,
-            "lengths_ok": found.lengths_ok,
-            "angles_ok": found.angles_ok,
-            "active_fraction": found.active_fraction,
+            **{name: getattr(found, name) for name in _CERTIFIED},
             "crossings_s": [crossing.time for crossing in found.crossings],
             "nearest_singular_pose_time_s": found.nearest.time,
             "smallest_singular_value": found.nearest.smallest,
         },
-        "units": {
-            "condition_numbers": "of H with moments over the characteristic length; "
-            "length of the path over that",
-            "max_utilization": "share of a limit",
-            "active_fraction": "share of the duration",
-        },
+        "units": _UNITS,
     }
+
+
+_UNITS = {
+    "condition_numbers": "of H with moments over the characteristic length; length of the path over that",
+    "max_utilization": "share of a limit",
+    "active_fraction": "share of the duration",
+}
 
 
 def condition_figure(plan: Plan) -> Figure:
     """Plot the condition numbers of the planned and of the straight path over their parameter."""
     figure = new_figure(8.0, 4.4)
-    axes = figure.subplots()
-    planned = plan.planned
-    s = np.linspace(0.0, 1.0, _POSES)
-    for path, name, color in (
-        (planned.initial_path, "straight spline", GREY),
-        (planned.path, "planned", BLUE),
-    ):
+    axes, planned, s = figure.subplots(), plan.planned, np.linspace(0.0, 1.0, _POSES)
+    drawn = ((planned.initial_path, "straight spline", GREY), (planned.path, "planned", BLUE))
+    for path, name, color in drawn:
         axes.semilogy(s, conditions(plan.robot, path(s)), color=color, linewidth=1.4, label=name)
     for via in planned.path.via:
         axes.axvline(via, color=GREY, linewidth=0.7, linestyle=(0, (4, 3)))
@@ -263,10 +251,9 @@ def forces_figure(plan: Plan) -> Figure:
     axes = figure.subplots()
     limits = force_limits(plan.robot, plan.timed.limits)
     bounded = bool(np.isfinite(limits).all())
-    columns = along(plan, np.linspace(0.0, plan.timed.duration, _DRAWN))
-    for leg, color in enumerate(LEG_COLORS):
-        values = columns[f"F_{leg + 1}"] / (limits[leg] if bounded else 1.0)
-        axes.plot(columns["time"], values, color=color, linewidth=1.2, label=f"leg {leg + 1}")
+    times = np.linspace(0.0, plan.timed.duration, _DRAWN)
+    forces = inverse_dynamics(plan.robot, plan.timed.sample(times), plan.timed.formulation).F
+    plot_legs(axes, times, forces / limits if bounded else forces, linewidth=1.2)
     for bound in (-1.0, 1.0) if bounded else ():
         axes.axhline(bound, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
     label = "force over its limit" if bounded else "force, N"
@@ -276,9 +263,7 @@ def forces_figure(plan: Plan) -> Figure:
 
 
 def phase_figure(plan: Plan) -> Figure:
-    """Plot s' over s: the motion, the limit without a feasible acceleration, and the limit for stopping at
-    the end.
-    """
+    """Plot s' over s: the motion, and its limits for feasible accelerations and for stopping at the end."""
     figure = new_figure(8.0, 4.6)
     axes = figure.subplots()
     phase, nodes = plan.timed.profile.phase, plan.timed.profile.nodes

@@ -22,9 +22,7 @@ from .energy_drift import Drift, drift_of, energy_scale
 
 
 def run_columns(run: SimulationResult) -> Columns:
-    """Return columns (n,) in SI units: time, pose (angles of (38), |theta_y| <= pi/2), rates, F, L, and
-    energies.
-    """
+    """Return columns (n,) in SI units: time, pose (angles of (38)), rates, F, L, and energies."""
     vectors = {"t": run.t, "theta": rpy_from_rotation(run.R), "v": run.v, "omega": run.omega}
     columns: Columns = {"time": run.time}
     for name, values in vectors.items():
@@ -34,11 +32,7 @@ def run_columns(run: SimulationResult) -> Columns:
 
 
 def report(robot: Robot, run: SimulationResult, law: ForceLaw, drifts: Mapping[Formulation, Drift]) -> Report:
-    """Create the report of a run.
-
-    ``drifts`` are the results of ``energy_drift``, or empty. Runs with a single sample have no plot. For a
-    robot with a drive, the motors are compared with their limits.
-    """
+    """Create the report of a run; ``drifts`` are the results of ``energy_drift``, or empty."""
     fine = run.dense_history
     text, figures = summary(run, fine, law), {}
     motors = motors_of(robot, fine, run.dense_weights)
@@ -57,10 +51,7 @@ def report(robot: Robot, run: SimulationResult, law: ForceLaw, drifts: Mapping[F
 
 
 def motors_of(robot: Robot, run: StateHistory, weights: Array | None = None) -> DriveDigest | None:
-    """Return the motor requirements of a run at the samples of a history; None without a drive.
-
-    ``weights`` are the weights of ``DriveDigest``.
-    """
+    """Return the motor requirements of a run with the weights of its samples; None without a drive."""
     if robot.drive is None:
         return None
     found = DriveDigest(robot, run.time, weights)
@@ -86,16 +77,13 @@ def _data(
         "saturation_max_excess_N": run.saturation.max_excess,
         **({} if motors is None else motors.columns()),
     }
-    work = (
-        {} if drives is None else {"motors_work_J": drives.done.sum(), "drive_friction_J": drives.lost.sum()}
-    )
+    work = {}
+    if drives is not None:
+        work = {"motors_work_J": drives.done.sum(), "drive_friction_J": drives.lost.sum()}
+    stop = run.stop
+    share = "share of the mean kinetic energy"
     return {
-        "stop": {
-            "reason": run.stop.reason,
-            "time_s": run.stop.time,
-            "leg": run.stop.leg,
-            "message": run.stop.message,
-        },
+        "stop": {"reason": stop.reason, "time_s": stop.time, "leg": stop.leg, "message": stop.message},
         "steps": run.step_count,
         "legs": by_leg(legs),
         "energy_start_J": run.energy[0],
@@ -104,10 +92,7 @@ def _data(
         "springs_energy_drift": None if drift is None else drift.worst,
         "energy_drift": {name: drift.worst for name, drift in drifts.items()},
         **work,
-        "units": {
-            "springs_energy_drift": "share of the mean kinetic energy",
-            "energy_drift": "share of the mean kinetic energy",
-        },
+        "units": {"springs_energy_drift": share, "energy_drift": share},
     }
 
 
@@ -119,10 +104,7 @@ def _drift(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> Drift | 
 
 
 def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
-    """Format the reason of the end, the largest force, the leg lengths, the energy, and its drift.
-
-    ``fine`` is the dense history of the run.
-    """
+    """Format the end, force, lengths, and energy of a run; ``fine`` is its dense history."""
     i, leg = np.unravel_index(int(np.argmax(np.abs(fine.F))), fine.F.shape)
     first, last, most = run.energy[0], run.energy[-1], fine.kinetic_energy.max()
     when = time_text(fine.time[i], least_step(fine.time))
@@ -150,16 +132,14 @@ def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
 
 def _taken(run: SimulationResult, law: LegSprings) -> str:
     """Name the causes of a legitimate change of the energy of a machine on springs, or return nothing."""
-    robot = law.robot
-    friction = any(np.any(getattr(robot, name)) for name in ("C_u", "C_p", "C_s"))
-    damped = bool(np.any(getattr(law, "damping", 0.0)))
-    lossy = run.drive_work is not None
-    sources = (("dampers", damped), ("friction", friction), ("drives", lossy), ("the load", run.has_load))
-    found = [name for name, changes in sources if changes]
-    if not found:
-        return ""
-    *others, last = found
-    return f", by {', '.join(others)}{' and ' if others else ''}{last}"
+    sources = {
+        "dampers": np.any(getattr(law, "damping", 0.0)),
+        "friction": any(np.any(getattr(law.robot, name)) for name in ("C_u", "C_p", "C_s")),
+        "drives": run.drive_work is not None,
+        "the load": run.has_load,
+    }
+    found = [name for name, changes in sources.items() if changes]
+    return f", by {' and '.join(filter(None, (', '.join(found[:-1]), found[-1])))}" if found else ""
 
 
 def figure(run: SimulationResult, law: ForceLaw) -> Figure:

@@ -1,5 +1,6 @@
 """Report of ``singularities``: singular poses that a path crosses, and the degrees of freedom lost there."""
 
+import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -40,16 +41,9 @@ _MARKS = 50
 
 @dataclass(frozen=True, eq=False)
 class Sides:
-    """Forces before and after a crossing.
+    """Forces (N), shape (n, 6), before and after a crossing, at time differences (s), shape (n,).
 
-    Attributes
-    ----------
-    residue : ndarray, shape (6,)
-        Residue A of F = A / (t - t_0) (N s).
-    distances : ndarray, shape (n,)
-        Time differences that are within the path on both sides (s).
-    before, after : ndarray, shape (n, 6)
-        Forces before and after the crossing (N).
+    ``residue`` is A in F = A / (t - t_0) (N s), shape (6,).
     """
 
     residue: Array
@@ -78,9 +72,7 @@ class Examination:
 def examine(
     robot: Robot, name: str, path: Path, times: Array, formulation: Formulation = "exact"
 ) -> Examination:
-    """Find the singular poses of the path ``name``; ``path`` and ``times`` as in
-    ``singularity_crossings``.
-    """
+    """Find the singular poses of a path; ``path`` and ``times`` as in ``singularity_crossings``."""
     along = path_singularities(robot, path, times)
     sides = tuple(_sides(robot, path, along, found, formulation) for found in along.crossings)
     return Examination(robot, name, path, formulation, along, sides)
@@ -102,11 +94,8 @@ def report(found: Examination) -> str:
         at = f"{crossing.time:.12f} s (rounding leaves {crossing.time_error:.1e} s open)"
         lines += ["", f"Crossing {number} at {at}", *_crossing_lines(found, crossing, sides)]
     if not along.crossings:
-        lines += [
-            "",
-            f"Nearest approach at {along.nearest.time:.9f} s",
-            *_pose_lines(along.nearest.singularity),
-        ]
+        lines += ["", f"Nearest approach at {along.nearest.time:.9f} s"]
+        lines += _pose_lines(along.nearest.singularity)
     others = [approach for approach in along.approaches if approach is not along.nearest]
     if others:
         lines += ["", "Other minima of the smallest singular value"]
@@ -142,16 +131,15 @@ def _data(found: Examination) -> dict[str, Any]:
         "minima": [{"time_s": each.time, **_pose_data(each.singularity)} for each in along.approaches],
         "singular_throughout_s": along.spans,
         "legs": by_leg(
-            {
-                "min_joint_sine": along.min_joint_sine.value,
-                "min_joint_sine_time_s": along.min_joint_sine.time,
-                "min_length_m": along.min_length.value,
-                "min_length_time_s": along.min_length.time,
-                "max_length_m": along.max_length.value,
-                "max_length_time_s": along.max_length.time,
-            }
+            _extreme("min_joint_sine", "", along.min_joint_sine)
+            | _extreme("min_length", "_m", along.min_length)
+            | _extreme("max_length", "_m", along.max_length)
         ),
     }
+
+
+def _extreme(name: str, unit: str, found: LegExtreme) -> dict[str, Array]:
+    return {f"{name}{unit}": found.value, f"{name}_time_s": found.time}
 
 
 def _pose_data(at: SingularityResult) -> dict[str, Any]:
@@ -172,9 +160,7 @@ def _pose_data(at: SingularityResult) -> dict[str, Any]:
 
 
 def events(found: Examination) -> Columns:
-    """Return columns (n,) with one row for each crossing (crossing 1) and each local minimum (0), sorted by
-    time.
-    """
+    """Return columns (n,) with a row for each crossing (1) and each local minimum (0), sorted by time."""
     along, none = found.along, np.full(LEGS, np.nan)
     rows = [
         (item.time, 1, item.time_error, item.sign_before, item.sign_after, item.singularity, sides.residue)
@@ -184,26 +170,22 @@ def events(found: Examination) -> Columns:
     for approach in {item.time: item for item in minima}.values():
         side = int(np.sign(approach.singularity.determinant))
         rows.append((approach.time, 0, np.nan, side, side, approach.singularity, none))
-    rows.sort(key=lambda row: row[0])
-    poses = [row[5] for row in rows]
-    columns: Columns = {
-        name: np.array([row[i] for row in rows])
-        for i, name in enumerate(("time", "crossing", "time_error", "sign_before", "sign_after"))
-    }
+    *numbers, poses, residues = zip(*sorted(rows, key=lambda row: row[0]), strict=True)
+    names = ("time", "crossing", "time_error", "sign_before", "sign_after")
+    columns: Columns = {name: np.array(values) for name, values in zip(names, numbers, strict=True)}
     for name in ("condition_number", "smallest_singular_value", "lost_dof", "screw_pitch"):
         columns[name] = np.array([getattr(pose, name) for pose in poses])
-    for name, part in (("v", slice(0, 3)), ("omega", slice(3, 6))):
-        columns |= of_axes(name, _stacked([pose.twist[part] for pose in poses]))
+    twists = np.array([pose.twist for pose in poses])
+    columns |= of_axes("v", twists[:, :3]) | of_axes("omega", twists[:, 3:])
     for name in ("screw_axis", "screw_point"):
-        columns |= of_axes(name, _stacked([getattr(pose, name) for pose in poses]))
-    return columns | of_legs("A", np.array([row[6] for row in rows]).reshape(-1, LEGS))
+        columns |= of_axes(name, np.array([getattr(pose, name) for pose in poses]))
+    return columns | of_legs("A", np.array(residues))
 
 
 def curves(found: Examination) -> Columns:
     """Return columns (n,) over time, denser near each crossing and minimum; nan at unsolvable poses.
 
-    The columns are time, smallest_singular_value with the sign of det H, scaled_condition (inf at a singular
-    pose), F_1 to F_6, joint_sine_1 to joint_sine_6, and L_1 to L_6.
+    The smallest singular value has the sign of det H; the scaled condition is inf at a singular pose.
     """
     robot, along = found.robot, found.along
     duration = along.end - along.start
@@ -229,11 +211,9 @@ def curves(found: Examination) -> Columns:
         "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest,
         "scaled_condition": condition,
     }
-    for name, values in (("F", forces.F), ("joint_sine", sine), ("L", L)):
-        columns |= of_legs(name, values)
-    if robot.base_joint == "spherical":
-        columns = {name: values for name, values in columns.items() if not name.startswith("joint_sine")}
-    return columns
+    columns |= of_legs("F", forces.F)
+    columns |= {} if robot.base_joint == "spherical" else of_legs("joint_sine", sine)
+    return columns | of_legs("L", L)
 
 
 def _sides(
@@ -275,7 +255,7 @@ def _crossing_lines(found: Examination, crossing: SingularityCrossing, sides: Si
     ]
     if rows:
         header = ("|t - t_0|, s", f"F_{leg + 1} before, N", f"F_{leg + 1} after, N", "A / |t - t_0|, N")
-        lines += ["", *(f"  {line}" for line in aligned(header, rows).splitlines())]
+        lines += ["", textwrap.indent(aligned(header, rows), "  ")]
     return lines
 
 
@@ -302,16 +282,11 @@ def _pose_lines(at: SingularityResult) -> list[str]:
 def _legs_table(found: Examination) -> str:
     along, limits = found.along, found.robot.length_limits
     rows = []
-    for leg in range(LEGS):
-        low, high = limits[leg]
-        rows.append((
-            str(leg + 1),
-            *_cells(along.min_joint_sine, leg),
-            *_cells(along.min_length, leg),
-            f"{along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none",
-            *_cells(along.max_length, leg),
-            f"{high - along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none",
-        ))  # fmt: skip
+    for leg, (low, high) in enumerate(limits):
+        below = f"{along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none"
+        above = f"{high - along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
+        sine, least = _cells(along.min_joint_sine, leg), _cells(along.min_length, leg)
+        rows.append((str(leg + 1), *sine, *least, below, *_cells(along.max_length, leg), above))
     of_lengths = ("least L, m", "at, s", "to limit", "most L, m", "at, s", "to limit")
     header = ("leg", "|k x s|", "at, s", *of_lengths)
     return "Nearest to the universal joint's axis and to the limits of length\n" + aligned(header, rows)
@@ -326,7 +301,3 @@ def _near(time: float, at: SingularityResult) -> str:
         f"{time:.9f} s: smallest singular value {float(at.smallest_singular_value):.6g}, "
         f"scaled condition number {float(at.condition_number):.6g}"
     )
-
-
-def _stacked(vectors: list[Array]) -> Array:
-    return np.array(vectors).reshape(-1, 3)

@@ -1,6 +1,4 @@
-"""Plots of the singular poses of a path: curves along the path, and the machine with its unconstrained
-twist.
-"""
+"""Plots of the singular poses of a path: curves along it, and the machine with its unconstrained twist."""
 
 import functools
 from collections.abc import Callable, Iterator
@@ -12,7 +10,7 @@ from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import SingularityResult
-from ..common.drawing import BLUE, DARK, LEG_COLORS, RED, Axes, Figure, as_written, log_numbers, new_figure
+from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, log_numbers, new_figure, plot_legs
 from ..common.output import Columns
 from ..common.report import Picture
 from .machine_plot import draw_legs, frame
@@ -68,9 +66,7 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
 def pose_figure(
     found: Examination, columns: Columns, time: float, at: SingularityResult, title: str
 ) -> Figure:
-    """Plot the smallest singular value and the leg forces near a pose, and the machine with its unconstrained
-    twist.
-    """
+    """Plot singular value and leg forces near a pose, and the machine with its unconstrained twist."""
     figure = new_figure(12.0, 5.8)
     panes: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.05))
     left, right = panes
@@ -86,8 +82,7 @@ def pose_figure(
     upper.plot(when, rest[0], color=BLUE, linewidth=1.3)
     upper.axhline(0.0, color=DARK, linewidth=0.7)
     upper.set_ylabel("smallest singular\nvalue, sign of det H")
-    for leg, color in enumerate(LEG_COLORS):
-        lower.plot(when, rest[1][:, leg], color=color, linewidth=1.2, label=f"leg {leg + 1}")
+    plot_legs(lower, when, rest[1], linewidth=1.2)
     bound = _bound(np.abs(when[:, None] - np.array([*crossed, np.inf])).min(axis=-1), rest[1], window)
     lower.axhline(0.0, color=DARK, linewidth=0.7)
     lower.set_ylim(-bound, bound)
@@ -107,9 +102,7 @@ def pose_figure(
 
 
 def draw_machine(axes: Any, robot: Robot, pose: Motion, at: SingularityResult) -> None:
-    """Draw the machine at a pose, velocities of the platform points under the twist as arrows, and the screw
-    axis.
-    """
+    """Draw the machine at a pose, and the velocities of the platform points and screw axis of its twist."""
     points = pose.t + robot.p @ pose.R.T
     both = np.concatenate([robot.b, points])
     size = float(np.max(np.ptp(both, axis=0)))
@@ -143,7 +136,7 @@ def _poses(found: Examination) -> Iterator[tuple[str, float, SingularityResult, 
 
 
 def _forces(columns: Columns) -> Array:
-    return np.stack([columns[f"F_{leg + 1}"] for leg in range(LEGS)], axis=-1)
+    return np.stack([columns[f"F_{leg}"] for leg in range(1, LEGS + 1)], axis=-1)
 
 
 def _broken(breaks: list[float], time: Array, *values: Array) -> tuple[Array, ...]:

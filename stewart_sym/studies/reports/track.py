@@ -1,6 +1,5 @@
 """Inverse dynamics along a trajectory for ``forces``: columns, exceeded limits, and a summary."""
 
-import dataclasses
 import warnings
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -22,7 +21,7 @@ from ...drives.leg_limits import (
 )
 from ...drives.limit_status import SURE, amount_text, unknown_forces
 from ...drives.motor_states import MotorStates, motor_states
-from ...drives.noise import Deviations, MotorDeviations, at_replaced, deviations_in_parts
+from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...dynamics.home_pose import home_pose
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.arguments import status_text
@@ -30,19 +29,16 @@ from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
 from ...io.sample_times import least_step, time_text
 from ...kinematics.conditioning import condition_number
-from ...kinematics.inverse_kinematics import InverseKinematicsResult, inverse_kinematics
+from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult
 from ...robot.robot import LEGS, Robot
-from ..common.output import Columns, aligned, by_leg, csv_lines, of_axes, of_legs
+from ..common.output import Columns, by_leg, leg_table, of_axes, of_legs
 from .drives import DriveDigest, drive_columns
 
 NOISE_SHARE = 0.02
-"""Fraction of the peak force of a leg that ``SURE`` standard deviations of the noise may reach without a
-warning.
-"""
-
+"""Fraction of the peak force that ``SURE`` standard deviations may reach without a warning."""
 
 # Limits of the legs by their names in the JSON data.
 _LIMITS = {
@@ -57,18 +53,10 @@ _PART = 1 << 14
 
 
 class Part(NamedTuple):
-    """Some samples of a trajectory with their dynamics (N, m, and s), shapes (n,) and (n, 6).
+    """Samples ``where`` of a trajectory with their dynamics (N, m, and s), shapes (n,) and (n, 6).
 
-    Attributes
-    ----------
-    where : slice
-        Range of the samples in the trajectory.
-    sd : Deviations or None
-        Standard deviations due to noise; None for a log without noise.
-    there : ndarray of bool or None, shape (n,)
-        True if the standard deviations are due to replaced rows.
-    angles : mapping or None
-        Joint angles from ``limited_angles``.
+    ``sd`` are the standard deviations of a log with noise, and ``there`` marks the samples at which they are
+    due to replaced rows. ``angles`` is the result of ``limited_angles``.
     """
 
     where: slice
@@ -91,13 +79,7 @@ class Part(NamedTuple):
 
     @property
     def columns(self) -> Columns:
-        """Written columns (n,) by name, in SI units.
-
-        The columns are time, F_1 to F_6, L_1 to L_6, condition_number, and status. With noise in the log,
-        F_1_std to F_6_std are added. A drive adds torque_1, motor_speed_1, current_1, power_1, and so on, and
-        with noise torque_1_std and so on. Reactions add, leg by leg, the components of F_s, F_u, F_p, F_c,
-        M_p (about the base point), M_s of U-C-U legs, and M_u.
-        """
+        """Written columns (n,) by name, in SI units; noise, a drive, and reactions add columns."""
         sd = self.sd
         found: Columns = {"time": self.time} | of_legs("F", self.F)
         found |= {} if sd is None else of_legs("F", sd.F, "_std")
@@ -107,23 +89,13 @@ class Part(NamedTuple):
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
-def header_lines() -> list[str]:
-    """Return the header of each kind of CSV file: with or without standard deviations, drives, and
-    reactions.
-    """
-    none, legs, vectors = np.zeros(0), np.zeros((0, LEGS)), np.zeros((0, LEGS, 3))
-    status = none.astype(np.int32)
-    reactions = JointReactionsResult(vectors, vectors, vectors, vectors, vectors, legs, status)
-    drives: list[tuple[MotorStates | None, MotorDeviations | None]] = [(None, None)]
-    for current in (None, legs):
-        effort = MotorStates(*(legs,) * len(MotorStates._fields))._replace(current=current)
-        drives.append((effort, MotorDeviations(*(legs,) * 7)._replace(current=current)))
-    return [
-        next(csv_lines(Part(slice(0), none, legs, legs, legs, none, status, more, effort, sd).columns))
-        for more in (None, reactions, dataclasses.replace(reactions, M_s=vectors))
-        for effort, motors in drives
-        for sd in (None, Deviations(legs, legs, legs, legs, motors=motors))
-    ]
+def beginnings() -> list[str]:
+    """Return the beginning of every CSV file: its columns without and with standard deviations."""
+    legs = np.zeros((0, LEGS))
+    columns = (
+        ["time", *of_legs("F", legs), *more, *of_legs("L", legs)] for more in ((), of_legs("F", legs, "_std"))
+    )
+    return [",".join([*names, "condition_number", "status"]) for names in columns]
 
 
 def in_parts(
@@ -136,8 +108,7 @@ def in_parts(
 ) -> Iterator[Part]:
     """Compute the dynamics of a trajectory in consecutive parts.
 
-    Raises ValueError with file and line for an unsolvable pose. With ``allow_singular``, nan and a status are
-    written, and a warning of the first such pose is issued.
+    An unsolvable pose is an error, or with ``allow_singular`` a row of nan, and a warning about the first.
     """
     deviations, told = None, False
     if trajectory.noise is not None:
@@ -190,10 +161,8 @@ class Digest:
         self.conditions.append((float(part.time[i]), float(part.condition[i])))
 
     def doubts(self, noise_share: float) -> list[str]:
-        """Return one line for each limit that is exceeded or inconclusive, and for noise above a fraction of
-        a peak.
-
-        Replaced rows have a separate line.
+        """Return one line for each exceeded or inconclusive limit, and for noise above a fraction of a
+        peak.
         """
         times, F, there, F_sd = self.legs.forces()
         beyond = self.legs.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
@@ -212,39 +181,37 @@ class Digest:
         time, F, _, F_sd = self.legs.forces()
         verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
         low, high, speed = self._extremes()
-        angles = [found.scaled(BASE.scale) for found in self._angles().values()]
-        rows = [
-            (
-                str(leg + 1),
-                amount_text(F[i, leg], None if F_sd is None else F_sd[i, leg]),
-                time_text(time[i], self.step),
-                f"{limit[leg]:g}" + (f" {status_text(verdicts[leg])}" if np.isfinite(limit[leg]) else ""),
-                f"{low.text(leg)} to {high.text(leg)}",
-                speed.text(leg),
-                *([", ".join(each.text(leg) for each in angles)] if angles else []),
-            )
-            for leg, i in enumerate(_largest(F))
-        ]
-        first, last = (time_text(self.time[i], self.step) for i in (0, -1))
-        when, condition = self._worst_condition()
-        header = ["leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"]
-        header += ["joint angles, degrees"] if angles else []
+        angles = [found.scaled(BASE.scale).texts() for found in self._angles().values()]
+        peak = _largest(F)
+        columns = {
+            "peak force, N": _Extreme(_at(F, peak), None if F_sd is None else _at(F_sd, peak)).texts(6),
+            "at, s": [time_text(when, self.step) for when in time[peak]],
+            "force_limit, N": [
+                f"{most:g}" + (f" {status_text(verdict)}" if np.isfinite(most) else "")
+                for most, verdict in zip(limit, verdicts, strict=True)
+            ],
+            "length, m": [" to ".join(ends) for ends in zip(low.texts(), high.texts(), strict=True)],
+            "speed, m/s": speed.texts(),
+        }
+        if angles:
+            columns["joint angles, degrees"] = [", ".join(both) for both in zip(*angles, strict=True)]
+        first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self._worst()[0]))
         text = (
             f"{len(self.time)} instant{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
-            f"number of H up to {condition:.4g} (at {time_text(when, self.step)} s)\n"
-            f"{aligned(header, rows)}"
+            f"number of H up to {self._worst()[1]:.4g} (at {when} s)\n"
+            f"{leg_table('leg', columns)}"
         )
         return text if self.drive is None else f"{text}\n\n{self.drive.table()}"
 
     def as_json(self) -> dict[str, Any]:
         """Return the numbers of the summary for the JSON data."""
         time, F, _, F_sd = self.legs.forces()
-        when, condition = self._worst_condition()
+        when, condition = self._worst()
         low, high, speed = self._extremes()
         peak, robot = _largest(F), self.robot
         legs = {
-            "peak_force_N": np.take_along_axis(F, peak[None], axis=0)[0],
-            "peak_force_std_N": [None] * LEGS if F_sd is None else np.take_along_axis(F_sd, peak[None], 0)[0],
+            "peak_force_N": _at(F, peak),
+            "peak_force_std_N": [None] * LEGS if F_sd is None else _at(F_sd, peak),
             "peak_force_time_s": time[peak],
             "force_limit_N": robot.force_limit,
             **low.data("min_length", "m"),
@@ -259,14 +226,9 @@ class Digest:
             legs[f"{limit.values}_angle_limit"] = self.legs.verdicts(limit)
         legs |= {name: self.legs.verdicts(limit) for name, limit in _LIMITS.items()}
         legs |= {} if self.drive is None else self.drive.columns() | self.drive.verdicts()
-        return {
-            "samples": len(self.time),
-            "start_s": self.time[0],
-            "end_s": self.time[-1],
-            "condition_number_peak": condition,
-            "condition_number_peak_time_s": when,
-            "legs": by_leg(legs),
-        }
+        found = {"samples": len(self.time), "start_s": self.time[0], "end_s": self.time[-1]}
+        found |= {"condition_number_peak": condition, "condition_number_peak_time_s": when}
+        return found | {"legs": by_leg(legs)}
 
     def _extremes(self) -> "list[_Extreme]":
         """Return smallest and largest lengths, and largest speeds."""
@@ -277,7 +239,7 @@ class Digest:
         limits = (BASE, PLATFORM) if self.robot.has_joint_angle_limits else ()
         return {limit: _Extreme(*self.legs.peaks(limit)) for limit in limits}
 
-    def _worst_condition(self) -> tuple[float, float]:
+    def _worst(self) -> tuple[float, float]:
         """Return the time of the largest condition number (s) and its value."""
         return self.conditions[int(_largest(np.array(self.conditions)[:, 1]))]
 
@@ -296,9 +258,10 @@ class _Extreme(NamedTuple):
         """Return the values by name for the JSON data."""
         return {f"{name}_{unit}": self.values} | ({} if self.sd is None else {f"{name}_std_{unit}": self.sd})
 
-    def text(self, leg: int) -> str:
-        """Format the value of one leg."""
-        return amount_text(self.values[leg], None if self.sd is None else self.sd[leg], 4)
+    def texts(self, digits: int = 4) -> list[str]:
+        """Format the value of each leg."""
+        sd = [None] * LEGS if self.sd is None else self.sd
+        return [amount_text(value, off, digits) for value, off in zip(self.values, sd, strict=True)]
 
 
 def _largest(values: Array) -> NDArray[np.int64]:
@@ -306,20 +269,21 @@ def _largest(values: Array) -> NDArray[np.int64]:
     return np.asarray(np.argmax(np.nan_to_num(np.abs(values), nan=-1.0), axis=0))
 
 
+def _at(values: Array, rows: NDArray[np.int64]) -> Array:
+    """Return the value of each leg, shape (6,), in its row of values, shape (n, 6)."""
+    return np.asarray(values[rows, np.arange(LEGS)])
+
+
 def peak_noise(F: Array, F_sd: Array) -> Array:
-    """Return the fraction of the peak force of each leg, shape (6,), by which noise may conceal a larger
-    force.
-    """
+    """Return the fraction of each peak force, shape (6,), by which noise may conceal a larger force."""
     peak = np.nan_to_num(np.abs(F)).max(axis=0)
     possible = np.nan_to_num(np.abs(F) + SURE * F_sd).max(axis=0)
     return np.asarray((possible - peak) / np.maximum(peak, np.finfo(float).tiny))
 
 
 def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: Flags) -> str | None:
-    """Return a warning about the leg with the most uncertain peak, if it exceeds the fraction ``share``.
-
-    ``when`` are the times as text, and ``there`` marks the samples, shape (n,), whose standard deviations
-    have this cause.
+    """Return a warning about the leg with the most uncertain peak, if it exceeds the fraction ``share``, at
+    the samples ``there``.
     """
     spread = np.where(there[:, None], F_sd, 0.0)
     ratio = peak_noise(F, spread)
@@ -343,7 +307,7 @@ def _need_forces(robot: Robot, where: str) -> None:
     """Reject a robot with numbers so large that forces overflow at home, at rates of 1 in SI units."""
     with warnings.catch_warnings(action="ignore"):
         slow = Motion(
-            R=np.eye(3), t=home_pose(robot).t, omega=np.ones(3), v=np.ones(3), alpha=np.ones(3), a=np.ones(3)
+            R=np.eye(3), t=home_pose(robot).t, **dict.fromkeys(("omega", "v", "alpha", "a"), np.ones(3))
         )
         found = inverse_dynamics(robot, slow, backend="numpy", on_singular="nan")
     if found.status == NOT_FINITE:
@@ -355,7 +319,7 @@ def _need_forces(robot: Robot, where: str) -> None:
 def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
     L, L_dot = np.full((2, *motion.shape, 6), np.nan)
     if np.any(good):
-        legs: InverseKinematicsResult = inverse_kinematics(robot, motion[good])
+        legs = inverse_kinematics(robot, motion[good])
         L[good], L_dot[good] = legs.L, legs.L_dot
     return L, L_dot
 

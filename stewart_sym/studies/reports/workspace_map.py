@@ -29,11 +29,7 @@ CHUNK = 100_000
 
 
 def grid(x: ArrayLike, y: ArrayLike, z: ArrayLike, chunks: int = CHUNK) -> Any:
-    """Create the points of a regular grid (m), shape (n, 3), as a Dask array that is generated block by
-    block.
-
-    The z coordinate varies fastest.
-    """
+    """Create the points of a regular grid (m), z fastest, as a Dask array, shape (n, 3), block by block."""
     axes = [np.asarray(axis, dtype=np.float64) for axis in (x, y, z)]
     index = da.arange(int(np.prod([axis.size for axis in axes])), chunks=chunks)
     return da.map_blocks(
@@ -50,28 +46,9 @@ def workspace_map(
 ) -> tuple[Any, Any]:
     """Compute condition number of H and peak actuator force at every pose, at rest under gravity.
 
-    Parameters
-    ----------
-    robot : Robot
-        Robot.
-    t : array_like or dask.array.Array, shape (n, 3)
-        Positions of the reference point (m).
-    theta : array_like or dask.array.Array, shape (n, 3) or (3,)
-        Roll, pitch, and yaw (rad), (38).
-    formulation : str
-        "exact" or "paper".
-    chunks : int
-        Number of poses in one block.
-
-    Returns
-    -------
-    tuple of dask.array.Array, shape (n,)
-        Uncomputed condition numbers and peak forces (N); see ``map_block``.
-
-    Raises
-    ------
-    ValueError
-        If ``t`` or ``theta`` has another shape.
+    ``t`` are positions of the reference point (m), shape (n, 3), ``theta`` roll, pitch, and yaw (rad), shape
+    (n, 3) or (3,), as arrays of NumPy or Dask, and ``chunks`` poses form a block. Returns uncomputed Dask
+    arrays of shape (n,); see ``map_block``. Raises ValueError for other shapes.
     """
     t, theta = da.asarray(t), da.asarray(theta)
     if t.ndim != 2 or t.shape[1] != 3:
@@ -102,9 +79,8 @@ def map_block(
 ) -> tuple[Array, Array]:
     """Compute the condition number of H (mixed units, as in the paper) and the largest |F_i| (N) at rest.
 
-    The arrays have shape (..., 3), positions in m and angles in rad, and the results shape (...). Forces are
-    nan at unsolvable poses: singular poses and poses with a leg of length zero. The condition number of a
-    singular pose is very large or inf.
+    The arrays have shape (..., 3), positions in m and angles in rad. Forces are nan at unsolvable poses. The
+    condition number of a singular pose is very large or inf.
     """
     rest = np.zeros(3)
     motion = Motion.from_rpy(t, theta, rest, rest, rest, rest)
