@@ -23,7 +23,7 @@ from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies.accuracy import bound_plot
-from stewart_sym.studies.common.drawing import legend_below, log_numbers
+from stewart_sym.studies.common.drawing import log_numbers
 from stewart_sym.studies.design import workspace_report
 from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
 
@@ -85,10 +85,6 @@ def test_legends_lie_within_the_figure(picture: Figure) -> None:
     assert _inside(picture)
 
 
-def test_texts_are_without_marks_of_prose(picture: Figure) -> None:
-    assert not [text.get_text() for text in picture.findobj(Text) if "`" in text.get_text()]
-
-
 def test_logarithmic_axes_have_powers_of_ten_or_plain_numbers_that_do_not_overlap(picture: Figure) -> None:
     for axes in picture.axes:
         for axis in (axes.xaxis, axes.yaxis):
@@ -103,12 +99,6 @@ def test_logarithmic_axes_have_powers_of_ten_or_plain_numbers_that_do_not_overla
                 ), text
             boxes = sorted((label.get_window_extent() for label in labels), key=lambda box: (box.x0, box.y0))
             assert not any(one.overlaps(other) for one, other in itertools.pairwise(boxes))
-
-
-def test_angles_are_named_as_angles() -> None:
-    legends = [[text.get_text() for text in legend.get_texts()] for legend in _run().findobj(Legend)]
-    assert ["roll", "pitch", "yaw"] in legends
-    assert legends.count(["x", "y", "z"]) == 3
 
 
 def test_each_curve_of_a_run_fills_its_panel_whatever_the_pose_that_it_starts_from() -> None:
@@ -145,18 +135,6 @@ def test_a_machine_s_name_is_drawn_as_written(name: str) -> None:
     drawn, formula = title._preprocess_math(title.get_text())  # type: ignore[attr-defined]
     assert drawn.startswith(f"{name}: home pose")
     assert not formula
-
-
-@pytest.mark.parametrize("length", [5, 60, 110])
-def test_a_legend_takes_as_many_columns_as_fit(length: int) -> None:
-    figure = Figure(figsize=(8.0, 5.0), layout="constrained")
-    axes = figure.subplots()
-    for name in "abc":
-        axes.plot([0.0, 1.0], label=name * length)
-    legend_below(figure, fontsize=7.0)
-    (legend,) = figure.legends
-    assert legend._ncols == {5: 3, 60: 1, 110: 1}[length]
-    assert _inside(figure)
 
 
 @pytest.mark.parametrize(
@@ -242,16 +220,6 @@ def test_numbers_and_names_of_a_machine_s_axes_are_seen_whole(
     _need_whole(_in_space(drawn(_turned(name, TURNS[upright]))))
 
 
-@pytest.mark.parametrize("height", [0.1, 0.4, 1.2])
-def test_numbers_at_the_corners_of_a_box_are_apart(height: float) -> None:
-    figure = Figure(figsize=(6.0, 5.5), layout="constrained")
-    axes = figure.add_subplot(projection="3d")
-    # Such that the limits of all axes are ticks.
-    corner = np.array([0.1, 0.1, 0.5 * height]) - 0.04 / 1.08 * max(0.2, height)
-    machine_plot.frame(axes, dasgupta1998(), np.array([-corner, corner]))
-    _need_whole(_in_space(figure))
-
-
 def _need_whole(axes: Axes3D) -> None:
     """Each edge has numbers; they and its name lie on the page, apart from all others."""
     sides = (axes.xaxis, axes.yaxis, axes.zaxis)
@@ -260,21 +228,6 @@ def _need_whole(axes: Axes3D) -> None:
     page = axes.figure.canvas.figure.bbox
     assert all(page.count_contains(box.corners()) == 4 for box in boxes)
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
-
-
-@pytest.mark.parametrize("upright", ["z", "-z"])
-def test_numbers_of_joints_stand_at_the_ends_of_their_lines(upright: str) -> None:
-    plan = _at_home(_turned("dasgupta1998", TURNS[upright])).axes[1]
-    assert plan.yaxis_inverted() == (upright == "-z")
-    thin = [line for line in plan.lines if line.get_linewidth() == 0.6]
-    lines = [plan.transData.transform(np.asarray(line.get_xydata())) for line in thin]
-    assert len(lines) == len(plan.texts) == 12
-    for text in plan.texts:
-        box = text.get_window_extent()
-        # Distances of a line's ends from the number; one alongside it is longer than the farther one.
-        away = [np.linalg.norm(line - np.clip(line, box.p0, box.p1), axis=1) for line in lines]
-        line = int(np.argmin([ends.min() for ends in away]))
-        assert np.linalg.norm(lines[line][0] - lines[line][1]) < away[line].max() + 5.0
 
 
 @pytest.mark.parametrize("upright", ["z", "-z"])

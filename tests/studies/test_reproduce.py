@@ -178,16 +178,6 @@ def test_every_figure_has_a_picture_that_is_reproducible_and_the_one_of_the_docu
         assert content == (tmp_path / "two" / path.name).read_bytes()
 
 
-def test_force_panels_hold_all_three_letters_apart(found: Reproduction) -> None:
-    figure = plots.forces_figure(9, found.runs["III", "paper"], found.runs["III", "exact"])
-    figure.draw_without_rendering()
-    assert len(figure.axes) == 6
-    for axes in figure.axes:
-        boxes = [text.get_window_extent() for text in axes.texts]
-        assert sorted(text.get_text() for text in axes.texts) == ["D", "S", "T"]
-        assert not any(a.overlaps(b) for i, a in enumerate(boxes) for b in boxes[i + 1 :])
-
-
 @pytest.mark.parametrize(("number", "path"), [(6, "I"), (8, "II")])
 def test_no_line_of_a_fraction_leads_through_a_zero_of_the_force(
     found: Reproduction, number: int, path: str
