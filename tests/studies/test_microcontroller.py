@@ -1,8 +1,6 @@
 """One-pose kernels on emulated microcontrollers: right, small, quick, and alone."""
 
 import json
-import shutil
-import subprocess
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -13,7 +11,7 @@ import pytest
 import toolchain
 from machines import dasgupta, random_robot
 from microcontroller import right
-from sweeps import FULL, slow_but
+from sweeps import slow_but
 
 from stewart_sym.backend.native import CompilerError
 from stewart_sym.io.json_text import json_text
@@ -147,20 +145,10 @@ def test_a_double_in_a_float_object_is_found(tmp_path: Path, text: str, told: st
     assert told in toolchain.double_arithmetic(compiled(tmp_path, text))
 
 
-def test_double_instructions_of_the_larger_core_are_found(tmp_path: Path) -> None:
-    text = "double f(double x);\ndouble f(double x) { return x * x; }\n"
-    assert any("vmul.f64" in each for each in toolchain.double_arithmetic(compiled(tmp_path, text, "double")))
-
-
 def test_functions_of_libraries_are_found(tmp_path: Path) -> None:
     text = "#include <math.h>\n#include <stdlib.h>\nvoid *f(float x);\n"
     text += "void *f(float x) { return malloc((size_t)sinf(x)); }\n"
     assert toolchain.asked_for(compiled(tmp_path, text)) - toolchain.HARMLESS == {"malloc", "sinf"}
-
-
-def test_a_warning_of_the_compiler_is_an_error(tmp_path: Path) -> None:
-    with pytest.raises(CompilerError, match=r"arm-none-eabi-gcc failed: slip\.c.*conversion"):
-        compiled(tmp_path, "float f(double x);\nfloat f(double x) { return x; }\n")
 
 
 def test_a_circle_of_calls_has_no_depth_of_stack(tmp_path: Path) -> None:
@@ -207,37 +195,3 @@ def test_levels_of_machines_of_other_sizes_and_joints_run_on_the_processors(
     row = measure.measured(random_robot(np.random.default_rng(2), joint, scale=scale), level, baked, "float")
     assert right(row), row
     assert row["instructions"] <= AT_MOST[baked]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("flags", [["-Os"], *([["-std=gnu11"], ["-fmath-errno"]] if FULL else [])], ids=str)
-def test_other_flags_keep_the_limits(flags: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(toolchain, "FLAGS", (*toolchain.FLAGS, *flags))
-    for precision, baked in OPPOSITE:
-        row = measure.measured(dasgupta(), "general", baked, precision)
-        assert right(row)
-        assert row["instructions"] <= AT_MOST[row["baked"]]
-        assert row["flash"]["kernel"] + row["flash"]["robot"] <= 24 * 1024
-
-
-def test_the_self_test_of_a_kit_decides(tmp_path: Path) -> None:
-    """Exit codes of a program reach the study."""
-    for code in (0, 3):
-        core = toolchain.CORES["double"]
-        for file in ("start.c", "board.h", "link.ld"):
-            shutil.copyfile(measure.BOARD / file, tmp_path / file)
-        (tmp_path / "main.c").write_text(f"int main(void);\nint main(void) {{ return {code}; }}\n")
-        built = [
-            toolchain.compiled(core, tmp_path / name, ["-Wno-pedantic"]) for name in ("start.c", "main.c")
-        ]
-        image = toolchain.linked(core, built, tmp_path / "link.ld", tmp_path / "main.elf")
-        assert toolchain.emulated(core, image)[0] == code
-
-
-def test_a_program_that_hangs_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def hang(command: list[str], **given: object) -> None:
-        raise subprocess.TimeoutExpired(command, 1.0)
-
-    monkeypatch.setattr(subprocess, "run", hang)
-    with pytest.raises(CompilerError, match=r"count\.elf: no end after"):
-        toolchain.emulated(toolchain.CORES["float"], tmp_path / "count.elf")
