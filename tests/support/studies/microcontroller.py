@@ -42,8 +42,6 @@ _SELFTEST = "selftest.c"
 BOARD = Path(__file__).parent / "board"
 """Folder of the sources that start the processor and count."""
 _DOCS = Path(".docs")
-_DRIVE_KITS = (("double", False), ("float", True))
-"""Precision and baking of the kits with a drive."""
 _OF_DRIVES = ("_axial", "_torque")
 """With what names of sources of torques end."""
 _HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})
@@ -322,10 +320,9 @@ def main(arguments: list[str]) -> int:
     run = Path(arguments[0])
     run.mkdir(parents=True, exist_ok=True)
     kits = [(precision, bake) for precision in CORES for bake in (False, True)]
-    studies = {"controller": (dasgupta1998(), kits), "controller_drive": (driven_robot(run), _DRIVE_KITS)}
     all_right = True
-    for name, (robot, chosen) in studies.items():
-        rows = [measured(robot, "general", bake, precision) for precision, bake in chosen]
+    for name, robot in {"controller": dasgupta1998(), "controller_drive": driven_robot(run)}.items():
+        rows = [measured(robot, "general", bake, precision) for precision, bake in kits]
         (run / f"{name}.json").write_text(json_text(of_rows(robot, rows)), encoding="utf-8")
         all_right = all_right and all(map(right, rows))
     return 0 if all_right else 2
