@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...singularities.path_warnings import crossing_warning
     from ...studies.common.output import csv_lines
     from ...studies.common.report import Picture, Report, draw
-    from ...studies.reports.track import Digest, beginnings, in_parts
+    from ...studies.reports.track import Digest, header_lines, in_parts
     from ...viewer.motion_history import of_trajectory
     from ...viewer.view import Viewer
 
@@ -59,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
         _need_plot(arguments, robot)
     with (
         results(arguments) as (take, progress),
-        result_file(arguments.output, beginnings(), arguments.force) as stream,
+        result_file(arguments.output, header_lines(), arguments.force) as stream,
     ):
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))

@@ -1,5 +1,6 @@
 """Inverse dynamics along a trajectory for ``forces``: columns, exceeded limits, and a summary."""
 
+import dataclasses
 import warnings
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -21,7 +22,7 @@ from ...drives.leg_limits import (
 )
 from ...drives.limit_status import SURE, amount_text, unknown_forces
 from ...drives.motor_states import MotorStates, motor_states
-from ...drives.noise import Deviations, at_replaced, deviations_in_parts
+from ...drives.noise import Deviations, MotorDeviations, at_replaced, deviations_in_parts
 from ...dynamics.home_pose import home_pose
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.arguments import status_text
@@ -34,7 +35,7 @@ from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult
 from ...robot.robot import LEGS, Robot
-from ..common.output import Columns, by_leg, leg_table, of_axes, of_legs
+from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .drives import DriveDigest, drive_columns
 
 NOISE_SHARE = 0.02
@@ -89,13 +90,21 @@ class Part(NamedTuple):
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
-def beginnings() -> list[str]:
-    """Return the beginning of every CSV file: its columns without and with standard deviations."""
-    legs = np.zeros((0, LEGS))
-    columns = (
-        ["time", *of_legs("F", legs), *more, *of_legs("L", legs)] for more in ((), of_legs("F", legs, "_std"))
-    )
-    return [",".join([*names, "condition_number", "status"]) for names in columns]
+def header_lines() -> list[str]:
+    """Return the header of each kind of CSV file."""
+    none, legs, vectors = np.zeros(0), np.zeros((0, LEGS)), np.zeros((0, LEGS, 3))
+    status = none.astype(np.int32)
+    reactions = JointReactionsResult(vectors, vectors, vectors, vectors, vectors, legs, status)
+    drives: list[tuple[MotorStates | None, MotorDeviations | None]] = [(None, None)]
+    for current in (None, legs):
+        effort = MotorStates(*(legs,) * len(MotorStates._fields))._replace(current=current)
+        drives.append((effort, MotorDeviations(*(legs,) * 7)._replace(current=current)))
+    return [
+        next(csv_lines(Part(slice(0), none, legs, legs, legs, none, status, more, effort, sd).columns))
+        for more in (None, reactions, dataclasses.replace(reactions, M_s=vectors))
+        for effort, motors in drives
+        for sd in (None, Deviations(legs, legs, legs, legs, motors=motors))
+    ]
 
 
 def in_parts(
