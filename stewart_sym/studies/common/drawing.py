@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ...io.array_types import Array
 from ...io.extras import needed_for
 from ...robot.robot import Robot
 
@@ -52,7 +52,7 @@ def legend_line(label: str, **style: Any) -> Any:
     return Line2D([], [], label=label, **style)
 
 
-def plot_legs(axes: Axes, x: Array, values: Array, **style: Any) -> None:
+def plot_legs(axes: Axes, x: NDArray[Any], values: NDArray[Any], **style: Any) -> None:
     """Plot a labeled curve of each leg from values of shape (n, 6) over x, shape (n,) or (n, 6)."""
     across = x if x.ndim == 2 else np.tile(x[:, None], len(LEG_COLORS))
     for leg, color in enumerate(LEG_COLORS):

@@ -41,8 +41,8 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
         parts.append(_section(_words(name), _figure(_words(name), picture)))
     for name, records in _lists("", plain(report.data)):
         keys = list(dict.fromkeys(key for record in records for key in record))
-        rows = [list(map(record.get, keys)) for record in records]
-        parts.append(_section(_words(name), _table(_words(name), map(_words, keys), rows)))
+        found = [list(map(record.get, keys)) for record in records]
+        parts.append(_section(_words(name), _table(_words(name), map(_words, keys), found)))
     for name, table in report.tables.items():
         if isinstance(table, Mapping):
             caption, rows = _sampled(f"{name}.csv", columns=table)
