@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import re
 
 import numpy as np
 import pytest
@@ -30,6 +31,7 @@ from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
 from stewart_sym.kinematics.mounting import upright
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy
+from stewart_sym.studies.design.workspace_report import report
 
 
 def limited(rng: np.random.Generator) -> ss.Robot:
@@ -104,6 +106,7 @@ def test_positions_and_rotations_are_those_of_the_tool(seed: int) -> None:
     arm = rotation_from_rpy(angles) @ robot.tool
     np.testing.assert_allclose(other.bounds, one.bounds + arm[:, None], rtol=1e-12)
     assert abs(other.volume - one.volume) < other.error + one.error
+    np.testing.assert_allclose(other.extent, one.extent + arm[:, None], atol=0.05 * machine_size(robot))
     turns = np.array([[-0.6, 0.6]] * 3)
     found = ss.workspace(robot, "orientation", rpy_bounds=turns, samples=100_000)
     np.testing.assert_allclose(found.position, home_pose(robot).t + robot.tool)
@@ -139,6 +142,20 @@ def test_a_volume_below_its_error_is_doubted() -> None:
     with pytest.warns(WorkspaceWarning, match="the error exceeds the volume"):
         found = ss.workspace(robot, "six_dof", position=t, position_bounds=box, samples=2000)
     assert not found.is_known
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.design.workspace.WorkspaceWarning")
+def test_the_report_states_the_tool_and_bounds_of_volume_and_extents() -> None:
+    robot = dataclasses.replace(limited(np.random.default_rng(0)), tool=np.array([0.0, 0.0, 0.25]))
+    t, size = home_pose(robot).t + robot.tool, machine_size(robot)
+    box = np.stack([t - 0.3 * size, t + 0.3 * size], axis=-1)
+    kinds: tuple[tuple[Kind, str], ...] = (("six_dof", "at most "), ("constant_orientation", r"\S+ \+- "))
+    for kind, volume in kinds:
+        found = ss.workspace(robot, kind, position=t, position_bounds=box, samples=2000)
+        text = report(robot, ss.PoseLimits(), found, []).text
+        assert re.search(rf"^volume +{volume}", text, re.MULTILINE)
+        assert re.search(r"^coordinate +at least from +to +searched from +to$", text, re.MULTILINE)
+        assert "point      tool of the robot file, (0, 0, 0.25) m, platform frame" in text
 
 
 def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
