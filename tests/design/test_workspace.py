@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import re
 
 import numpy as np
 import pytest
@@ -26,10 +27,12 @@ from stewart_sym.design.capability import WHAT
 from stewart_sym.design.pose_limits import REASONS, PoseExaminer, at_reference
 from stewart_sym.design.workspace import WHOLE_TURN, Kind, WorkspaceWarning
 from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.io.progress import silent
 from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
 from stewart_sym.kinematics.mounting import upright
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy
+from stewart_sym.studies.design.workspace_report import report, slices
 
 
 def limited(rng: np.random.Generator) -> ss.Robot:
@@ -100,10 +103,17 @@ def test_positions_and_rotations_are_those_of_the_tool(seed: int) -> None:
     plain = limited(rng)
     robot = dataclasses.replace(plain, tool=machine_size(plain) * np.array([0.1, -0.2, 0.9]))
     angles = rng.uniform(-0.2, 0.2, 3)
-    one, other = (ss.workspace(each, rpy=angles, samples=20_000) for each in (plain, robot))
-    arm = rotation_from_rpy(angles) @ robot.tool
+    arm, home = rotation_from_rpy(angles) @ robot.tool, home_pose(plain).t
+    centers = ((plain, home), (robot, home + arm))
+    one, other = (ss.workspace(each, position=t, rpy=angles, samples=20_000) for each, t in centers)
     np.testing.assert_allclose(other.bounds, one.bounds + arm[:, None], rtol=1e-12)
     assert abs(other.volume - one.volume) < other.error + one.error
+    np.testing.assert_allclose(other.extent, one.extent + arm[:, None], atol=0.05 * machine_size(robot))
+    assert other.distance_to_limit == pytest.approx(one.distance_to_limit, rel=0.1)
+    planes = zip(
+        *(slices(r, ss.PoseLimits(), w, silent) for r, w in ((plain, one), (robot, other))), strict=True
+    )
+    assert all(np.mean(first.codes != second.codes) < 0.02 for first, second in planes)
     turns = np.array([[-0.6, 0.6]] * 3)
     found = ss.workspace(robot, "orientation", rpy_bounds=turns, samples=100_000)
     np.testing.assert_allclose(found.position, home_pose(robot).t + robot.tool)
@@ -139,6 +149,20 @@ def test_a_volume_below_its_error_is_doubted() -> None:
     with pytest.warns(WorkspaceWarning, match="the error exceeds the volume"):
         found = ss.workspace(robot, "six_dof", position=t, position_bounds=box, samples=2000)
     assert not found.is_known
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.design.workspace.WorkspaceWarning")
+def test_the_report_states_the_tool_and_bounds_of_volume_and_extents() -> None:
+    robot = dataclasses.replace(limited(np.random.default_rng(0)), tool=np.array([0.0, 0.0, 0.25]))
+    t, size = home_pose(robot).t + robot.tool, machine_size(robot)
+    box = np.stack([t - 0.3 * size, t + 0.3 * size], axis=-1)
+    kinds: tuple[tuple[Kind, str], ...] = (("six_dof", "at most "), ("constant_orientation", r"\S+ \+- "))
+    for kind, volume in kinds:
+        found = ss.workspace(robot, kind, position=t, position_bounds=box, samples=2000)
+        text = report(robot, ss.PoseLimits(), found, []).text
+        assert re.search(rf"^volume +{volume}", text, re.MULTILINE)
+        assert re.search(r"^coordinate +at least from +to +searched from +to$", text, re.MULTILINE)
+        assert "point      tool of the robot file, (0, 0, 0.25) m, platform frame" in text
 
 
 def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
