@@ -66,7 +66,7 @@ static rotor_terms axial_terms(const stewart_leg *leg, const stewart_motion *mot
     const stewart_real S_ddot_z = (((a_z + (alpha_x*q_y)) - (alpha_y*q_x)) + (omega_x*w_q_y)) - (omega_y*w_q_x);
     /* (5) sliding velocity */
     const stewart_real rate = (S_dot_x*s_x) + (S_dot_y*s_y) + (S_dot_z*s_z);
-    /* part of S_dot across the leg, of length L |W| */
+    /* transverse part of S_dot */
     const stewart_real across_x = S_dot_x - (rate*s_x);
     const stewart_real across_y = S_dot_y - (rate*s_y);
     const stewart_real across_z = S_dot_z - (rate*s_z);
