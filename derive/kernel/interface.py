@@ -112,7 +112,7 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _flat("friction", (6,), _WRENCH, "wrench of the joint friction"),
         _flat("bias", (6,), _WRENCH, "C [v; omega] + g"),
         _flat("bias_and_friction", (6,), _WRENCH, "C [v; omega] + g + friction"),
-        _flat("H", (6, 6), "1 and m", "Jacobian: H F is the wrench of actuator forces F, row-major"),
+        _flat("H", (6, 6), "1 and m", "wrench matrix: H F is the generalized force of F, row-major"),
         _flat("H_dot", (6, 6), "1/s and m/s", "time derivative of H, row-major"),
     ),
     "derivatives": (

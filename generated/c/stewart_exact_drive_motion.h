@@ -38,7 +38,7 @@ typedef struct {
     stewart_real friction[6]; /* N and N m: wrench of the joint friction */
     stewart_real bias[6]; /* N and N m: C [v; omega] + g */
     stewart_real bias_and_friction[6]; /* N and N m: C [v; omega] + g + friction */
-    stewart_real H[36]; /* 1 and m: Jacobian: H F is the wrench of actuator forces F, row-major */
+    stewart_real H[36]; /* 1 and m: wrench matrix: H F is the generalized force of F, row-major */
     stewart_real H_dot[36]; /* 1/s and m/s: time derivative of H, row-major */
 } stewart_equations;
 
