@@ -53,8 +53,8 @@ def pose_of(model: "Model", at: "Motion", out: "PoseTerms", A: "array(6, 7)") ->
 
 
 def leg_closely(model: "Model", leg: "Leg", at: "Motion", q_1: "array(3)", out: "LegSizes") -> None:
-    """Computes the inputs for the check of a zero-length leg: its length, the largest component of the vectors
-    in its sum, its moment arm, and its column of H."""
+    """Computes the inputs for the check of a zero-length leg: its length, the largest component of the
+    vectors in its sum, its moment arm, and its column of H."""
     COLUMN
     largest_term()
     out.reach = reach
