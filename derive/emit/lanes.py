@@ -7,6 +7,7 @@ portable C.
 
 from collections.abc import Iterable
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
@@ -353,7 +354,7 @@ class _Source(Source):
         says = "Computes the rest of a leg" if self.ahead else "Computes a leg of the poses of a block"
         return self.texts.function(written.leg_of_block, given=given, says=says, count=leg.operations())
 
-    def _batch(self, name: str, words: dict[str, str]) -> Iterable[str | t.Function]:
+    def _batch(self, name: str, words: dict[str, Any]) -> Iterable[str | t.Function]:
         """Yield the linear solver of a block, and the loop over blocks."""
         kernel, read = self.kernel, self.texts.function
         about_tip, has_d = kernel.about_tip, n.D in self.given

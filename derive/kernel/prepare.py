@@ -8,6 +8,7 @@ platforms of about a meter it is 1, and no solve multiplies by it.
 
 import math
 from collections.abc import Iterable
+from typing import Any
 
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
@@ -62,7 +63,7 @@ def model_says(members: Iterable[t.Field], more: str = "") -> str:
     )
 
 
-def prepared_words(kernel: ForceKernel) -> dict[str, str]:
+def prepared_words(kernel: ForceKernel) -> dict[str, Any]:
     """Return the words of the description of ``prepare``, which depend on the use of the fixed axis."""
     if not list(axis(kernel.prepare_leg)):
         return {"any_axis": "", "zero_axis": ""}
@@ -72,7 +73,7 @@ def prepared_words(kernel: ForceKernel) -> dict[str, str]:
     }
 
 
-def motion_words(kernel: ForceKernel) -> dict[str, str]:
+def motion_words(kernel: ForceKernel) -> dict[str, Any]:
     """Return the words of the descriptions of the forces: members of the motion, and a status."""
     read = [q.name for q in kernel.used_motion()]
     return {
