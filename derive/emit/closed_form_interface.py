@@ -36,7 +36,7 @@ _SAYS = {
     "linearization": "Computes the forward dynamics for the actuator forces F (N) and its linearization. "
     "Also returns STEWART_MASS_MATRIX_INDEFINITE.",
 }
-"""Descriptions of the functions of one pose."""
+"""Descriptions of the functions of one pose that say more than the table of outputs."""
 
 PARTS = {
     (structure, part): ("acceleration", first)
@@ -115,7 +115,8 @@ def interface(name: str, what: str) -> tuple[t.Function, t.Function]:
     many = texts.function(
         batch.closed_form_batch, f"{one.name}_batch", True, given=needed, structures=more, names=names
     )
-    return replace(one, meaning=_SAYS[what]), replace(many, meaning="")
+    says = _SAYS.get(what, CALLS[what].says)
+    return replace(one, meaning=says), replace(many, meaning="")
 
 
 OF_BATCHES = (
