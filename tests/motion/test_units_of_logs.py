@@ -97,7 +97,7 @@ def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path:
     given = ["--measured", path, path] if command == "identify" else [path]
     line = fails(command, tmp_path / "robot.toml", *given, "-o", tmp_path / "out.html")
     assert f"{path}: lengths of " in line
-    assert line.endswith("--length-unit mm, or --length-unit m if m is right")
+    assert line.endswith("length_unit=mm, or length_unit=m if m is right")
     assert not (tmp_path / "out.html").exists()
 
 
@@ -109,5 +109,5 @@ def test_forces_names_the_unit_of_time_before_it_writes(tmp_path: Path, fails: F
     late = [f"{1e3 * float(time)},{rest}" for time, rest in (row.split(",", 1) for row in rows[1:])]
     path.write_text("\n".join([rows[0], *late]))
     line = fails("forces", tmp_path / "robot.toml", path, "-o", tmp_path / "out.csv")
-    assert line.endswith("if read in s; give --time-unit ms, or --time-unit s if s is right")
+    assert line.endswith("if read in s; give time_unit=ms, or time_unit=s if s is right")
     assert not (tmp_path / "out.csv").exists()

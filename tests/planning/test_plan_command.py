@@ -139,9 +139,9 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (["--minimize", "energy", "--duration", "0.01"], "--duration: expected at least the least time, "),
-        (["--minimize", "energy"], '--minimize: expected a duration for "energy"'),
-        (["--duration", "2"], '--duration: applies to minimize "energy" or "peak_force", got "time"'),
+        (["--minimize", "energy", "--duration", "0.01"], "duration: expected at least the least time, "),
+        (["--minimize", "energy"], 'minimize: expected a duration for "energy"'),
+        (["--duration", "2"], 'duration: applies to minimize "energy" or "peak_force", got "time"'),
     ],
 )
 def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list[str], words: str) -> None:
@@ -218,7 +218,7 @@ def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run, 
     text = 'schema = 1\nrobot = "hexapod.toml"\nvia_file = "poses.csv"\n'
     (error,) = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
     assert "poses.csv: lengths of 6" in error
-    assert "give mm in a row of units below the header" in error
+    assert "give length_unit=mm" in error
 
 
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:

@@ -1,85 +1,69 @@
-"""``stewart-sym workspace``: volume of the set of poses within all limits, and its limiting constraints."""
+"""Compute the volume, limiting constraints, and slices of a workspace.
+
+Limits: leg lengths, joint angles, and actuator forces at rest, from the robot file.
+The volume of rotations is the integral of cos(theta_y) over roll, pitch, and yaw (rad^3).
+The error is three standard deviations. Positions refer to the tool.
+
+Example: stewart-sym workspace hexapod.toml --max-condition 20 -o workspace
+"""
 
 import argparse
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+import stewart_sym as ss
+
+from ...io.arguments import status_text
 from ...io.error_policy import warn
 from ..inputs import robot_of
-from ..options import chosen, finite, output, positive, robot_file, valued, whole
+from ..options import chosen, finite, output, positive, robot_file, seed, valued, whole
 from ..output import results
 
 if TYPE_CHECKING:
     from ...design.pose_limits import PoseExaminer
-    from ...design.workspace import WorkspaceResult
-
-HELP = "compute the volume, limiting constraints, and slices of a workspace"
-EXAMPLE = "stewart-sym workspace hexapod.toml --max-condition 20 -o workspace"
-MORE = (
-    "Limits: leg lengths, joint angles, and actuator forces at rest, from the robot file.\n"
-    "The volume of rotations is the integral of cos(theta_y) over roll, pitch, and yaw (rad^3).\n"
-    "The error is three standard deviations. Positions refer to the tool."
-)
 
 _IGNORED = ("lengths", "joint-angles", "forces")
-_TRIPLE = ("X", "Y", "Z")
-_RANGES = ("X", "X", "Y", "Y", "Z", "Z")
+_VECTORS = {
+    "position": ("X Y Z", "position of the tool in the center pose (m); default: the home pose"),
+    "rpy": ("X Y Z", "roll, pitch, and yaw of the center pose (rad); default: 0 0 0"),
+    "position-bounds": (
+        "X X Y Y Z Z",
+        "lower and upper bounds of t_x, t_y, t_z (m); default: reach of the legs",
+    ),
+    "rpy-bounds": ("X X Y Y Z Z", "lower and upper bounds of roll, pitch, yaw (rad); default: all rotations"),
+    "load": ("FX FY FZ MX MY MZ", "load on the tool at rest (N and N m, platform frame)"),
+}
+"""Placeholders and help of the options with several numbers."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
     text = "coordinates that vary: positions, rotations, or both"
     chosen(parser, "kind", ("constant_orientation", "orientation", "six_dof"), text)
-    for name, nargs, metavar, text in (
-        ("position", 3, _TRIPLE, "position of the tool in the center pose (m); default: the home pose"),
-        ("rpy", 3, _TRIPLE, "roll, pitch, and yaw of the center pose (rad); default: 0 0 0"),
-        (
-            "position-bounds",
-            6,
-            _RANGES,
-            "lower and upper bounds of t_x, t_y, t_z (m); default: reach of the legs",
-        ),
-        (
-            "rpy-bounds",
-            6,
-            _RANGES,
-            "lower and upper bounds of roll, pitch, yaw (rad); default: all rotations",
-        ),
-        (
-            "load",
-            6,
-            ("FX", "FY", "FZ", "MX", "MY", "MZ"),
-            "load on the tool at rest (N and N m, platform frame)",
-        ),
-    ):
-        parser.add_argument(f"--{name}", nargs=nargs, type=finite, metavar=metavar, help=text)
+    for name, (names, text) in _VECTORS.items():
+        metavar = tuple(names.split())
+        parser.add_argument(f"--{name}", nargs=len(metavar), type=finite, metavar=metavar, help=text)
     text = "largest scaled condition number of H; excludes also all poses beyond a singular pose"
     valued(parser, "max-condition", positive, text, metavar="NUMBER")
     valued(parser, "min-clearance", positive, "smallest distance between leg center lines (m)", metavar="M")
-    parser.add_argument(
-        "--ignore",
-        action="append",
-        choices=_IGNORED,
-        default=[],
-        help="limits of the robot file to ignore; may be repeated",
-    )
+    text = "limits of the robot file to ignore; may be repeated"
+    parser.add_argument("--ignore", action="append", choices=_IGNORED, default=[], help=text)
     valued(parser, "samples", whole, "number of random poses", 1_000_000, "N")
-    valued(parser, "seed", whole, "random seed", 0, "N")
+    seed(parser)
     text = "address of a Dask scheduler (tcp://host:8786), or local: one worker per core; identical results"
     valued(parser, "scheduler", str, text, metavar="ADDRESS")
     output(parser, "DIR", "folder of the results", Path("workspace"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    import numpy as np
-
-    from ...design.pose_limits import PoseExaminer, PoseLimits, at_reference
-    from ...design.workspace import workspace
+    from ...design.pose_limits import PoseExaminer, at_reference
     from ...studies.design.workspace_report import report, slices
 
     robot = robot_of(arguments.robot)
-    limits = PoseLimits(
+    limits = ss.PoseLimits(
         lengths="lengths" not in arguments.ignore,
         joint_angles="joint-angles" not in arguments.ignore,
         forces="forces" not in arguments.ignore,
@@ -88,7 +72,7 @@ def run(arguments: argparse.Namespace) -> int:
         load=np.array(arguments.load or [0.0] * 6),
     )
     with results(arguments, "report", "slices.csv") as (take, progress):
-        found = workspace(
+        found = ss.workspace(
             robot,
             arguments.kind,
             limits,
@@ -108,10 +92,9 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _broken(examiner: "PoseExaminer", found: "WorkspaceResult") -> str:
+def _broken(examiner: "PoseExaminer", found: ss.WorkspaceResult) -> str:
     """Describe the limit that the center pose violates."""
     from ...design.pose_limits import CONDITION, LENGTH, REASONS
-    from ...io.arguments import status_text
     from ...kinematics.offset_legs import leg_lengths
     from ...motion.rotation import rotation_from_rpy
 

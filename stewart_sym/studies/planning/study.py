@@ -15,7 +15,7 @@ from scipy.stats import spearmanr
 
 from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
-from ...io.atomic_write import replaced_file
+from ...io.atomic_write import write_file
 from ...io.json_text import json_text
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
@@ -320,8 +320,7 @@ def main(arguments: list[str]) -> int:
     folder = Path(arguments[0])
     folder.mkdir(parents=True, exist_ok=True)
     found = {"claim": claim(), "gains": gains(), "path_III": path_III(), "durations": durations()}
-    with replaced_file(folder / "plan.json") as stream:
-        stream.write(json_text(found))
+    write_file(folder / "plan.json", json_text(found))
     for name, figure in (("claim", claim_figure), ("path_III", path_figure), ("durations", durations_figure)):
         draw(Picture(functools.partial(figure, found[name]), SMALL), folder / f"plan_{name}")
     return 0
