@@ -2,7 +2,6 @@
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,10 +9,13 @@ import stewart_sym as ss
 
 from ..io.error_policy import warn
 from ..io.progress import Progress
-
-if TYPE_CHECKING:
-    from ..motion.trajectory import JointTrajectory, PoseLog, Trajectory
-
+from ..kinematics.robot_logs import read_log_of
+from ..kinematics.trajectory_checks import side_doubt
+from ..motion.log_reader import with_units_of
+from ..motion.rotation import rotation_from_rpy
+from ..motion.trajectory import JointTrajectory, PoseLog, Trajectory
+from ..plausibility.plausibility import find_implausible
+from ..singularities.joint_space import on_platform
 
 FEW_ROWS = 10
 """Number of rows below which a trajectory does not resolve its motion."""
@@ -31,18 +33,14 @@ def warn_of_doubts(robot: ss.Robot, source: Path) -> None:
 
     ``source`` is the file that contains or references the robot.
     """
-    from ..plausibility.plausibility import find_implausible
-
     for name, text in find_implausible(robot):
         warn(f"{source}: {text} [{name}]", ss.RobotWarning)
 
 
 def trajectory_of(
     robot: ss.Robot, source: Path, arguments: argparse.Namespace, progress: Progress
-) -> "Trajectory | PoseLog":
+) -> Trajectory | PoseLog:
     """Read a CSV file of poses or leg lengths as specified by the options, and return poses over time."""
-    from ..kinematics.robot_logs import read_log_of
-
     if not arguments.smoothing:
         for name in ("position_std", "angle_std", "cutoff"):
             if getattr(arguments, name) is not None:
@@ -81,8 +79,6 @@ def log_format(arguments: argparse.Namespace, source: Path | None = None) -> ss.
     ``source`` is a file whose unit row supplies the units that no option specifies. Without ``source``, these
     units remain undefined.
     """
-    from ..motion.log_reader import with_units_of
-
     units = ("length_unit", "angle_unit", "time_unit")
     names = ("columns", *units, "delimiter", "decimal", "euler_order", "length_mode")
     form = ss.TrajectoryFormat(**{name: getattr(arguments, name) for name in names})
@@ -91,16 +87,11 @@ def log_format(arguments: argparse.Namespace, source: Path | None = None) -> ss.
 
 def poses_of(
     robot: ss.Robot,
-    log: "Trajectory | PoseLog | JointTrajectory",
+    log: Trajectory | PoseLog | JointTrajectory,
     arguments: argparse.Namespace,
     progress: Progress,
-) -> "Trajectory | PoseLog":
+) -> Trajectory | PoseLog:
     """Return the poses of a log, computed by forward kinematics if the log contains leg lengths."""
-    from ..kinematics.trajectory_checks import side_doubt
-    from ..motion.rotation import rotation_from_rpy
-    from ..motion.trajectory import JointTrajectory
-    from ..singularities.joint_space import on_platform
-
     start = None if arguments.pose_guess is None else np.asarray(arguments.pose_guess)
     if isinstance(log, JointTrajectory):
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])

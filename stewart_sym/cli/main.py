@@ -13,6 +13,7 @@ import sys
 from collections.abc import Iterable, Sequence
 from importlib import import_module
 from importlib.metadata import version
+from importlib.resources import files
 from typing import Any, NoReturn
 
 from ..backend.native import CompilerError
@@ -30,13 +31,11 @@ GROUPS = {
 """Subcommands by group, in the order of the help."""
 
 SUBCOMMANDS = {
-    name: f".{title.replace('computation', 'machine')}.{name.replace('-', '_')}".replace(
-        "import", "import_model"
-    )
+    name: (title if title in ("code", "studies") else "machine", name.replace("-", "_"))
     for title, group in GROUPS.items()
     for name in group
 }
-"""Module of each subcommand.
+"""Folder and module of each subcommand.
 
 A module has a docstring, which is its help and ends with an example, a function ``add_arguments`` that
 defines its options, and a function ``run`` that returns the exit code.
@@ -111,7 +110,7 @@ def _hint(text: str, names: Iterable[str]) -> str:
 
 def subcommand_parser(name: str) -> argparse.ArgumentParser:
     """Return the parser of one subcommand."""
-    module = import_module(SUBCOMMANDS[name], __package__)
+    module = import_module(".".join(["", *SUBCOMMANDS[name]]), __package__)
     text, _, example = str(module.__doc__).partition("\n\nExample: ")
     parser = Parser(prog=f"{PROGRAM} {name}", description=text, epilog=f"Example: {example.strip()}")
     module.add_arguments(parser)
@@ -124,7 +123,7 @@ def _overview() -> argparse.ArgumentParser:
     lines = ["Closed-form dynamics of Gough-Stewart platforms as C and Python code.", "", "subcommands:"]
     for title, group in GROUPS.items():
         lines.append(f"  {title}:")
-        lines += [f"    {name:<16} {_first_line(name)}" for name in group]
+        lines += [f"    {name:<16} {_summary(name)}" for name in group]
     parser = Parser(
         prog=PROGRAM,
         usage=f"{PROGRAM} [--version] SUBCOMMAND ...",
@@ -136,10 +135,11 @@ def _overview() -> argparse.ArgumentParser:
     return parser
 
 
-def _first_line(name: str) -> str:
-    """Return the first line of the help of a subcommand, without a capital letter and a period."""
-    text, *_ = str(import_module(SUBCOMMANDS[name], __package__).__doc__).splitlines()
-    return f"{text[0].lower()}{text[1:]}".removesuffix(".")
+def _summary(name: str) -> str:
+    """Read the first line of the help of a subcommand, because importing all modules takes a second."""
+    folder, module = SUBCOMMANDS[name]
+    text = (files(__package__) / folder / f"{module}.py").read_text(encoding="utf-8").split('"""')[1]
+    return f"{text[0].lower()}{text[1:]}".partition(".\n")[0]
 
 
 def _unknown(name: str) -> NoReturn:

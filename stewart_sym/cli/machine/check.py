@@ -14,6 +14,7 @@ import contextlib
 from pathlib import Path
 
 from ...io.toml_reader import toml_tables
+from ...studies.reports.describe import report
 from ..inputs import robot_of
 from ..options import output, robot_file
 from ..output import results
@@ -25,8 +26,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...studies.reports.describe import report
-
     with results(arguments, "report") as (take, _):
         take(report(robot_of(arguments.robot), _length_unit(arguments.robot)))
     return 0

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import stewart_sym as ss
 
+from ...exchange.files import BEGINNINGS, loops_path
 from ...io.atomic_write import write_file
 from ...io.error_policy import errors_of
 from ...studies.common.report import Report
@@ -32,8 +33,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...exchange.files import BEGINNINGS, loops_path
-
     path: Path = arguments.output
     if str(path) == "-" and arguments.format == "urdf":
         raise ValueError("-o -: a URDF model consists of two files; name a file")

@@ -11,38 +11,29 @@ Example: stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm 
 import argparse
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import stewart_sym as ss
 
+from ...drives.leg_limits import replaced_rows
 from ...io.atomic_write import must_be_replaceable, write_file
 from ...io.error_policy import warn
 from ...io.extras import need
 from ...io.progress import Progress
+from ...motion.log_rates import noise_text
+from ...motion.trajectory import PoseLog, Trajectory
+from ...singularities.path_warnings import crossing_warning
 from ...studies.common.output import csv_lines
 from ...studies.common.report import Picture, Report, draw
+from ...studies.reports.track import Digest, header_lines, in_parts
+from .. import options
 from ..inputs import robot_of, trajectory_of
-from ..options import (
-    chosen,
-    flag,
-    formulation,
-    log_options,
-    output,
-    positive,
-    robot_file,
-    trajectory_files,
-    valued,
-)
+from ..options import chosen, flag, formulation, output, robot_file, valued
 from ..output import results
-
-if TYPE_CHECKING:
-    from ...motion.trajectory import PoseLog, Trajectory
-    from ...studies.reports.track import Digest
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
-    trajectory_files(parser, "trajectory")
+    options.trajectory_files(parser, "trajectory")
     formulation(parser)
     chosen(parser, "backend", ("c", "numpy", "reference"), "implementation")
     flag(parser, "reactions", "add columns of the joint reactions")
@@ -50,17 +41,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     valued(parser, "plot", Path, text, metavar="FILE.png")
     chosen(parser, "on-singular", ("raise", "nan"), "treatment of unsolvable poses: an error, or rows of nan")
     text = "fraction of the peak force of a leg that three standard deviations may reach without a warning"
-    valued(parser, "noise-threshold", positive, text, 0.02, "FRACTION")
-    log_options(parser)
+    valued(parser, "noise-threshold", options.positive, text, 0.02, "FRACTION")
+    options.log_options(parser)
     output(parser, "FILE.csv", "CSV file; - for standard output", None, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...drives.leg_limits import replaced_rows
-    from ...motion.log_rates import noise_text
-    from ...singularities.path_warnings import crossing_warning
-    from ...studies.reports.track import Digest, header_lines
-
     robot = robot_of(arguments.robot)
     if arguments.plot is not None:
         _need_plot(arguments, robot)
@@ -94,17 +80,15 @@ def run(arguments: argparse.Namespace) -> int:
 def _rows(
     arguments: argparse.Namespace,
     robot: ss.Robot,
-    trajectory: "Trajectory | PoseLog",
-    digest: "Digest",
+    trajectory: Trajectory | PoseLog,
+    digest: Digest,
     progress: Progress,
 ) -> Iterator[str]:
     """Compute the forces in parts, add them to the digest, and yield the text of the CSV file."""
-    from ...studies.reports.track import in_parts
-
     count = len(trajectory.time)
-    options = (arguments.formulation, arguments.backend, arguments.reactions)
+    how = (arguments.formulation, arguments.backend, arguments.reactions)
     progress(f"computing {count} instants", 0.0)
-    for part in in_parts(robot, trajectory, *options, arguments.on_singular == "nan"):
+    for part in in_parts(robot, trajectory, *how, arguments.on_singular == "nan"):
         yield from csv_lines(part.columns, header=part.where.start == 0)
         digest.add(part)
         progress(f"computing {count} instants", min(1.0, part.where.stop / count))

@@ -11,22 +11,26 @@ Example: stewart-sym identify hexapod.toml --force-std 0.5 -o identified
 import argparse
 import dataclasses
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
 
 import stewart_sym as ss
 
+from ...identification.physical import POSSIBLE
 from ...io.error_policy import warn
 from ...io.extras import need
 from ...io.progress import Progress
+from ...kinematics.robot_logs import trajectory_for
+from ...motion.log_reader import CURRENTS, FORCES, read_leg_columns
+from ...motion.smooth_motion import WITHOUT_PERIOD
+from ...motion.trajectory import Trajectory
+from ...robot.robot import LEGS
+from ...studies.common.report import Report
+from ...studies.reports.identify import doubts, from_measurement, measured_report, simulated_report
 from ..inputs import log_format, poses_of, robot_of, stated_noise
 from ..options import finite, flag, log_form, noise_options, output, positive, robot_file, seed, valued, whole
 from ..output import results
-
-if TYPE_CHECKING:
-    from ...motion.trajectory import Trajectory
-    from ...studies.common.report import Report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -38,12 +42,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     files = ("TRAJECTORY.csv", "FORCES.csv")
     parser.add_argument("--measured", nargs=2, type=Path, metavar=files, help=text)
-    valued(
-        parser, "force-std", positive, "standard deviation of the measured forces (N) or currents (A)", 1.0
-    )
-    text = (
-        "standard deviation of the measured {} (--{}-unit): fit a smooth motion to the poses; default: exact"
-    )
+    text = "standard deviation of the measured forces (N) or currents (A)"
+    valued(parser, "force-std", positive, text, 1.0)
+    text = "standard deviation of the measured {} (--{}-unit): fit a smooth motion; default: exact"
     noise_options(parser, text, "positions", "rotations about each axis")
     seed(parser)
     text = "period of the motion (s); default: from gravity, or none for measured poses with noise"
@@ -58,28 +59,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "drive terms to identify: reflected_mass, coulomb, offset, viscous; F_1 to F_6 are then motor forces "
         "(N times torque)"
     )
-    valued(parser, "drive-terms", _terms, text, metavar="TERM,...")
+    valued(parser, "drive-terms", lambda text: tuple(text.split(",")), text, metavar="TERM,...")
     valued(parser, "samples", whole, "number of samples per period", 200)
     valued(parser, "candidates", whole, "number of random Fourier series", 50)
     log_form(parser)
     output(parser, "DIR", "folder of the results", None)
 
 
-def _terms(text: str) -> tuple[str, ...]:
-    """Parse the names of drive terms."""
-    from ...identification.drive_terms import need_terms
-
-    terms = tuple(text.split(","))
-    try:
-        need_terms(terms, "TERM")
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
-    return terms
-
-
 def run(arguments: argparse.Namespace) -> int:
-    from ...studies.reports.identify import doubts
-
     if (arguments.position_std is None) != (arguments.angle_std is None):
         raise ValueError("--position-std and --angle-std must be given together")
     with results(arguments, "report", "trajectory.csv") as (take, progress):
@@ -91,15 +78,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 1 if found.verdict == "rejected" else 0
 
 
-def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, ss.IdentificationResult]":
-    from ...identification.physical import POSSIBLE
-    from ...kinematics.robot_logs import trajectory_for
-    from ...motion.log_reader import CURRENTS, FORCES, read_leg_columns
-    from ...motion.logs import HeaderError
-    from ...motion.smooth_motion import WITHOUT_PERIOD
-    from ...robot.robot import LEGS
-    from ...studies.reports.identify import from_measurement, measured_report
-
+def _measured(arguments: argparse.Namespace, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
     noisy = arguments.position_std is not None
     if arguments.enforce_physical:
         need("scipy", POSSIBLE)
@@ -111,15 +90,8 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     # The fit has its own noise model. The noise options are only compared with the log.
     std = stated_noise(arguments, form)
     smoothing = ss.SmoothingOptions(*std, enabled=False, repair=True)
-    try:
-        log = trajectory_for(robot, poses, log_format(arguments), smoothing)
-    except HeaderError as error:
-        if not set(FORCES) <= set(error.header):
-            raise
-        raise ValueError(
-            f"{poses}: expected poses or leg lengths, got forces F_1 to F_6; exchange the files of --measured"
-        ) from None
-    trajectory = cast("Trajectory", poses_of(robot, log, arguments, progress))
+    log = trajectory_for(robot, poses, log_format(arguments), smoothing)
+    trajectory = cast(Trajectory, poses_of(robot, log, arguments, progress))
     of_forces = dataclasses.replace(log_format(arguments), columns={})
     time, F, columns, lines = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))
     sigma = np.asarray(arguments.force_std)
@@ -132,27 +104,13 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     if noisy:
         harmonics = arguments.harmonics if arguments.period is not None else None
         noise = ss.PoseNoise(trajectory.time, *cast("tuple[float, float]", std), arguments.period, harmonics)
-    found = from_measurement(
-        robot,
-        trajectory,
-        time,
-        F,
-        sigma,
-        str(forces),
-        noise,
-        not arguments.no_friction,
-        arguments.enforce_physical,
-        form,
-        arguments.identical_legs,
-        arguments.drive_terms,
-        lines,
-    )
+    model = (not arguments.no_friction, arguments.enforce_physical)
+    options = (form, arguments.identical_legs, arguments.drive_terms, lines)
+    found = from_measurement(robot, trajectory, time, F, sigma, str(forces), noise, *model, *options)
     return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
 
 
-def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, ss.IdentificationResult]":
-    from ...studies.reports.identify import simulated_report
-
+def _simulated(arguments: argparse.Namespace, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
     given = [name for name in ("no_friction", "enforce_physical", "drive_terms") if getattr(arguments, name)]
     if given:
         raise ValueError(f"{given[0]}: applies to measured forces; add --measured")

@@ -15,7 +15,9 @@ import tomllib
 import stewart_sym as ss
 
 from ...io.atomic_write import write_file
+from ...robot.draft import Draft
 from ...studies.common.report import Report
+from ...studies.reports.describe import report
 from ..inputs import warn_of_doubts
 from ..options import chosen, finite, flag, output, positive, valued
 from ..output import results
@@ -47,9 +49,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...robot.draft import Draft
-    from ...studies.reports.describe import report
-
     for name in _NUMBERS:
         if getattr(arguments, name) is None:
             setattr(arguments, name, _asked(name, arguments.length_unit))

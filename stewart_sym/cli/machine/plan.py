@@ -9,7 +9,6 @@ Example: stewart-sym plan via.toml -o plan
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,12 +17,14 @@ import stewart_sym as ss
 from ...io.error_policy import errors_of, warn
 from ...io.extras import need
 from ...io.progress import Progress
+from ...kinematics.offset_legs import leg_lengths
+from ...kinematics.trajectory_checks import meters_doubt
+from ...planning.path_parameterization import need_duration
+from ...planning.plan_file import PlanRequest, read_plan
+from ...studies.reports import plan
 from ..inputs import FEW_ROWS, warn_of_doubts
 from ..options import output, positive, valued
 from ..output import results
-
-if TYPE_CHECKING:
-    from ...planning.plan_file import PlanRequest
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -35,19 +36,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...planning.plan_file import read_plan
-
     need("scipy", "planning")
     with read_plan(arguments.via) as request:
         return _plan(arguments, request)
 
 
-def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
-    from ...kinematics.offset_legs import leg_lengths
-    from ...kinematics.trajectory_checks import meters_doubt
-    from ...planning.path_parameterization import need_duration
-    from ...studies.reports import plan
-
+def _plan(arguments: argparse.Namespace, request: PlanRequest) -> int:
     robot, least = request.robot, arguments.minimize or request.minimize
     duration = request.duration if arguments.duration is None else arguments.duration
     with errors_of("" if arguments.minimize or arguments.duration else f"{arguments.via}: "):
@@ -60,15 +54,8 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
         raise ValueError(request.of_poses(f"via poses: {doubt}"))
     with results(arguments, "report", "trajectory.csv", "path.csv", read=request.files) as (take, progress):
         planned = _planned(request, progress)
-        timed = ss.parameterize_path(
-            robot,
-            planned.path,
-            limits=request.limits,
-            formulation=request.formulation,
-            progress=progress,
-            minimize=least,
-            duration=duration,
-        )
+        options = {"limits": request.limits, "formulation": request.formulation, "minimize": least}
+        timed = ss.parameterize_path(robot, planned.path, **options, duration=duration, progress=progress)
         progress("checking the plan")
         found = plan.Plan(robot, planned, timed, ss.certify_plan(timed), request.rate)
         take(plan.report(found))
@@ -84,18 +71,11 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
     return 0 if found.certificate.is_valid else 1
 
 
-def _planned(request: "PlanRequest", progress: Progress) -> ss.PlannedPath:
+def _planned(request: PlanRequest, progress: Progress) -> ss.PlannedPath:
     """Plan the path; add the name of the file and a possible warning about the angles to errors."""
     try:
-        return ss.plan_path(
-            request.robot,
-            request.poses,
-            request.path_limits,
-            request.objective,
-            request.smoothness_weight,
-            request.load,
-            progress,
-        )
+        cost = (request.objective, request.smoothness_weight, request.load)
+        return ss.plan_path(request.robot, request.poses, request.path_limits, *cost, progress)
     except ValueError as error:
         doubt = f"; {request.doubt}" if request.doubt else ""
         raise ValueError(request.of_poses(f"{error}{doubt}")) from None

@@ -16,6 +16,10 @@ import stewart_sym as ss
 
 from ...io.error_policy import warn
 from ...io.extras import need
+from ...simulation.scene import read_scene
+from ...studies.reports import run as runs
+from ...studies.reports.energy_drift import energy_drift
+from ...studies.reports.scene_checks import start_doubts
 from ..inputs import warn_of_doubts
 from ..options import flag, output, scene_file
 from ..output import results
@@ -29,11 +33,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...simulation.scene import read_scene
-    from ...studies.reports import run
-    from ...studies.reports.energy_drift import energy_drift
-    from ...studies.reports.scene_checks import start_doubts
-
     need("scipy", "simulation")
     scene = read_scene(arguments.scene)
     warn_of_doubts(scene.robot, arguments.scene)
@@ -51,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
         if springs is not None:
             progress("comparing the formulations")
             drifts = energy_drift(springs, scene.state, scene.duration, scene.rtol, scene.stop_conditions)
-        report = run.report(scene.robot, done, scene.law, drifts)
+        report = runs.report(scene.robot, done, scene.law, drifts)
         views = {"run": lambda: ss.view(scene.robot, done)}
         take(dataclasses.replace(report, views=views))
     return 0

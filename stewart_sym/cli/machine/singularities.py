@@ -11,6 +11,10 @@ from pathlib import Path
 
 import stewart_sym as ss
 
+from ...kinematics.mounting import path_for
+from ...motion.interpolation import Path as MotionPath
+from ...studies.reports import singularities
+from ...studies.reports.singularities_plot import pictures
 from ..inputs import robot_of, trajectory_of
 from ..options import formulation, log_options, output, robot_file
 from ..output import results
@@ -26,11 +30,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...kinematics.mounting import path_for
-    from ...motion.interpolation import Path as MotionPath
-    from ...studies.reports import singularities
-    from ...studies.reports.singularities_plot import pictures
-
     robot = robot_of(arguments.robot)
     name, file = arguments.path, Path(arguments.path)
     read = [] if name in ss.PAPER_PATHS else [file]

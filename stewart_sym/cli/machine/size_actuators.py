@@ -11,7 +11,10 @@ import argparse
 import dataclasses
 from pathlib import Path
 
+from ...design.actuator_requirements import QUANTILES, actuator_requirements
+from ...design.limit_margins import compared
 from ...io.error_policy import warn
+from ...studies.design.actuator_report import doubt, report, views
 from ..inputs import robot_of, trajectory_of
 from ..options import finite, formulation, log_options, output, positive, robot_file, trajectory_files, valued
 from ..output import results
@@ -36,10 +39,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...design.actuator_requirements import QUANTILES, actuator_requirements
-    from ...design.limit_margins import compared
-    from ...studies.design.actuator_report import doubt, report, views
-
     margin, quantiles = arguments.margin, arguments.quantile or QUANTILES
     if margin > _MOST_MARGIN:
         warn(f"--margin: {margin:g} means {100.0 * margin:g} %; use 0.25 for 25 %")

@@ -15,22 +15,23 @@ import sys
 import warnings
 import webbrowser
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 import stewart_sym as ss
 
+from ...drives.leg_limits import limited_angles
+from ...dynamics.home_pose import home_pose
 from ...io.atomic_write import write_file
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...studies.common.report import Report
+from ...studies.reports.track import Digest, Part
+from ...viewer import motion_history
+from ...viewer.motion_history import MotionHistory
 from ..inputs import robot_of, trajectory_of
 from ..options import flag, log_options, output, robot_file
 from ..output import HTML_BEGINNING, need_html, results
-
-if TYPE_CHECKING:
-    from ...viewer.motion_history import MotionHistory
 
 _RUN = "run.csv"
 _DEFAULT = Path("machine.html")
@@ -65,10 +66,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _motion(robot: ss.Robot, arguments: argparse.Namespace, progress: Progress) -> "MotionHistory":
-    from ...dynamics.home_pose import home_pose
-    from ...viewer import motion_history
-
+def _motion(robot: ss.Robot, arguments: argparse.Namespace, progress: Progress) -> MotionHistory:
     name = "I" if arguments.example else arguments.motion
     if name is None:
         return motion_history.at_home(robot, home_pose(robot).t)
@@ -118,9 +116,6 @@ def _data(view: ss.Viewer) -> dict[str, object]:
 
 def _legs(view: ss.Viewer) -> object:
     """Return peaks, limits, standard deviations, and limit status of each leg, as in ``forces``."""
-    from ...drives.leg_limits import limited_angles
-    from ...studies.reports.track import Digest, Part
-
     shown, found = view.instants, view.limits
     sd, there = (None, None) if shown.noise is None else (shown.noise.sd, shown.noise.there)
     status = np.zeros(len(shown.time), dtype=np.int32)

@@ -10,22 +10,22 @@ Example: stewart-sym workspace hexapod.toml --max-condition 20 -o workspace
 import argparse
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 import stewart_sym as ss
 
+from ...design.pose_limits import CONDITION, LENGTH, REASONS, PoseExaminer, at_reference
 from ...io.arguments import status_text
 from ...io.error_policy import warn
+from ...kinematics.offset_legs import leg_lengths
+from ...motion.rotation import rotation_from_rpy
+from ...studies.design.workspace_report import report, slices
 from ..inputs import robot_of
 from ..options import chosen, finite, output, positive, robot_file, seed, valued, whole
 from ..output import results
 
-if TYPE_CHECKING:
-    from ...design.pose_limits import PoseExaminer
-
-_IGNORED = ("lengths", "joint-angles", "forces")
+_IGNORED = ("lengths", "joint_angles", "forces")
 _VECTORS = {
     "position": ("X Y Z", "position of the tool in the center pose (m); default: the home pose"),
     "rpy": ("X Y Z", "roll, pitch, and yaw of the center pose (rad); default: 0 0 0"),
@@ -50,7 +50,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     valued(parser, "max-condition", positive, text, metavar="NUMBER")
     valued(parser, "min-clearance", positive, "smallest distance between leg center lines (m)", metavar="M")
     text = "limits of the robot file to ignore; may be repeated"
-    parser.add_argument("--ignore", action="append", choices=_IGNORED, default=[], help=text)
+    ignored = [name.replace("_", "-") for name in _IGNORED]
+    parser.add_argument("--ignore", action="append", choices=ignored, default=[], help=text)
     valued(parser, "samples", whole, "number of random poses", 1_000_000, "N")
     seed(parser)
     text = "address of a Dask scheduler (tcp://host:8786), or local: one worker per core; identical results"
@@ -59,32 +60,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...design.pose_limits import PoseExaminer, at_reference
-    from ...studies.design.workspace_report import report, slices
-
     robot = robot_of(arguments.robot)
+    ignored = {name: name.replace("_", "-") not in arguments.ignore for name in _IGNORED}
     limits = ss.PoseLimits(
-        lengths="lengths" not in arguments.ignore,
-        joint_angles="joint-angles" not in arguments.ignore,
-        forces="forces" not in arguments.ignore,
+        **ignored,
         condition=arguments.max_condition or math.inf,
         clearance=arguments.min_clearance or 0.0,
         load=np.array(arguments.load or [0.0] * 6),
     )
+    options = {name: getattr(arguments, name) for name in ("position", "samples", "seed", "scheduler")}
+    options["rpy"] = arguments.rpy or (0.0, 0.0, 0.0)
+    for name in ("position_bounds", "rpy_bounds"):
+        given = getattr(arguments, name)
+        options[name] = None if given is None else np.reshape(given, (3, 2)).tolist()
     with results(arguments, "report", "slices.csv") as (take, progress):
-        found = ss.workspace(
-            robot,
-            arguments.kind,
-            limits,
-            position=arguments.position,
-            rpy=arguments.rpy or (0.0, 0.0, 0.0),
-            position_bounds=_pairs(arguments.position_bounds),
-            rpy_bounds=_pairs(arguments.rpy_bounds),
-            samples=arguments.samples,
-            seed=arguments.seed,
-            scheduler=arguments.scheduler,
-            progress=progress,
-        )
+        found = ss.workspace(robot, arguments.kind, limits, **options, progress=progress)
         if found.distance_to_limit == 0.0:
             what = _broken(PoseExaminer(robot, at_reference(robot, limits)), found)
             warn(f"center pose: violates a limit, {what}")
@@ -92,12 +82,8 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _broken(examiner: "PoseExaminer", found: ss.WorkspaceResult) -> str:
+def _broken(examiner: PoseExaminer, found: ss.WorkspaceResult) -> str:
     """Describe the limit that the center pose violates."""
-    from ...design.pose_limits import CONDITION, LENGTH, REASONS
-    from ...kinematics.offset_legs import leg_lengths
-    from ...motion.rotation import rotation_from_rpy
-
     R = rotation_from_rpy(found.rpy[None])
     t = found.position - R @ found.tool
     code = int(examiner.broken_limits(R, t)[0])
@@ -110,7 +96,3 @@ def _broken(examiner: "PoseExaminer", found: ss.WorkspaceResult) -> str:
         return f"{status_text(REASONS[code])}: expected at most {most:g}, got {number:.4g}"
     beyond = ": det H has another sign than at the home pose" if code == CONDITION else ""
     return f"{status_text(REASONS[code])}{beyond}"
-
-
-def _pairs(numbers: list[float] | None) -> list[list[float]] | None:
-    return None if numbers is None else [numbers[i : i + 2] for i in (0, 2, 4)]
