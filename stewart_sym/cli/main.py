@@ -31,7 +31,7 @@ GROUPS = {
 """Subcommands by group, in the order of the help."""
 
 SUBCOMMANDS = {
-    name: (title if title in ("code", "studies") else "machine", name.replace("-", "_"))
+    name: (title.replace("computation", "machine"), name.replace("-", "_").replace("import", "import_model"))
     for title, group in GROUPS.items()
     for name in group
 }

@@ -1,6 +1,7 @@
 """Progress, warnings, and errors on the terminal, one line each."""
 
 import contextlib
+import math
 import os
 import shutil
 import sys
@@ -41,16 +42,12 @@ class _Line:
         self._began = self._shown = 0.0
 
     def __call__(self, text: str, share: float | None = None) -> None:
-        """Show a step.
-
-        A missing fraction, the first fraction, or one that is lower than before starts a new task.
-        """
+        """Show a step; a missing fraction, the first one, or a lower one than before starts a new task."""
         now = time.monotonic()
-        another = share is None or self._share is None or share < self._share
+        if share is None or self._share is None or share < self._share:
+            self._began, self._shown = now, -math.inf
         self._share = share
-        if another:
-            self._began = now
-        elif now - self._shown < _PAUSE:
+        if now - self._shown < _PAUSE:
             return
         self._shown = now
         line = f"{text} ..." if share is None else f"{_bar(share, now - self._began)}  {text}"
@@ -61,13 +58,11 @@ class _Line:
 def _bar(share: float, passed: float) -> str:
     """Format a bar, the percentage, and the remaining time; ``passed`` is the elapsed time (s)."""
     full = round(_WIDTH * share)
-    left = "" if share <= 0.0 else f", {_time(passed * (1.0 - share) / share)} left"
+    left = ""
+    if share > 0.0:
+        minutes, seconds = divmod(round(passed * (1.0 - share) / share), 60)
+        left = f", {f'{minutes} min {seconds:02d} s' if minutes else f'{seconds} s'} left"
     return f"[{'#' * full}{' ' * (_WIDTH - full)}] {100.0 * share:3.0f} %{left}"
-
-
-def _time(seconds: float) -> str:
-    minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes} min {rest:02d} s" if minutes else f"{rest} s"
 
 
 @contextlib.contextmanager

@@ -6,9 +6,9 @@ Every message begins with the given prefix: ``file: key: expected X, got Y``.
 import contextlib
 import difflib
 import io
-import math
 import os
 import stat
+import sys
 import tomllib
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -23,6 +23,7 @@ from .key_lines import key_text, line_of
 
 MOST_BYTES = 1 << 18
 """Largest size of a TOML file (bytes), thirty times the size of a robot file with all numbers of each leg."""
+_MOST = sys.float_info.max
 
 
 def file_name(path: object) -> str:
@@ -106,8 +107,12 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
         raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
     except ValueError as error:
         first = text.lstrip().split("\n", 1)[0]
-        if first.startswith(("{", "<")) or (first.count(",") > 1 and "=" not in first):
+        if first.startswith(("{", "<")):
             raise ValueError(f"{source}: expected a {what}, got {shown(first)}") from None
+        if first.count(",") > 1 and "=" not in first and first[0] not in "#[":
+            raise ValueError(
+                f"{source}: expected a {what}, got a table of values, as of a CSV file"
+            ) from None
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
 
 
@@ -204,13 +209,13 @@ def need_schema(value: object, known: Sequence[int], where: str) -> int:
 
 def number(value: object, where: str, expected: str = "a finite number") -> float:
     """Return a finite number; reject Booleans."""
-    with contextlib.suppress(OverflowError):
-        is_number = isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
-        if is_number and math.isfinite(value):
+    hint = ""
+    if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):
+        if abs(value) <= _MOST:
             return float(value)
-        if is_number and math.isinf(value):
-            expected += " (no limit is a key left out)"
-    raise ValueError(f"{where}: expected {expected}, got {shown(value)}")
+        if abs(value) > _MOST:
+            hint = f" (no limit is a key left out, and a double holds up to {_MOST:.2g})"
+    raise ValueError(f"{where}: expected {expected}, got {shown(value)}{hint}")
 
 
 def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:

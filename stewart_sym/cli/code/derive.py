@@ -9,7 +9,6 @@ import argparse
 import ast
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 from ...io.atomic_write import ResultFolder, write_file
 from ...io.progress import Progress
@@ -30,33 +29,31 @@ def run(arguments: argparse.Namespace) -> int:
         raise NotADirectoryError(20, "expected a folder of generated files", str(directory))
     with results(arguments) as (take, progress):
         # The installed kernels have no record, because they are part of this program.
-        folder = (
-            None if arguments.check or directory == installed else ResultFolder(directory, arguments.force)
-        )
-        kernels, texts = _derived(progress)
-        lines, data = [f"{len(texts)} files written to {directory}"], {}
+        own = arguments.check or directory == installed
+        folder = None if own else ResultFolder(directory, arguments.force)
+        seconds, texts = _derived(progress)
+        lines, kernels = [], []
+        for name, time_s in seconds.items():
+            count = _operations(texts.get(f"{name}.py", ""))
+            kernels.append({"name": name, "time_s": time_s, "operations_per_pose": count})
+            counts = "" if count is None else f"   operations per pose: {count}"
+            lines.append(f"{name:<16} {time_s:6.1f} s{counts}")
+        data: dict[str, list[str]] = {}
         if arguments.check:
-            lines, data = _compared(directory, texts)
+            more, data = _compared(directory, texts)
         else:
             for name, text in texts.items():
                 if folder is None:
                     write_file(directory / name, text)
                 else:
                     folder.write(name, text)
-        every = [*map(_line, kernels), *lines]
-        take(Report("\n".join(every), data={"files": len(texts), "kernels": kernels, **data}))
+            more = [f"{len(texts)} files written to {directory}"]
+        take(Report("\n".join(lines + more), data={"files": len(texts), "kernels": kernels, **data}))
     return 1 if any(data.values()) else 0
 
 
-def _line(kernel: dict[str, Any]) -> str:
-    """Format the name, the time, and, if counted, the operations per pose of a kernel."""
-    name, seconds, operations = kernel.values()
-    counts = "" if operations is None else f"operations per pose: {operations}"
-    return f"{name:<16} {seconds:6.1f} s   {counts}".rstrip()
-
-
-def _derived(progress: Progress) -> tuple[list[dict[str, Any]], dict[str, str]]:
-    """Derive all kernels; return the time and the operations of each kernel, and the texts of all files."""
+def _derived(progress: Progress) -> tuple[dict[str, float], dict[str, str]]:
+    """Derive all kernels; return the time of each kernel (s) and the texts of all files."""
     from ...derive.generate import generated_files
     from ...dynamics.forces import CORES
 
@@ -67,11 +64,7 @@ def _derived(progress: Progress) -> tuple[list[dict[str, Any]], dict[str, str]]:
         seconds[name] = time_s
 
     texts: dict[str, str] = generated_files(note, CORES)
-    kernels = [
-        {"name": name, "time_s": time_s, "operations_per_pose": _operations(texts.get(f"{name}.py", ""))}
-        for name, time_s in seconds.items()
-    ]
-    return kernels, texts
+    return seconds, texts
 
 
 def _operations(module: str) -> int | None:

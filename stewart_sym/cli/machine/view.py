@@ -74,9 +74,7 @@ def _motion(robot: ss.Robot, arguments: argparse.Namespace, progress: Progress) 
         return motion_history.of_path(robot, name)
     path = Path(name, _RUN) if Path(name).is_dir() else Path(name)
     if not path.exists():
-        raise ValueError(
-            f"{path}: expected I, II, III, a CSV file, or a folder with {_RUN}; the file does not exist"
-        )
+        raise ValueError(f"{path}: no such file; expected I, II, III, a CSV file, or a folder with {_RUN}")
     if _is_run(path):
         progress("reading the run")
         return motion_history.of_run_file(robot, path)
@@ -106,10 +104,7 @@ def _data(view: ss.Viewer) -> dict[str, object]:
         "peak_force_N": peaks,
         "legs": _legs(view),
         "warnings": [line for _, line in view.limits.told],
-        "marked": [
-            {"time_s": event.time, "singular": event.singular, "twist": event.at.twist}
-            for event in shown.events
-        ],
+        "marked": [{"time_s": e.time, "singular": e.singular, "twist": e.at.twist} for e in shown.events],
         "units": {"twist": "m/s and rad/s"},
     }
 
