@@ -28,25 +28,19 @@ def elapsed(times: Array) -> Array:
 
 
 def apart(later: Array, earlier: Array, per_second: float | None) -> Array:
-    """Return differences of times (s) that are whole numbers of parts of a second, or plain differences for
-    None.
-    """
+    """Return differences of times (s), which are whole numbers of parts of a second unless it is None."""
     if per_second is None:
         return np.asarray(later - earlier)
     return np.asarray((np.rint(later * per_second) - np.rint(earlier * per_second)) / per_second)
 
 
 def lost(times: Array) -> float:
-    """Return the possible rounding error of the times (s), shape (n,): 0 if ``elapsed`` recovers the
-    times.
-    """
+    """Return the possible rounding error of times (s), shape (n,): 0 if ``elapsed`` recovers the times."""
     return _resolution(times) if parts(times) is None else 0.0
 
 
 def parts(times: Array) -> float | None:
-    """Return the smallest power of ten for which all times, shape (n,), are whole parts of a second, or
-    None.
-    """
+    """Return the smallest power of ten of which all times, shape (n,), have whole parts of a second."""
     resolution = _resolution(times)
     starts = range(0, len(times), _PART)
     for decimals in range(_DECIMALS + 1):
@@ -79,9 +73,7 @@ def least_step(times: Array) -> float:
 
 
 def time_text(time: float, step: float = 0.0) -> str:
-    """Format a time (s) with full seconds and the decimals of ``step`` (s), or with all decimals for step
-    0.
-    """
+    """Format a time (s) with full seconds and the decimals of ``step`` (s), or all decimals for step 0."""
     digits = _MOST
     if step > 0.0 and time != 0.0:
         digits = math.floor(math.log10(abs(time))) - math.floor(math.log10(min(step, 1.0))) + 1

@@ -127,7 +127,7 @@ def test_a_pose_without_an_answer_is_rejected_unless_allowed(robot: Path, run: R
 
 
 def test_an_output_that_cannot_be_written_is_named_before_work(robot: Path, fails: Fails) -> None:
-    for output in (robot.parent / "no" / "f.csv", robot / "f.csv", robot.parent):
+    for output in (robot / "f.csv", robot.parent):
         line = fails("forces", robot, robot.parent / "none.csv", "-o", output)
         assert str(output) in line
     assert list(robot.parent.iterdir()) == [robot]
