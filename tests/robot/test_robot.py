@@ -174,7 +174,7 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (("schema",), 3, "schema: expected 2, got 3"),
     (("schema",), 1, "schema: schema 1 is no longer read; write schema = 2, "),
     (("name",), 5, "name: expected one line of text, got 5"),
-    (("name",), "", "name: expected text that is not blank, got ''"),
+    (("name",), "", "name: expected one line of text, got ''"),
     (("name",), "two\nlines", "name: expected one line of text"),
     (("name",), "a\u0000b", "name: expected one line of text, got 'a\\x00b', which has U+0000"),
     (("name",), "a\u2028b", "name: expected one line of text, got 'a\\u2028b', which has U+2028"),

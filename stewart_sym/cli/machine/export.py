@@ -42,10 +42,11 @@ def run(arguments: argparse.Namespace) -> int:
         robot = robot_of(arguments.robot)
         with errors_of(f"{arguments.robot}: "):
             file = ss.export_model(robot, arguments.format)
-        written = [str(path)]
+        files, text = [str(path)], ""
         if file.loop_closures is not None:
             write_file(loops_path(path), file.loop_closures)
-            written.append(str(loops_path(path)))
+            files.append(str(loops_path(path)))
+            text = f"Written to {files[-1]}"
         write_file(path, file.text)
-        take(Report("", data={"format": arguments.format, "files": written}))
+        take(Report(text, data={"format": arguments.format, "files": files}))
     return 0
