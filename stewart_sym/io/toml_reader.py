@@ -207,7 +207,7 @@ def need_schema(value: object, known: Sequence[int], where: str) -> int:
     return int(value)
 
 
-def number(value: object, where: str, expected: str = "a finite number") -> float:
+def number(value: Any, where: str, expected: str = "a finite number") -> float:
     """Return a finite number; reject Booleans."""
     hint = ""
     if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):

@@ -105,7 +105,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> tuple[Report
         harmonics = arguments.harmonics if arguments.period is not None else None
         noise = ss.PoseNoise(trajectory.time, *cast("tuple[float, float]", std), arguments.period, harmonics)
     model = (not arguments.no_friction, arguments.enforce_physical)
-    options = (form, arguments.identical_legs, arguments.drive_terms, lines)
+    options: tuple[Any, ...] = (form, arguments.identical_legs, arguments.drive_terms, lines)
     found = from_measurement(robot, trajectory, time, F, sigma, str(forces), noise, *model, *options)
     return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
 

@@ -9,6 +9,7 @@ Example: stewart-sym plan via.toml -o plan
 
 import argparse
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -54,8 +55,9 @@ def _plan(arguments: argparse.Namespace, request: PlanRequest) -> int:
         raise ValueError(request.of_poses(f"via poses: {doubt}"))
     with results(arguments, "report", "trajectory.csv", "path.csv", read=request.files) as (take, progress):
         planned = _planned(request, progress)
-        options = {"limits": request.limits, "formulation": request.formulation, "minimize": least}
-        timed = ss.parameterize_path(robot, planned.path, **options, duration=duration, progress=progress)
+        options: dict[str, Any] = {"limits": request.limits, "formulation": request.formulation}
+        options |= {"minimize": least, "duration": duration}
+        timed = ss.parameterize_path(robot, planned.path, **options, progress=progress)
         progress("checking the plan")
         found = plan.Plan(robot, planned, timed, ss.certify_plan(timed), request.rate)
         take(plan.report(found))

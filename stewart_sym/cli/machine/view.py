@@ -29,9 +29,10 @@ from ...studies.common.report import Report
 from ...studies.reports.track import Digest, Part
 from ...viewer import motion_history
 from ...viewer.motion_history import MotionHistory
+from ...viewer.page import BEGINNING
 from ..inputs import robot_of, trajectory_of
 from ..options import flag, log_options, output, robot_file
-from ..output import HTML_BEGINNING, need_html, results
+from ..output import need_html, results
 
 _RUN = "run.csv"
 _DEFAULT = Path("machine.html")
@@ -53,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
     path = arguments.output = arguments.output or _DEFAULT
     need_html("-o", path)
     read = [] if arguments.motion is None else [Path(arguments.motion)]
-    with results(arguments, read=read, beginnings=[HTML_BEGINNING]) as (take, progress):
+    with results(arguments, read=read, beginnings=[BEGINNING]) as (take, progress):
         robot = ss.robots.dasgupta1998() if arguments.example else robot_of(arguments.robot)
         shown = ss.Viewer(robot, _motion(robot, arguments, progress))
         progress("writing the page")
