@@ -59,6 +59,8 @@ def _plan(arguments: argparse.Namespace, request: PlanRequest) -> int:
         options |= {"minimize": least, "duration": duration}
         timed = ss.parameterize_path(robot, planned.path, **options, progress=progress)
         progress("checking the plan")
+        with errors_of(f"{arguments.via}: "):
+            plan.need_instants(timed.duration, request.rate)
         found = plan.Plan(robot, planned, timed, ss.certify_plan(timed), request.rate)
         take(plan.report(found))
     for line in [] if found.motors is None else found.motors.summary.exceeded():
