@@ -211,9 +211,10 @@ def number(value: Any, where: str, expected: str = "a finite number") -> float:
     """Return a finite number; reject Booleans."""
     hint = ""
     if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):
-        if abs(value) <= _MOST:
+        size: Any = abs(value)
+        if size <= _MOST:
             return float(value)
-        if abs(value) > _MOST:
+        if size > _MOST:
             hint = f" (no limit is a key left out, and a double holds up to {_MOST:.2g})"
     raise ValueError(f"{where}: expected {expected}, got {shown(value)}{hint}")
 
