@@ -1,7 +1,7 @@
 """Derivation of all kernels from the equations of the paper, with SymPy.
 
-No module here is needed at run time. In the order of the data flow, each folder imports only the folders
-before it:
+The forces and kinematics of ``stewart_sym`` do not import it; kits and formulas do. In the order of the data
+flow, each folder imports only the folders before it:
 
     program     blocks: straight-line programs with named steps, and their transformations
     mechanics   equations of the paper as blocks: legs, platform, forces, closed form, regressor, reductions

@@ -144,7 +144,7 @@ def platform_wrench(on: Arithmetic, robot: Any, motion: Any) -> Any:
 
 
 def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
-    """The largest of ``least`` and the sizes of a vector's components."""
+    """Returns the largest of ``least`` and the magnitudes of a vector's components."""
     most = least
     for j in range(3):
         most = on.larger(on.size(vector[j]), most)
@@ -152,12 +152,14 @@ def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
 
 
 def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
-    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    """Returns the largest component (m) of the vectors q, t, and b, whose sum is a leg."""
     return largest_component(on, b, largest_component(on, t, largest_component(on, q, 0.0)))
 
 
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
-    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    """Returns the status of a leg: not finite, short compared with the vectors in its sum, along k, or
+    OK.
+    """
     status = OK
     status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
     status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, ZERO_LENGTH)
@@ -174,16 +176,20 @@ def first_of(on: Arithmetic, codes: Any) -> Any:
 
 
 def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: Any) -> Any:
-    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+    """Returns SINGULAR if H is singular to rounding, NOT_FINITE, or OK; H is overwritten.
 
-    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of;
-    tip: of the platform point that the arms are measured from, whose rounding they have, 0 for none.
-    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
-    that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
-    errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
-    about, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v <
-    v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more.
-    Powers of G make v; 1/2 leaves room for the errors of Y itself.
+    arm (m): moment arms; L (m): lengths of the legs; reach (m): largest component of the vectors
+    whose sum is a leg. tip (m): largest component of the platform point from which the arms are
+    measured, 0 for the reference point.
+
+    Let Y be the inverse of H. The error of the direction s of a leg is at most 4 epsilon (reach / L +
+    2). Each input and each operation is rounded by half a unit, and the elimination adds its own
+    error. This error changes the column (s, arm x s) of H, and Y_force + Y_moment x arm is its factor
+    for any center of moments. The rounding of the moment is added.
+
+    G_ik bounds the effect of the error of column k on row i of Y H. If H minus its error is singular,
+    no v > 0 satisfies G v < v, and the spectral radius of G is at least 1. v is computed by powers of
+    G. The limit 1/2 covers the errors of Y.
     """
     Y = [[0.0] * 6 for _ in range(6)]
     G = [[0.0] * 6 for _ in range(6)]
@@ -253,9 +259,9 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: A
 
 
 def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
-    """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
-    1 for arms of about a meter, `smallest` and more, else one over the least power of two, from
-    2^-100 to 2^100, that is as large.
+    """Returns the factor (1/m) of moments in the linear solver for arms whose largest coordinate is
+    `size` (m). It is 1 from `smallest` to 16 m. Otherwise it is the reciprocal of the smallest power
+    of two, from 2^-100 to 2^100, that is not below `size`.
     """
     per_length = 1.0
     if on.anywhere((size < smallest) | (size > on.LARGEST)):

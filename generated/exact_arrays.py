@@ -70,19 +70,21 @@ class LegConstants:
         self.h2_x: Any = 0.0  # kg m: 2 h_x
         self.h2_y: Any = 0.0  # kg m: 2 h_y
         self.h2_z: Any = 0.0  # kg m: 2 h_z
-        # kg m: first moments of both parts, about the base and the platform point, leg frame
+        # kg m: sum m_d r_d0 + m_u r_u0 of the first moments of both parts, leg frame
         self.w: Any = [0.0] * 3
-        self.J: Any = [0.0] * 6  # kg m^2: inertias of the parts about base and platform point, leg frame
+        # kg m^2: sum of the inertias of the lower part about the base point and the upper part about the platform point, leg frame
+        self.J: Any = [0.0] * 6
         self.J2_xz: Any = 0.0  # kg m^2: 2 J_xz
         self.dJ_zx: Any = 0.0  # kg m^2: J_zz - J_xx
-        self.g_k: Any = 0.0  # m/s^2: gravity along the fixed axis
+        self.g_k: Any = 0.0  # m/s^2: component of g along the fixed axis k
         self.g_x_k: Any = [0.0] * 3  # m/s^2: g x k, base frame
         self.C_us: Any = 0.0  # N m s: C_u + C_s
         self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        # kg m: first moment of this mass about platform point 1, platform frame
+        self.M_add: Any = 0.0  # kg: mass of the leg that is added to the platform
+        # kg m: first moment of the mass M_add about platform point 1, platform frame
         self.h_add: Any = [0.0] * 3
-        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
+        # kg m^2: inertia of the mass M_add about platform point 1, platform frame
+        self.J_add: Any = [0.0] * 6
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -90,10 +92,11 @@ class Added:
     """What the legs add to the platform's constants."""
 
     def __init__(self) -> None:
-        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        # kg m: first moment of this mass about platform point 1, platform frame
+        self.M_add: Any = 0.0  # kg: mass of the leg that is added to the platform
+        # kg m: first moment of the mass M_add about platform point 1, platform frame
         self.h_add: Any = [0.0] * 3
-        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
+        # kg m^2: inertia of the mass M_add about platform point 1, platform frame
+        self.J_add: Any = [0.0] * 6
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -101,19 +104,21 @@ class Platform:
     """Constants of the platform."""
 
     def __init__(self) -> None:
-        self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: center of mass of the platform with the upper parts, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: inertia of this mass about r_C, platform frame
+        self.M_P: Any = 0.0  # kg: M plus the masses m_u of all legs (massless legs: M)
+        # m: center of mass of M_P, with the masses m_u at the platform points (massless legs: R_0), platform frame
+        self.r_C: Any = [0.0] * 3
+        self.J_C: Any = [0.0] * 6  # kg m^2: inertia of the mass M_P about r_C, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
-        self.C_P: Any = 0.0  # N m s: friction of all spherical joints
+        self.C_P: Any = 0.0  # N m s: sum of C_s of all legs
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
         self.M: Any = 0.0  # kg: mass of the platform with its payload
         self.R_0: Any = [0.0] * 3  # m: center of mass of the platform, platform frame
         # kg m^2: inertia of the platform about its center of mass, platform frame
         self.I_p: Any = [0.0] * 6
-        # kg m: first moment of this mass about the reference point, platform frame
+        # kg m: first moment of the mass M_P about the reference point, platform frame
         self.h_P: Any = [0.0] * 3
-        self.J_P: Any = [0.0] * 6  # kg m^2: inertia of this mass about the reference point, platform frame
+        # kg m^2: inertia of the mass M_P about the reference point, platform frame
+        self.J_P: Any = [0.0] * 6
 
 
 class Model:
@@ -643,7 +648,9 @@ class JointSlopesPose:
 
 
 def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
-    """Constants of one leg, and what it adds to the platform: 99 (55 mul, 42 add, 1 div, 1 sqrt)."""
+    """Constants of one leg, and its contributions to the constants of the platform: 99 (55 mul, 42 add,
+    1 div, 1 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -868,7 +875,7 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
 
 
 def size_of(on: Arithmetic, model: Any) -> Any:
-    """Largest coordinate of the arms of moments about platform point 1, m."""
+    """Returns the largest coordinate (m) of the arms of moments about platform point 1."""
     largest = 0.0
     for j in range(3):
         for i in range(1, 6):
@@ -877,9 +884,9 @@ def size_of(on: Arithmetic, model: Any) -> Any:
 
 
 def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
-    """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
-    1 for arms of about a meter, `smallest` and more, else one over the least power of two, from
-    2^-100 to 2^100, that is as large.
+    """Returns the factor (1/m) of moments in the linear solver for arms whose largest coordinate is
+    `size` (m). It is 1 from `smallest` to 16 m. Otherwise it is the reciprocal of the smallest power
+    of two, from 2^-100 to 2^100, that is not below `size`.
     """
     per_length = 1.0
     if on.anywhere((size < smallest) | (size > on.LARGEST)):
@@ -899,7 +906,7 @@ def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
 
 
 def cube_of(on: Arithmetic, arm: Any) -> Any:
-    """The cube of a length, or of one that has a cube."""
+    """Returns the cube of a length; lengths above 2^40 are replaced by 2^40 to avoid overflow."""
     length = on.where(arm <= 1099511627776.0, arm, 1099511627776.0)
     return length * length * length
 
@@ -1011,7 +1018,7 @@ def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
 
 
 def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
-    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    """Solves H x = c for x by elimination with partial pivoting, (36). Returns 1 if a pivot is small."""
     suspect = 0
     for k in range(6):
         for i in range(k + 1, 6):
@@ -1256,7 +1263,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
 
 
 def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
-    """The largest of ``least`` and the sizes of a vector's components."""
+    """Returns the largest of ``least`` and the magnitudes of a vector's components."""
     most = least
     for j in range(3):
         most = on.larger(on.size(vector[j]), most)
@@ -1264,12 +1271,14 @@ def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
 
 
 def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
-    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    """Returns the largest component (m) of the vectors q, t, and b, whose sum is a leg."""
     return largest_component(on, b, largest_component(on, t, largest_component(on, q, 0.0)))
 
 
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
-    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    """Returns the status of a leg: not finite, short compared with the vectors in its sum, along k, or
+    OK.
+    """
     status = OK
     status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
     status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, ZERO_LENGTH)
@@ -1278,16 +1287,20 @@ def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
 
 
 def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: Any) -> Any:
-    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+    """Returns SINGULAR if H is singular to rounding, NOT_FINITE, or OK; H is overwritten.
 
-    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of;
-    tip: of the platform point that the arms are measured from, whose rounding they have, 0 for none.
-    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
-    that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
-    errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
-    about, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v <
-    v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more.
-    Powers of G make v; 1/2 leaves room for the errors of Y itself.
+    arm (m): moment arms; L (m): lengths of the legs; reach (m): largest component of the vectors
+    whose sum is a leg. tip (m): largest component of the platform point from which the arms are
+    measured, 0 for the reference point.
+
+    Let Y be the inverse of H. The error of the direction s of a leg is at most 4 epsilon (reach / L +
+    2). Each input and each operation is rounded by half a unit, and the elimination adds its own
+    error. This error changes the column (s, arm x s) of H, and Y_force + Y_moment x arm is its factor
+    for any center of moments. The rounding of the moment is added.
+
+    G_ik bounds the effect of the error of column k on row i of Y H. If H minus its error is singular,
+    no v > 0 satisfies G v < v, and the spectral radius of G is at least 1. v is computed by powers of
+    G. The limit 1/2 covers the errors of Y.
     """
     Y = [[0.0] * 6 for _ in range(6)]
     G = [[0.0] * 6 for _ in range(6)]
@@ -3682,7 +3695,7 @@ def row_right(on: Arithmetic, by: Any, force: Any, held: Any, start: Any, rest: 
 
 
 def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
-    """Back substitution; inverse: of the pivots."""
+    """Substitutes back; ``inverse`` contains the reciprocals of the pivots."""
     row = [0.0] * 8
     for k in range(5, -1, -1):
         for j in range(6, 8):
@@ -3695,9 +3708,10 @@ def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
 
 
 def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored.
+    """Subtracts multiples of row k from the rows below, so that their column k, which is not stored, is
+    zero.
 
-    ``row``: a copy, which no compiler takes for one of those that change.
+    ``row`` is a copy, because compilers then know that it differs from the rows that change.
     """
     row = [0.0] * 8
     for j in range(8):
@@ -3709,9 +3723,9 @@ def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
 
 
 def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
-    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+    """Solves the rows [M | Y] for X, which replaces Y, by L D L^T.
 
-    MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    Returns MASS_MATRIX_INDEFINITE if a pivot is at most ``kept`` times its diagonal entry.
     """
     scale = [0.0] * 6
     inverse = [0.0] * 6
@@ -3879,7 +3893,7 @@ def scale_moments_12(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 
 def substitute_back_12(on: Arithmetic, A: Any, inverse: Any) -> None:
-    """Back substitution; inverse: of the pivots."""
+    """Substitutes back; ``inverse`` contains the reciprocals of the pivots."""
     row = [0.0] * 12
     for k in range(5, -1, -1):
         for j in range(6, 12):
@@ -3892,9 +3906,10 @@ def substitute_back_12(on: Arithmetic, A: Any, inverse: Any) -> None:
 
 
 def clear_below_12(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored.
+    """Subtracts multiples of row k from the rows below, so that their column k, which is not stored, is
+    zero.
 
-    ``row``: a copy, which no compiler takes for one of those that change.
+    ``row`` is a copy, because compilers then know that it differs from the rows that change.
     """
     row = [0.0] * 12
     for j in range(12):
@@ -3906,8 +3921,8 @@ def clear_below_12(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
 
 
 def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
-    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
-    where a pivot is small.
+    """Solves the rows [H | Y] for X, which replaces Y, by elimination with partial pivoting. Returns 1
+    if a pivot is small.
     """
     inverse = [0.0] * 6
     suspect = 0
@@ -5444,7 +5459,7 @@ def scale_moments_24(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 
 def substitute_back_24(on: Arithmetic, A: Any, inverse: Any) -> None:
-    """Back substitution; inverse: of the pivots."""
+    """Substitutes back; ``inverse`` contains the reciprocals of the pivots."""
     row = [0.0] * 24
     for k in range(5, -1, -1):
         for j in range(6, 24):
@@ -5457,9 +5472,10 @@ def substitute_back_24(on: Arithmetic, A: Any, inverse: Any) -> None:
 
 
 def clear_below_24(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored.
+    """Subtracts multiples of row k from the rows below, so that their column k, which is not stored, is
+    zero.
 
-    ``row``: a copy, which no compiler takes for one of those that change.
+    ``row`` is a copy, because compilers then know that it differs from the rows that change.
     """
     row = [0.0] * 24
     for j in range(24):
@@ -5471,8 +5487,8 @@ def clear_below_24(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
 
 
 def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
-    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
-    where a pivot is small.
+    """Solves the rows [H | Y] for X, which replaces Y, by elimination with partial pivoting. Returns 1
+    if a pivot is small.
     """
     inverse = [0.0] * 6
     suspect = 0
@@ -5573,9 +5589,9 @@ def with_acceleration(on: Arithmetic, motion: Any, a: Any, alpha: Any) -> Any:
 
 
 def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
-    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+    """Solves the rows [M | Y] for X, which replaces Y, by L D L^T.
 
-    MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    Returns MASS_MATRIX_INDEFINITE if a pivot is at most ``kept`` times its diagonal entry.
     """
     scale = [0.0] * 6
     inverse = [0.0] * 6

@@ -264,7 +264,7 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     # (9) accelerations of the joint coordinates
     theta_ddot = c6 * phi_dot2 + own_theta_ddot
     phi_ddot = own_phi_ddot - lean * two_phi_dot
-    # gravity along the fixed axis
+    # component of g along the fixed axis k
     g_k = g_x * k_x + g_y * k_y + g_z * k_z
     # g x k, base frame
     g_x_k_x = g_y * k_z - g_z * k_y

@@ -5,13 +5,16 @@ SPDX-License-Identifier: 0BSD
 
 Arguments and results are described in every_output.py.
 
-Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
-leg      248 (143 mul, 103 add, 1 div, 1 sqrt)
-platform 219 (123 mul, 96 add, 0 div, 0 sqrt)
-sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve    197 (106 mul, 85 add, 6 div, 0 sqrt)
-forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)
+Operations of the inverse dynamics of one pose, without the checks for the status:
+6 x leg   248 (143 mul, 103 add, 1 div, 1 sqrt)
+platform  219 (123 mul, 96 add, 0 div, 0 sqrt)
+sum of c  36 (0 mul, 36 add, 0 div, 0 sqrt)
+solve     197 (106 mul, 85 add, 6 div, 0 sqrt)
+forces    6 (0 mul, 6 add, 0 div, 0 sqrt)
+total     1946 (1087 mul, 841 add, 12 div, 6 sqrt)
+leg: one leg. platform: terms that are common to all legs, and the platform's part of c.
+sum of c: sum of the parts of c. solve: H x = c, (36). forces: F = D - x, (37).
+add: additions and subtractions. Negations, copies, and comparisons are not counted.
 """
 
 from typing import Any

@@ -34,9 +34,9 @@ class Leg:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        # kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m
+        # kg: reflected mass J_r N^2 of the rotor with inertia J_r (kg m^2) and transmission N (rad/m)
         self.m_r: Any = 0.0
-        self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
+        self.j_r: Any = 0.0  # kg m: angular momentum J_r N of the rotor per length rate
 
 
 class Robot:
@@ -66,12 +66,13 @@ class LegConstants:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        # kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m
+        # kg: reflected mass J_r N^2 of the rotor with inertia J_r (kg m^2) and transmission N (rad/m)
         self.m_r: Any = 0.0
-        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        # kg m: first moment of this mass about platform point 1, platform frame
+        self.M_add: Any = 0.0  # kg: mass of the leg that is added to the platform
+        # kg m: first moment of the mass M_add about platform point 1, platform frame
         self.h_add: Any = [0.0] * 3
-        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
+        # kg m^2: inertia of the mass M_add about platform point 1, platform frame
+        self.J_add: Any = [0.0] * 6
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -87,7 +88,9 @@ class Model:
 
 
 def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
-    """Constants of one leg, and what it adds to the platform: 0 (0 mul, 0 add, 0 div, 0 sqrt)."""
+    """Constants of one leg, and its contributions to the constants of the platform: 0 (0 mul, 0 add, 0
+    div, 0 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     m_d = leg.m_d

@@ -91,7 +91,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
     },
     "massless": {
         "kernel": "exact_massless",
-        "meaning": "legs without mass, (41)",
+        "meaning": "legs without mass, equation (41) of the paper",
         "universal": False,
         "operations": {
             "leg": 31, "platform": 174, "moments": 12, "sum of c": 0, "solve": 262, "forces": 0,

@@ -5,14 +5,17 @@ SPDX-License-Identifier: 0BSD
 
 Arguments and results are described in every_output.py.
 
-Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
-         with friction                             without friction
-leg      331 (186 mul, 141 add, 2 div, 2 sqrt)     285 (162 mul, 119 add, 2 div, 2 sqrt)
-platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
-sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
-forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    2444 (1345 mul, 1069 add, 18 div, 12 sqrt) 2168 (1201 mul, 937 add, 18 div, 12 sqrt)
+Operations of the inverse dynamics of one pose, without the checks for the status:
+          with friction                               without friction
+6 x leg   331 (186 mul, 141 add, 2 div, 2 sqrt)       285 (162 mul, 119 add, 2 div, 2 sqrt)
+platform  219 (123 mul, 96 add, 0 div, 0 sqrt)        219 (123 mul, 96 add, 0 div, 0 sqrt)
+sum of c  36 (0 mul, 36 add, 0 div, 0 sqrt)           36 (0 mul, 36 add, 0 div, 0 sqrt)
+solve     197 (106 mul, 85 add, 6 div, 0 sqrt)        197 (106 mul, 85 add, 6 div, 0 sqrt)
+forces    6 (0 mul, 6 add, 0 div, 0 sqrt)             6 (0 mul, 6 add, 0 div, 0 sqrt)
+total     2444 (1345 mul, 1069 add, 18 div, 12 sqrt)  2168 (1201 mul, 937 add, 18 div, 12 sqrt)
+leg: one leg. platform: terms that are common to all legs, and the platform's part of c.
+sum of c: sum of the parts of c. solve: H x = c, (36). forces: F = D - x, (37).
+add: additions and subtractions. Negations, copies, and comparisons are not counted.
 """
 
 from typing import Any

@@ -28,15 +28,17 @@ class LegConstants:
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
         self.h: Any = [0.0] * 3  # kg m: first moment of the upper part about the platform point, leg frame
-        # kg m: first moments of both parts, about the base and the platform point, leg frame
+        # kg m: sum m_d r_d0 + m_u r_u0 of the first moments of both parts, leg frame
         self.w: Any = [0.0] * 3
-        self.J: Any = [0.0] * 6  # kg m^2: inertias of the parts about base and platform point, leg frame
+        # kg m^2: sum of the inertias of the lower part about the base point and the upper part about the platform point, leg frame
+        self.J: Any = [0.0] * 6
         self.C_us: Any = 0.0  # N m s: C_u + C_s
-        self.m_L2: Any = 0.0  # kg: m_u, which (16) counts twice
-        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        # kg m: first moment of this mass about platform point 1, platform frame
+        self.m_L2: Any = 0.0  # kg: m_u, counted twice in (16)
+        self.M_add: Any = 0.0  # kg: mass of the leg that is added to the platform
+        # kg m: first moment of the mass M_add about platform point 1, platform frame
         self.h_add: Any = [0.0] * 3
-        self.J_add: Any = [0.0] * 6  # kg m^2: inertia of this mass about platform point 1, platform frame
+        # kg m^2: inertia of the mass M_add about platform point 1, platform frame
+        self.J_add: Any = [0.0] * 6
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -44,11 +46,12 @@ class Platform:
     """Constants of the platform."""
 
     def __init__(self) -> None:
-        self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: center of mass of the platform with the upper parts, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: inertia of this mass about r_C, platform frame
+        self.M_P: Any = 0.0  # kg: M plus the masses m_u of all legs (massless legs: M)
+        # m: center of mass of M_P, with the masses m_u at the platform points (massless legs: R_0), platform frame
+        self.r_C: Any = [0.0] * 3
+        self.J_C: Any = [0.0] * 6  # kg m^2: inertia of the mass M_P about r_C, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
-        self.C_P: Any = 0.0  # N m s: friction of all spherical joints
+        self.C_P: Any = 0.0  # N m s: sum of C_s of all legs
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
 
 
@@ -64,7 +67,9 @@ class Model:
 
 
 def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
-    """Constants of one leg, and what it adds to the platform: 80 (42 mul, 36 add, 1 div, 1 sqrt)."""
+    """Constants of one leg, and its contributions to the constants of the platform: 80 (42 mul, 36 add,
+    1 div, 1 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k

@@ -32,7 +32,7 @@ class InverseDynamicsResult:
     F : ndarray, shape (..., 6)
         Actuator forces (N), positive when they extend the leg, (37).
     D : ndarray, shape (..., 6)
-        Part of the actuator forces (N) that follows from the motion of the leg alone, (24); F = D - x.
+        Part of the actuator forces (N) from weight, inertia, and friction of the leg, (24); F = D - x.
     x : ndarray, shape (..., 6)
         Axial forces (N) on the legs at their spherical joints, (22).
     K : ndarray, shape (..., 6, 3)

@@ -1,4 +1,4 @@
-/* hold.c: the forces that hold the hexapod 0.65 m above its base. */
+/* hold.c: print the force of leg 1 that holds the hexapod 0.65 m above its base. */
 #include <stdio.h>
 
 #include "stewart_robot.h"
@@ -15,7 +15,7 @@ int main(void)
         status = stewart_exact_forces(&model, &motion, F);
     }
     if (status != STEWART_OK) {
-        return status;                                   /* F is as it was: hold or stop */
+        return status;                                   /* F keeps its old values */
     }
     printf("leg 1: %.1f N\n", (double)F[0]);
     return 0;

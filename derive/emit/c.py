@@ -9,7 +9,7 @@ from ..kernel import prepare as p
 from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Written, filling, structure
-from ..kernel.operations import KernelOperations
+from ..kernel.operations import LEGS, KernelOperations
 from ..kernel.shared import legs_in_turn, shared
 from ..kernel.tree.nodes import Array, Field, Number, Real, Statement, Structure
 from ..kernel.tree.read import Given
@@ -49,11 +49,12 @@ def _about(kernel: Kernel) -> str:
         "paper": "Formulation `paper`: equations as printed, including their four errors.",
     }[form.name]
     joint = {
-        UNIVERSAL: "Base joint: universal, fixed axis k.",
-        SPHERICAL: "Base joint: spherical; legs must be axisymmetric; M_u is zero.",
+        UNIVERSAL: "Base joint: universal, with the fixed axis k.",
+        SPHERICAL: "Base joint: spherical. The legs must be axisymmetric. M_u is zero.",
     }[form.base_joint]
     rotors = (
-        "\n * Each leg has a rotor that turns in proportion to its length: STEWART_ROTORS."
+        "\n * Rotors: each leg has a rotor that turns in proportion to its length. Define STEWART_ROTORS in "
+        "every source."
         if form.drive
         else ""
     )
@@ -76,18 +77,31 @@ def _interface(kernel: Kernel) -> str:
 
 def operations_table(counts: KernelOperations, frictionless: KernelOperations | None, prefix: str) -> str:
     """List the operations of each part; with ``frictionless`` also the operations without friction."""
-    rows = ["Operations of the inverse dynamics of one pose: six legs and linear solver, without checks"]
-    if frictionless is None:
-        rows += [f"{part:8s} {count}" for part, count in counts.parts().items()]
-    else:
-        rows.append(f"{'':8s} {'with friction':41s} without friction")
-        plain = frictionless.parts()
-        rows += [f"{part:8s} {count!s:41s} {plain[part]}" for part, count in counts.parts().items()]
+    both = {"with friction": counts}
+    if frictionless is not None:
+        both["without friction"] = frictionless
+    labels = {"leg": f"{LEGS} x leg", "moments": f"{counts.arms} x moments"}
+    columns = [["", *(labels.get(part, part) for part in counts.parts())]]
+    columns += [[title, *map(str, each.parts().values())] for title, each in both.items()]
+    widths = [max(map(len, column)) for column in columns]
+    titles, *lines = ("  ".join(map(str.ljust, row, widths)) for row in zip(*columns, strict=True))
+    rows = ["Operations of the inverse dynamics of one pose, without the checks for the status:"]
+    rows += lines if frictionless is None else [titles, *lines]
     if counts.fused:
-        both = [each for each in (counts, frictionless) if each is not None]
-        found = " and ".join(str(each.total.total - each.fused) for each in both)
-        rows.append(f"With fused multiply-add instructions: {found}.")
-    return "\n".join((prefix + row).rstrip() for row in rows)
+        found = " and ".join(str(each.total.total - each.fused) for each in both.values())
+        rows.append(f"Total with fused multiply-add instructions: {found}.")
+    return "\n".join((prefix + row).rstrip() for row in (*rows, *_legend(counts)))
+
+
+def _legend(counts: KernelOperations) -> list[str]:
+    """Explain the rows of the table of operations."""
+    arms = "; leg 1 has none" if counts.arms < LEGS else ""
+    return [
+        "leg: one leg. platform: terms that are common to all legs, and the platform's part of c.",
+        *([f"moments: moments of one leg about platform point 1{arms}."] if counts.moments.total else []),
+        "sum of c: sum of the parts of c. solve: H x = c, (36). forces: F = D - x, (37).",
+        "add: additions and subtractions. Negations, copies, and comparisons are not counted.",
+    ]
 
 
 class _Source(Source):
@@ -125,8 +139,9 @@ class _Source(Source):
         yield read(written.pose_forces, given=legs_in_turn("out", "terms"))
         yield read(written.pose_reactions)
         single: tuple[Callable[..., object], ...] = (written.inverse_dynamics, written.joint_reactions)
+        joint_singular = "STEWART_JOINT_SINGULAR, " if n.k3 in self.kernel.leg.made else ""
         for one in single:
-            yield read(one, f"{self.name}_{one.__name__}", public=True)
+            yield read(one, f"{self.name}_{one.__name__}", public=True, joint_singular=joint_singular)
         batches: dict[str, tuple[Callable[..., object], Callable[..., object]]] = {
             "forces": (written.inverse_dynamics_batch, written.one_forces),
             "reactions": (written.joint_reactions_batch, written.one_reactions),

@@ -79,7 +79,7 @@ def _header(made: "_Source", kernels: tuple[SumKernel, ...], version: str) -> di
         rotors=made.model.formulation.drive,
         included=f"stewart_{made.name}_forces.h",
         name=made.name,
-        read="are read only\n * by `derivatives`." if "derivatives" in asked else "are not read.",
+        read="are read only by `derivatives`." if "derivatives" in asked else "are not read.",
         operations="\n".join(f" * {row}" for row in rows),
         structs=printer.interface(*map(struct_of, structs), *arrays),
         one_pose="\n".join(line for what in asked for line in printer.declaration(public[what][0])),

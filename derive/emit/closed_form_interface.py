@@ -16,13 +16,27 @@ from ..kernel.written import batch
 from ..mechanics import quantities as n
 
 STRUCTS = {
-    "equations": "Terms of the equations of motion; H_dot: derivative of H by time.",
-    "derivatives": "Actuator forces of inverse dynamics, and their derivatives by [dt; dphi], [v; omega], "
-    "and [a; alpha].",
-    "linearization": "Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF "
-    "about the motion.",
+    "equations": "Terms of the equations of motion, base frame, moments about the reference point.",
+    "derivatives": "Actuator forces of inverse dynamics, and their derivatives by pose, twist, and "
+    "acceleration.",
+    "linearization": "Forward dynamics, and its linearization about the motion: "
+    "d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF.",
 }
 """Functions that fill a structure, and the description of the structure."""
+
+_SAYS = {
+    "equations": "Computes the terms of the equations of motion.",
+    "bias_and_friction": "Computes C [v; omega] + g + friction (N and N m), base frame.",
+    "forward_dynamics": "Computes the acceleration [a; alpha] (m/s^2 and rad/s^2, base frame) caused by the "
+    "actuator forces F (N). Also returns STEWART_MASS_MATRIX_INDEFINITE.",
+    "joint_inertia": "Computes the inertia seen by the actuators (kg), H^-1 M H^-T, row-major. The length "
+    "rates are H^T [v; omega]. Also returns STEWART_SINGULAR.",
+    "derivatives": "Computes the actuator forces of inverse dynamics and their derivatives. Also returns "
+    "STEWART_SINGULAR.",
+    "linearization": "Computes the forward dynamics for the actuator forces F (N) and its linearization. "
+    "Also returns STEWART_MASS_MATRIX_INDEFINITE.",
+}
+"""Descriptions of the functions of one pose that say more than the table of outputs."""
 
 PARTS = {
     (structure, part): ("acceleration", first)
@@ -56,8 +70,8 @@ def in_place(what: str) -> Iterator[t.Statement]:
 
 def struct_of(what: str) -> t.Structure:
     """Return the structure that a function fills."""
-    fields = tuple(t.numbers(each, count) for each, count in members(what).items())
-    return t.Structure(f"stewart_{what}", STRUCTS[what], fields)
+    fields = (t.numbers(e.name, e.count, meaning=f"{e.unit}: {e.meaning}") for e in CALLS[what].outputs)
+    return t.Structure(f"stewart_{what}", STRUCTS[what], tuple(fields))
 
 
 def arrays_of(what: str, says: str) -> t.Structure:
@@ -101,8 +115,8 @@ def interface(name: str, what: str) -> tuple[t.Function, t.Function]:
     many = texts.function(
         batch.closed_form_batch, f"{one.name}_batch", True, given=needed, structures=more, names=names
     )
-    says = "Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths."
-    return replace(one, meaning=says if what == "joint_inertia" else ""), replace(many, meaning="")
+    says = _SAYS.get(what, CALLS[what].says)
+    return replace(one, meaning=says), replace(many, meaning="")
 
 
 OF_BATCHES = (

@@ -8,6 +8,11 @@ from ..kernel.tree.constants import STATUSES
 from ..mechanics.quantities import MOTION, OF_LEG, PLATFORM
 from ..print.template import filled
 
+_MORE = {
+    "BAD_ARGUMENT": ", or the function names another invalid argument, such as stride < count",
+    "NOT_CONVERGED": ", or R of the guess is not a rotation",
+}
+"""Causes of a status in addition to its text."""
 _MATRICES = {q.name: q for q in (*OF_LEG, *PLATFORM, *MOTION) if len(q.shape) == 2}
 
 
@@ -28,7 +33,10 @@ def common_header(version: str, precision: str = "double", rotors: bool = False)
         version=version,
         release=version.partition(" ")[0],
         thresholds=_thresholds(),
-        status="\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUSES),
+        status="\n".join(
+            f"#define STEWART_{name} {code} /* {text}{_MORE.get(name, '')} */"
+            for name, code, text in STATUSES
+        ),
         motions=_pointers("motion", "const "),
         own_type=filled("float.h") if precision == "float" else "",
         own_legs=filled("own_rotors.h") if rotors else "",
@@ -119,7 +127,13 @@ THRESHOLDS = (
         7,
         "2.2e-01",
     ),
-    Threshold("JOINT_SINGULAR", "joint singularity", "sine below 4096 rounding units", 10, "5.9e-02"),
+    Threshold(
+        "JOINT_SINGULAR",
+        "joint singularity",
+        "sine between leg and fixed axis below 4096 rounding units",
+        10,
+        "5.9e-02",
+    ),
     Threshold(
         "SINGULAR",
         "singular",
@@ -133,9 +147,12 @@ THRESHOLDS = (
 def _thresholds() -> str:
     """Print the thresholds as lines of a C comment."""
     lines = [
-        f"Threshold of each status; largest error of STEWART_OK in 10^{len(str(CASES)) - 1} random poses",
-        "near failure, in rounding units times the condition number of the problem, with the distance from",
-        "the failure (`stewart-sym stability`):",
-        *(f"STEWART_{each.status}: {each.begins}; error {each.worst} at {each.where}" for each in THRESHOLDS),
+        "Thresholds of the statuses. Each error is the largest error of a result with STEWART_OK for",
+        f"10^{len(str(CASES)) - 1} random poses near a failure (`stewart-sym stability`). The unit is the",
+        "rounding unit times the condition number of the problem. The distance is measured from the failure.",
+        *(
+            f"STEWART_{each.status}: {each.begins}; error {each.worst} at the distance {each.where}"
+            for each in THRESHOLDS
+        ),
     ]
     return "/* " + "\n * ".join(lines) + " */"

@@ -7,6 +7,7 @@ portable C.
 
 from collections.abc import Iterable
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
@@ -32,7 +33,8 @@ from .shared import Part, Source, header, top
 
 _ROWS = {n.H_force: 0, n.H_moment: 3}
 """First row of a part of a column of H."""
-_BASE_REACH = t.Field("base_reach", t.Real(), "m: largest coordinate of the base points")
+_BASE_REACH = t.Field("base_reach", t.Real(), "m: largest magnitude of a coordinate of the base points")
+_LANES_SAY = " In arrays that end with [8] the last index is the leg; the values 7 and 8 repeat leg 6."
 # Least number of operations after a leg's roots for which computing the next leg's roots first is faster.
 _WORTH_HANDING_ON = 40
 _WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
@@ -54,7 +56,9 @@ def files(
         The kernel without constants, for a baked kernel.
     """
     made, file = _Source(kernel), f"stewart_{kernel.name}_forces"
-    title, says = "from prepared constants, optimized for speed.", f"Fidelity: {kernel.meaning}."
+    title, says = "from prepared constants, optimized for speed.", f"Fidelity level: {kernel.meaning}."
+    if not kernel.friction and n.v in kernel.used_motion() and "friction" not in kernel.meaning:
+        says += " The joints have no friction."
     if before is not None:
         title, count = "of one robot with baked constants.", force_operations(before).total.total
         says += f" Without baked constants, a pose took {count} operations."
@@ -144,15 +148,14 @@ class _Source(Source):
         terms = [q for q in terms if q not in (*lay.CHECKED, *_ROWS)]
         kept = [lay.stored(q, POSES) for q in (n.q, *lay.RIGHT_SIDE) if q in self.given]
         says = "Constants that differ between the legs; the last two lanes repeat leg 6."
-        own = []
-        if not self.baked:
-            says = "Prepared constants of a robot, legs in lanes; the last two lanes repeat leg 6."
-            own = [p.PER_LENGTH, p.ARM_CUBE, _BASE_REACH]
+        own = [] if self.baked else [p.PER_LENGTH, p.ARM_CUBE, _BASE_REACH]
         model = (
             *(lay.described(q, LANES) for q in kernel.leg_constants()),
             *map(lay.described, kernel.platform_constants()),
             *own,
         )
+        if not self.baked:
+            says = p.model_says(model, _LANES_SAY)
         of_pose = (
             *(lay.stored(q, POSES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
             t.numbers("least_L", POSES, meaning="m: length below which a leg must be checked"),
@@ -209,7 +212,9 @@ class _Source(Source):
             yield from p.preparation(self.texts, kernel, t.Name("i"))
             yield p.size_of(self.texts, by_legs=False)
             given = p.HANDED_OVER | {"COUNT": model_numbers(kernel)}
-            yield read(written.prepare, f"{name}_prepare", public=True, given=given)
+            yield read(
+                written.prepare, f"{name}_prepare", public=True, given=given, **p.prepared_words(kernel)
+            )
         shared = with_products_in_sums(
             (*lay.lines(kernel.shared, self._place("at")), *lay.stores(kernel.shared.outputs, _out()))
         )
@@ -217,7 +222,8 @@ class _Source(Source):
         yield from self._legs_of_pose()
         of_pose = legs_in_lanes("legs", "A") | self.flags | self._public("motion", "F")
         of_pose |= {"LEGS_C": self._has(n.c_force, "legs"), "ARM_C": self._has(n.c_force, "legs", arm_c)}
-        yield read(written.forces, f"{name}_forces", public=True, given=of_pose)
+        words = p.motion_words(kernel)
+        yield read(written.forces, f"{name}_forces", public=True, given=of_pose, **words)
         yield made["Block"]
         if kernel.about_tip:
             yield made["LegBlock"]
@@ -227,7 +233,7 @@ class _Source(Source):
         if self.ahead:
             yield self._roots_of_leg()
         yield self._leg_of_block()
-        yield from self._batch(name)
+        yield from self._batch(name, words)
 
     def _table(self) -> t.Table:
         """Print the constants of a baked kernel; the last two lanes repeat leg 6."""
@@ -348,7 +354,7 @@ class _Source(Source):
         says = "Computes the rest of a leg" if self.ahead else "Computes a leg of the poses of a block"
         return self.texts.function(written.leg_of_block, given=given, says=says, count=leg.operations())
 
-    def _batch(self, name: str) -> Iterable[str | t.Function]:
+    def _batch(self, name: str, words: dict[str, Any]) -> Iterable[str | t.Function]:
         """Yield the linear solver of a block, and the loop over blocks."""
         kernel, read = self.kernel, self.texts.function
         about_tip, has_d = kernel.about_tip, n.D in self.given
@@ -379,7 +385,7 @@ class _Source(Source):
         for many in (written.forces_batch, written.forces_columns):
             short = [t.Binary("<", stride, t.Name("count"))] if many == written.forces_columns else []
             public = self._public("motions", "F", quantities=needed, tests=short)
-            yield read(many, f"{name}_{many.__name__}", public=True, given=public)
+            yield read(many, f"{name}_{many.__name__}", public=True, given=public, **words)
 
     def _has(self, q: Quantity, owner: str, member: Quantity | None = None) -> t.Expression | bool:
         """Return the member for the quantity, or False if the kernel's legs do not have it."""

@@ -33,7 +33,7 @@ _COUNTS: dict[str, Given] = {
 }
 _COLUMNS = t.Structure(
     "regressor_columns",
-    "Columns of a pose with the row as first index, and inputs of the legs; lost: 1 if not finite.",
+    "Columns of a pose with the row as first index, and inputs of the legs. lost: 1 if not finite.",
     (
         t.numbers("of_legs", 6, len(_OF_LEG), LANES),
         *(lay.stored(q, LANES) for q in _GIVEN),
@@ -81,7 +81,7 @@ def _functions(blocks: Regressor) -> list[t.Function]:
         read(written.columns_status),
         read(written.all_columns),
         read(written.chosen_columns),
-        read(written.regressor, NAME, public=True, given=one),
+        read(written.regressor, NAME, public=True, given=one, count=_COUNTS["OF_ALL"]),
         read(load_pose, given=loaded_one(n.MOTION[1:], LOADS)),
         read(written.regressor_batch, f"{NAME}_batch", public=True, given=many),
     ]

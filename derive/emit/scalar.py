@@ -30,7 +30,9 @@ from .shared import SOLVE, Part, Source, header, top
 _LEAST_PIVOTS = t.signature("STEWART_LEAST_PIVOTS", t.Real(), size=t.Real())
 _CLOSE = t.Field("close", t.Integer(), "1 if H may be singular to rounding because of a leg of zero length")
 _LEAST = t.numbers("least", meaning="product of the pivots of H below which it may be singular to rounding")
-_SIZE = t.numbers("size", meaning="m: largest distance of a base or platform point from its origin")
+_SIZE = t.numbers(
+    "size", meaning="m: largest sum of the magnitudes of the coordinates of a base or platform point"
+)
 
 
 def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict[str, str]:
@@ -48,7 +50,7 @@ def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict
         version,
         rotors=kernel.formulation.drive,
         name=kernel.name,
-        fidelity=f" * Fidelity: {kernel.meaning or 'everything'}.{folded}",
+        fidelity=f" * Fidelity level: {kernel.meaning or 'everything'}.{folded}",
         operations=operations_table(force_operations(kernel, scalar_text=True), None, " * "),
         declarations=made.declared(*(made.structures[name] for name in ("Leg", "Model") if before is None)),
     )
@@ -95,7 +97,7 @@ class _Source(Source):
             "Platform": t.Structure("platform_constants", "Constants of the platform.", tuple(prepared)),
             "PoseTerms": t.Structure("pose_terms", "Terms of the pose that are common to all legs.", pose),
             "LegSizes": t.Structure("leg_sizes", "Magnitudes for the check of a zero-length leg.", sizes),
-            "Model": t.Structure(f"{name}_model", "Prepared constants of a robot.", model),
+            "Model": t.Structure(f"{name}_model", p.model_says((*legs, *model)), model),
         }
 
     def _parts(self) -> Iterable[Part]:
@@ -111,7 +113,9 @@ class _Source(Source):
             yield read(written.size_sum)
             held = {"OF_LEG": kernel.leg_constants(), "OF_PLATFORM": kernel.platform_constants()}
             given: dict[str, Given] = {each: lay.entries(constants) for each, constants in held.items()}
-            yield read(written.prepare, f"{name}_prepare", public=True, given=given)
+            yield read(
+                written.prepare, f"{name}_prepare", public=True, given=given, **p.prepared_words(kernel)
+            )
         yield self.structures["PoseTerms"]
         yield read(written.pose_of, given={"SHARED": self._shared()}, count=kernel.shared.operations())
         yield self.structures["LegSizes"]
@@ -126,7 +130,7 @@ class _Source(Source):
         yield read(written.solve, given=BY_POINTERS)
         yield read(written.pose_status, apart=True)
         given = missing(("motion", "F") if self.baked else ("model", "motion", "F"))
-        yield read(written.pose_forces, f"{name}_forces", public=True, given=given)
+        yield read(written.pose_forces, f"{name}_forces", public=True, given=given, **p.motion_words(kernel))
 
     # ------------------------------------------------------------ constants
 

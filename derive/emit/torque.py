@@ -60,7 +60,7 @@ def axial_files(form: Formulation, block: Block, version: str, reflected: bool =
         file=file,
         symbol=f"{file}_forces",
         read="b, p, and m_r" if masses else "b, p, k, m_r, and j_r",
-        turns="m_r L_ddot" if masses else "m_r L_ddot + j_r A.s",
+        turns="m_r L_ddot" if masses else "m_r L_ddot + j_r A.s with the angular acceleration A of the leg",
         operations=axial_operations(block),
         statuses=f"STEWART_NOT_FINITE, STEWART_ZERO_LENGTH{'' if masses else ', STEWART_JOINT_SINGULAR'}",
     )

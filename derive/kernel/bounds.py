@@ -120,35 +120,38 @@ class BoundedForces:
         vectors = [t.numbers(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
         flags = [t.Field("near", t.Integer()), t.Field("close", t.Integer())]
         rows = [stored(q, LANES) for q in _ROW]
-        says = "Constants of one leg; `_err`: bound of the error of what has this name."
+        says = "Constants of one leg; `_err`: bound of the error of the constant with this name."
         made = {
             "Leg": (f"{name}_leg", says, leg),
             "Platform": (f"{name}_platform", "Constants of the platform.", platform),
-            "Model": (f"{name}_model", "A robot's constants, prepared once.", model),
-            "Added": ("added_terms", "What a leg adds to the platform, and the sum of it.", added),
-            "Shared": ("shared_terms", "What a pose has for all legs.", shared),
+            "Model": (f"{name}_model", p.model_says((*leg, *platform, *model)), model),
+            "Added": (
+                "added_terms",
+                "Contributions of a leg to the constants of the platform, and their sums.",
+                added,
+            ),
+            "Shared": ("shared_terms", "Terms of a pose that are common to all legs.", shared),
             "LegTerms": (
                 "leg_terms",
-                "What a leg gives to the platform's equations; k3: sine of its angle to the fixed axis.",
+                "Terms of a leg in the platform's equations. k3: sine between leg and fixed axis.",
                 [*decides, *_with_errors(self.legs[""], _ERRING)],
             ),
             "Equations": (
                 "platform_equations",
-                "The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c "
-                "round away; near, close: whether a leg is near its joint singularity, or short.",
+                "The platform's equations H x = c with moments about platform point 1. c_own: rounding "
+                "errors of the sums in c; near, close: 1 if a leg is near its joint singularity, or short.",
                 [*matrices, *vectors, *flags],
             ),
             "Rows": (
                 "force_rows",
-                "How each force, in a lane, hangs on D, on c and on the column of H of one leg: D_weight D - "
-                "Y (c - H x); Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform "
-                "point 1.",
+                "Weights of D, c, and the column of H of one leg in each force, with the forces in lanes: "
+                "D_weight D - Y (c - H x). Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about "
+                "platform point 1.",
                 rows,
             ),
             "Slopes": (
                 "force_slopes",
-                "Slope of each force, in a lane, along what the pose has for all legs, as far as it goes "
-                "through the legs.",
+                "Derivatives of the forces, in lanes, by the terms common to all legs, through the legs.",
                 slopes,
             ),
         }

@@ -60,23 +60,28 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
     "rotor": tuple(map(_member, n.ROTOR)),
     "platform": tuple(map(_member, n.PLATFORM)),
     "limits": (
-        _flat("shortest", (6,), "m", "shortest leg"),
-        _flat("longest", (6,), "m", "longest leg"),
+        _flat("shortest", (6,), "m", "smallest leg length"),
+        _flat("longest", (6,), "m", "largest leg length"),
         _flat("force", (6,), "N", "largest magnitude of the actuator force"),
         _flat("speed", (6,), "m/s", "largest magnitude of the sliding velocity"),
     ),
     "drives": (
+        _flat("turns", (6,), "rad/m", "motor angle per length, 2 pi gear / lead or gear / radius; not 0"),
         _flat(
-            "turns", (6,), "rad/m", "the motor's turn per length: 2 pi gear / lead or gear / radius, not 0"
+            "driving", (6,), "1", "friction per axial force if the motor drives the leg: 1 / efficiency - 1"
         ),
-        _flat("driving", (6,), "1", "friction per axial force where the motor drives: 1 / efficiency - 1"),
-        _flat("driven", (6,), "1", "the same where the leg drives the motor: 1 - backdrive_efficiency"),
+        _flat(
+            "driven",
+            (6,),
+            "1",
+            "friction per axial force if the leg drives the motor: 1 - backdrive_efficiency",
+        ),
         _flat("coulomb", (6,), "N", "dry friction along the leg: screw_coulomb + |turns| motor_coulomb"),
         _flat("viscous", (6,), "N s/m", "viscous friction: screw_viscous + turns^2 motor_viscous"),
-        _flat("stribeck", (6,), "N", "further dry friction at rest"),
-        _flat("stribeck_speed", (6,), "m/s", "rate of length in which it decays to 1/e"),
-        _flat("smoothing", (6,), "m/s", "rate of length within which the sign of a rate is smoothed"),
-        _flat("torque_constant", (6,), "N m/A", "torque per current, 0 where it is not known"),
+        _flat("stribeck", (6,), "N", "additional dry friction at rest"),
+        _flat("stribeck_speed", (6,), "m/s", "length rate at which this friction has decayed to 1/e"),
+        _flat("smoothing", (6,), "m/s", "length rate below which the sign of the rate is smoothed"),
+        _flat("torque_constant", (6,), "N m/A", "torque per current; 0 if unknown"),
     ),
     "motion": tuple(map(_member, n.MOTION)),
     "pose": (_member(n.R), _member(n.t)),
@@ -87,37 +92,46 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _nested(
             "K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"
         ),
-        _nested("H", (6, 6), "1 and m", "row-major: H x = c, (36); F acts on the platform by H F, x by -H x"),
-        _nested("c", (6,), _WRENCH, "wrench that x must balance, base frame, (36)"),
+        _nested(
+            "H",
+            (6, 6),
+            "1 and m",
+            "columns [s; q x s], row-major, H x = c, (36); wrenches on the platform: H F and -H x",
+        ),
+        _nested(
+            "c", (6,), _WRENCH, "wrench that x must balance, base frame, about the reference point, (36)"
+        ),
     ),
     "reactions": tuple(
         _nested(q.name, (6, *q.shape), q.unit, q.meaning) for q in (n.F_s, n.F_u, n.F_p, n.F_c, n.M_p, n.M_u)
     ),
     "equations": (
-        _flat("M", (6, 6), _INERTIA, "inertia matrix, row-major"),
-        _flat("C", (6, 6), "the same over s", "Coriolis and centrifugal matrix, row-major"),
-        _flat("g", (6,), _WRENCH, "gravity"),
-        _flat("friction", (6,), _WRENCH, "friction of the joints"),
+        _flat("M", (6, 6), _INERTIA, "mass matrix, row-major"),
+        _flat("C", (6, 6), "units of M over s", "Coriolis and centrifugal matrix, row-major"),
+        _flat("g", (6,), _WRENCH, "wrench of gravity"),
+        _flat("friction", (6,), _WRENCH, "wrench of the joint friction"),
         _flat("bias", (6,), _WRENCH, "C [v; omega] + g"),
         _flat("bias_and_friction", (6,), _WRENCH, "C [v; omega] + g + friction"),
-        _flat("H", (6, 6), "1 and m", "from actuator forces to the wrench, row-major"),
-        _flat("H_dot", (6, 6), "1/s and m/s", "rate of H, row-major"),
+        _flat("H", (6, 6), "1 and m", "wrench matrix: H F is the generalized force of F, row-major"),
+        _flat("H_dot", (6, 6), "1/s and m/s", "time derivative of H, row-major"),
     ),
     "derivatives": (
         _flat("F", (6,), "N", "actuator forces"),
-        _flat("by_pose", (6, 6), "N/m and N/rad", "row-major"),
-        _flat("by_twist", (6, 6), "N s/m and N s/rad", "row-major"),
-        _flat("by_acceleration", (6, 6), "N s^2/m and N s^2/rad", "row-major"),
+        _flat("by_pose", (6, 6), "N/m and N/rad", "derivatives of F by [dt; dphi], row-major"),
+        _flat("by_twist", (6, 6), "N s/m and N s/rad", "derivatives of F by [v; omega], row-major"),
+        _flat(
+            "by_acceleration", (6, 6), "N s^2/m and N s^2/rad", "derivatives of F by [a; alpha], row-major"
+        ),
     ),
     "linearization": (
         _ACCELERATION,
-        _flat("A", (12, 12), "mixed", "12 by 12, row-major"),
-        _flat("B", (12, 6), "mixed", "12 by 6, row-major"),
+        _flat("A", (12, 12), "mixed", "state matrix, 12 by 12, row-major"),
+        _flat("B", (12, 6), "mixed", "input matrix of dF, 12 by 6, row-major"),
     ),
     "legs": (
-        _nested("L", (6,), "m", "lengths, (2)"),
-        _nested("L_dot", (6,), "m/s", "rates, (5)"),
-        _nested("L_ddot", (6,), "m/s^2", "second rates, (8)"),
+        _nested("L", (6,), "m", "leg lengths, (2)"),
+        _nested("L_dot", (6,), "m/s", "length rates, (5)"),
+        _nested("L_ddot", (6,), "m/s^2", "second derivatives of the lengths, (8)"),
         _nested("s", (6, 3), "1", "unit vectors along the legs, base frame, (3)"),
         _nested("S", (6, 3), "m", "leg vectors, base frame, (1)"),
     ),
@@ -250,8 +264,8 @@ def _struct(struct: str, name: str = "out") -> Argument:
     return Argument(name, struct, gives=STRUCTS[struct], written=True)
 
 
-_BEARING = "from each base point along its leg to where M_p is taken; or null"
-_AXIAL = "forces that pass through the screws; may be null where F has no part of rotors: F"
+_BEARING = "distance along each leg from its base point to the reference point of M_p; may be null"
+_AXIAL = "axial forces in the screws; may be null if F does not include rotors"
 _CURRENT = "torque / torque_constant, 0 without one; may be null"
 _MOTION = Argument("motion", "motion")
 _GIVEN_F = Argument("F", takes=(_F,))
@@ -295,8 +309,8 @@ CALLS: dict[str, Call] = {
         True,
     ),
     "joint_reactions": Call(
-        "Reactions in every joint; `bearing` may be null: M_p at the base points. `forces` takes the inverse "
-        "dynamics of the same motion.",
+        "Reactions in every joint. `bearing` may be null; then M_p is taken at the base points. `forces` "
+        "receives the inverse dynamics of the same motion.",
         (
             _MOTION,
             _in("bearing", 6, "m", _BEARING, shared=True),
@@ -321,7 +335,7 @@ CALLS: dict[str, Call] = {
         True,
     ),
     "joint_inertia": Call(
-        "Inertia that the actuators feel, H^-1 M H^-T.",
+        "Inertia seen by the actuators, H^-1 M H^-T.",
         (_MOTION, _out(_flat("inertia", (6, 6), "kg", "row-major"))),
         True,
     ),
@@ -336,18 +350,19 @@ CALLS: dict[str, Call] = {
         True,
     ),
     "inverse_kinematics": Call(
-        "Lengths of the legs and their rates, (2) and (5).",
+        "Leg lengths and length rates, (2) and (5).",
         (
             _MOTION,
             _out(_flat("L", (6,), "m", "lengths of the legs")),
-            _out(_flat("L_dot", (6,), "m/s", "their rates; may be null")),
+            _out(_flat("L_dot", (6,), "m/s", "length rates; may be null")),
         ),
     ),
     "forward_kinematics": Call(
-        "A pose that has given lengths of the legs, searched from a guess in `pose`: the nearest of those "
-        "found by up to STEWART_MAX_SEARCHES searches. From a guess farther than 0.05 (m and rad) another "
-        "may be nearer: compare it with the guess. STEWART_NOT_CONVERGED: not found in STEWART_MAX_STEPS "
-        "steps of each. STEWART_SINGULAR: the lengths are met, but do not settle the pose.",
+        "Pose with the given leg lengths, searched from the guess in `pose`. Of the poses found by up to "
+        "STEWART_MAX_SEARCHES searches, the pose nearest to the guess is returned. If the guess may be "
+        "farther away than 0.05 (m and rad), compare the pose with the guess. STEWART_NOT_CONVERGED: no "
+        "search found a pose in STEWART_MAX_STEPS steps. STEWART_SINGULAR: the lengths do not determine the "
+        "pose.",
         (_in("L", 6, "m", "lengths of the legs"), _SEARCHED),
     ),
     "forward_velocity": Call(
@@ -360,8 +375,9 @@ CALLS: dict[str, Call] = {
         ),
     ),
     "axial_forces": Call(
-        "Forces between the parts of legs with rotors, F less what turns these, m_r L_ddot + j_r A.s (of the "
-        "fidelities `reflected` m_r L_ddot), and rates of the lengths, (5): what `motor_torques` takes.",
+        "Axial forces between the parts of legs with rotors, and length rates, (5). Both are inputs of "
+        "`motor_torques`. The axial force is F minus m_r L_ddot + j_r A.s, the force that accelerates the "
+        "rotor (m_r L_ddot at the fidelity levels `reflected`).",
         (
             _MOTION,
             _GIVEN_F,

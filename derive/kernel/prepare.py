@@ -8,6 +8,7 @@ platforms of about a meter it is 1, and no solve multiplies by it.
 
 import math
 from collections.abc import Iterable
+from typing import Any
 
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
@@ -25,20 +26,61 @@ ABOUT_REFERENCE = SMALLEST / 2, LARGEST
 PER_LENGTH = t.Field(
     "per_length",
     t.Real(),
-    f"1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of "
-    f"{SMALLEST:g} to {LARGEST:g} m. Otherwise one over the least power of two that no arm exceeds.",
+    f"1/m: factor of the moment rows of H and c in the linear solver. It is 1 if the largest coordinate of "
+    f"the arms p_i - p_1 is {SMALLEST:g} m to {LARGEST:g} m. Otherwise it is the reciprocal of the smallest "
+    "power of two that is not below this coordinate, and each pose requires 18 to 21 more multiplications.",
 )
 ARM_CUBE = t.Field(
-    "arm_cube", t.Real(), "cube of the largest arm over that length: what determinants of moments are beside"
+    "arm_cube",
+    t.Real(),
+    "1: (largest coordinate of p_i - p_1, times per_length)^3, the scale of determinants of moments",
 )
 ROBOT = t.Structure(
     "stewart_robot",
     "",
     (t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))), *map(lay.stored, n.PLATFORM)),
 )
+_LEG_SAYS = (
+    "One leg. The origin of frame D is the base point, and the origin of frame U the platform point. In both "
+    "frames x is along the leg and y along the moving axis of the universal joint. Inertias have the order "
+    "xx xy xz yy yz zz."
+)
 LEG = t.Structure("stewart_leg", "", tuple(map(lay.stored, n.OF_LEG)))
 MOTION = t.Structure("stewart_motion", "", tuple(map(lay.stored, n.MOTION)))
-LUMPED = t.Structure("lumped_terms", "What a leg adds to the platform.", tuple(map(lay.stored, ADDED)))
+LUMPED = t.Structure(
+    "lumped_terms", "Contributions of a leg to the constants of the platform.", tuple(map(lay.stored, ADDED))
+)
+
+
+def model_says(members: Iterable[t.Field], more: str = "") -> str:
+    """Describe the structure of a prepared model: ``more``, frames, and storage order."""
+    said = " ".join(each.meaning for each in members)
+    frame = " The leg frame has x along the leg and y along the moving axis of the universal joint."
+    order = " Inertias have the order xx xy xz yy yz zz."
+    return (
+        f"Prepared constants of a robot.{more}{frame if 'leg frame' in said else ''}"
+        f"{order if 'J_' in said or 'inertia' in said else ''}"
+    )
+
+
+def prepared_words(kernel: ForceKernel) -> dict[str, Any]:
+    """Return the words of the description of ``prepare``, which depend on the use of the fixed axis."""
+    if not list(axis(kernel.prepare_leg)):
+        return {"any_axis": "", "zero_axis": ""}
+    return {
+        "any_axis": " The vectors k may have any length except zero.",
+        "zero_axis": ", or a vector k is zero",
+    }
+
+
+def motion_words(kernel: ForceKernel) -> dict[str, Any]:
+    """Return the words of the descriptions of the forces: members of the motion, and a status."""
+    read = [q.name for q in kernel.used_motion()]
+    return {
+        "motion_read": f"{', '.join(read[:-1])}, and {read[-1]}",
+        "motion_needed": ", ".join(q.name for q in kernel.used_motion() if q not in (n.F_ext, n.M_ext)),
+        "joint_singular": "STEWART_JOINT_SINGULAR, " if n.k3 in kernel.leg.made else "",
+    }
 
 
 def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
@@ -47,9 +89,11 @@ def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
     if not more:
         return ROBOT, LEG
     name = f"stewart_{kernel.fidelity}"
-    leg = lay.structure(f"{name}_leg", "One leg.", (*n.OF_LEG, *more))
+    leg = lay.structure(f"{name}_leg", _LEG_SAYS, (*n.OF_LEG, *more))
     legs = t.Field("leg", t.Array(t.Record(leg.name), (6,)))
-    robot = t.Structure(f"{name}_robot", "The machine.", (legs, *map(lay.described, n.PLATFORM)))
+    robot = t.Structure(
+        f"{name}_robot", "Robot: legs, platform, and gravity.", (legs, *map(lay.described, n.PLATFORM))
+    )
     return robot, leg
 
 
@@ -149,12 +193,14 @@ def literal(quantity: Quantity) -> str:
 
 
 def literals(kernel: ForceKernel) -> str:
-    """These constants as macros."""
+    """Print these constants as macros."""
     made = [
         f"#define {literal(q)} REAL({value!r}) /* {lay.unit_and_meaning(q)} */"
         for q, value in kernel.literals().items()
     ]
-    return "\n".join(["/* Constants of the platform, and those that all legs share. */", *made, ""])
+    return "\n".join(
+        ["/* Constants of the platform, and constants that are equal for all legs. */", *made, ""]
+    )
 
 
 # ---------------------------------------------------------------- as trees of other languages than C

@@ -19,21 +19,28 @@ h = Quantity("h", (3,), "kg m", "first moment of the upper part about the platfo
 h2_x = Quantity("h2_x", (), "kg m", "2 h_x")
 h2_y = Quantity("h2_y", (), "kg m", "2 h_y")
 h2_z = Quantity("h2_z", (), "kg m", "2 h_z")
-w = Quantity(
-    "w", (3,), "kg m", "first moments of both parts, about the base and the platform point, leg frame"
+w = Quantity("w", (3,), "kg m", "sum m_d r_d0 + m_u r_u0 of the first moments of both parts, leg frame")
+J = Quantity(
+    "J",
+    (3, 3),
+    "kg m^2",
+    "sum of the inertias of the lower part about the base point and the upper part about the platform point, "
+    "leg frame",
+    True,
 )
-J = Quantity("J", (3, 3), "kg m^2", "inertias of the parts about base and platform point, leg frame", True)
 J2_xz = Quantity("J2_xz", (), "kg m^2", "2 J_xz")
 dJ_zx = Quantity("dJ_zx", (), "kg m^2", "J_zz - J_xx")
-g_k = Quantity("g_k", (), "m/s^2", "gravity along the fixed axis")
+g_k = Quantity("g_k", (), "m/s^2", "component of g along the fixed axis k")
 g_x_k = Quantity("g_x_k", (3,), "m/s^2", "g x k, base frame")
 C_us = Quantity("C_us", (), "N m s", "C_u + C_s")
-m_L2 = Quantity("m_L2", (), "kg", "m_u, which (16) counts twice")
+m_L2 = Quantity("m_L2", (), "kg", "m_u, counted twice in (16)")
 h_s = Quantity("h_s", (), "kg m", "first moment of the upper part about the platform point, along the leg")
-w_s = Quantity("w_s", (), "kg m", "first moments of both parts, along the leg")
+w_s = Quantity("w_s", (), "kg m", "component of w along the leg")
 J_s = Quantity("J_s", (), "kg m^2", "inertia of both parts about the axis of the leg")
-J_t = Quantity("J_t", (), "kg m^2", "inertias about base and platform point across the leg, mean of two axes")
-J_m = Quantity("J_m", (), "kg m^2", "inertias about base and platform point of the parts as point masses")
+J_t = Quantity("J_t", (), "kg m^2", "transverse inertia (J_yy + J_zz) / 2 of both parts")
+J_m = Quantity(
+    "J_m", (), "kg m^2", "inertia m_d r_d0_x^2 + m_u r_u0_x^2 of both parts as points on the axis of the leg"
+)
 J_ts = Quantity("J_ts", (), "kg m^2", "J_t - J_s")
 LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, h_s, w_s, J_s, J_t, J_m, J_ts)
 
@@ -45,25 +52,37 @@ COMBINED: dict[Quantity, sp.Expr] = {
 """Constants that are combinations of h and J."""
 
 # Contributions of one leg to the constants of the platform.
-M_add = Quantity("M_add", (), "kg", "mass that is lumped with the platform")
-h_add = Quantity("h_add", (3,), "kg m", "first moment of this mass about platform point 1, platform frame")
+M_add = Quantity("M_add", (), "kg", "mass of the leg that is added to the platform")
+h_add = Quantity(
+    "h_add", (3,), "kg m", "first moment of the mass M_add about platform point 1, platform frame"
+)
 J_add = Quantity(
-    "J_add", (3, 3), "kg m^2", "inertia of this mass about platform point 1, platform frame", True
+    "J_add", (3, 3), "kg m^2", "inertia of the mass M_add about platform point 1, platform frame", True
 )
 C_add = Quantity("C_add", (), "N m s", "friction of the leg's spherical joint")
 ADDED = (M_add, h_add, J_add, C_add)
 
 # Prepared constants of the platform.
-M_P = Quantity("M_P", (), "kg", "mass of the platform with the upper parts")
-W_P = Quantity("W_P", (3,), "N", "weight of the platform with the upper parts, base frame")
-h_P = Quantity("h_P", (3,), "kg m", "first moment of this mass about the reference point, platform frame")
-J_P = Quantity(
-    "J_P", (3, 3), "kg m^2", "inertia of this mass about the reference point, platform frame", True
+M_P = Quantity("M_P", (), "kg", "M plus the masses m_u of all legs (massless legs: M)")
+W_P = Quantity(
+    "W_P",
+    (3,),
+    "N",
+    "weight of the platform with the upper parts of the legs (massless legs: M g), base frame",
 )
-r_C = Quantity("r_C", (3,), "m", "center of mass of the platform with the upper parts, platform frame")
-J_C = Quantity("J_C", (3, 3), "kg m^2", "inertia of this mass about r_C, platform frame", True)
+h_P = Quantity("h_P", (3,), "kg m", "first moment of the mass M_P about the reference point, platform frame")
+J_P = Quantity(
+    "J_P", (3, 3), "kg m^2", "inertia of the mass M_P about the reference point, platform frame", True
+)
+r_C = Quantity(
+    "r_C",
+    (3,),
+    "m",
+    "center of mass of M_P, with the masses m_u at the platform points (massless legs: R_0), platform frame",
+)
+J_C = Quantity("J_C", (3, 3), "kg m^2", "inertia of the mass M_P about r_C, platform frame", True)
 dJ_C = Quantity("dJ_C", (3,), "kg m^2", "J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx")
-C_P = Quantity("C_P", (), "N m s", "friction of all spherical joints")
+C_P = Quantity("C_P", (), "N m s", "sum of C_s of all legs")
 
 # Terms of the pose that the legs read.
 B = Quantity("B", (3, 3), "1/s^2", "[alpha]x + [omega]x [omega]x: S_ddot = B q + a")
@@ -153,7 +172,7 @@ def prepare_leg(needed: Iterable[Quantity], lumped: Lumped) -> Block:
     ]
     return build.block(
         "prepare_leg",
-        "constants of one leg, and what it adds to the platform",
+        "constants of one leg, and its contributions to the constants of the platform",
         (*n.OF_LEG, n.p_1, n.g),
         [*((q, values[q]) for q in needed if q in values), *added],
     )

@@ -35,9 +35,12 @@ C_s = Quantity("C_s", (), "N m s", "viscous friction of the spherical joint")
 LEG = (b, p, k, m_d, r_d0, I_d0, m_u, r_u0, I_u0, C_u, C_p, C_s)
 FRICTION = (C_u, C_p, C_s)
 m_r = Quantity(
-    "m_r", (), "kg", "reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m"
+    "m_r",
+    (),
+    "kg",
+    "reflected mass J_r N^2 of the rotor with inertia J_r (kg m^2) and transmission N (rad/m)",
 )
-j_r = Quantity("j_r", (), "kg m", "angular momentum of the leg's rotor per rate of length, J_r N")
+j_r = Quantity("j_r", (), "kg m", "angular momentum J_r N of the rotor per length rate")
 ROTOR = (m_r, j_r)
 OF_LEG = (*LEG, *ROTOR)
 

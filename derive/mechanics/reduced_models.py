@@ -69,7 +69,7 @@ FIDELITIES = {
         ),
         Fidelity("point_masses", POINT_MASSES, False, True, "parts of the legs as points"),
         Fidelity("massless_friction", MASSLESS, True, True, "legs without mass, with friction"),
-        Fidelity("massless", MASSLESS, False, True, "legs without mass, (41)"),
+        Fidelity("massless", MASSLESS, False, True, "legs without mass, equation (41) of the paper"),
         Fidelity("general_static", GENERAL, False, False, "at rest"),
         Fidelity("slender_static", SLENDER, False, False, "at rest, centers of mass on the legs' axes"),
         Fidelity("massless_static", MASSLESS, False, False, "at rest, legs without mass"),

@@ -1,6 +1,7 @@
-"""Reverse-mode differentiation of a weighted sum of the outputs of a block by each step and input.
+"""Reverse-mode differentiation of a block.
 
-The result is a block that runs after the original one and may read all of its quantities.
+It computes the derivatives of a weighted sum of outputs with respect to all steps and inputs. The result is a
+block that runs after the original one and may read all of its quantities.
 """
 
 from collections.abc import Iterable, Mapping
@@ -18,15 +19,15 @@ _SLOPE = "_bar"
 
 @dataclass(frozen=True)
 class Adjoint:
-    """Derivatives by the steps and inputs of a block.
+    """Derivatives with respect to the steps and inputs of a block.
 
     Attributes
     ----------
     block : Block
         Program that computes the derivatives from all quantities of the original block and the weights.
     slopes : mapping
-        Derivative by each step and requested input, by name: a name of ``block``, possibly negated.
-        Quantities without influence are omitted.
+        Maps the name of each step and requested input to its derivative, a symbol of ``block`` or its
+        negative. Quantities without influence are omitted.
     """
 
     block: Block
@@ -91,7 +92,7 @@ def _entries(build: Builder, quantity: Quantity, weights: Weights) -> list[sp.Ex
 
 
 def _spread(expr: sp.Expr, slope: sp.Expr, terms: dict[str, list[sp.Expr]]) -> None:
-    """Distribute the derivative by a polynomial to its symbols."""
+    """Add the chain-rule terms of a polynomial to the terms of its symbols."""
     for name in sorted(symbol.name for symbol in sp.sympify(expr).free_symbols):
         along = sp.diff(expr, sp.Symbol(name, real=True))
         terms.setdefault(name, []).append(slope * along)
@@ -100,7 +101,7 @@ def _spread(expr: sp.Expr, slope: sp.Expr, terms: dict[str, list[sp.Expr]]) -> N
 def _through(
     step: Step, slope: sp.Expr, roots: Mapping[sp.Expr, sp.Symbol], terms: dict[str, list[sp.Expr]]
 ) -> None:
-    """Distribute the derivative by a step to the symbols of the step."""
+    """Add the chain-rule terms of a step to the terms of its symbols."""
     expr = step.expr
     if _is_reciprocal(expr):
         _spread(expr.base, -slope * step.symbol**2, terms)

@@ -181,7 +181,7 @@ class Block:
         -------
         dict
             Components of each output by name. A component that is a constant is an ``int``, or a ``float`` if
-            it is a multiple of 1/2.
+            it is an odd multiple of 1/2.
         """
         known, (steps, outputs) = dict(values), self._runners
         for name, runner in steps:

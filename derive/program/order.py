@@ -65,5 +65,6 @@ def ready_when(expr: sp.Expr, ready: Ready) -> int:
     if expr.is_Mul:
         return times[-1] + len(times) - 1
     # Powers count from time 0, as if their base were an input. If they counted from their base, terms
-    # with roots would be added later. Measured: shorter chains, more live numbers, batches 1 to 2 % slower.
+    # with roots would be added later. Counting from the base was measured: shorter dependency chains, more
+    # live values, and 1 to 2 % slower batches.
     return times[0] + {sp.Rational(1, 2): ROOT, sp.Integer(-1): QUOTIENT}.get(expr.exp, 1)

@@ -1,15 +1,17 @@
 """Bounds of the rounding error of each step of a block, by running error analysis.
 
 A step x = f(y, z, ...) is evaluated in floating point with inputs y, z, ... that have errors. Let y_err be a
-bound of the error of y, and y_max = |y| + y_err a bound of |y| and of its true value. Then
+bound of the error of y, and y_max = |y| + y_err a bound of the computed and the true |y|. Let u be the unit
+roundoff. Then
 
     x_err = sum over y of |df/dy| y_err + u (sum of the magnitudes of all intermediate results + |x|).
 
-Bounds of |df/dy| and of the intermediate results follow from positive terms with all symbols at y_max. By the
-mean value theorem the first sum bounds the effect of the errors of y, z, ... to all orders. The second sum
-counts each operation once, in the order in which sums are printed and added (Wilkinson; Higham, Accuracy and
-Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, except for underflow.
-The rounding error of x_err itself, a few units u, must be covered by the choice of u.
+To bound |df/dy| and the intermediate results, all terms are made positive, with y_max for each symbol y. By
+the mean value theorem the first sum bounds the effect of the errors of y, z, ... to all orders. The second
+sum counts each operation once, in the order in which sums are printed and added (Wilkinson; Higham, Accuracy
+and Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, except for
+underflow. The value of u must be slightly larger than the unit roundoff, to cover the rounding of x_err
+itself.
 """
 
 from collections.abc import Iterable, Mapping
@@ -72,7 +74,7 @@ class RoundedBlock:
     errors : mapping
         Error of each input and step: a symbol or zero.
     limits : frozenset of str
-        Names of inputs and steps whose largest magnitude some error requires.
+        Names of inputs and steps whose largest magnitude y_max occurs in an error bound.
     ready : mapping
         Times at which the steps are available.
     """
@@ -86,7 +88,7 @@ class RoundedBlock:
     def order_of(self, step: Step) -> Ready:
         """Return the times that order the terms of a step, or NOTHING for components of outputs.
 
-        Components of outputs are computed at the place of storage.
+        Output components are computed where they are stored, after all steps.
         """
         return self.ready if step.name in self.ready else NOTHING
 
@@ -108,7 +110,7 @@ def rounded(block: Block, errors: Mapping[str, sp.Expr], ready: Ready | None = N
     errors : mapping
         Errors of input components by name; omitted components are exact.
     ready : mapping, optional
-        Times at which the steps are available, required if the block consists of several.
+        Times at which the steps are available, required if the block combines several blocks.
     """
     named = _outputs_named(block)
     known = {name: errors.get(name, sp.S.Zero) for quantity in named.inputs for name in quantity.names}
@@ -176,7 +178,7 @@ def _rounded_step(step: Step, errors: Mapping[str, sp.Expr], ready: Ready) -> Ro
 
 
 def _carried(expr: sp.Expr, errors: Mapping[str, sp.Expr]) -> sp.Expr:
-    """Bound the effect of the errors of the symbols by the largest derivative by each."""
+    """Bound the effect of the symbols' errors: the sum of error times largest partial derivative."""
     size = _size(expr)
     shares: dict[sp.Expr, sp.Expr] = {}
     for name in sorted(symbol.name for symbol in expr.free_symbols):
@@ -214,7 +216,8 @@ def _inner_roundings(expr: sp.Expr, ready: Ready) -> tuple[sp.Expr, bool]:
     if expr.is_Add:
         terms = terms_in_order(expr, ready)
         below = sum((_roundings(term, ready) for term in terms), sp.S.Zero)
-        # The first and the second term are in every partial sum, each later term in one fewer.
+        # The first and the second term are in every partial sum, each later term in one fewer
+        # than the term before.
         on_the_way = ((len(terms) - max(i, 2)) * _size(term) for i, term in enumerate(terms, start=1))
         return below + sum(on_the_way, sp.S.Zero), True
     coefficient, rest = expr.as_coeff_Mul()

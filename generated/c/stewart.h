@@ -3,9 +3,9 @@
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * Units: lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
- * unless noted otherwise. Equation numbers refer to Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998)
- * 1135-1152.
+ * Units: lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. The comment of a member begins with
+ * its unit; 1 marks numbers without unit. Vectors are in the base frame unless noted otherwise. Equation numbers refer
+ * to Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998) 1135-1152.
  */
 #ifndef STEWART_H
 #define STEWART_H
@@ -44,6 +44,7 @@ typedef double stewart_real;
 #endif
 
 /* Status codes. If the status of a pose is not STEWART_OK, its outputs are unchanged.
+ * A batch returns the first code other than STEWART_OK, or STEWART_OK.
  *
  * Functions of one pose write their outputs last. An output may overlap the motion and other inputs, but not the robot,
  * the model, or another output. In a batch no output may overlap an input or another output. */
@@ -52,16 +53,16 @@ typedef double stewart_real;
 #define STEWART_ZERO_LENGTH 2 /* a leg has length zero */
 #define STEWART_JOINT_SINGULAR 3 /* a leg lies along the fixed axis of its universal joint */
 #define STEWART_SINGULAR 4 /* H is singular: no leg forces can hold the platform */
-#define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null */
+#define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null, or the function names another invalid argument, such as stride < count */
 #define STEWART_MASS_MATRIX_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
-#define STEWART_NOT_CONVERGED 7 /* no pose with these leg lengths was found */
+#define STEWART_NOT_CONVERGED 7 /* no pose with these leg lengths was found, or R of the guess is not a rotation */
 
-/* Threshold of each status; largest error of STEWART_OK in 10^6 random poses
- * near failure, in rounding units times the condition number of the problem, with the distance from
- * the failure (`stewart-sym stability`):
- * STEWART_ZERO_LENGTH: leg shorter than 16 rounding units of the vectors in its sum; error 7 at 2.2e-01
- * STEWART_JOINT_SINGULAR: sine below 4096 rounding units; error 10 at 5.9e-02
- * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; error 10 at 1.6e-10 */
+/* Thresholds of the statuses. Each error is the largest error of a result with STEWART_OK for
+ * 10^6 random poses near a failure (`stewart-sym stability`). The unit is the
+ * rounding unit times the condition number of the problem. The distance is measured from the failure.
+ * STEWART_ZERO_LENGTH: leg shorter than 16 rounding units of the vectors in its sum; error 7 at the distance 2.2e-01
+ * STEWART_JOINT_SINGULAR: sine between leg and fixed axis below 4096 rounding units; error 10 at the distance 5.9e-02
+ * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; error 10 at the distance 1.6e-10 */
 
 /* One leg. The origin of frame D is the base point, and the origin of frame U the platform point. In both
  * frames x is along the leg and y along the moving axis of the universal joint. */
@@ -78,13 +79,13 @@ typedef struct {
     stewart_real C_u; /* N m s: viscous friction of the universal joint */
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
-#if defined(STEWART_ROTORS) /* required by kernels named `drive`, in every source */
-    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with the transmission ratio N, rad/m */
-    stewart_real j_r; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
+#if defined(STEWART_ROTORS) /* define it in every source if a kernel has `drive` in its name */
+    stewart_real m_r; /* kg: reflected mass J_r N^2 of the rotor with inertia J_r (kg m^2) and transmission N (rad/m) */
+    stewart_real j_r; /* kg m: angular momentum J_r N of the rotor per length rate */
 #endif
 } stewart_leg;
 
-/* Robot. */
+/* Robot: legs, platform, and gravity. */
 typedef struct {
     stewart_leg leg[6];
     stewart_real M; /* kg: mass of the platform with its payload */
@@ -95,8 +96,8 @@ typedef struct {
 
 /* Limits of the robot file, which the functions do not check. Without a limit: 0 or the largest number. */
 typedef struct {
-    stewart_real shortest[6]; /* m: shortest leg */
-    stewart_real longest[6]; /* m: longest leg */
+    stewart_real shortest[6]; /* m: smallest leg length */
+    stewart_real longest[6]; /* m: largest leg length */
     stewart_real force[6]; /* N: largest magnitude of the actuator force */
     stewart_real speed[6]; /* m/s: largest magnitude of the sliding velocity */
 } stewart_limits;
@@ -131,8 +132,8 @@ typedef struct {
     stewart_real D[6]; /* N: known part of the actuator forces, (24) */
     stewart_real x[6]; /* N: axial forces on the legs at their spherical joints, (22) */
     stewart_real K[6][3]; /* N: transverse forces on the legs at their spherical joints, base frame, (21) */
-    stewart_real H[6][6]; /* 1 and m: row-major: H x = c, (36); F acts on the platform by H F, x by -H x */
-    stewart_real c[6]; /* N and N m: wrench that x must balance, base frame, (36) */
+    stewart_real H[6][6]; /* 1 and m: columns [s; q x s], row-major, H x = c, (36); wrenches on the platform: H F and -H x */
+    stewart_real c[6]; /* N and N m: wrench that x must balance, base frame, about the reference point, (36) */
 } stewart_forces;
 
 /* Inverse dynamics of `count` poses. A pointer may be null if its output is not needed. */

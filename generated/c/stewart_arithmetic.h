@@ -78,9 +78,9 @@
 #endif
 
 /* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
- * is a few epsilon, so if n of them are small, the smallest is at most of the order of the n-th root of
- * epsilon. For singular robots that are also nearly singular in other ways, the largest value found was
- * 5e-7, in float 2.5e-3. */
+ * is a few epsilon. If n pivots are small, the smallest is at most of the order of the n-th root of epsilon.
+ * For singular robots that are also nearly singular in other ways, the largest value found was 5e-7, in
+ * float 2.5e-3. */
 #if !defined(STEWART_SUSPECT)
 #if defined(STEWART_FLOAT)
 #define STEWART_SUSPECT REAL(0.0078125)

@@ -1,4 +1,4 @@
-/* stewart_exact_bounds.c: see stewart_exact_bounds.h.
+/* stewart_exact_bounds.c: functions that are declared and described in stewart_exact_bounds.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -25,7 +25,7 @@
 #define STEWART_UNIT (STEWART_EPSILON * (stewart_real)0.5078125)
 #define STEWART_SLACK ((stewart_real)1.015625)
 
-/* What a leg adds to the platform, and the sum of it. */
+/* Contributions of a leg to the constants of the platform, and their sums. */
 typedef struct {
     stewart_real M_add;
     stewart_real M_add_err;
@@ -37,7 +37,7 @@ typedef struct {
     stewart_real C_add_err;
 } added_terms;
 
-/* What a pose has for all legs. */
+/* Terms of a pose that are common to all legs. */
 typedef struct {
     stewart_real B[9];
     stewart_real B_err[9];
@@ -51,7 +51,7 @@ typedef struct {
     stewart_real q_1_err[3];
 } shared_terms;
 
-/* What a leg gives to the platform's equations; k3: sine of its angle to the fixed axis. */
+/* Terms of a leg in the platform's equations. k3: sine between leg and fixed axis. */
 typedef struct {
     stewart_real D;
     stewart_real L;
@@ -70,8 +70,8 @@ typedef struct {
     stewart_real arm_c_err[3];
 } leg_terms;
 
-/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round
- * away; near, close: whether a leg is near its joint singularity, or short. */
+/* The platform's equations H x = c with moments about platform point 1. c_own: rounding errors of the
+ * sums in c; near, close: 1 if a leg is near its joint singularity, or short. */
 typedef struct {
     stewart_real H[6][6];
     stewart_real H_err[6][6];
@@ -85,8 +85,8 @@ typedef struct {
     int close;
 } platform_equations;
 
-/* How each force, in a lane, hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H
- * x); Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform point 1. */
+/* Weights of D, c, and the column of H of one leg in each force, with the forces in lanes: D_weight D -
+ * Y (c - H x). Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform point 1. */
 typedef struct {
     stewart_real Y_force[3][LANES];
     stewart_real Y_moment[3][LANES];
@@ -95,8 +95,7 @@ typedef struct {
     stewart_real x[LANES];
 } force_rows;
 
-/* Slope of each force, in a lane, along what the pose has for all legs, as far as it goes through the
- * legs. */
+/* Derivatives of the forces, in lanes, by the terms common to all legs, through the legs. */
 typedef struct {
     stewart_real R_legs[9][LANES];
     stewart_real R_legs_err[9][LANES];
@@ -177,7 +176,7 @@ static stewart_real rotation_error(const stewart_real R[9], stewart_real stretch
     return worst <= REAL(0.0078125) ? STEWART_HALF*STEWART_SLACK*worst : STEWART_INFINITY;
 }
 
-/* Constants of one leg, and what it adds to the platform. */
+/* Computes the constants of one leg, and its contributions to the constants of the platform. */
 static void prepare_leg(
     const stewart_robot *robot, const stewart_leg *leg, stewart_exact_bounds_leg *out, added_terms *added)
 {
@@ -338,7 +337,7 @@ static void prepare_leg(
     /* J_zz - J_xx */
     const stewart_real dJ_zx = J_zz - J_xx;
     const stewart_real dJ_zx_err = J_xx_err + J_zz_err + STEWART_UNIT*STEWART_FABS(dJ_zx);
-    /* gravity along the fixed axis */
+    /* component of g along the fixed axis k */
     const stewart_real g_k = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
     const stewart_real g_k_err = g_x_max*k_unit_x_err + g_y_max*k_unit_y_err + g_z_max*k_unit_z_err + STEWART_UNIT*(g_z_max*k_unit_z_max
         + REAL(2)*g_x_max*k_unit_x_max + REAL(2)*g_y_max*k_unit_y_max + STEWART_FABS(g_k));
@@ -355,10 +354,10 @@ static void prepare_leg(
     /* C_u + C_s */
     const stewart_real C_us = C_s + C_u;
     const stewart_real C_us_err = STEWART_UNIT*STEWART_FABS(C_us);
-    /* first moment of this mass about platform point 1, platform frame */
+    /* first moment of the mass M_add about platform point 1, platform frame */
     const stewart_real h_add_z = arm_z*m_u;
     const stewart_real h_add_z_err = arm_z_err*m_u_max + STEWART_UNIT*STEWART_FABS(h_add_z);
-    /* inertia of this mass about platform point 1, platform frame */
+    /* inertia of the mass M_add about platform point 1, platform frame */
     const stewart_real J_add_xx = m_u*(c13 + c14);
     const stewart_real J_add_xx_err = c13_err*m_u_max + c14_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max + c14_max)
         + STEWART_FABS(J_add_xx));
@@ -456,7 +455,7 @@ static void prepare_leg(
     added->C_add_err = REAL(0);
 }
 
-/* Constants of the platform. */
+/* Computes the constants of the platform. */
 static void prepare_platform(
     const stewart_robot *robot, const added_terms *added, stewart_exact_bounds_platform *out)
 {
@@ -645,7 +644,7 @@ static void prepare_platform(
     out->p_1[2] = p_1_z;
 }
 
-/* Largest coordinate of the arms of moments about platform point 1, m. */
+/* Returns the largest coordinate (m) of the arms of moments about platform point 1. */
 static stewart_real size_of(const stewart_exact_bounds_model *model)
 {
     int i, j;
@@ -5101,7 +5100,7 @@ static int forces_of_pose(
     return STEWART_OK;
 }
 
-/* One pose of a batch; zeros for what may be null and is. */
+/* Returns one pose of a batch, with zeros for optional arrays that are null. */
 static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real zeros[3])
 {
     stewart_motions at;
@@ -5116,7 +5115,7 @@ static stewart_motions pose_at(const stewart_motions *motions, size_t pose, cons
     return at;
 }
 
-/* A pose that is one of many. */
+/* Returns a motion as a batch of one pose. */
 static stewart_motions motion_as_arrays(const stewart_motion *motion)
 {
     stewart_motions at;

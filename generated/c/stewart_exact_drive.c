@@ -1,4 +1,4 @@
-/* stewart_exact_drive.c: see stewart_exact_drive.h.
+/* stewart_exact_drive.c: functions that are declared and described in stewart_exact_drive.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -477,7 +477,7 @@ static void leg_reactions(
     out->M_u = -C_x*inv_k3;
 }
 
-/* Inverse dynamics of one pose, (1)-(37). */
+/* Computes the inverse dynamics of one pose, (1)-(37). */
 static int pose_forces(const stewart_robot *robot, const stewart_motions *at, stewart_forces *out)
 {
     int i, j;
@@ -548,7 +548,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     return is_finite(out->F, 6) != 0 ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
-/* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a status. */
+/* Computes the joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a
+ * status. */
 static int pose_reactions(
     const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing,
     const stewart_real x[6], stewart_reactions *out)

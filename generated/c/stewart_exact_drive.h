@@ -4,8 +4,8 @@
  * SPDX-License-Identifier: 0BSD
  *
  * Formulation `exact`: corrected equations.
- * Base joint: universal, fixed axis k.
- * Each leg has a rotor that turns in proportion to its length: STEWART_ROTORS.
+ * Base joint: universal, with the fixed axis k.
+ * Rotors: each leg has a rotor that turns in proportion to its length. Define STEWART_ROTORS in every source.
  *
  * Inputs from each leg: b[3] m, p[3] m, k[3] 1, m_d kg, r_d0[3] m, I_d0[6] kg m^2, m_u kg, r_u0[3] m,
  *     I_u0[6] kg m^2, C_u N m s, C_p N s/m, C_s N m s, m_r kg, j_r kg m.
@@ -15,15 +15,18 @@
  * Outputs in forces: F[6] N, D[6] N, x[6] N, K[6][3] N, H[6][6] 1 and m, c[6] N and N m.
  * Outputs in reactions: F_s[6][3] N, F_u[6][3] N, F_p[6][3] N, F_c[6][3] N, M_p[6][3] N m,
  *     M_u[6] N m.
- * Meanings, frames, and storage order: see stewart.h.
+ * Meanings, frames, storage order, equation numbers, and status codes: see stewart.h.
  *
- * Operations of the inverse dynamics of one pose: six legs and linear solver, without checks
- * leg      425 (235 mul, 186 add, 2 div, 2 sqrt)
- * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)
- * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)
- * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    3008 (1639 mul, 1339 add, 18 div, 12 sqrt)
+ * Operations of the inverse dynamics of one pose, without the checks for the status:
+ * 6 x leg   425 (235 mul, 186 add, 2 div, 2 sqrt)
+ * platform  219 (123 mul, 96 add, 0 div, 0 sqrt)
+ * sum of c  36 (0 mul, 36 add, 0 div, 0 sqrt)
+ * solve     197 (106 mul, 85 add, 6 div, 0 sqrt)
+ * forces    6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total     3008 (1639 mul, 1339 add, 18 div, 12 sqrt)
+ * leg: one leg. platform: terms that are common to all legs, and the platform's part of c.
+ * sum of c: sum of the parts of c. solve: H x = c, (36). forces: F = D - x, (37).
+ * add: additions and subtractions. Negations, copies, and comparisons are not counted.
  */
 #ifndef STEWART_EXACT_DRIVE_H
 #define STEWART_EXACT_DRIVE_H
@@ -37,23 +40,28 @@
 extern "C" {
 #endif
 
-/* Actuator forces of one pose. Returns a status. */
+/* Computes the actuator forces of one pose and the terms D, x, K, H, and c. Returns a status, and writes
+ * `forces` only if it is STEWART_OK. Other statuses: STEWART_NOT_FINITE, STEWART_ZERO_LENGTH,
+ * STEWART_JOINT_SINGULAR, STEWART_SINGULAR, and STEWART_BAD_ARGUMENT if a pointer is null. */
 STEWART_NODISCARD int stewart_exact_drive_inverse_dynamics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces);
 
-/* Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base
- * point to where M_p is taken, m; null: at the base point. Returns a status. */
+/* Computes the inverse dynamics and the joint reactions of one pose. `bearing` (m): distance along each
+ * leg from its base point to the reference point of M_p; null: 0. Returns a status as above, and writes
+ * `forces` and `reactions` only if it is STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_drive_joint_reactions(
     const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
     stewart_forces *forces, stewart_reactions *reactions);
 
-/* The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first
- * code other than STEWART_OK, or STEWART_OK. */
+/* Computes the inverse dynamics of `count` poses. `status` receives the code of each pose and may be
+ * null. Returns the first code other than STEWART_OK, or STEWART_OK. STEWART_BAD_ARGUMENT: another
+ * pointer, or an array of the motions except F_ext and M_ext, is null; then nothing is written. */
 STEWART_NODISCARD int stewart_exact_drive_inverse_dynamics_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions,
     const stewart_forces_arrays *forces, int *status);
 
-/* Joint reactions of `count` poses, as above. */
+/* Computes the joint reactions of `count` poses. `bearing` is valid for all poses and may be null.
+ * `status` and the returned code are as above. */
 STEWART_NODISCARD int stewart_exact_drive_joint_reactions_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
     const stewart_reactions_arrays *reactions, int *status);

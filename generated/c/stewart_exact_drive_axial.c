@@ -1,4 +1,4 @@
-/* stewart_exact_drive_axial.c: see stewart_exact_drive_axial.h.
+/* stewart_exact_drive_axial.c: functions that are declared and described in stewart_exact_drive_axial.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -118,7 +118,7 @@ static rotor_terms axial_terms(const stewart_leg *leg, const stewart_motion *mot
     return out;
 }
 
-/* The largest of ``least`` and the sizes of a vector's components. */
+/* Returns the largest of ``least`` and the magnitudes of a vector's components. */
 static stewart_real largest_component(const stewart_real vector[3], stewart_real least)
 {
     int j;
@@ -129,13 +129,13 @@ static stewart_real largest_component(const stewart_real vector[3], stewart_real
     return most;
 }
 
-/* Size of the vectors q, t and b that a leg is the sum of, m. */
+/* Returns the largest component (m) of the vectors q, t, and b, whose sum is a leg. */
 static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], const stewart_real q[3])
 {
     return largest_component(b, largest_component(t, largest_component(q, REAL(0))));
 }
 
-/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+/* Returns the status of a leg: not finite, short compared with the vectors in its sum, along k, or OK. */
 static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
     if (!(L <= STEWART_MAX)) {

@@ -1,4 +1,4 @@
-/* stewart_exact_drive_motion.c: see stewart_exact_drive_motion.h.
+/* stewart_exact_drive_motion.c: functions that are declared and described in stewart_exact_drive_motion.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -92,7 +92,7 @@ typedef struct {
     int status; /* 0, or what is wrong */
 } slopes_found;
 
-/* The numbers of a pose in an array of all poses, if there is one. */
+/* Copies the numbers of a pose to the array of all poses unless it is null. */
 static void copy(stewart_real *to, size_t pose, const stewart_real *values, size_t count)
 {
     size_t i;
@@ -103,7 +103,7 @@ static void copy(stewart_real *to, size_t pose, const stewart_real *values, size
     }
 }
 
-/* One pose of a batch, number by number; zeros for what may be null and is. */
+/* Copies one pose of a batch, with zeros for optional arrays that are null. */
 static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
 {
     int i;
@@ -142,7 +142,7 @@ typedef struct {
     stewart_real M_ext[3][LANES];
 } STEWART_ALIGNED motion_in_lanes;
 
-/* What is wrong with the first leg that is not fit. */
+/* Returns the status of the first leg that is not OK, or OK. */
 static int legs_status(const leg_checks *checked)
 {
     int i;
@@ -154,7 +154,7 @@ static int legs_status(const leg_checks *checked)
     return STEWART_OK;
 }
 
-/* Whether a leg is so near its joint singularity that the shorter formulas lose digits. */
+/* Returns 1 if a leg is so near its joint singularity that the shorter formulas lose digits. */
 static int is_near(const leg_checks *checked)
 {
     int i;
@@ -191,7 +191,7 @@ typedef struct {
     int status;
 } STEWART_ALIGNED forward_legs;
 
-/* The platform's part, of one pose or of eight. */
+/* Computes the terms of the platform, for one pose or eight. */
 static STEWART_INLINE void forward_of_pose(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     int lanes, forward_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
@@ -298,7 +298,7 @@ static STEWART_INLINE void forward_of_pose(
     }
 }
 
-/* The legs of a pose side by side, or one leg of eight poses. */
+/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
 STEWART_APART static void forward_of_leg(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const forward_pose *STEWART_RESTRICT pose, forward_legs *STEWART_RESTRICT out)
@@ -559,7 +559,7 @@ STEWART_APART static void forward_of_leg(
     }
 }
 
-/* Platform and legs together; ``status``: of the legs. */
+/* Computes the sums over platform and legs; ``status`` is the status of the legs. */
 static void forward_sums(
     const stewart_exact_drive_model *model, const stewart_motion *motion, forward_legs *legs,
     stewart_real summed[27])
@@ -798,7 +798,7 @@ typedef struct {
     int status;
 } STEWART_ALIGNED joint_rows_legs;
 
-/* The platform's part, of one pose or of eight. */
+/* Computes the terms of the platform, for one pose or eight. */
 static STEWART_INLINE void joint_rows_of_pose(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     int lanes, joint_rows_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
@@ -917,7 +917,7 @@ static STEWART_INLINE void joint_rows_of_pose(
     }
 }
 
-/* The legs of a pose side by side, or one leg of eight poses. */
+/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
 STEWART_APART static void joint_rows_of_leg(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const joint_rows_pose *STEWART_RESTRICT pose, joint_rows_legs *STEWART_RESTRICT out)
@@ -1168,7 +1168,7 @@ STEWART_APART static void joint_rows_of_leg(
     }
 }
 
-/* Platform and legs together; ``status``: of the legs. */
+/* Computes the sums over platform and legs; ``status`` is the status of the legs. */
 static void joint_rows_sums(
     const stewart_exact_drive_model *model, const stewart_motion *motion, joint_rows_legs *legs,
     stewart_real summed[27])
@@ -1515,7 +1515,7 @@ static void row_right(
     }
 }
 
-/* Back substitution; inverse: of the pivots. */
+/* Substitutes back; ``inverse`` contains the reciprocals of the pivots. */
 static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
 {
     int i, j, k;
@@ -1534,9 +1534,10 @@ static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored.
+/* Subtracts multiples of row k from the rows below, so that their column k, which is not stored, is
+ * zero.
  *
- * ``row``: a copy, which no compiler takes for one of those that change. */
+ * ``row`` is a copy, because compilers then know that it differs from the rows that change. */
 static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
 {
     int i, j;
@@ -1552,9 +1553,9 @@ static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
     }
 }
 
-/* Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+/* Solves the rows [M | Y] for X, which replaces Y, by L D L^T.
  *
- * MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number. */
+ * Returns MASS_MATRIX_INDEFINITE if a pivot is at most ``kept`` times its diagonal entry. */
 static int solve_definite_8(stewart_real A[48], stewart_real kept)
 {
     int k;
@@ -1759,7 +1760,7 @@ typedef struct {
     int status;
 } STEWART_ALIGNED equations_legs;
 
-/* The platform's part, of one pose or of eight. */
+/* Computes the terms of the platform, for one pose or eight. */
 static STEWART_INLINE void equations_of_pose(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     int lanes, const equations_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
@@ -1879,7 +1880,7 @@ static STEWART_INLINE void equations_of_pose(
     }
 }
 
-/* The legs of a pose side by side, or one leg of eight poses. */
+/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
 STEWART_APART static void equations_of_leg(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
@@ -2260,7 +2261,7 @@ STEWART_APART static void equations_of_leg(
     }
 }
 
-/* The legs of a pose side by side, or one leg of eight poses. */
+/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
 STEWART_APART static void equations_of_near(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
@@ -2650,7 +2651,7 @@ STEWART_APART static void equations_of_near(
     }
 }
 
-/* Platform and legs together; ``status``: of the legs. */
+/* Computes the sums over platform and legs; ``status`` is the status of the legs. */
 static void equations_sums(
     const stewart_exact_drive_model *model, const stewart_motion *motion, equations_legs *legs,
     stewart_real summed[69])
@@ -2733,7 +2734,7 @@ static void scale_moments_12(stewart_real per_length, stewart_real A[72])
     }
 }
 
-/* Back substitution; inverse: of the pivots. */
+/* Substitutes back; ``inverse`` contains the reciprocals of the pivots. */
 static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6])
 {
     int i, j, k;
@@ -2752,9 +2753,10 @@ static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6]
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored.
+/* Subtracts multiples of row k from the rows below, so that their column k, which is not stored, is
+ * zero.
  *
- * ``row``: a copy, which no compiler takes for one of those that change. */
+ * ``row`` is a copy, because compilers then know that it differs from the rows that change. */
 static void clear_below_12(stewart_real A[72], int k, stewart_real inverse)
 {
     int i, j;
@@ -2770,8 +2772,8 @@ static void clear_below_12(stewart_real A[72], int k, stewart_real inverse)
     }
 }
 
-/* Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
- * where a pivot is small. */
+/* Solves the rows [H | Y] for X, which replaces Y, by elimination with partial pivoting. Returns 1 if a
+ * pivot is small. */
 static int solve_pivoted_12(stewart_real A[72])
 {
     int i, j, k;
@@ -2935,7 +2937,7 @@ typedef struct {
     int status;
 } STEWART_ALIGNED derivatives_legs;
 
-/* The platform's part, of one pose or of eight. */
+/* Computes the terms of the platform, for one pose or eight. */
 static STEWART_INLINE void derivatives_of_pose(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     int lanes, derivatives_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
@@ -3173,7 +3175,7 @@ static STEWART_INLINE void derivatives_of_pose(
     }
 }
 
-/* The legs of a pose side by side, or one leg of eight poses. */
+/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
 STEWART_APART static void derivatives_of_leg(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
@@ -3872,7 +3874,7 @@ STEWART_APART static void derivatives_of_leg(
     }
 }
 
-/* The legs of a pose side by side, or one leg of eight poses. */
+/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
 STEWART_APART static void derivatives_of_near(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
@@ -4759,7 +4761,7 @@ STEWART_APART static void derivatives_of_near(
     }
 }
 
-/* Platform and legs together; ``status``: of the legs. */
+/* Computes the sums over platform and legs; ``status`` is the status of the legs. */
 static void derivatives_sums(
     const stewart_exact_drive_model *model, const stewart_motion *motion, derivatives_legs *legs,
     stewart_real summed[93])
@@ -4871,7 +4873,7 @@ static void place_blocks_24(
     }
 }
 
-/* Back substitution; inverse: of the pivots. */
+/* Substitutes back; ``inverse`` contains the reciprocals of the pivots. */
 static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6])
 {
     int i, j, k;
@@ -4890,9 +4892,10 @@ static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored.
+/* Subtracts multiples of row k from the rows below, so that their column k, which is not stored, is
+ * zero.
  *
- * ``row``: a copy, which no compiler takes for one of those that change. */
+ * ``row`` is a copy, because compilers then know that it differs from the rows that change. */
 static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
 {
     int i, j;
@@ -4908,9 +4911,9 @@ static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
     }
 }
 
-/* Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+/* Solves the rows [M | Y] for X, which replaces Y, by L D L^T.
  *
- * MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number. */
+ * Returns MASS_MATRIX_INDEFINITE if a pivot is at most ``kept`` times its diagonal entry. */
 static int solve_definite_24(stewart_real A[144], stewart_real kept)
 {
     int k;
@@ -4973,7 +4976,7 @@ typedef struct {
     int status;
 } STEWART_ALIGNED joint_slopes_legs;
 
-/* The platform's part, of one pose or of eight. */
+/* Computes the terms of the platform, for one pose or eight. */
 static STEWART_INLINE void joint_slopes_of_pose(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     int lanes, joint_slopes_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
@@ -5223,7 +5226,7 @@ static STEWART_INLINE void joint_slopes_of_pose(
     }
 }
 
-/* The legs of a pose side by side, or one leg of eight poses. */
+/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
 STEWART_APART static void joint_slopes_of_leg(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const joint_slopes_pose *STEWART_RESTRICT pose, joint_slopes_legs *STEWART_RESTRICT out)
@@ -6088,7 +6091,7 @@ STEWART_APART static void joint_slopes_of_leg(
     }
 }
 
-/* Platform and legs together; ``status``: of the legs. */
+/* Computes the sums over platform and legs; ``status`` is the status of the legs. */
 static void joint_slopes_sums(
     const stewart_exact_drive_model *model, const stewart_motion *motion, joint_slopes_legs *legs,
     stewart_real summed[93])
@@ -6340,7 +6343,7 @@ typedef struct {
     int status;
 } STEWART_ALIGNED bias_legs;
 
-/* The platform's part, of one pose or of eight. */
+/* Computes the terms of the platform, for one pose or eight. */
 static STEWART_INLINE void bias_of_pose(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     int lanes, bias_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
@@ -6418,7 +6421,7 @@ static STEWART_INLINE void bias_of_pose(
     }
 }
 
-/* The legs of a pose side by side, or one leg of eight poses. */
+/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
 STEWART_APART static void bias_of_leg(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const bias_pose *STEWART_RESTRICT pose, bias_legs *STEWART_RESTRICT out)
@@ -6621,7 +6624,7 @@ STEWART_APART static void bias_of_leg(
     }
 }
 
-/* Platform and legs together; ``status``: of the legs. */
+/* Computes the sums over platform and legs; ``status`` is the status of the legs. */
 static void bias_sums(
     const stewart_exact_drive_model *model, const stewart_motion *motion, bias_legs *legs,
     stewart_real summed[6])

@@ -7,9 +7,10 @@
  *
  * Wrenches [force; moment] and twists [v; omega] are in the base frame at the platform's reference point. M is
  * symmetric and, with physical inertias, positive definite. M_dot - 2 C is skew-symmetric. bias is C [v; omega] + g.
- * Matrices are row-major. A pose changes by [dt; dphi], where R becomes exp([dphi]x) R.
- * Link with stewart_exact_forces.c, whose prepared model is used. Accelerations in the motion are read only
- * by `derivatives`.
+ * Matrices are row-major. A change of the pose by [dt; dphi] (m and rad) changes t to t + dt and R to exp([dphi]x) R.
+ * Link with stewart_exact_forces.c, because the functions use its prepared model. a and alpha of the
+ * motion are read only by `derivatives`.
+ * Units, frames, and status codes: see stewart.h.
  *
  * Operations per pose without linear solver
  * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)
@@ -26,31 +27,32 @@
 extern "C" {
 #endif
 
-/* Terms of the equations of motion; H_dot: derivative of H by time. */
+/* Terms of the equations of motion, base frame, moments about the reference point. */
 typedef struct {
-    stewart_real M[36];
-    stewart_real C[36];
-    stewart_real g[6];
-    stewart_real friction[6];
-    stewart_real bias[6];
-    stewart_real bias_and_friction[6];
-    stewart_real H[36];
-    stewart_real H_dot[36];
+    stewart_real M[36]; /* kg, kg m and kg m^2: mass matrix, row-major */
+    stewart_real C[36]; /* units of M over s: Coriolis and centrifugal matrix, row-major */
+    stewart_real g[6]; /* N and N m: wrench of gravity */
+    stewart_real friction[6]; /* N and N m: wrench of the joint friction */
+    stewart_real bias[6]; /* N and N m: C [v; omega] + g */
+    stewart_real bias_and_friction[6]; /* N and N m: C [v; omega] + g + friction */
+    stewart_real H[36]; /* 1 and m: wrench matrix: H F is the generalized force of F, row-major */
+    stewart_real H_dot[36]; /* 1/s and m/s: time derivative of H, row-major */
 } stewart_equations;
 
-/* Actuator forces of inverse dynamics, and their derivatives by [dt; dphi], [v; omega], and [a; alpha]. */
+/* Actuator forces of inverse dynamics, and their derivatives by pose, twist, and acceleration. */
 typedef struct {
-    stewart_real F[6];
-    stewart_real by_pose[36];
-    stewart_real by_twist[36];
-    stewart_real by_acceleration[36];
+    stewart_real F[6]; /* N: actuator forces */
+    stewart_real by_pose[36]; /* N/m and N/rad: derivatives of F by [dt; dphi], row-major */
+    stewart_real by_twist[36]; /* N s/m and N s/rad: derivatives of F by [v; omega], row-major */
+    stewart_real by_acceleration[36]; /* N s^2/m and N s^2/rad: derivatives of F by [a; alpha], row-major */
 } stewart_derivatives;
 
-/* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about the motion. */
+/* Forward dynamics, and its linearization about the motion: d/dt [dt; dphi; dv; domega] = A [dt; dphi;
+ * dv; domega] + B dF. */
 typedef struct {
-    stewart_real acceleration[6];
-    stewart_real A[144];
-    stewart_real B[72];
+    stewart_real acceleration[6]; /* m/s^2 and rad/s^2: [a; alpha], base frame */
+    stewart_real A[144]; /* mixed: state matrix, 12 by 12, row-major */
+    stewart_real B[72]; /* mixed: input matrix of dF, 12 by 6, row-major */
 } stewart_linearization;
 
 /* Results of `count` poses. A pointer may be null if its output is not needed. */
@@ -78,26 +80,37 @@ typedef struct {
     stewart_real *B; /* [count][72] */
 } stewart_linearization_arrays;
 
-/* Functions for one pose. They return a status; outputs are written only if it is STEWART_OK. */
+/* Functions for one pose. They return a status, and write outputs only if it is STEWART_OK. All of them may return
+ * STEWART_NOT_FINITE, STEWART_ZERO_LENGTH, STEWART_JOINT_SINGULAR, and STEWART_BAD_ARGUMENT if a pointer is null. */
+
+/* Computes the terms of the equations of motion. */
 STEWART_NODISCARD int stewart_exact_equations(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_equations *out);
+/* Computes C [v; omega] + g + friction (N and N m), base frame. */
 STEWART_NODISCARD int stewart_exact_bias_and_friction(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias_and_friction[6]);
+/* Computes the acceleration [a; alpha] (m/s^2 and rad/s^2, base frame) caused by the actuator forces F
+ * (N). Also returns STEWART_MASS_MATRIX_INDEFINITE. */
 STEWART_NODISCARD int stewart_exact_forward_dynamics(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_real acceleration[6]);
-/* Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths. */
+/* Computes the inertia seen by the actuators (kg), H^-1 M H^-T, row-major. The length rates are H^T [v;
+ * omega]. Also returns STEWART_SINGULAR. */
 STEWART_NODISCARD int stewart_exact_joint_inertia(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real inertia[36]);
+/* Computes the actuator forces of inverse dynamics and their derivatives. Also returns STEWART_SINGULAR. */
 STEWART_NODISCARD int stewart_exact_derivatives(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_derivatives *out);
+/* Computes the forward dynamics for the actuator forces F (N) and its linearization. Also returns
+ * STEWART_MASS_MATRIX_INDEFINITE. */
 STEWART_NODISCARD int stewart_exact_linearization(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_linearization *out);
 
-/* Functions for `count` poses. F is [count][6]. F_ext and M_ext of the motions may be null, and alpha and a if
- * they are not read. `status` receives one code for each pose and may be null. The functions return the first code
- * other than STEWART_OK, or STEWART_OK. */
+/* Functions for `count` poses. F is [count][6]. `out` is an array with one row for each pose, or a structure of such
+ * arrays. F_ext and M_ext of the motions may be null, and alpha and a if they are not read. `status` receives the code
+ * of each pose and may be null. The functions return the first code other than STEWART_OK, or STEWART_OK.
+ * STEWART_BAD_ARGUMENT: another pointer is null; then nothing is written. */
 STEWART_NODISCARD int stewart_exact_equations_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_equations_arrays *out, int *status);

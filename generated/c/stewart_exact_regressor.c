@@ -1,4 +1,4 @@
-/* stewart_exact_regressor.c: see stewart_exact_regressor.h.
+/* stewart_exact_regressor.c: functions that are declared and described in stewart_exact_regressor.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -15,7 +15,7 @@ typedef struct {
     stewart_real bad[LANES];
 } leg_checks;
 
-/* Columns of a pose with the row as first index, and inputs of the legs; lost: 1 if not finite. */
+/* Columns of a pose with the row as first index, and inputs of the legs. lost: 1 if not finite. */
 typedef struct {
     stewart_real of_legs[6][23][LANES];
     stewart_real b[3][LANES];
@@ -26,7 +26,7 @@ typedef struct {
     stewart_real of_platform[6][10];
 } STEWART_ALIGNED regressor_columns;
 
-/* What is wrong with the first leg that is not fit. */
+/* Returns the status of the first leg that is not OK, or OK. */
 static int legs_status(const leg_checks *checked)
 {
     int i;
@@ -38,8 +38,8 @@ static int legs_status(const leg_checks *checked)
     return STEWART_OK;
 }
 
-/* Columns of the legs side by side, 618 operations each, and a mark where a leg is not fit, or a number
- * of it not finite: moments are made of the forces and say it of both. */
+/* Computes the columns of the legs in lanes, 618 operations each. Marks a leg whose status is not OK or
+ * whose moments are not finite; moments are computed from forces, so forces need no check. */
 STEWART_APART static void columns_of_legs(
     const stewart_robot *STEWART_RESTRICT robot, const stewart_motion *STEWART_RESTRICT at,
     regressor_columns *STEWART_RESTRICT out)
@@ -155,7 +155,7 @@ STEWART_APART static void columns_of_legs(
         /* (9) accelerations of the joint coordinates */
         const stewart_real theta_ddot = STEWART_FMA(c6, phi_dot2, own_theta_ddot);
         const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
-        /* gravity along the fixed axis */
+        /* component of g along the fixed axis k */
         const stewart_real g_k = STEWART_FMA(g_z, k_z, STEWART_FMA(g_y, k_y, g_x*k_x));
         /* g x k, base frame */
         const stewart_real g_x_k_x = STEWART_FMA(g_z, -k_y, g_y*k_z);
@@ -531,7 +531,7 @@ STEWART_APART static void columns_of_legs(
     }
 }
 
-/* Columns of the platform: 255 operations. */
+/* Computes the columns of the platform: 255 operations. */
 STEWART_APART static void columns_of_platform(
     const stewart_robot *STEWART_RESTRICT robot, const stewart_motion *STEWART_RESTRICT at,
     regressor_columns *STEWART_RESTRICT out)
@@ -662,7 +662,7 @@ STEWART_APART static void columns_of_platform(
     out->of_platform[5][9] = STEWART_FMA(R_zz, alpha_P_z, STEWART_FMA(E_J_P_zz_y, R_zy, E_J_P_zz_x*R_zx));
 }
 
-/* What is wrong with a leg, or whether a number is not finite. */
+/* Returns the status of the legs, or NOT_FINITE if a number is not finite. */
 static int columns_status(const regressor_columns *found)
 {
     int i, j;
@@ -677,7 +677,7 @@ static int columns_status(const regressor_columns *found)
     return (status == STEWART_OK && lost > REAL(0)) ? STEWART_NOT_FINITE : status;
 }
 
-/* Every column in its place: leg after leg, then the platform's. */
+/* Copies all columns: leg after leg, then the platform. */
 static void all_columns(const regressor_columns *found, stewart_real *Y)
 {
     int i, j, leg;
@@ -693,7 +693,7 @@ static void all_columns(const regressor_columns *found, stewart_real *Y)
     }
 }
 
-/* The columns that are asked for, side by side. */
+/* Copies the requested columns. */
 static void chosen_columns(
     const regressor_columns *found, const int *columns, size_t width, stewart_real *Y)
 {
@@ -739,7 +739,7 @@ int stewart_exact_regressor(
     return status;
 }
 
-/* One pose of a batch, number by number; zeros for what may be null and is. */
+/* Copies one pose of a batch, with zeros for optional arrays that are null. */
 static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
 {
     int i;

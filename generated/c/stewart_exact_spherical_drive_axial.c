@@ -1,4 +1,4 @@
-/* stewart_exact_spherical_drive_axial.c: see stewart_exact_spherical_drive_axial.h.
+/* stewart_exact_spherical_drive_axial.c: functions that are declared and described in stewart_exact_spherical_drive_axial.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -66,7 +66,7 @@ static rotor_terms axial_terms(const stewart_leg *leg, const stewart_motion *mot
     const stewart_real S_ddot_z = (((a_z + (alpha_x*q_y)) - (alpha_y*q_x)) + (omega_x*w_q_y)) - (omega_y*w_q_x);
     /* (5) sliding velocity */
     const stewart_real rate = (S_dot_x*s_x) + (S_dot_y*s_y) + (S_dot_z*s_z);
-    /* part of S_dot across the leg, of length L |W| */
+    /* transverse part of S_dot */
     const stewart_real across_x = S_dot_x - (rate*s_x);
     const stewart_real across_y = S_dot_y - (rate*s_y);
     const stewart_real across_z = S_dot_z - (rate*s_z);
@@ -84,7 +84,7 @@ static rotor_terms axial_terms(const stewart_leg *leg, const stewart_motion *mot
     return out;
 }
 
-/* The largest of ``least`` and the sizes of a vector's components. */
+/* Returns the largest of ``least`` and the magnitudes of a vector's components. */
 static stewart_real largest_component(const stewart_real vector[3], stewart_real least)
 {
     int j;
@@ -95,13 +95,13 @@ static stewart_real largest_component(const stewart_real vector[3], stewart_real
     return most;
 }
 
-/* Size of the vectors q, t and b that a leg is the sum of, m. */
+/* Returns the largest component (m) of the vectors q, t, and b, whose sum is a leg. */
 static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], const stewart_real q[3])
 {
     return largest_component(b, largest_component(t, largest_component(q, REAL(0))));
 }
 
-/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+/* Returns the status of a leg: not finite, short compared with the vectors in its sum, along k, or OK. */
 static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
     if (!(L <= STEWART_MAX)) {

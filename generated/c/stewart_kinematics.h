@@ -3,20 +3,23 @@
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * Each function computes one pose, for a controller. Of the robot only the points b and p are read. The spin of a leg
- * about its own axis has no effect, so the functions are valid for both formulations and both base joints.
+ * Each function computes one pose, for a controller. The functions read only the points b and p of the robot. The spin
+ * of a leg about its own axis has no effect, so they are valid for both formulations and both base joints. Units,
+ * frames, equation numbers, and status codes: see stewart.h. All functions return STEWART_BAD_ARGUMENT if a pointer
+ * that must not be null is null.
  *
- * Operations, six legs
+ * Operations for six legs
  * lengths         162 (72 mul, 84 add, 0 div, 6 sqrt)
  * lengths, rates  270 (126 mul, 132 add, 6 div, 6 sqrt)
  * search          1161 (606 mul, 519 add, 22 div, 14 sqrt)
  * step            975 (516 mul, 426 add, 20 div, 13 sqrt)
  * velocity        969 (509 mul, 421 add, 26 div, 13 sqrt)
- * A search takes the operations of `search` once and the operations of `step` for each step. From guesses within
- * 0.001, 0.05, and 0.3 rad of the pose, and as many lengths of the longest leg, 99 of 100 poses of random robots
- * require at most 3, 4, and 6 (double) and 2, 3, and 5 (float) steps. A second and a third search follow unless an
- * estimate of second order shows that the first result is the nearest one to the guess. It mostly does within
- * 0.02 (m and rad) of a pose that is not near a singular one. STEWART_MAX_SEARCHES 1 omits these searches.
+ * Forward kinematics requires the operations of `search` once per search and of `step` once per step. For guesses
+ * within 0.001, 0.05, and 0.3 rad and the same fractions of the longest leg, 99 of 100 poses of random robots
+ * require at most 3, 4, and 6 steps. In float they require at most 2, 3, and 5 steps. A second and a third
+ * search follow unless an estimate of second order shows that the first result is the nearest one to the guess. The
+ * estimate usually suffices within 0.02 (m and rad) of a pose that is not near a singular pose.
+ * STEWART_MAX_SEARCHES 1 omits these searches.
  */
 #ifndef STEWART_KINEMATICS_H
 #define STEWART_KINEMATICS_H
@@ -42,33 +45,35 @@ typedef struct {
 } stewart_pose;
 
 /* Computes the leg lengths L (m), (2), and length rates L_dot (m/s), (5), from R, t, v, and omega of a motion.
- * L_dot may be null; then v and omega are not read. Returns a status: STEWART_ZERO_LENGTH if a leg is not longer
- * than the rounding error of the terms of S = q + t - b, or STEWART_NOT_FINITE. */
+ * L_dot may be null; then v and omega are not read. Returns a status, and writes the outputs only if it is STEWART_OK.
+ * STEWART_ZERO_LENGTH: a leg is not longer than the rounding error of the terms of S = q + t - b.
+ * STEWART_NOT_FINITE: an input is not finite, or a result overflows. */
 STEWART_NODISCARD int stewart_inverse_kinematics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6]);
 
 /* Computes the pose for the leg lengths L (m), > 0, by up to three Newton searches on (2). On entry `pose` is the
  * guess. The searches begin at the guess; at the guess, with four damped steps; and beyond the singular pose next to
  * the result. No step is longer than a quarter of a radian and of the longest leg.
- * Returns a status, and writes the pose only if it is STEWART_OK:
- * STEWART_OK: the lengths are L to within 16 rounding units of the largest component of the terms of
- *     S = q + t - b, and R is a rotation to rounding. Six lengths belong to up to forty poses. The result is the
+ * Returns a status, and writes the pose only if it is STEWART_OK.
+ * STEWART_OK: the error of the lengths is at most 16 rounding units of the largest component of the terms of
+ *     S = q + t - b. R is a rotation to rounding. Six lengths belong to up to forty poses. The result is the
  *     nearest one to the guess of the poses found, by the root of the sum of squares in m and rad. If the guess may
  *     be farther away than 0.05 (m and rad), compare the result with it.
  * STEWART_NOT_CONVERGED: no search found such a pose in STEWART_MAX_STEPS steps. Or R of the guess is not a
  *     rotation: det R < 0, or an entry of R^T R differs by more than 1/16 from the unit matrix.
  * STEWART_SINGULAR: H is so close to singular at the result that lengths with rounding errors do not determine the
  *     pose. The condition number of H exceeds 1 / (16 sqrt(eps)). It is computed with Frobenius norms and with
- *     moments over the root mean square distance of the platform points from the reference point; it is one to six
+ *     moments over the root mean square distance of the platform points from the reference point. It is one to six
  *     times the ratio of the largest and the smallest singular value.
  * STEWART_ZERO_LENGTH: a length is not > 0, or a leg has length zero at the guess.
  * STEWART_NOT_FINITE: an input is not finite, or the lengths at the guess overflow. */
 STEWART_NODISCARD int stewart_forward_kinematics(
     const stewart_robot *robot, const stewart_real L[6], stewart_pose *pose);
 
-/* Computes the velocity v (m/s) of the reference point and the angular velocity omega (rad/s) of the platform in
- * the base frame from the length rates (m/s) at a pose: L_dot = H^T [v; omega], (5). Returns a status:
- * STEWART_SINGULAR as above, STEWART_ZERO_LENGTH, or STEWART_NOT_FINITE. */
+/* Computes the velocity v (m/s) of the reference point and the angular velocity omega (rad/s) of the platform, base
+ * frame, from the length rates L_dot (m/s) at a pose. Solves L_dot = H^T [v; omega], (5). Returns a status, and writes
+ * v and omega only if it is STEWART_OK. Other statuses: STEWART_SINGULAR if H at the pose exceeds the same condition
+ * number, STEWART_ZERO_LENGTH, or STEWART_NOT_FINITE. */
 STEWART_NODISCARD int stewart_forward_velocity(
     const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6], stewart_real v[3],
     stewart_real omega[3]);

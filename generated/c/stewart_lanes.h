@@ -42,8 +42,8 @@ STEWART_SHARED void subtract_row(
     }
 }
 
-/* Solves [H | c] for x as two blocks of three legs; the first six lanes of the rows A are H. Returns 1
- * where the digits of another solve are wanted, else 0. */
+/* Solves H x = c for x in two blocks of three legs. The first six lanes of the rows A are H. Returns 1
+ * if the blocks are too inaccurate and pivots are required, else 0. */
 STEWART_SHARED stewart_real blocks_of_pose(
     stewart_real A[6][LANES], const stewart_real wrench[6], stewart_real arm_cube, stewart_real x[6])
 {
@@ -137,10 +137,9 @@ STEWART_SHARED stewart_real blocks_of_pose(
     return weak;
 }
 
-/* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector, and the next column is known before the rows that hold it are
- * stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column
- * has no moment rows. */
+/* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36). Returns 1 if a
+ * pivot is small, else 0. Whole rows are updated, so a row is one vector. The next column is computed
+ * before its rows are stored. With moments about platform point 1 the first column has no moments. */
 STEWART_APART STEWART_SHARED int pivots_of_pose(
     stewart_real H[6][LANES], const stewart_real wrench[6], stewart_real x[6])
 {
@@ -300,7 +299,8 @@ STEWART_APART STEWART_SHARED int pivots_of_pose(
         ? 0 : 1;
 }
 
-/* Solves [H | c] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0. */
+/* Solves H x = c for x, (36), in two blocks, or by pivots if the blocks are too inaccurate. Returns 1 if
+ * a pivot is small, else 0. */
 STEWART_SHARED int solve_pose(
     stewart_real A[6][LANES], const stewart_real wrench[6], stewart_real arm_cube, stewart_real x[6])
 {
@@ -312,7 +312,7 @@ STEWART_SHARED int solve_pose(
     return suspect;
 }
 
-/* The platform's part of c with moments about platform point 1. */
+/* Moves the platform's part of c to moments about platform point 1. */
 STEWART_SHARED void shift_of_pose(
     stewart_real (*STEWART_RESTRICT q)[LANES], const stewart_real *STEWART_RESTRICT c_force,
     const stewart_real *STEWART_RESTRICT c_moment, stewart_real *STEWART_RESTRICT c_tip)
@@ -325,8 +325,8 @@ STEWART_SHARED void shift_of_pose(
     c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
 }
 
-/* Moments of the legs of a pose about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations
- * each; leg 1 has none. */
+/* Computes the moments of the legs of a pose about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * operations each. Leg 1 has none. */
 STEWART_SHARED void moments_of_pose(
     stewart_real (*STEWART_RESTRICT q)[LANES], stewart_real (*STEWART_RESTRICT A)[LANES],
     stewart_real (*STEWART_RESTRICT c_force)[LANES], stewart_real (*STEWART_RESTRICT arm_c)[LANES])
@@ -350,8 +350,8 @@ STEWART_SHARED void moments_of_pose(
     }
 }
 
-/* Moments of the legs of a pose about platform point 1, 12 (6 mul, 6 add, 0 div, 0 sqrt) operations
- * each; leg 1 has none. */
+/* Computes the moments of the legs of a pose about platform point 1, 12 (6 mul, 6 add, 0 div, 0 sqrt)
+ * operations each. Leg 1 has none. */
 STEWART_SHARED void moments_of_pose_without_c(
     stewart_real (*STEWART_RESTRICT q)[LANES], stewart_real (*STEWART_RESTRICT A)[LANES])
 {
@@ -370,7 +370,7 @@ STEWART_SHARED void moments_of_pose_without_c(
     }
 }
 
-/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
+/* Moves the platform's part of c of a block of poses to platform point 1, and adds the part of leg 1. */
 STEWART_SHARED void moments_of_first(
     stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT c_force)[POSES],
     stewart_real (*STEWART_RESTRICT c_moment)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
@@ -392,8 +392,8 @@ STEWART_SHARED void moments_of_first(
     }
 }
 
-/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
- * and its part of c. */
+/* Computes the moments of legs 2 to 6 about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * operations each, and adds their parts of c. */
 STEWART_SHARED void moments_of_block(
     stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT q_1)[POSES],
     stewart_real (*STEWART_RESTRICT c_force)[POSES], stewart_real (*STEWART_RESTRICT c_moment)[POSES],
@@ -424,7 +424,7 @@ STEWART_SHARED void moments_of_block(
     }
 }
 
-/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
+/* Moves the platform's part of c of a block of poses to platform point 1, and adds the part of leg 1. */
 STEWART_SHARED void moments_of_first_without_moment(
     stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT c_force)[POSES],
     stewart_real (*STEWART_RESTRICT c)[POSES])
@@ -443,8 +443,8 @@ STEWART_SHARED void moments_of_first_without_moment(
     }
 }
 
-/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
- * and its part of c. */
+/* Computes the moments of legs 2 to 6 about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * operations each, and adds their parts of c. */
 STEWART_SHARED void moments_of_block_without_moment(
     stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT q_1)[POSES],
     stewart_real (*STEWART_RESTRICT c_force)[POSES], stewart_real (*STEWART_RESTRICT column)[POSES],
@@ -472,7 +472,7 @@ STEWART_SHARED void moments_of_block_without_moment(
     }
 }
 
-/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
+/* Moves the platform's part of c of a block of poses to platform point 1, and adds the part of leg 1. */
 STEWART_SHARED void moments_of_first_without_c(
     stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
 {
@@ -487,8 +487,8 @@ STEWART_SHARED void moments_of_first_without_c(
     }
 }
 
-/* Another leg: its moments about platform point 1, 12 (6 mul, 6 add, 0 div, 0 sqrt) operations each, and
- * its part of c. */
+/* Computes the moments of legs 2 to 6 about platform point 1, 12 (6 mul, 6 add, 0 div, 0 sqrt)
+ * operations each, and adds their parts of c. */
 STEWART_SHARED void moments_of_block_without_c(
     stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT q_1)[POSES],
     stewart_real (*STEWART_RESTRICT column)[POSES])
@@ -508,7 +508,7 @@ STEWART_SHARED void moments_of_block_without_c(
     }
 }
 
-/* Takes the moments of the rows [H | c] over a length. */
+/* Multiplies the moment rows of [H | c] of a pose by `per_length`. */
 STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real wrench[6], stewart_real per_length)
 {
     int i, j;
@@ -520,7 +520,7 @@ STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real wrench[6],
     }
 }
 
-/* The same for a block. */
+/* Multiplies the moment rows of [H | c] of a block of poses by `per_length`. */
 STEWART_SHARED void scale_block(stewart_real column[7][6][POSES], stewart_real per_length)
 {
     int i, j, l;
@@ -533,7 +533,7 @@ STEWART_SHARED void scale_block(stewart_real column[7][6][POSES], stewart_real p
     }
 }
 
-/* Status of a pose whose H may be singular to rounding. */
+/* Returns the status of a pose whose H may be singular to rounding. */
 STEWART_APART STEWART_SHARED int rows_status(
     stewart_real A[6][LANES], stewart_real q[3][LANES], const stewart_real L[LANES],
     const stewart_real reach[LANES], stewart_real per_length)
@@ -555,9 +555,9 @@ STEWART_APART STEWART_SHARED int rows_status(
     return singular_status(H, arm, L, reach, tip);
 }
 
-/* Solves the systems [H | c] of a block side by side for x as two blocks of three legs, (36), and F = D
- * - x, (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted
- * where the digits of another solve are. */
+/* Solves H x = c for x in two blocks of three legs, (36), and computes F = D - x, (37), for all poses of
+ * a block. The loop over lanes has no branches. Sets `bad` if a force is not finite, and `wanted` if the
+ * blocks are too inaccurate and pivots are required. */
 STEWART_APART STEWART_SHARED STEWART_NO_COPY void blocks_of_lanes(
     stewart_real (*STEWART_RESTRICT column)[6][POSES], stewart_real (*STEWART_RESTRICT D)[POSES],
     stewart_real arm_cube, stewart_real (*STEWART_RESTRICT F)[POSES], stewart_real *STEWART_RESTRICT bad,
@@ -679,9 +679,9 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void blocks_of_lanes(
     }
 }
 
-/* The same by elimination with partial pivoting, where it is wanted. The row with the largest entry
- * sinks to its place by exchanges that a lane makes or leaves. Marks as bad where a pivot is small as
- * well. */
+/* Solves H x = c by elimination with partial pivoting for the poses with `wanted`, and computes F = D -
+ * x. The row with the largest entry moves to its place by conditional exchanges in each lane. Sets `bad`
+ * if a pivot is small or a force is not finite. */
 STEWART_APART STEWART_SHARED STEWART_NO_COPY void pivots_of_lanes(
     stewart_real (*STEWART_RESTRICT column)[6][POSES], stewart_real (*STEWART_RESTRICT D)[POSES],
     stewart_real (*STEWART_RESTRICT F)[POSES], stewart_real *STEWART_RESTRICT bad,
@@ -1029,7 +1029,8 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void pivots_of_lanes(
     }
 }
 
-/* Forces of the poses of a block from [H | c] and D, (36) and (37), by two blocks, or by pivots. */
+/* Computes the forces of a block of poses from H, c, and D, (36) and (37), in two blocks of legs or by
+ * pivots. */
 STEWART_SHARED STEWART_NO_COPY void solve_block(
     stewart_real column[7][6][POSES], stewart_real D[6][POSES], stewart_real arm_cube,
     stewart_real F[6][POSES], stewart_real bad[POSES])

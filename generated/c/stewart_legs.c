@@ -1,4 +1,4 @@
-/* stewart_legs.c: see stewart_legs.h.
+/* stewart_legs.c: functions that are declared and described in stewart_legs.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -69,7 +69,7 @@ static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motio
     const stewart_real S_ddot_z = a_z + alpha_x*q_y - alpha_y*q_x + omega_x*w_q_y - omega_y*w_q_x;
     /* (5) sliding velocity */
     const stewart_real rate = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-    /* part of S_dot across the leg, of length L |W| */
+    /* transverse part of S_dot */
     const stewart_real across_x = S_dot_x - rate*s_x;
     const stewart_real across_y = S_dot_y - rate*s_y;
     const stewart_real across_z = S_dot_z - rate*s_z;
@@ -92,7 +92,7 @@ static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motio
     return out;
 }
 
-/* The largest of ``least`` and the sizes of a vector's components. */
+/* Returns the largest of ``least`` and the magnitudes of a vector's components. */
 static stewart_real largest_component(const stewart_real vector[3], stewart_real least)
 {
     int j;
@@ -103,13 +103,13 @@ static stewart_real largest_component(const stewart_real vector[3], stewart_real
     return most;
 }
 
-/* Size of the vectors q, t and b that a leg is the sum of, m. */
+/* Returns the largest component (m) of the vectors q, t, and b, whose sum is a leg. */
 static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], const stewart_real q[3])
 {
     return largest_component(b, largest_component(t, largest_component(q, REAL(0))));
 }
 
-/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+/* Returns the status of a leg: not finite, short compared with the vectors in its sum, along k, or OK. */
 static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
     if (!(L <= STEWART_MAX)) {
@@ -150,7 +150,7 @@ static leg_motions motions_of(const stewart_robot *robot, const stewart_motions 
     return out;
 }
 
-/* The numbers of a pose in an array of all poses, if there is one. */
+/* Copies the numbers of a pose to the array of all poses unless it is null. */
 static void copy(stewart_real *to, size_t pose, const stewart_real *values, size_t count)
 {
     size_t i;
@@ -161,7 +161,7 @@ static void copy(stewart_real *to, size_t pose, const stewart_real *values, size
     }
 }
 
-/* One pose of a batch; zeros for what may be null and is. */
+/* Returns one pose of a batch, with zeros for optional arrays that are null. */
 static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real zeros[3])
 {
     stewart_motions at;

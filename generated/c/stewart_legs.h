@@ -3,8 +3,8 @@
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * Of the robot only the points b and p are read. The spin of a leg about its own axis has no effect, so the functions
- * are valid for both formulations and both base joints.
+ * The function reads only the points b and p of the robot. The spin of a leg about its own axis has no effect, so the
+ * function is valid for both formulations and both base joints. Equation numbers and status codes: see stewart.h.
  *
  * Operations, six legs: 540 (276 mul, 252 add, 6 div, 6 sqrt).
  */
@@ -26,10 +26,12 @@ typedef struct {
     stewart_real *S; /* [count][6][3] m: leg vectors, base frame, (1) */
 } stewart_legs_arrays;
 
-/* Computes the kinematics of the legs from R, t, omega, v, alpha, and a of motions. alpha and a may be null
- * if L_ddot is null. Writes the status of each pose unless `status` is null, and returns the first one that
- * is not STEWART_OK: STEWART_ZERO_LENGTH if a leg is not longer than the rounding error of the terms of S =
- * q + t - b, or STEWART_NOT_FINITE. Outputs of such a pose are unchanged. */
+/* Computes the kinematics of the legs from R, t, omega, v, alpha, and a of motions. F_ext and M_ext are
+ * not read. `status` receives the code of each pose and may be null. Returns the first code other than
+ * STEWART_OK, or STEWART_OK. STEWART_ZERO_LENGTH: a leg is not longer than the rounding error of the terms of
+ * S = q + t - b. STEWART_NOT_FINITE: an input is not finite, or a result overflows. Outputs of a pose with
+ * these codes are unchanged. STEWART_BAD_ARGUMENT: a pointer is null that must not be; then nothing is written.
+ * alpha and a of the motions may be null if L_ddot is null. */
 STEWART_NODISCARD int stewart_legs_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
     int *status);

@@ -89,7 +89,7 @@ STEWART_SHARED void platform_wrench(
     out->c_moment[2] = STEWART_FMA(-N_x, R_G_y, STEWART_FMA(N_y, R_G_x, M_load_z) - E_z);
 }
 
-/* Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small. */
+/* Solves H x = c for x by elimination with partial pivoting, (36). Returns 1 if a pivot is small. */
 STEWART_SHARED int eliminate(stewart_real A[6][7], stewart_real x[6])
 {
     int i, j, k;
@@ -129,7 +129,7 @@ STEWART_SHARED int eliminate(stewart_real A[6][7], stewart_real x[6])
     return suspect;
 }
 
-/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+/* Returns the status of a leg: not finite, short compared with the vectors in its sum, along k, or OK. */
 STEWART_SHARED int status_of_leg(stewart_real L, stewart_real k3, stewart_real reach)
 {
     if (!(L <= STEWART_MAX)) {
@@ -144,7 +144,7 @@ STEWART_SHARED int status_of_leg(stewart_real L, stewart_real k3, stewart_real r
     return STEWART_OK;
 }
 
-/* 1 where all numbers are finite, else 0. */
+/* Returns 1 if all numbers are finite, else 0. */
 STEWART_SHARED int is_finite(const stewart_real *values, int count)
 {
     int i;
@@ -156,7 +156,7 @@ STEWART_SHARED int is_finite(const stewart_real *values, int count)
     return 1;
 }
 
-/* One pose of a batch; zeros for what may be null and is. */
+/* Returns one pose of a batch, with zeros for optional arrays that are null. */
 STEWART_SHARED stewart_motions pose_at(
     const stewart_motions *motions, size_t pose, const stewart_real zeros[3])
 {
@@ -172,7 +172,7 @@ STEWART_SHARED stewart_motions pose_at(
     return at;
 }
 
-/* A pose that is one of many. */
+/* Returns a motion as a batch of one pose. */
 STEWART_SHARED stewart_motions motion_as_arrays(const stewart_motion *motion)
 {
     stewart_motions at;
@@ -187,7 +187,7 @@ STEWART_SHARED stewart_motions motion_as_arrays(const stewart_motion *motion)
     return at;
 }
 
-/* The numbers of a pose in an array of all poses, if there is one. */
+/* Copies the numbers of a pose to the array of all poses unless it is null. */
 STEWART_SHARED void copy(stewart_real *to, size_t pose, const stewart_real *values, size_t count)
 {
     size_t i;

@@ -1,4 +1,4 @@
-/* stewart_paper.c: see stewart_paper.h.
+/* stewart_paper.c: functions that are declared and described in stewart_paper.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -417,7 +417,7 @@ static void leg_reactions(
     out->M_u = C_x;
 }
 
-/* Inverse dynamics of one pose, (1)-(37). */
+/* Computes the inverse dynamics of one pose, (1)-(37). */
 static int pose_forces(const stewart_robot *robot, const stewart_motions *at, stewart_forces *out)
 {
     int i, j;
@@ -488,7 +488,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     return is_finite(out->F, 6) != 0 ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
-/* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a status. */
+/* Computes the joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a
+ * status. */
 static int pose_reactions(
     const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing,
     const stewart_real x[6], stewart_reactions *out)

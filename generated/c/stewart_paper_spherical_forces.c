@@ -1,4 +1,4 @@
-/* stewart_paper_spherical_forces.c: see stewart_paper_spherical_forces.h.
+/* stewart_paper_spherical_forces.c: functions that are declared and described in stewart_paper_spherical_forces.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -58,7 +58,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
 } leg_lanes;
 
-/* Constants of one leg, and what it adds to the platform. */
+/* Constants of one leg, and its contributions to the constants of the platform. */
 static void prepare_leg(
     const stewart_robot *robot, const stewart_leg *leg, int i, stewart_paper_spherical_model *out,
     lumped_terms *added)
@@ -184,7 +184,7 @@ static void prepare_platform(
     out->g[2] = g_z;
 }
 
-/* Largest coordinate of the arms of moments about platform point 1, m. */
+/* Returns the largest coordinate (m) of the arms of moments about platform point 1. */
 static stewart_real size_of(const stewart_paper_spherical_model *model)
 {
     int i, j;
@@ -234,7 +234,8 @@ int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_sp
     return STEWART_OK;
 }
 
-/* What one pose has for all legs: 174 (90 mul, 84 add, 0 div, 0 sqrt) operations. */
+/* Computes the terms of a pose that are common to all legs: 174 (90 mul, 84 add, 0 div, 0 sqrt)
+ * operations. */
 static void shared_of_pose(
     const stewart_paper_spherical_model *model, const stewart_motion *at, shared_terms *out)
 {
@@ -579,7 +580,7 @@ typedef struct {
     leg_roots leg[6];
 } STEWART_ALIGNED roots_of_legs;
 
-/* What each pose of a block has for all legs, and the platform's part of c. */
+/* Computes the terms that are common to all legs, and the platform's part of c, of a block of poses. */
 static void shared_of_block(
     const stewart_paper_spherical_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
     shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[POSES])
@@ -684,8 +685,9 @@ static void shared_of_block(
     }
 }
 
-/* A leg of the poses of a block as far as its roots, 28 (12 mul, 14 add, 1 div, 1 sqrt) operations each.
- * Those of the next leg are taken before a leg goes on from its own, which are ready by then. */
+/* Computes a leg of the poses of a block up to its square roots, 28 (12 mul, 14 add, 1 div, 1 sqrt)
+ * operations each. The roots of the next leg are computed before the other terms of a leg, so that no
+ * leg waits for its roots. */
 static void roots_of_leg(
     const stewart_paper_spherical_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, leg_roots *STEWART_RESTRICT out)
@@ -724,8 +726,8 @@ static void roots_of_leg(
 }
 
 /* Computes the rest of a leg, 194 (117 mul, 77 add, 0 div, 0 sqrt) operations each: its column of H, its
- * D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
- * less. */
+ * D, and its part of c. A leg is q + t - b, so a leg that is short compared with q is also short
+ * compared with t or b. */
 static void leg_of_block(
     const stewart_paper_spherical_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -861,7 +863,7 @@ static void leg_of_block(
     }
 }
 
-/* Motions of the poses of a block, component by component. */
+/* Loads the motions of a block of poses, component by component. */
 STEWART_APART static void load_block(
     const stewart_motions *motions, size_t stride, size_t first, size_t count, motion_lanes *at)
 {
@@ -875,7 +877,7 @@ STEWART_APART static void load_block(
     load_vector(motions->M_ext, stride, first, count, at->M_ext);
 }
 
-/* Forces of the poses of a block, and where a closer look is needed. */
+/* Computes the forces of a block of poses, and marks the poses that must be checked. */
 static void forces_of_block(const stewart_paper_spherical_model *model, const motion_lanes *at, block *out)
 {
     int i, l;
@@ -907,7 +909,7 @@ static void forces_of_block(const stewart_paper_spherical_model *model, const mo
     solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }
 
-/* Forces and status of one pose of a block. */
+/* Computes the forces and the status of one pose of a block. */
 static int forces_of(
     const stewart_paper_spherical_model *model, const motion_lanes *at, int l, stewart_real F[6])
 {
@@ -928,7 +930,7 @@ static int forces_of(
     return stewart_paper_spherical_forces(model, &one, F);
 }
 
-/* Block after block: of one pose after the other where stride is 0, else of columns. */
+/* Computes the forces block by block. The arrays contain pose after pose if stride is 0, else columns. */
 static int forces_of_poses(
     const stewart_paper_spherical_model *model, size_t count, size_t stride, const stewart_motions *motions,
     stewart_real *F, int *status)

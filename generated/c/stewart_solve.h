@@ -1,5 +1,6 @@
-/* stewart_solve.h: common functions for the platform's six equations H x = c, included by the sources of kernels:
- * contributions of the legs, scaling of moments and axes, and the test for a singular H.
+/* stewart_solve.h: common functions for the platform's six equations H x = c, included by the sources of kernels.
+ *
+ * They add the contributions of the legs, scale moments and axes, and test if H is singular.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -9,7 +10,7 @@
 
 #include "stewart_arithmetic.h"
 
-/* What a leg adds to the platform. */
+/* Contributions of a leg to the constants of the platform. */
 typedef struct {
     stewart_real M_add;
     stewart_real h_add[3];
@@ -17,16 +18,16 @@ typedef struct {
     stewart_real C_add;
 } lumped_terms;
 
-/* The cube of a length, or of one that has a cube. */
+/* Returns the cube of a length; lengths above 2^40 are replaced by 2^40 to avoid overflow. */
 STEWART_SHARED stewart_real cube_of(stewart_real arm)
 {
     const stewart_real length = arm <= REAL(1099511627776.0) ? arm : REAL(1099511627776.0);
     return length*length*length;
 }
 
-/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
- * for arms of about a meter, `smallest` and more, else one over the least power of two, from 2^-100 to
- * 2^100, that is as large. */
+/* Returns the factor (1/m) of moments in the linear solver for arms whose largest coordinate is `size`
+ * (m). It is 1 from `smallest` to 16 m. Otherwise it is the reciprocal of the smallest power of two,
+ * from 2^-100 to 2^100, that is not below `size`. */
 STEWART_SHARED stewart_real per_length_of(stewart_real size, stewart_real smallest)
 {
     int i;
@@ -52,8 +53,8 @@ STEWART_SHARED stewart_real per_length_of(stewart_real size, stewart_real smalle
     return per_length;
 }
 
-/* The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
- * length. */
+/* Multiplies a fixed axis of any length by a power of two, so that its square does not overflow or
+ * underflow. */
 STEWART_SHARED void scaled_axis(const stewart_real k[3], stewart_real out[3])
 {
     int i, j;
@@ -73,7 +74,7 @@ STEWART_SHARED void scaled_axis(const stewart_real k[3], stewart_real out[3])
     }
 }
 
-/* A sum over the legs with nothing in it. */
+/* Sets the sum over the legs to zero. */
 STEWART_SHARED void clear_lumped(lumped_terms *sum)
 {
     sum->M_add = REAL(0);
@@ -89,7 +90,7 @@ STEWART_SHARED void clear_lumped(lumped_terms *sum)
     sum->C_add = REAL(0);
 }
 
-/* The sum with a leg more. */
+/* Adds the contributions of a leg to the sum. */
 STEWART_SHARED void add_lumped(lumped_terms *sum, const lumped_terms *more)
 {
     sum->M_add = sum->M_add + more->M_add;
@@ -105,7 +106,7 @@ STEWART_SHARED void add_lumped(lumped_terms *sum, const lumped_terms *more)
     sum->C_add = sum->C_add + more->C_add;
 }
 
-/* The largest of ``least`` and the sizes of a vector's components. */
+/* Returns the largest of ``least`` and the magnitudes of a vector's components. */
 STEWART_SHARED stewart_real largest_component(const stewart_real vector[3], stewart_real least)
 {
     int j;
@@ -116,7 +117,7 @@ STEWART_SHARED stewart_real largest_component(const stewart_real vector[3], stew
     return most;
 }
 
-/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+/* Returns the status of a leg: not finite, short compared with the vectors in its sum, along k, or OK. */
 STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
     if (!(L <= STEWART_MAX)) {
@@ -131,16 +132,20 @@ STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewa
     return STEWART_OK;
 }
 
-/* Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+/* Returns SINGULAR if H is singular to rounding, NOT_FINITE, or OK; H is overwritten.
  *
- * arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of; tip:
- * of the platform point that the arms are measured from, whose rounding they have, 0 for none. The
- * direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes
- * in and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that
- * through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken about, and by the
- * rounding of the moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error
- * of column k does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2
- * leaves room for the errors of Y itself. */
+ * arm (m): moment arms; L (m): lengths of the legs; reach (m): largest component of the vectors whose
+ * sum is a leg. tip (m): largest component of the platform point from which the arms are measured, 0 for
+ * the reference point.
+ *
+ * Let Y be the inverse of H. The error of the direction s of a leg is at most 4 epsilon (reach / L + 2).
+ * Each input and each operation is rounded by half a unit, and the elimination adds its own error. This
+ * error changes the column (s, arm x s) of H, and Y_force + Y_moment x arm is its factor for any center
+ * of moments. The rounding of the moment is added.
+ *
+ * G_ik bounds the effect of the error of column k on row i of Y H. If H minus its error is singular, no
+ * v > 0 satisfies G v < v, and the spectral radius of G is at least 1. v is computed by powers of G. The
+ * limit 1/2 covers the errors of Y. */
 STEWART_APART STEWART_SHARED int singular_status(
     stewart_real H[6][6], stewart_real arm[6][3], const stewart_real L[6], const stewart_real reach[6],
     stewart_real tip)

@@ -1,4 +1,4 @@
-/* stewart_torque.c: see stewart_torque.h.
+/* stewart_torque.c: functions that are declared and described in stewart_torque.h.
  *
  * Written by stewart-sym 0.1.0.dev0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD

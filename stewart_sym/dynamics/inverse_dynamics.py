@@ -1,6 +1,7 @@
 """Inverse dynamics and joint reactions for any formulation and backend, with checks of the results.
 
-Each function chooses a kernel, runs it, and turns a status into an error, a warning, or NaN.
+``inverse_dynamics`` and ``joint_reactions`` run a kernel and report a nonzero status as an error, a warning,
+or NaN.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ Backend = Literal["c", "numpy", "reference"]
 
 
 def faults_of(formulation: str) -> frozenset[int]:
-    """Return the numbers of the faults of the printed equations that a formulation keeps."""
+    """Return the fault numbers (1 to 4) that a formulation keeps."""
     return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
 
 
@@ -59,7 +60,7 @@ class _VectorKernel:
         return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
 
     def reactions(self, motion: Motion, bearing: Array) -> results.JointReactionsResult:
-        """Compute the joint reactions of every pose; ``bearing`` has shape (6,) (m)."""
+        """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
         if self.robot.offsets is not None:
             return offset_joints.joint_reactions(self.robot, motion, bearing)
         return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
@@ -84,17 +85,18 @@ def inverse_dynamics(
     motion : Motion, shape (...)
         Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
     formulation : {"exact", "paper"}, optional
-        "exact" for the corrected equations, "paper" for the equations as printed.
+        "exact" for the corrected equations, "paper" for the printed equations with only fault 4 corrected.
     backend : {"c", "numpy", "reference"}, optional
         "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
-        NumPy code, "reference" for an independent vector implementation.
+        NumPy code, "reference" for an independent vector implementation. Robots with offset joints always use
+        the vector implementation.
     on_singular : {"raise", "warn", "nan", "damped"}, optional
         Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
         ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped", F is
         computed by damped least squares if H is singular. The status of such a pose remains nonzero, and
-        ``wrench_error`` is the part of the wrench that F does not balance. A leg of length zero or along its
-        universal axis has no damped force, so its pose gets NaN and a warning. Results for all other poses
-        are bit-identical to results without damping.
+        ``wrench_error`` is the part of the wrench that F does not balance. If a leg has length zero or is
+        parallel to its universal axis, the pose has NaN forces, and a warning is issued. Results for all
+        other poses are bit-identical to results without damping.
 
     Returns
     -------
@@ -118,7 +120,7 @@ def inverse_dynamics(
 
     Notes
     -----
-    Equations (1)-(37) of Dasgupta and Mruthyunjaya, Mechanism and Machine Theory 33 (1998). The formulation
+    The function implements equations (1)-(37) of Dasgupta and Mruthyunjaya (1998). The formulation
     "exact" corrects the four faults of the printed equations.
 
     Examples
@@ -165,10 +167,11 @@ def joint_reactions(
     motion : Motion, shape (...)
         Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
     formulation : {"exact", "paper"}, optional
-        "exact" for the corrected equations, "paper" for the equations as printed.
+        "exact" for the corrected equations, "paper" for the printed equations with only fault 4 corrected.
     backend : {"c", "numpy", "reference"}, optional
         "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
-        NumPy code, "reference" for an independent vector implementation.
+        NumPy code, "reference" for an independent vector implementation. Robots with offset joints always use
+        the vector implementation.
     bearing_distance : array_like, shape () or (6,), optional
         Distance (m) along each leg from its base point to the point at which the moment M_p is taken; by
         default 0. With offset joints, the distance is along the sliding axis, from the point of zero length.
@@ -187,8 +190,8 @@ def joint_reactions(
     ------
     ValueError
         If an option is unknown, if ``bearing_distance`` has another shape, if the motion has no
-        accelerations, or if a pose has no solution and ``on_singular`` is "raise". Reactions that overflow
-        count as no solution.
+        accelerations, or if a pose has no solution and ``on_singular`` is "raise". A pose also has no
+        solution if its reactions overflow.
 
     See Also
     --------
@@ -279,7 +282,7 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
 def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     """Compute the fraction of the actuator forces that is due to the legs.
 
-    It contains the inertia, weight, and friction of the legs and the inertia of the rotors.
+    The legs contribute inertia, weight, and friction, and the inertia of the rotors.
 
     Parameters
     ----------
@@ -407,7 +410,8 @@ def _without_overflow(found: results.JointReactionsResult) -> results.JointReact
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
     """Compute F, D, x, K, H, c, and wrench_error by ``damped_least_squares``, without a status.
 
-    The NumPy kernel is used for every backend. Values are NaN if a leg has no direction.
+    Every backend uses the NumPy kernel, or the vector implementation for joint offsets. Values are NaN if a
+    leg has no direction.
     """
     if robot.offsets is not None:
         terms = offset_joints.terms(robot, motion)

@@ -66,7 +66,7 @@ class ForwardKinematicsResult:
         Position of the reference point in the base frame (m). NaN if the status is not 0.
     residual : ndarray, shape (...)
         Largest difference between the given lengths and the lengths of the returned pose (m). If no pose was
-        found: of the last pose of a search.
+        found, the difference at the end of the last search.
     iterations : ndarray of int, shape (...)
         Number of Newton steps. Without a guess, the steps of unsuccessful starts are included. With a guess,
         the steps of further searches are included if their result replaced an earlier one.
@@ -123,8 +123,8 @@ def forward_kinematics(
     ------
     ValueError
         If lengths are not finite and positive, if the guess is not a pose, or, with ``on_failure="raise"``,
-        if a status is not 0. If no pose was found, the error names the number of starts, or two legs that
-        cannot have their lengths at the same time.
+        if a status is not 0. If no pose was found, the error names two legs with incompatible lengths, or
+        states the extent of the search.
 
     See Also
     --------
@@ -190,7 +190,7 @@ def forward_kinematics(
 
 
 def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
-    """Return the reason for a status of lengths (6,): a limit, two legs, or the extent of the search."""
+    """Return the error text for six lengths with a nonzero status."""
     if status == OUT_OF_LIMITS:
         low, high = robot.length_limits.T
         leg = int(np.argmax((L < low) | (L > high)))
@@ -270,7 +270,7 @@ def forward_acceleration(
 ) -> Accelerations:
     """Compute the acceleration of the platform from leg accelerations, (8).
 
-    The equation is L_ddot = H^T [a; alpha] plus the terms of (8) that depend only on the velocities.
+    The equation is L_ddot = H^T [a; alpha] plus the terms of (8) without accelerations.
 
     Parameters
     ----------
@@ -375,7 +375,8 @@ def _unsettled(robot: Robot, J: Array) -> Flags:
     """Return True for poses with H so close to singular that rounded lengths do not determine the pose."""
     H = moments_over(np.swapaxes(J, -1, -2), platform_size(robot))
     size = np.linalg.norm(H, axis=(-2, -1))
-    # Inequality of the means: five singular values have a product of at most (sum of squares / 5)^2.5.
+    # The condition number is s_1 (s_1 ... s_5) / |det H|. The product of five singular values is at most
+    # (sum of squares / 5)^2.5, by the inequality of the means.
     with np.errstate(all="ignore"):
         most = np.asarray(size * (size**2 / 5.0) ** 2.5 / np.abs(np.linalg.det(H)))
     doubtful = np.asarray(~(most <= 0.5 * _MOST_CONDITION))

@@ -35,7 +35,7 @@ MINIMIZE: tuple[Minimize, ...] = ("time", "energy", "peak_force")
 """Quantities that a motion along a path can minimize."""
 
 CELLS = 400
-"""Cells of the first grid; cells without an active limit or with a violated one are divided."""
+"""Cells of the first grid. Cells without an active limit, or with a violated limit, are divided."""
 SMOOTH_CELLS = 300
 """Largest number of spline cells of a smooth motion."""
 
@@ -43,7 +43,8 @@ SMOOTH_CELLS = 300
 _PLACES = 8193
 _DIVISIONS = 3
 _ROUNDS = 15
-# Static utilization of a limit from which two methods for the fastest motion are compared.
+# Static utilization of a motor limit above which the smooth method is also computed: the shorter motion
+# counts.
 _TIGHT = 0.9
 # Number of updates, in one round, of friction and power bounds, which depend on the motion.
 _FEW_TURNS = 2
@@ -53,10 +54,11 @@ _AT_ENDS = 20
 _HOLD = 1.0 - 1e-6
 _RESTS = 1e-12
 _ROUGH_CELLS = 200
-# Smallest peak force of the search, relative to the largest static force, and its relative tolerance.
+# Smallest peak force of the search, divided by the largest static force.
 _ABOVE_REST = 1.0 + 1e-3
+# Relative tolerance of the peak force.
 _SAME_FORCE = 1e-5
-# Relative distance from the minimum duration of smooth motions below which nothing can be optimized.
+# Smallest relative margin between the given and the minimum duration. Below it nothing is optimized.
 _NO_ROOM = 1e-3
 _SAME_TIME = 1e-12
 
@@ -72,7 +74,7 @@ class TimedPath:
     path : callable
         Function: parameters s, shape (n,) -> motion with derivatives with respect to s.
     limits : PathLimits
-        Limits in addition to the limits of the robot.
+        Limits that replace or extend the limits of the robot.
     formulation : {"exact", "paper"}
         Formulation of inverse dynamics.
     profile : Profile
@@ -170,8 +172,8 @@ def parameterize_path(
     minimize : {"time", "energy", "peak_force"}, optional
         Minimized quantity. The energy is the electrical energy as in ``drive_effort``: work at the motor
         shafts, recovered if it is negative, and heat of the windings. Without a drive it is the work of the
-        leg forces. The peak force is the largest force of any leg during the motion, which may be smaller
-        than at rest.
+        leg forces. The peak force is the largest force of any leg during the motion. It can be smaller than
+        the largest static force on the path.
     duration : float, optional
         Duration of the motion (s); required for "energy" and "peak_force".
 
@@ -184,8 +186,8 @@ def parameterize_path(
     ------
     ValueError
         If an argument is invalid, or if a pose of the path cannot be held at rest within the limits. If the
-        velocities of the path contradict its poses or jump by more than a few thousandths. If ``duration`` is
-        below the minimum, which the message contains.
+        velocities of the path contradict its poses, or jump by more than a few thousandths of the largest
+        rate. If ``duration`` is below the minimum, which the message contains.
     ImportError
         If SciPy is required and not installed.
 
@@ -384,9 +386,10 @@ class _Task(NamedTuple):
         return quickest
 
     def _below_rest(self, profile: Profile, duration: float) -> Profile:
-        """Compute a motion with a smaller peak force than a given one within the largest static force.
+        """Return ``profile`` or a smooth motion with a smaller peak force.
 
-        A smaller peak is possible if the robot moves through the poses with the largest static force.
+        The peak can be smaller than the largest static force if the robot moves through the poses with the
+        largest static force.
         """
         shown = partial(self.progress, "finding the motion of least peak force")
         smooth, start = self._faster(duration, shown)
@@ -409,7 +412,7 @@ class _Task(NamedTuple):
 
 
 def need_duration(least: Minimize, duration: float | None) -> None:
-    """Raise ValueError for a duration with least time, or for another objective without a duration."""
+    """Raise ValueError if least time has a duration, or if another objective has none."""
     if least == "time" and duration is not None:
         raise ValueError(f'duration: applies to minimize "energy" or "peak_force", got "{least}"')
     if least != "time" and duration is None:
@@ -417,7 +420,7 @@ def need_duration(least: Minimize, duration: float | None) -> None:
 
 
 def need_losses(robot: Robot) -> None:
-    """Raise ValueError if all motions of a robot need the same energy, apart from the Stribeck force."""
+    """Raise ValueError if all motions of a robot need the same energy, ignoring the Stribeck force."""
     losses, drive = [robot.C_u, robot.C_p, robot.C_s], robot.drive
     if drive is not None:
         losses += [drive.resistance, viscous(drive), 1.0 - drive.efficiency, 1.0 - drive.backdrive_efficiency]
@@ -438,7 +441,7 @@ def _first_nodes(start: float, end: float, cells: int) -> Array:
 def need_bounded(terms: Terms, s: Array, bounded: bool) -> None:
     """Raise ValueError for a path without limits, with zero rates, or with poses that cannot be held at rest.
 
-    ``bounded`` is True if the jerk is limited, which the terms do not include.
+    ``bounded`` is True if the jerk is limited. The terms do not include the jerk.
     """
     if not (bounded or np.isfinite(terms.caps).all() or np.isfinite(terms.limit).any() or terms.motors):
         raise ValueError("limits: expected a limit of force, speed, or acceleration, got none")

@@ -182,8 +182,10 @@ def plan_path(
     straight = search.path(search.nothing, wrench)
     at_first = conditions_along(robot, straight)
     x = search.best(progress)
-    # The last blend is the initial spline itself, so at least one blend does not exceed its mean and peak.
+    # A blend of two paths that keep the limits can exceed them. The last blend is the initial spline itself.
     for share in _SHARES if not search.broken(0.0 * x) else (1.0,):
+        if search.broken(share * x):
+            continue
         path = search.path(share * x, wrench)
         found = conditions_along(robot, path)
         if max(found.mean / at_first.mean, found.peak / at_first.peak) <= 1.0:

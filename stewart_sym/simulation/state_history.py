@@ -232,31 +232,31 @@ class SimulationResult(StateHistory):
         """Quadrature weights (s), shape (n,), for integrals over the times of ``dense_history``."""
         return np.concatenate([0.5 * (piece.end - piece.start) * _WEIGHTS for piece in self._pieces])
 
-    def at(self, times: ArrayLike) -> StateHistory:
+    def at(self, time: ArrayLike) -> StateHistory:
         """Interpolate states and forces to the accuracy of the simulation.
 
         Parameters
         ----------
-        times : array_like, shape (n,)
+        time : array_like, shape (n,)
             Times within the simulation (s).
 
         Returns
         -------
         StateHistory
-            States, forces, and energies at ``times``.
+            States, forces, and energies at ``time``.
 
         Raises
         ------
         ValueError
-            If a time is outside the simulation, or if ``times`` has another shape.
+            If a time is outside the simulation, or if ``time`` has another shape.
         """
-        when = real_array(times, "times", "times of shape (n,)")
+        when = real_array(time, "time", "times of shape (n,)")
         end = self.stop.time
         if when.ndim != 1:
-            raise ValueError(f"times: expected shape (n,), got {when.shape}")
+            raise ValueError(f"time: expected shape (n,), got {when.shape}")
         outside = ~((when >= 0.0) & (when <= end))
         if outside.any():
-            raise ValueError(f"times: expected times in [0, {end:g}] s, got {when[outside][0]:g}")
+            raise ValueError(f"time: expected times in [0, {end:g}] s, got {when[outside][0]:g}")
         return sampled_at(self._robot, self._actuators, self._pieces, when)
 
 

@@ -139,7 +139,7 @@ def test_every_constant_has_a_unit_and_a_meaning_in_the_text_as_well(what: str) 
         assert unit
         assert meaning
     assert formulas.meanings["J2_xz"] == ("kg m^2", "2 J_xz")
-    assert "with the upper parts" in formulas.meanings["M_P"][1]
+    assert "plus the masses m_u" in formulas.meanings["M_P"][1]
     assert r"$J_{2,xz}$ & kg\,m$^{2}$ & 2 $J_{xz}$ \\" in text
     # What stands in a pair of \left( and \right) cannot be broken at the end of a line.
     assert r"\left(" not in text.partition(r"\[")[0]

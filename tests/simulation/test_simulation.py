@@ -432,7 +432,7 @@ def test_forces_that_are_no_numbers_after_the_start_leave_no_run() -> None:
 def test_times_outside_a_run_are_rejected() -> None:
     robot = machine()
     run = ss.simulate(robot, home(robot), np.zeros(6), 0.1)
-    rejects(r"^times: expected times in \[0, 0.1\] s, got 0.2$", run.at, [0.05, 0.2])
+    rejects(r"^time: expected times in \[0, 0.1\] s, got 0.2$", run.at, [0.05, 0.2])
 
 
 @pytest.mark.parametrize(

@@ -24,14 +24,14 @@ def noted() -> None:
 
 
 def copy(to: "Pointer(Real)", pose: "Count", values: "Pointer(Real)", count: "Count") -> None:
-    """The numbers of a pose in an array of all poses, if there is one."""
+    """Copies the numbers of a pose to the array of all poses unless it is null."""
     if to is not None:
         for i in range(count):
             to[pose * count + i] = values[i]
 
 
 def is_finite(values: "Pointer(Real)", count: "Integer") -> "Integer":
-    """1 where all numbers are finite, else 0."""
+    """Returns 1 if all numbers are finite, else 0."""
     for i in range(count):
         if not size(values[i]) <= MAX:
             return 0
@@ -39,21 +39,21 @@ def is_finite(values: "Pointer(Real)", count: "Integer") -> "Integer":
 
 
 def pose_at(motions: "Motions", pose: "Count", zeros: "array(3)") -> "Motions":
-    """One pose of a batch; zeros for what may be null and is."""
+    """Returns one pose of a batch, with zeros for optional arrays that are null."""
     at = blank(Motions)
     PARTS
     return at
 
 
 def motion_as_arrays(motion: "Motion") -> "Motions":
-    """A pose that is one of many."""
+    """Returns a motion as a batch of one pose."""
     at = blank(Motions)
     PARTS
     return at
 
 
 def load_pose(motions: "Motions", pose: "Count", one: "Motion") -> None:
-    """One pose of a batch, number by number; zeros for what may be null and is."""
+    """Copies one pose of a batch, with zeros for optional arrays that are null."""
     for i in range(9):
         one.R[i] = motions.R[pose * 9 + i]
     for i in range(3):
@@ -75,7 +75,7 @@ def legs_batch(
 
 
 def one_kinematics() -> None:
-    """What the batch does with one pose."""
+    """Compute one pose of the batch."""
     at = pose_at(motions, pose, zeros)
     found = motions_of(robot, at)
     code = found.status
@@ -111,7 +111,7 @@ def forces_bounded_batch(
 
 
 def one_bounded() -> None:
-    """What the batch does with one pose."""
+    """Compute one pose of the batch."""
     at = pose_at(motions, pose, zeros)
     code = forces_of_pose(
         model,
@@ -153,6 +153,6 @@ def closed_form_batch(
 
 
 def one_closed_form() -> None:
-    """What the batch does with one pose."""
+    """Compute one pose of the batch."""
     load_pose(motions, pose, one)
     code = of_pose(model, one, F[pose * 6 :], found)

@@ -64,19 +64,17 @@ def rotation_error(R: "array(9)", stretch: "array(9)") -> "Real":
 
 
 def prepare_leg(robot: "Robot", leg: "RawLeg", out: "Leg", added: "Added") -> None:
-    """Constants of one leg, and what it adds to the platform."""
+    """Computes the constants of one leg, and its contributions to the constants of the platform."""
     BODY
 
 
 def prepare_platform(robot: "Robot", added: "Added", out: "Platform") -> None:
-    """Constants of the platform."""
+    """Computes the constants of the platform."""
     BODY
 
 
 def prepare(robot: "Robot", model: "Model") -> "Integer":
-    """Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
-    number of the robot is not finite or too large, or k is zero; the model is written only if it is
-    STEWART_OK."""
+    """Computes the model of a robot; see the header."""
     made = blank(Model)
     found = blank(Added)
     sum = blank(Added)

@@ -2,7 +2,7 @@
 
 
 def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
-    """Inverse dynamics of one pose, (1)-(37)."""
+    """Computes the inverse dynamics of one pose, (1)-(37)."""
     terms = blank(LegTerms)
     own = blank(PlatformTerms)
     A = blank(array(6, 7))
@@ -57,7 +57,8 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
 def pose_reactions(
     robot: "Robot", at: "Motions", bearing: "Pointer(Real)", x: "array(6)", out: "Reactions"
 ) -> "Integer":
-    """Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a status."""
+    """Computes the joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a
+    status."""
     terms = blank(ReactionTerms)
     for i in range(6):
         leg_reactions(robot, robot.leg[i], at, x[i], where(bearing is not None, bearing[i], 0.0), terms)
@@ -72,7 +73,9 @@ def pose_reactions(
 
 
 def inverse_dynamics(robot: "Robot", motion: "Motion", forces: "Forces") -> "Integer":
-    """Actuator forces of one pose. Returns a status."""
+    """Computes the actuator forces of one pose and the terms D, x, K, H, and c. Returns a status, and writes
+    `forces` only if it is STEWART_OK. Other statuses: STEWART_NOT_FINITE, STEWART_ZERO_LENGTH,
+    ${joint_singular}STEWART_SINGULAR, and STEWART_BAD_ARGUMENT if a pointer is null."""
     result = blank(Forces)
     if robot is None or motion is None or forces is None:
         return BAD_ARGUMENT
@@ -86,8 +89,9 @@ def inverse_dynamics(robot: "Robot", motion: "Motion", forces: "Forces") -> "Int
 def joint_reactions(
     robot: "Robot", motion: "Motion", bearing: "array(6)", forces: "Forces", reactions: "Reactions"
 ) -> "Integer":
-    """Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base point
-    to where M_p is taken, m; null: at the base point. Returns a status."""
+    """Computes the inverse dynamics and the joint reactions of one pose. `bearing` (m): distance along each
+    leg from its base point to the reference point of M_p; null: 0. Returns a status as above, and writes
+    `forces` and `reactions` only if it is STEWART_OK."""
     result = blank(Forces)
     found = blank(Reactions)
     if robot is None or motion is None or forces is None or reactions is None:
@@ -105,8 +109,9 @@ def joint_reactions(
 def inverse_dynamics_batch(
     robot: "Robot", count: "Count", motions: "Motions", forces: "ForcesArrays", status: "Pointer(Integer)"
 ) -> "Integer":
-    """The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first
-    code other than STEWART_OK, or STEWART_OK."""
+    """Computes the inverse dynamics of `count` poses. `status` receives the code of each pose and may be
+    null. Returns the first code other than STEWART_OK, or STEWART_OK. STEWART_BAD_ARGUMENT: another pointer,
+    or an array of the motions except F_ext and M_ext, is null; then nothing is written."""
     zeros = array(3)
     found = blank(Forces)
     if MISSING:
@@ -115,7 +120,7 @@ def inverse_dynamics_batch(
 
 
 def one_forces() -> None:
-    """What the batch does with one pose."""
+    """Compute one pose of the batch."""
     at = pose_at(motions, pose, zeros)
     code = pose_forces(robot, at, found)
 
@@ -128,7 +133,8 @@ def joint_reactions_batch(
     reactions: "ReactionsArrays",
     status: "Pointer(Integer)",
 ) -> "Integer":
-    """Joint reactions of `count` poses, as above."""
+    """Computes the joint reactions of `count` poses. `bearing` is valid for all poses and may be null.
+    `status` and the returned code are as above."""
     zeros = array(3)
     forces = blank(Forces)
     found = blank(Reactions)
@@ -138,7 +144,7 @@ def joint_reactions_batch(
 
 
 def one_reactions() -> None:
-    """What the batch does with one pose."""
+    """Compute one pose of the batch."""
     at = pose_at(motions, pose, zeros)
     code = pose_forces(robot, at, forces)
     if code == OK:

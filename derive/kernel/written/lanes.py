@@ -7,9 +7,10 @@ legs with a D.
 
 
 def prepare(robot: "Robot", model: "Model") -> "Integer":
-    """Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
-    number of the robot is not finite or too large, or k is zero; the model is written only if it is
-    STEWART_OK. One pose is fastest where the model begins at a multiple of 64 bytes."""
+    """Computes the model of a robot, once before the first pose.$any_axis Returns a status, and writes the
+    model only if it is STEWART_OK. STEWART_BAD_ARGUMENT: a pointer is null. STEWART_NOT_FINITE: a number that
+    the model depends on is not finite or too large$zero_axis. The function of one pose is fastest if the
+    address of the model is a multiple of 64 bytes."""
     made = blank(Model)
     added = blank(Lumped)
     sum = blank(Lumped)
@@ -30,7 +31,7 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
 
 
 def shared_of_pose(model: "Model", at: "Motion", out: "SharedTerms") -> None:
-    """What one pose has for all legs: $count operations."""
+    """Computes the terms of a pose that are common to all legs: $count operations."""
     SHARED
 
 
@@ -59,14 +60,15 @@ def subtract_row(to: "alone(array(LANES))", factor: "Real", row: "alone(array(LA
 
 
 def blocks_of_pose(A: "array(6, LANES)", wrench: "array(6)", arm_cube: "Real", x: "array(6)") -> "Real":
-    """Solves [H | c] for x as two blocks of three legs; the first six lanes of the rows A are H. Returns 1
-    where the digits of another solve are wanted, else 0."""
+    """Solves H x = c for x in two blocks of three legs. The first six lanes of the rows A are H. Returns 1 if
+    the blocks are too inaccurate and pivots are required, else 0."""
     two_blocks()
     return weak
 
 
 def solve_pose(A: "array(6, LANES)", wrench: "array(6)", arm_cube: "Real", x: "array(6)") -> "Integer":
-    """Solves [H | c] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0."""
+    """Solves H x = c for x, (36), in two blocks, or by pivots if the blocks are too inaccurate. Returns 1 if
+    a pivot is small, else 0."""
     suspect = 0
     wanted = blocks_of_pose(A, wrench, arm_cube, x)
     if wanted > 0.0:
@@ -75,10 +77,9 @@ def solve_pose(A: "array(6, LANES)", wrench: "array(6)", arm_cube: "Real", x: "a
 
 
 def pivots_of_pose(H: "array(6, LANES)", wrench: "array(6)", x: "array(6)") -> "Integer":
-    """Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
-    updated, so that a row is one vector, and the next column is known before the rows that hold it are
-    stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column has
-    no moment rows."""
+    """Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36). Returns 1 if a
+    pivot is small, else 0. Whole rows are updated, so a row is one vector. The next column is computed before
+    its rows are stored. With moments about platform point 1 the first column has no moments."""
     A = blank(array(6, LANES))
     for i in range(6):
         for l in range(LANES):
@@ -101,7 +102,10 @@ def pivots_of_pose(H: "array(6, LANES)", wrench: "array(6)", x: "array(6)") -> "
 
 
 def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
-    """Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK."""
+    """Computes the actuator forces F (N) of one pose, (37), positive when they extend the leg. Reads
+    $motion_read of the motion. Returns a status, and writes F only if it is STEWART_OK. Other statuses:
+    STEWART_NOT_FINITE, STEWART_ZERO_LENGTH, ${joint_singular}STEWART_SINGULAR, and STEWART_BAD_ARGUMENT if a
+    pointer is null."""
     if BAKED:
         model = address(numbers)
     shared = blank(SharedTerms)
@@ -160,7 +164,7 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
 def shared_of_block(
     model: "alone(Model)", at: "alone(MotionLanes)", out: "alone(SharedLanes)", c: "alone(array(6, POSES))"
 ) -> None:
-    """What each pose of a block has for all legs, and the platform's part of c."""
+    """Computes the terms that are common to all legs, and the platform's part of c, of a block of poses."""
     OUTSIDE
     for l in range(POSES):
         INSIDE
@@ -173,8 +177,8 @@ def shared_of_block(
 def roots_of_leg(
     model: "alone(Model)", leg: "Integer", at: "alone(MotionLanes)", out: "alone(LegRoots)"
 ) -> None:
-    """A leg of the poses of a block as far as its roots, $count operations each. Those of the next leg are
-    taken before a leg goes on from its own, which are ready by then."""
+    """Computes a leg of the poses of a block up to its square roots, $count operations each. The roots of the
+    next leg are computed before the other terms of a leg, so that no leg waits for its roots."""
     for l in range(POSES):
         BLOCK
 
@@ -191,8 +195,8 @@ def leg_of_block(
     known: "alone(array(POSES))",
     bad: "alone(array(POSES))",
 ) -> None:
-    """$says, $count operations each: its column of H, its D and its part of c. A leg is q + t - b: one that
-    is short beside q is so beside t or b as well, if less."""
+    """$says, $count operations each: its column of H, its D, and its part of c. A leg is q + t - b, so a leg
+    that is short compared with q is also short compared with t or b."""
     for l in range(POSES):
         BLOCK
         mark(bad[l], bad[l])
@@ -206,9 +210,9 @@ def blocks_of_lanes(
     bad: "alone(array(POSES))",
     wanted: "alone(array(POSES))",
 ) -> None:
-    """Solves the systems [H | c] of a block side by side for x as two blocks of three legs, (36), and
-    F = D - x, (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as
-    wanted where the digits of another solve are."""
+    """Solves H x = c for x in two blocks of three legs, (36), and computes F = D - x, (37), for all poses of
+    a block. The loop over lanes has no branches. Sets `bad` if a force is not finite, and `wanted` if the
+    blocks are too inaccurate and pivots are required."""
     for l in range(POSES):
         for i in each(6):
             for j in each(1 if i >= FIRST else 0, 7):
@@ -230,8 +234,9 @@ def pivots_of_lanes(
     bad: "alone(array(POSES))",
     wanted: "alone(array(POSES))",
 ) -> None:
-    """The same by elimination with partial pivoting, where it is wanted. The row with the largest entry sinks
-    to its place by exchanges that a lane makes or leaves. Marks as bad where a pivot is small as well."""
+    """Solves H x = c by elimination with partial pivoting for the poses with `wanted`, and computes F = D -
+    x. The row with the largest entry moves to its place by conditional exchanges in each lane. Sets `bad` if
+    a pivot is small or a force is not finite."""
     for l in range(POSES):
         for i in each(6):
             for j in each(1 if i >= FIRST else 0, 7):
@@ -252,7 +257,8 @@ def solve_block(
     F: "array(6, POSES)",
     bad: "array(POSES)",
 ) -> None:
-    """Forces of the poses of a block from [H | c] and D, (36) and (37), by two blocks, or by pivots."""
+    """Computes the forces of a block of poses from H, c, and D, (36) and (37), in two blocks of legs or by
+    pivots."""
     wanted = blank(array(POSES))
     most = 0.0
     blocks_of_lanes(column, D, arm_cube, F, bad, wanted)
@@ -265,12 +271,12 @@ def solve_block(
 def load_block(
     motions: "Motions", stride: "Count", first: "Count", count: "Count", at: "MotionLanes"
 ) -> None:
-    """Motions of the poses of a block, component by component."""
+    """Loads the motions of a block of poses, component by component."""
     LOADS
 
 
 def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
-    """Forces of the poses of a block, and where a closer look is needed."""
+    """Computes the forces of a block of poses, and marks the poses that must be checked."""
     shared = blank(SharedLanes)
     if AHEAD:
         roots = blank(Roots)
@@ -301,7 +307,7 @@ def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
 
 
 def forces_of(model: "Model", at: "MotionLanes", l: "Integer", F: "array(6)") -> "Integer":
-    """Forces and status of one pose of a block."""
+    """Computes the forces and the status of one pose of a block."""
     one = blank(Motion)
     for i in range(9):
         one.R[i] = at.R[i][l]
@@ -318,7 +324,7 @@ def forces_of_poses(
     F: "Pointer(Real)",
     status: "Pointer(Integer)",
 ) -> "Integer":
-    """Block after block: of one pose after the other where stride is 0, else of columns."""
+    """Computes the forces block by block. The arrays contain pose after pose if stride is 0, else columns."""
     if BAKED:
         model = address(numbers)
     at = blank(MotionLanes)
@@ -350,8 +356,10 @@ def forces_of_poses(
 def forces_batch(
     model: "Model", count: "Count", motions: "Motions", F: "Pointer(Real)", status: "Pointer(Integer)"
 ) -> "Integer":
-    """Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
-    Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others."""
+    """Computes the actuator forces F[count][6] (N) of `count` poses. `status` receives the code of each pose
+    and may be null; F_ext and M_ext may be null for zero load. Returns the first code other than STEWART_OK,
+    or STEWART_OK. A pose with another code keeps its old numbers in F and does not affect the other poses.
+    STEWART_BAD_ARGUMENT: $motion_needed, or another pointer is null; then nothing is written."""
     if MISSING:
         return BAD_ARGUMENT
     return forces_of_poses(model, count, 0, motions, F, status)
@@ -365,10 +373,11 @@ def forces_columns(
     F: "Pointer(Real)",
     status: "Pointer(Integer)",
 ) -> "Integer":
-    """The same, bit for bit, of columns: component i of pose j is number [i*stride + j] of its array, i from
-    0 to 8 of R and to 5 of F. STEWART_BAD_ARGUMENT where `stride` is less than `count`. Arrays may begin
-    anywhere; eight poses, in float sixteen, are read at a time: fastest where arrays begin at multiples of
-    64 bytes and `stride` is a multiple of 64 bytes, and none of 4096."""
+    """Computes the same forces, identical to the last bit, from arrays with one column for each component:
+    component i of pose j is element [i*stride + j] of its array. i is 0 to 8 in R, 0 to 2 in vectors, and 0
+    to 5 in F. STEWART_BAD_ARGUMENT: as above, or `stride` is less than `count`. Arrays may have any address.
+    Eight poses (sixteen in float) are read at a time. This is fastest if the arrays begin at multiples of 64
+    bytes, and if `stride` times sizeof(stewart_real) is a multiple of 64 but not of 4096."""
     if MISSING:
         return BAD_ARGUMENT
     return forces_of_poses(model, count, stride, motions, F, status)

@@ -2,7 +2,7 @@
 
 
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
-    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    """Returns the status of a leg: not finite, short compared with the vectors in its sum, along k, or OK."""
     if CARRIED:
         status = OK
     reject(L <= MAX, NOT_FINITE)
@@ -12,12 +12,12 @@ def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
 
 
 def reach_of(b: "array(3)", t: "array(3)", q: "array(3)") -> "Real":
-    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    """Returns the largest component (m) of the vectors q, t, and b, whose sum is a leg."""
     return largest_component(b, largest_component(t, largest_component(q, 0.0)))
 
 
 def largest_component(vector: "array(3)", least: "Real") -> "Real":
-    """The largest of ``least`` and the sizes of a vector's components."""
+    """Returns the largest of ``least`` and the magnitudes of a vector's components."""
     most = least
     for j in range(3):
         most = larger(size(vector[j]), most)

@@ -10,7 +10,7 @@ def shift_of_pose(
     c_moment: "alone(array(3))",
     c_tip: "alone(array(3))",
 ) -> None:
-    """The platform's part of c with moments about platform point 1."""
+    """Moves the platform's part of c to moments about platform point 1."""
     SHIFT
 
 
@@ -20,7 +20,8 @@ def moments_of_pose(
     c_force: "alone(array(3, LANES))",
     arm_c: "alone(array(3, LANES))",
 ) -> None:
-    """Moments of the legs of a pose about platform point 1, $count operations each; leg 1 has none."""
+    """Computes the moments of the legs of a pose about platform point 1, $count operations each. Leg 1 has
+    none."""
     FIRST
     for l in range(LANES):
         MOMENTS
@@ -32,7 +33,7 @@ def moments_of_first(
     c_moment: "alone(array(3, POSES))",
     c: "alone(array(6, POSES))",
 ) -> None:
-    """Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added."""
+    """Moves the platform's part of c of a block of poses to platform point 1, and adds the part of leg 1."""
     for l in range(POSES):
         FIRST
 
@@ -45,13 +46,14 @@ def moments_of_block(
     column: "alone(array(6, POSES))",
     c: "alone(array(6, POSES))",
 ) -> None:
-    """Another leg: its moments about platform point 1, $count operations each, and its part of c."""
+    """Computes the moments of legs 2 to 6 about platform point 1, $count operations each, and adds their
+    parts of c."""
     for l in range(POSES):
         MOMENTS
 
 
 def scale_pose(A: "array(6, LANES)", wrench: "array(6)", per_length: "Real") -> None:
-    """Takes the moments of the rows [H | c] over a length."""
+    """Multiplies the moment rows of [H | c] of a pose by `per_length`."""
     for i in range(3, 6):
         wrench[i] = wrench[i] * per_length
         for j in range(LANES):
@@ -59,7 +61,7 @@ def scale_pose(A: "array(6, LANES)", wrench: "array(6)", per_length: "Real") -> 
 
 
 def scale_block(column: "array(7, 6, POSES)", per_length: "Real") -> None:
-    """The same for a block."""
+    """Multiplies the moment rows of [H | c] of a block of poses by `per_length`."""
     for i in range(1 if ABOUT_TIP else 0, 7):
         for j in range(3, 6):
             for l in range(POSES):
@@ -69,7 +71,7 @@ def scale_block(column: "array(7, 6, POSES)", per_length: "Real") -> None:
 def rows_status(
     A: "array(6, LANES)", q: "array(3, LANES)", L: "array(LANES)", reach: "array(LANES)", per_length: "Real"
 ) -> "Integer":
-    """Status of a pose whose H may be singular to rounding."""
+    """Returns the status of a pose whose H may be singular to rounding."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
     tip = 0.0

@@ -5,14 +5,14 @@
 
 
 def size_sum(vector: "array(3)") -> "Real":
-    """Sum of the sizes of a vector's components, m."""
+    """Computes the sum of the magnitudes of a vector's components (m)."""
     return size(vector[0]) + size(vector[1]) + size(vector[2])
 
 
 def prepare(robot: "Robot", model: "Model") -> "Integer":
-    """Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
-    number of the robot is not finite or too large, or k is zero; the model is written only if it is
-    STEWART_OK."""
+    """Computes the model of a robot, once before the first pose.$any_axis Returns a status, and writes the
+    model only if it is STEWART_OK. STEWART_BAD_ARGUMENT: a pointer is null. STEWART_NOT_FINITE: a number that
+    the model depends on is not finite or too large$zero_axis."""
     found = blank(Leg)
     added = blank(Lumped)
     sum = blank(Lumped)
@@ -48,13 +48,13 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
 
 
 def pose_of(model: "Model", at: "Motion", out: "PoseTerms", A: "array(6, 7)") -> None:
-    """What the pose has for all legs, and the platform's part of c: $count operations."""
+    """Computes the terms that are common to all legs, and the platform's part of c: $count operations."""
     SHARED
 
 
 def leg_closely(model: "Model", leg: "Leg", at: "Motion", q_1: "array(3)", out: "LegSizes") -> None:
-    """What decides on a leg that may be short: its length, the size of the vectors that it is the sum of, the
-    arm of its moment, and its column of H."""
+    """Computes the inputs for the check of a zero-length leg: its length, the largest component of the
+    vectors in its sum, its moment arm, and its column of H."""
     COLUMN
     largest_term()
     out.reach = reach
@@ -62,7 +62,8 @@ def leg_closely(model: "Model", leg: "Leg", at: "Motion", q_1: "array(3)", out: 
 
 
 def short_status(model: "Model", leg: "Leg", at: "Motion", pose: "PoseTerms") -> "Integer":
-    """Status of a leg: not finite, no longer than the rounding of its terms, or at most short beside them."""
+    """Returns the status of a leg, and marks the pose if the leg is short compared with the vectors in its
+    sum."""
     sizes = blank(LegSizes)
     "Any vector will do for q_1: the arm and the column are not read."
     leg_closely(model, leg, at, at.t, sizes)
@@ -72,7 +73,7 @@ def short_status(model: "Model", leg: "Leg", at: "Motion", pose: "PoseTerms") ->
 
 
 def shift_of(model: "Model", leg: "Leg", at: "Motion", pose: "PoseTerms", A: "array(6, 7)") -> None:
-    """Platform point 1, about which moments are taken; the platform's part of c moves there."""
+    """Computes platform point 1, and moves the platform's part of c to moments about this point."""
     FIRST
     SHIFT
 
@@ -87,7 +88,7 @@ def leg_of(
     known: "Real",
     least: "Real",
 ) -> "Integer":
-    """One leg, $count operations: its column of H, its D and its part of c. Returns a status."""
+    """Computes one leg, $count operations: its column of H, its D, and its part of c. Returns a status."""
     BEFORE
     if not NEAR:
         if not LENGTH > least:
@@ -106,7 +107,7 @@ def leg_of(
 
 
 def scale_moments(A: "array(6, 7)", per_length: "Real") -> None:
-    """Takes the moments of the rows [H | c] over a length."""
+    """Multiplies the moment rows of [H | c] by `per_length`."""
     for i in range(7):
         A[3][i] = A[3][i] * per_length
         A[4][i] = A[4][i] * per_length
@@ -114,7 +115,7 @@ def scale_moments(A: "array(6, 7)", per_length: "Real") -> None:
 
 
 def pose_status(model: "Model", at: "Motion", pose: "PoseTerms") -> "Integer":
-    """Status of a pose whose H may be singular to rounding."""
+    """Returns the status of a pose whose H may be singular to rounding."""
     sizes = blank(LegSizes)
     H = blank(array(6, 6))
     length = blank(array(6))
@@ -134,7 +135,10 @@ def pose_status(model: "Model", at: "Motion", pose: "PoseTerms") -> "Integer":
 
 
 def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
-    """Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK."""
+    """Computes the actuator forces F (N) of one pose, (37), positive when they extend the leg. Reads
+    $motion_read of the motion. Returns a status, and writes F only if it is STEWART_OK. Other statuses:
+    STEWART_NOT_FINITE, STEWART_ZERO_LENGTH, ${joint_singular}STEWART_SINGULAR, and STEWART_BAD_ARGUMENT if a
+    pointer is null."""
     pose = blank(PoseTerms)
     A = blank(array(6, 7))
     x = blank(array(6))
@@ -145,7 +149,7 @@ def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
     pose.close = 0
     pose_of(model, motion, pose, A)
     shift_of(model, legs[0] if BAKED else model.leg[0], motion, pose, A)
-    "A leg above this is long beside the vectors that it is the sum of."
+    "A longer leg is long compared with the vectors in its sum."
     least = SHORTEST + SHORT_SHARE * (size(motion.t[0]) + size(motion.t[1]) + size(motion.t[2]) + SIZE)
     for i in range(6):
         status = leg_of(model, legs[i] if BAKED else model.leg[i], motion, pose, i, A, known[i], least)
@@ -164,7 +168,7 @@ def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
     for i in each(6):
         x[i] = known[i] - x[i] if HAS_D else -x[i]
     if not size(x[0]) + size(x[1]) + size(x[2]) + size(x[3]) + size(x[4]) + size(x[5]) <= MAX:
-        "The sum may be infinite where no force is."
+        "The sum may overflow although no force does."
         if not (
             size(x[0]) <= MAX
             and size(x[1]) <= MAX
@@ -180,14 +184,14 @@ def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
 
 
 def least_pivots(size: "Real") -> "Real":
-    """Product of the pivots below which H may be singular, of arms that are no larger than `size`."""
+    """Returns the product of the pivots below which H may be singular, for arms of at most `size`."""
     least = STEWART_LEAST_PIVOTS(size)
     return where(least <= MAX, least, MAX)
 
 
 def solve(A: "array(6, 7)", x: "array(6)") -> "Real":
-    """Solves [H | c] for x by elimination with partial pivoting, (36). The first column has no moment rows;
-    rows are exchanged by pointer, an upper one is read once. Returns the product of the pivots."""
+    """Solves H x = c for x by elimination with partial pivoting, (36), and returns the product of the pivots.
+    The first column has no moments. Rows are exchanged by pointer."""
     row = blank(pointers(6))
     for i in each(6):
         row[i] = A[i]

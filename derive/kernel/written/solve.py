@@ -2,7 +2,7 @@
 
 
 def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
-    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    """Solves H x = c for x by elimination with partial pivoting, (36). Returns 1 if a pivot is small."""
     if HAS_INVERSE:
         inverse = blank(array(6))
     suspect = 0
@@ -13,16 +13,20 @@ def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
 def singular_status(
     H: "array(6, 6)", arm: "array(6, 3)", L: "array(6)", reach: "array(6)", tip: "Real"
 ) -> "Integer":
-    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+    """Returns SINGULAR if H is singular to rounding, NOT_FINITE, or OK; H is overwritten.
 
-    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of; tip: of
-    the platform point that the arms are measured from, whose rounding they have, 0 for none. The direction s
-    of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of each
-    operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through Y_force +
-    Y_moment x arm with Y the inverse of H, wherever moments are taken about, and by the rounding of the
-    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to
-    row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of
-    Y itself.
+    arm (m): moment arms; L (m): lengths of the legs; reach (m): largest component of the vectors whose sum is
+    a leg. tip (m): largest component of the platform point from which the arms are measured, 0 for the
+    reference point.
+
+    Let Y be the inverse of H. The error of the direction s of a leg is at most 4 epsilon (reach / L + 2).
+    Each input and each operation is rounded by half a unit, and the elimination adds its own error.
+    This error changes the column (s, arm x s) of H, and Y_force + Y_moment x arm is its factor for any center
+    of moments. The rounding of the moment is added.
+
+    G_ik bounds the effect of the error of column k on row i of Y H. If H minus its error is singular, no v >
+    0 satisfies G v < v, and the spectral radius of G is at least 1. v is computed by powers of G. The limit
+    1/2 covers the errors of Y.
     """
     Y = blank(array(6, 6))
     G = blank(array(6, 6))
@@ -72,9 +76,9 @@ def singular_status(
 
 
 def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
-    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+    """Solves the rows [M | Y] for X, which replaces Y, by L D L^T.
 
-    MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    Returns MASS_MATRIX_INDEFINITE if a pivot is at most ``kept`` times its diagonal entry.
     """
     scale = blank(array(6))
     inverse = blank(array(6))
@@ -86,8 +90,8 @@ def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
 
 
 def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
-    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
-    where a pivot is small."""
+    """Solves the rows [H | Y] for X, which replaces Y, by elimination with partial pivoting. Returns 1 if a
+    pivot is small."""
     inverse = blank(array(6))
     suspect = 0
     elimination()
@@ -95,9 +99,9 @@ def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
 
 
 def clear_below(A: "array(6, WIDTH)", k: "Integer", inverse: "Real") -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored.
+    """Subtracts multiples of row k from the rows below, so that their column k, which is not stored, is zero.
 
-    ``row``: a copy, which no compiler takes for one of those that change.
+    ``row`` is a copy, because compilers then know that it differs from the rows that change.
     """
     row = blank(array(WIDTH))
     for j in columns(WIDTH):
@@ -109,7 +113,7 @@ def clear_below(A: "array(6, WIDTH)", k: "Integer", inverse: "Real") -> None:
 
 
 def substitute_back(A: "array(6, WIDTH)", inverse: "array(6)") -> None:
-    """Back substitution; inverse: of the pivots."""
+    """Substitutes back; ``inverse`` contains the reciprocals of the pivots."""
     row = blank(array(WIDTH))
     for k in reversed(range(6)):
         for j in columns(6, WIDTH):
@@ -122,9 +126,9 @@ def substitute_back(A: "array(6, WIDTH)", inverse: "array(6)") -> None:
 
 
 def per_length_of(size: "Real", smallest: "Real") -> "Real":
-    """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
-    for arms of about a meter, `smallest` and more, else one over the least power of two, from 2^-100 to
-    2^100, that is as large."""
+    """Returns the factor (1/m) of moments in the linear solver for arms whose largest coordinate is `size`
+    (m). It is 1 from `smallest` to 16 m. Otherwise it is the reciprocal of the smallest power of two, from
+    2^-100 to 2^100, that is not below `size`."""
     per_length = 1.0
     if anywhere((size < smallest) | (size > LARGEST)):
         unit = 1.0
@@ -143,7 +147,7 @@ def per_length_of(size: "Real", smallest: "Real") -> "Real":
 
 
 def cube_of(arm: "Real") -> "Real":
-    """The cube of a length, or of one that has a cube."""
+    """Returns the cube of a length; lengths above 2^40 are replaced by 2^40 to avoid overflow."""
     length = where(arm <= 1099511627776.0, arm, 1099511627776.0)
     return length * length * length
 
@@ -169,7 +173,7 @@ def solve_by_pivots(A: "array(6, 7)", arm_cube: "Real", x: "array(6)") -> "Integ
 
 
 def size_of(model: "Model") -> "Real":
-    """Largest coordinate of the arms of moments about platform point 1, m."""
+    """Returns the largest coordinate (m) of the arms of moments about platform point 1."""
     largest = 0.0
     for j in range(3):
         for i in range(1, 6):
@@ -181,8 +185,8 @@ def size_of(model: "Model") -> "Real":
 
 
 def scaled_axis(k: "array(3)", out: "array(3)") -> None:
-    """The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
-    length."""
+    """Multiplies a fixed axis of any length by a power of two, so that its square does not overflow or
+    underflow."""
     for j in range(3):
         out[j] = k[j]
     for i in range(64):
@@ -197,13 +201,13 @@ def scaled_axis(k: "array(3)", out: "array(3)") -> None:
 
 
 def clear_lumped(sum: "Lumped") -> None:
-    """A sum over the legs with nothing in it."""
+    """Sets the sum over the legs to zero."""
     for number in entries(ADDED):
         sum[number] = 0.0
 
 
 def add_lumped(sum: "Lumped", more: "Lumped") -> None:
-    """The sum with a leg more."""
+    """Adds the contributions of a leg to the sum."""
     for number in entries(ADDED):
         sum[number] = sum[number] + more[number]
 

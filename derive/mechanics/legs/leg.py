@@ -1,9 +1,10 @@
 """Equations of one leg: kinematics (1)-(9), leg frame (10), and equations of motion (11)-(29).
 
 Equations (11)-(14) are the centers of mass and their accelerations, (15) and (16) the inertias. Inputs are
-the platform's motion, outputs the leg's terms in the equations of the platform. Vectors are in the leg frame
-T = [x y z], in which S = (L, 0, 0) and k = (k1, 0, k3) keep the closed form short. SymPy solves the twelve
-equations of motion. The tests compare the solution with the printed results (21), (24), (27), (29).
+the platform's motion, outputs the leg's terms in the equations of the platform. Positions and the motion of
+the platform point are in the base frame, the equations of motion in the leg frame T = [x y z], in which S =
+(L, 0, 0) and k = (k1, 0, k3) keep the closed form short. SymPy solves the twelve equations of motion. The
+tests compare the solution with the printed results (21), (24), (27), (29).
 """
 
 from dataclasses import dataclass
@@ -32,7 +33,8 @@ class LegFrameMotion:
     inv_k3, kappa : Expr
         1 / k3, and k1 / k3.
     u, e : Matrix, shape (3, 1)
-        Velocity (m/s) and acceleration (m/s^2) of the platform point: the derivatives of S.
+        Velocity (m/s) and acceleration (m/s^2) of the platform point: base-frame derivatives of S, in
+        leg-frame components.
     gamma : Matrix, shape (3, 1)
         Gravity (m/s^2).
     w : Matrix, shape (3, 1)
@@ -172,7 +174,7 @@ def sliding(
 ) -> tuple[sp.Expr, sp.Expr]:
     """Name L_dot (5) and L_ddot (8) from the motion of the platform point in the base frame."""
     rate = build.scalar("rate", s.dot(S_dot), "(5)", "sliding velocity")
-    across = build.vector("across", S_dot - rate * s, "", "part of S_dot across the leg, of length L |W|")
+    across = build.vector("across", S_dot - rate * s, "", "transverse part of S_dot")
     return rate, build.scalar("second", s.dot(S_ddot) + across.dot(across) * inv_L, "(8)")
 
 
@@ -189,11 +191,12 @@ def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Ex
 def axes(
     build: Builder, s: sp.Matrix, normal: sp.Matrix, size: str, meaning: str
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:
-    """Name y and z of (10), the length of the normal along k x s, called ``size``, and its reciprocal.
+    """Add y and z of (10), the length of ``normal``, which is named ``size``, and its reciprocal to the
+    block.
 
-    The component of the normal along s is a rounding error, which is relatively larger for smaller |k x s|.
-    The vector s x normal has no such component. So z and y, which are computed from it, are perpendicular to
-    s and to each other to full precision.
+    The vector ``normal`` is parallel to k x s. Its component along s is a rounding error, which is relatively
+    larger for smaller |k x s|. The vector s x normal has no such component. So z and y, which are computed
+    from it, are perpendicular to s and to each other to full precision.
     """
     across = build.vector("s_cross_normal", cross(s, normal), "(10)", "along the third axis of the leg")
     length = build.scalar(size, sp.sqrt(across.dot(across)), "(10)", meaning)
@@ -263,7 +266,7 @@ def rotation(
 
 
 def _tidy(expr: sp.Expr, m: LegFrameMotion) -> sp.Expr:
-    """Write 1/L and k1/k3 by their names."""
+    """Replace 1/L and k1/k3 by their names."""
     expr = sp.expand(expr)
     if not m.k.is_zero_matrix and not m.k[2].is_number:
         expr = sp.expand(expr.subs(m.k[0], m.kappa * m.k[2]))
@@ -418,7 +421,7 @@ def leg_equations(
 
 
 def whole_leg(equations: LegEquations) -> tuple[sp.Matrix, sp.Matrix]:
-    """Return (19), the sum of (17) and (18), and the right-hand side C of (20).
+    """Return two vectors: (19), which is the sum of (17) and (18), and C of (20).
 
     Equation (20) is (19) with the unknowns on the left-hand side: M_u n + S x F_s = C.
     """

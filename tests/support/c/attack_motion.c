@@ -4,7 +4,7 @@
 
 #define MODEL KERNEL_NAME(_model)
 #define MOST_NUMBERS 256
-#define MOST_ARRAYS 8
+#define MOST_ARRAYS 9
 
 static const unsigned POSE_STATUS = ALLOWED(STEWART_OK) | ALLOWED(STEWART_NOT_FINITE) | ALLOWED(STEWART_ZERO_LENGTH)
     | ALLOWED(STEWART_JOINT_SINGULAR) | ALLOWED(STEWART_SINGULAR) | ALLOWED(STEWART_MASS_MATRIX_INDEFINITE);
@@ -13,7 +13,7 @@ enum { EQUATIONS, BIAS, FORWARD_DYNAMICS, JOINT_INERTIA, DERIVATIVES, LINEARISAT
 
 /* Widths of a pose's parts in each function's output, in the order of its struct, up to a 0. */
 static const size_t WIDTHS[FUNCTIONS][MOST_ARRAYS] = {
-    {36, 36, 6, 6, 6, 36, 36, 0}, {6, 0}, {6, 0}, {36, 0}, {6, 36, 36, 36, 0}, {6, 144, 72, 0},
+    {36, 36, 6, 6, 6, 6, 36, 36, 0}, {6, 0}, {6, 0}, {36, 0}, {6, 36, 36, 36, 0}, {6, 144, 72, 0},
 };
 
 static int one(int what, const MODEL *model, const stewart_motion *motion, const stewart_real *F, stewart_real *out)

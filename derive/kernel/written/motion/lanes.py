@@ -8,7 +8,7 @@ def pose_terms(
     out: "alone(Pose)",
     summed: "alone(Pointer(Real))",
 ) -> None:
-    """The platform's part, of one pose or of eight."""
+    """Computes the terms of the platform, for one pose or eight."""
     OUTSIDE
     for l in range(lanes):
         BLOCK
@@ -17,7 +17,7 @@ def pose_terms(
 def leg_terms(
     model: "alone(Model)", at: "alone(MotionLanes)", pose: "alone(Pose)", out: "alone(Legs)"
 ) -> None:
-    """The legs of a pose side by side, or one leg of eight poses."""
+    """Computes the legs of a pose, or one leg of eight poses, in lanes."""
     OUTSIDE
     for l in range(LANES):
         BLOCK
@@ -25,7 +25,7 @@ def leg_terms(
 
 
 def legs_status(checked: "Checked") -> "Integer":
-    """What is wrong with the first leg that is not fit."""
+    """Returns the status of the first leg that is not OK, or OK."""
     for i in range(6):
         if checked.bad[i] > 0.0:
             return fault_of(checked.L[i], checked.k3[i], checked.reach[i])
@@ -33,7 +33,7 @@ def legs_status(checked: "Checked") -> "Integer":
 
 
 def is_near(checked: "Checked") -> "Integer":
-    """Whether a leg is so near its joint singularity that the shorter formulas lose digits."""
+    """Returns 1 if a leg is so near its joint singularity that the shorter formulas lose digits."""
     found = 0
     for i in range(6):
         found = where(checked.k3[i] > LEANING, found, 1)
@@ -41,7 +41,7 @@ def is_near(checked: "Checked") -> "Integer":
 
 
 def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "array(COUNT)") -> None:
-    """Platform and legs together; ``status``: of the legs."""
+    """Computes the sums over platform and legs; ``status`` is the status of the legs."""
     at = blank(MotionLanes)
     own = blank(Pose)
     pose = blank(Pose)
@@ -75,8 +75,8 @@ def forces(model: "Model", motion: "Motion", out: "Forces") -> None:
 
 
 def columns_of_legs(robot: "alone(Robot)", at: "alone(Motion)", out: "alone(Columns)") -> None:
-    """Columns of the legs side by side, $count operations each, and a mark where a leg is not fit, or a
-    number of it not finite: moments are made of the forces and say it of both."""
+    """Computes the columns of the legs in lanes, $count operations each. Marks a leg whose status is not OK
+    or whose moments are not finite; moments are computed from forces, so forces need no check."""
     for i in range(LANES):
         for number in entries(OF_LEG):
             out[number, i] = robot.leg[where(i < 6, i, 5)][number]
@@ -90,12 +90,12 @@ def columns_of_legs(robot: "alone(Robot)", at: "alone(Motion)", out: "alone(Colu
 
 
 def columns_of_platform(robot: "alone(Robot)", at: "alone(Motion)", out: "alone(Columns)") -> None:
-    """Columns of the platform: $count operations."""
+    """Computes the columns of the platform: $count operations."""
     POSE
 
 
 def columns_status(found: "Columns") -> "Integer":
-    """What is wrong with a leg, or whether a number is not finite."""
+    """Returns the status of the legs, or NOT_FINITE if a number is not finite."""
     status = legs_status(found.checked)
     lost = 0.0
     for i in range(6):
@@ -108,9 +108,11 @@ def columns_status(found: "Columns") -> "Integer":
 def regressor(
     robot: "Robot", motion: "Motion", columns: "Pointer(Integer)", width: "Count", Y: "Pointer(Real)"
 ) -> "Integer":
-    """Regressor Y[6][width] of one pose: the columns that `columns` numbers, from 0, or all, with null for
-    `columns` and 0 for `width`. Returns a status: STEWART_BAD_ARGUMENT also for a column that there is not. Y
-    is written only if it is STEWART_OK."""
+    """Computes the regressor Y[6][width] of one pose. `columns` contains the indices of `width` columns, from
+    0. For all $count columns, Y[6][$count], `columns` is null and `width` 0. Returns a status, and writes Y
+    only if it is STEWART_OK. Other statuses: STEWART_NOT_FINITE, STEWART_ZERO_LENGTH, STEWART_JOINT_SINGULAR,
+    and STEWART_BAD_ARGUMENT if another pointer is null, an index is out of range, or `columns` is null and
+    `width` is not 0."""
     found = blank(Columns)
     if MISSING:
         return BAD_ARGUMENT
@@ -129,7 +131,7 @@ def regressor(
 
 
 def all_columns(found: "Columns", Y: "Pointer(Real)") -> None:
-    """Every column in its place: leg after leg, then the platform's."""
+    """Copies all columns: leg after leg, then the platform."""
     for i in range(6):
         for leg in range(6):
             for j in range(OF_ONE_LEG):
@@ -139,7 +141,7 @@ def all_columns(found: "Columns", Y: "Pointer(Real)") -> None:
 
 
 def chosen_columns(found: "Columns", columns: "Pointer(Integer)", width: "Count", Y: "Pointer(Real)") -> None:
-    """The columns that are asked for, side by side."""
+    """Copies the requested columns."""
     for each in range(width):
         column = columns[each]
         leg = column / OF_ONE_LEG
@@ -159,9 +161,11 @@ def regressor_batch(
     Y: "Pointer(Real)",
     status: "Pointer(Integer)",
 ) -> "Integer":
-    """Regressors Y[count][6][width] of `count` poses. `status` takes one code for each pose; null: not
-    wanted. Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the
-    others."""
+    """Computes the regressors Y[count][6][width] of `count` poses. `status` receives the code of each pose
+    and may be null. F_ext and M_ext of the motions are not read. Returns the first code other than
+    STEWART_OK, or STEWART_OK. A pose with another code keeps its old numbers in Y and does not affect the
+    other poses.
+    STEWART_BAD_ARGUMENT: as above, or R, t, omega, v, alpha, or a of the motions is null."""
     one = blank(Motion)
     each = 6 * where(columns is not None, width, OF_ALL)
     if MISSING:
@@ -170,6 +174,6 @@ def regressor_batch(
 
 
 def one_regressor() -> None:
-    """What the batch does with one pose."""
+    """Compute one pose of the batch."""
     load_pose(motions, pose, one)
     code = regressor(robot, one, columns, width, Y[pose * each :])
