@@ -51,8 +51,7 @@ class Structs(SphinxDirective):
 
 def parsers() -> dict[str, argparse.ArgumentParser]:
     """Parser of each subcommand."""
-    (found,) = (each for each in main._parser()._actions if isinstance(each, argparse._SubParsersAction))
-    return dict(found.choices)
+    return {name: main.subcommand_parser(name) for name in main.SUBCOMMANDS}
 
 
 class Subcommands(SphinxDirective):

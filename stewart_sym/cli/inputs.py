@@ -2,62 +2,57 @@
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+import numpy as np
+
+import stewart_sym as ss
 
 from ..io.error_policy import warn
 from ..io.progress import Progress
-
-if TYPE_CHECKING:
-    from ..motion.logs import TrajectoryFormat
-    from ..motion.trajectory import JointTrajectory, PoseLog, Trajectory
-    from ..robot.robot import Robot
-
+from ..kinematics.robot_logs import read_log_of
+from ..kinematics.trajectory_checks import side_doubt
+from ..motion.log_reader import with_units_of
+from ..motion.rotation import rotation_from_rpy
+from ..motion.trajectory import JointTrajectory, PoseLog, Trajectory
+from ..plausibility.plausibility import find_implausible
+from ..singularities.joint_space import on_platform
 
 FEW_ROWS = 10
 """Number of rows below which a trajectory does not resolve its motion."""
 
 
-def robot_of(source: Path) -> "Robot":
+def robot_of(source: Path) -> ss.Robot:
     """Read the robot of a file, and warn of implausible values."""
-    from ..robot.robot import Robot
-
-    robot = Robot.from_toml(source)
+    robot = ss.Robot.from_toml(source)
     warn_of_doubts(robot, source)
     return robot
 
 
-def warn_of_doubts(robot: "Robot", source: Path) -> None:
+def warn_of_doubts(robot: ss.Robot, source: Path) -> None:
     """Warn of implausible values of a robot, one line each.
 
     ``source`` is the file that contains or references the robot.
     """
-    from ..plausibility.plausibility import find_implausible
-    from ..robot.robot import RobotWarning
-
     for name, text in find_implausible(robot):
-        warn(f"{source}: {text} [{name}]", RobotWarning)
+        warn(f"{source}: {text} [{name}]", ss.RobotWarning)
 
 
 def trajectory_of(
-    robot: "Robot", source: Path, arguments: argparse.Namespace, progress: Progress
-) -> "Trajectory | PoseLog":
+    robot: ss.Robot, source: Path, arguments: argparse.Namespace, progress: Progress
+) -> Trajectory | PoseLog:
     """Read a CSV file of poses or leg lengths as specified by the options, and return poses over time."""
-    from ..kinematics.robot_logs import read_log_of
-    from ..motion.interpolation import resample
-    from ..motion.trajectory import SmoothingOptions
-
     if not arguments.smoothing:
         for name in ("position_std", "angle_std", "cutoff"):
             if getattr(arguments, name) is not None:
                 option = name.replace("_", "-")
                 raise ValueError(f"--{option} and --no-smoothing cannot be given together")
     form = log_format(arguments, source)
-    smoothing = SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
+    smoothing = ss.SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
     log = read_log_of(robot, source, log_format(arguments), smoothing, progress)
     trajectory = poses_of(robot, log, arguments, progress)
     if arguments.rate is None:
         return trajectory
-    few = resample(trajectory, arguments.rate)
+    few = ss.resample(trajectory, arguments.rate)
     if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
         warn(
             f"{source}: {len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(trajectory.time)} rows in "
@@ -68,8 +63,8 @@ def trajectory_of(
 
 
 def stated_noise(
-    arguments: argparse.Namespace, form: "TrajectoryFormat"
-) -> "tuple[float | None, float | None]":
+    arguments: argparse.Namespace, form: ss.TrajectoryFormat
+) -> tuple[float | None, float | None]:
     """Convert the noise options from units of the log to m and rad; return (position_std, angle_std)."""
     position, angle = arguments.position_std, arguments.angle_std
     return (
@@ -78,35 +73,25 @@ def stated_noise(
     )
 
 
-def log_format(arguments: argparse.Namespace, source: Path | None = None) -> "TrajectoryFormat":
+def log_format(arguments: argparse.Namespace, source: Path | None = None) -> ss.TrajectoryFormat:
     """Return the file format of a trajectory that the options specify.
 
     ``source`` is a file whose unit row supplies the units that no option specifies. Without ``source``, these
     units remain undefined.
     """
-    from ..motion.log_reader import with_units_of
-    from ..motion.logs import TrajectoryFormat
-
     units = ("length_unit", "angle_unit", "time_unit")
     names = ("columns", *units, "delimiter", "decimal", "euler_order", "length_mode")
-    form = TrajectoryFormat(**{name: getattr(arguments, name) for name in names})
+    form = ss.TrajectoryFormat(**{name: getattr(arguments, name) for name in names})
     return form if source is None else with_units_of(source, form)
 
 
 def poses_of(
-    robot: "Robot",
-    log: "Trajectory | PoseLog | JointTrajectory",
+    robot: ss.Robot,
+    log: Trajectory | PoseLog | JointTrajectory,
     arguments: argparse.Namespace,
     progress: Progress,
-) -> "Trajectory | PoseLog":
+) -> Trajectory | PoseLog:
     """Return the poses of a log, computed by forward kinematics if the log contains leg lengths."""
-    import numpy as np
-
-    from ..kinematics.trajectory_checks import side_doubt
-    from ..motion.rotation import rotation_from_rpy
-    from ..motion.trajectory import JointTrajectory
-    from ..singularities.joint_space import on_platform
-
     start = None if arguments.pose_guess is None else np.asarray(arguments.pose_guess)
     if isinstance(log, JointTrajectory):
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])

@@ -16,6 +16,12 @@ def robot_file(parser: argparse.ArgumentParser, name: str = "robot", default: st
     parser.add_argument(name, metavar="ROBOT.toml", type=Path, help=text, **more)
 
 
+def scene_file(parser: argparse.ArgumentParser, **more: Any) -> None:
+    """Add the scene file."""
+    more = {"help": "scene file, schema 1", **more}
+    parser.add_argument("scene", metavar="SCENE.toml", type=Path, **more)
+
+
 def output(
     parser: argparse.ArgumentParser,
     metavar: str,
@@ -31,34 +37,36 @@ def output(
     text = what if default is None else f"{what}; default: {default}"
     path = default if isinstance(default, Path) else None
     kind = folder_name if metavar == "DIR" else path_name
+    required = default is None
     parser.add_argument(
-        "-o", "--output", metavar=metavar, type=kind, required=default is None, default=path, help=text
+        "-o", "--output", metavar=metavar, type=kind, required=required, default=path, help=text
     )
     if plots:
         text = "write tables and CSV files only, without Matplotlib"
         parser.add_argument("--no-plots", dest="plots", action="store_false", help=text)
     if html:
-        text = "HTML file of text, tables, figures, and motions; requires no network"
-        parser.add_argument("--html", metavar="FILE", type=path_name, help=text)
+        valued(parser, "html", path_name, "HTML file of text, tables, figures, and motions", metavar="FILE")
     json_file(parser)
 
 
 def json_file(parser: argparse.ArgumentParser) -> None:
     """Add ``--json``, and ``--force``, which applies to all written files."""
-    parser.add_argument(
-        "--json",
-        metavar="FILE",
-        nargs="?",
-        type=path_name,
-        const=Path("-"),
-        help="JSON file of all numbers; units are in the keys or under `units`, non-finite numbers are null; "
-        "without FILE or with -, standard output instead of the text",
+    text = (
+        "JSON file of all numbers; units are in the keys or under `units`, non-finite numbers are null; "
+        "without FILE or with -, standard output instead of the text"
     )
-    parser.add_argument(
-        "--force",
-        action="store_true",
-        help="replace also files of other programs and edited files, except inputs",
-    )
+    parser.add_argument("--json", metavar="FILE", nargs="?", type=path_name, const=Path("-"), help=text)
+    flag(parser, "force", "replace also files of other programs and edited files, except inputs")
+
+
+def flag(parser: argparse._ActionsContainer, name: str, text: str) -> None:
+    """Add an option without a value."""
+    parser.add_argument(f"--{name}", action="store_true", help=text)
+
+
+def seed(parser: argparse._ActionsContainer) -> None:
+    """Add ``--seed``."""
+    valued(parser, "seed", whole, "random seed", 0, "N")
 
 
 def valued(
@@ -121,30 +129,23 @@ def whole(text: str) -> int:
     raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
 
 
+def trajectory_files(parser: argparse.ArgumentParser, name: str, **more: Any) -> None:
+    """Add the files of trajectories."""
+    text = "CSV file of times and poses or leg lengths"
+    parser.add_argument(name, metavar="TRAJECTORY.csv", type=Path, help=text, **more)
+
+
 def log_options(parser: argparse.ArgumentParser) -> None:
     """Add the options for reading the file of a trajectory."""
     group = log_form(parser)
-    valued(
-        group,
-        "rate",
-        positive,
-        "sampling rate of the resampled log (Hz); default: no resampling",
-        metavar="HZ",
-    )
-    noise_options(
-        group,
-        "standard deviation of the {} of the log (--{}-unit); default: estimated",
-        "positions or leg lengths",
-        "angles",
-    )
+    text = "sampling rate of the resampled log (Hz); default: no resampling"
+    valued(group, "rate", positive, text, metavar="HZ")
+    text = "standard deviation of the {} of the log (--{}-unit); default: estimated"
+    noise_options(group, text, "positions or leg lengths", "angles")
     text = "frequency at half amplitude of the smoothing filter (Hz); default: the most likely"
     valued(group, "cutoff", positive, text, metavar="HZ")
-    group.add_argument(
-        "--no-smoothing",
-        dest="smoothing",
-        action="store_false",
-        help="interpolate the samples without smoothing",
-    )
+    text = "interpolate the samples without smoothing"
+    group.add_argument("--no-smoothing", dest="smoothing", action="store_false", help=text)
 
 
 def noise_options(parser: argparse._ActionsContainer, text: str, position: str, angle: str) -> None:
@@ -156,56 +157,46 @@ def noise_options(parser: argparse._ActionsContainer, text: str, position: str, 
         valued(parser, f"{name}-std", positive, text.format(what, kind), metavar="STD")
 
 
+LOG_FORM = {
+    "length-unit": ("unit of length", "the unit row below the header, otherwise m", ("m", "cm", "mm", "in")),
+    "angle-unit": ("unit of angle", "the unit row below the header, otherwise rad", ("rad", "deg")),
+    "time-unit": ("unit of time", "the unit row below the header, otherwise s", ("s", "ms", "us")),
+    "delimiter": ("delimiter", "detected", ("comma", "semicolon", "tab")),
+    "decimal": ("decimal mark", "detected", ("point", "comma")),
+    "euler-order": (
+        "order of the rotation product",
+        "from the robot file, otherwise zyx (R = Rz Ry Rx)",
+        ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
+    ),
+    "length-mode": (
+        "zero of the leg lengths, absolute or the home pose",
+        "from the robot file or absolute",
+        ("absolute", "relative"),
+    ),
+}
+"""Meaning, default, and values of each option that describes a trajectory file."""
+
+
 def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     """Add the options for columns, units, and delimiters of a trajectory file, and for the initial pose
     guess.
     """
     group = parser.add_argument_group("trajectory file")
-    group.add_argument(
-        "--pose-guess",
-        nargs=6,
-        type=finite,
-        metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
-        help="pose near the first leg lengths (m and rad); default: above the base, nearly parallel to it",
-    )
-    group.add_argument(
-        "--columns",
-        type=column_names,
-        default={},
-        metavar="NAME=HEADER,...",
-        help="names of the columns in the header, as in time=ms,t_x=X; all other columns are ignored",
-    )
-    for name, choices in (
-        ("length", ("m", "cm", "mm", "in")),
-        ("angle", ("rad", "deg")),
-        ("time", ("s", "ms", "us")),
-    ):
-        text = f"unit of {name}; default: the unit row below the header, otherwise {choices[0]}"
-        group.add_argument(f"--{name}-unit", choices=choices, help=text)
-    group.add_argument(
-        "--delimiter", choices=("comma", "semicolon", "tab"), help="delimiter; default: detected"
-    )
-    group.add_argument("--decimal", choices=("point", "comma"), help="decimal mark; default: detected")
-    group.add_argument(
-        "--euler-order",
-        choices=("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
-        help="order of the rotation product; default: from the robot file, otherwise zyx (R = Rz Ry Rx)",
-    )
-    group.add_argument(
-        "--length-mode",
-        choices=("absolute", "relative"),
-        help="zero of the leg lengths, absolute or the home pose; default: from the robot file or absolute",
-    )
+    names = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
+    text = "pose near the first leg lengths (m and rad); default: above the base, nearly parallel to it"
+    group.add_argument("--pose-guess", nargs=6, type=finite, metavar=names, help=text)
+    text = "names of the columns in the header, as in time=ms,t_x=X; all other columns are ignored"
+    group.add_argument("--columns", type=column_names, default={}, metavar="NAME=HEADER,...", help=text)
+    for name, (what, default, choices) in LOG_FORM.items():
+        group.add_argument(f"--{name}", choices=choices, help=f"{what}; default: {default}")
     return group
 
 
 def column_names(text: str) -> dict[str, str]:
     """Parse pairs NAME=HEADER, separated by commas."""
-    pairs = [pair.partition("=") for pair in text.split(",")]
-    names = {name.strip(): given.strip() for name, _, given in pairs}
-    if not all(sign and name.strip() and given.strip() for name, sign, given in pairs) or len(names) < len(
-        pairs
-    ):
+    pairs = [[part.strip() for part in pair.partition("=")] for pair in text.split(",")]
+    names = {name: header for name, _, header in pairs}
+    if not all(map(all, pairs)) or len(names) < len(pairs):
         raise argparse.ArgumentTypeError(f"expected NAME=HEADER,NAME=HEADER,..., got {text!r}")
     return names
 

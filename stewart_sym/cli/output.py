@@ -5,15 +5,17 @@ files.
 import argparse
 import contextlib
 import dataclasses
-import itertools
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from ..io.arguments import safe_text
+from ..io.atomic_write import ResultFolder, begins_with, must_be_replaceable, write_file
 from ..io.extras import need
+from ..io.json_text import json_text
 from ..io.progress import Progress
 from ..studies.common.not_finite import in_figures, in_text, note_not_finite
 from ..studies.common.report import Report, write
+from ..viewer.page import BEGINNING as HTML_BEGINNING
 from .terminal import PROGRAM, progress_line
 
 Taker = Callable[[Report], None]
@@ -22,126 +24,93 @@ Taker = Callable[[Report], None]
 
 @contextlib.contextmanager
 def results(
-    arguments: argparse.Namespace, stem: str | None = None, *tables: str, read: Iterable[Path] = ()
+    arguments: argparse.Namespace,
+    stem: str | None = None,
+    *tables: str,
+    read: Iterable[Path] = (),
+    beginnings: Sequence[str] = (),
 ) -> Iterator[tuple[Taker, Progress]]:
     """Return a function that writes the report of a subcommand and a function that displays its progress.
 
-    Files are put in place and the text is printed only if the block ends without an error.
-
-    Parameters
-    ----------
-    arguments : argparse.Namespace
-        Arguments of the subcommand.
-    stem : str or None
-        Name of the text file and the JSON file in the folder ``arguments.output``, without suffix. None
-        writes no folder.
-    *tables : str
-        Names of other files in the folder, so that a conflict is reported before the computation.
-    read : iterable of Path
-        Input files that are not arguments themselves.
-
-    Yields
-    ------
-    Taker
-        Function that writes a report.
-    Progress
-        Function that displays the progress.
-
-    Raises
-    ------
-    ValueError
-        If an output file is an input, or was written or changed by another program.
-    ImportError
-        If plots are requested and the extra with the plotting packages is not installed.
-    OSError
-        If a file or folder cannot be written.
+    A folder ``arguments.output`` contains ``stem.txt``, ``stem.json``, and the files ``tables``. A single
+    file ``arguments.output``, which the block writes, begins with one of ``beginnings``. ``read`` are input
+    files that are not arguments. The text is printed if the block ends without an error and standard output
+    is not the file. Files that cannot be written or replaced are errors before the block.
     """
-    from ..io.atomic_write import result_file, result_folder
-    from ..io.json_text import json_text
-
     inputs, lines = [*_paths(arguments), *read], []
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
-    output: Path | None = getattr(arguments, "output", None)
-    drawn = stem is not None and output is not None and getattr(arguments, "plots", False)
-    if drawn:
-        need_drawing(", or use --no-plots")
-    with contextlib.ExitStack() as stack:
-        stream = folder = page = None
-        target: Path | None = getattr(arguments, "html", None)
-        if stem is None and output is not None:
-            reject_inputs("-o", output, *inputs)
-        if target is not None:
-            from ..viewer.page import BEGINNING
+    output, page = (getattr(arguments, name, None) for name in ("output", "html"))
+    plots = getattr(arguments, "plots", True)
+    folder = None
+    if stem is not None and output is not None:
+        if plots and hasattr(arguments, "plots"):
+            need_drawing(", or use --no-plots")
+        names = (f"{stem}.txt", f"{stem}.json", *tables)
+        folder = ResultFolder(output, arguments.force, inputs, names)
+    paths = [path for path in (output, page, arguments.json) if path is not None]
+    if len({*paths}) < len(paths):
+        raise ValueError("-o, --html, --json: two results have the same file; name another file")
+    if beginnings and output is not None:
+        need_own_file(output, beginnings, arguments.force, inputs)
+    if page is not None:
+        need_html("--html", page)
+        need_own_file(page, [HTML_BEGINNING], arguments.force, inputs)
+    if arguments.json is not None:
+        if arguments.json.suffix in (".toml", ".csv"):
+            raise ValueError(f"--json {arguments.json}: got an input; put inputs before --json")
+        beginning = json_text(made_by).removesuffix("\n}\n") + ","
+        need_own_file(arguments.json, [beginning], arguments.force, inputs)
 
-            reject_inputs("--html", target, *inputs)
-            _need_another("--html", target, arguments.json, output)
-            need_html("--html", target)
-            page = stack.enter_context(result_file(target, [BEGINNING], arguments.force))
+    def take(report: Report) -> None:
+        report = dataclasses.replace(
+            report, data={**made_by, **report.data}, figures=report.figures if plots else {}
+        )
+        if report.text:
+            lines.append(report.text.rstrip("\n"))
+        texts = [report.text, *(each for each in report.tables.values() if isinstance(each, str))]
+        if in_figures(report.data) or any(map(in_text, texts)):
+            note_not_finite()
+        if folder is not None and stem is not None:
+            write(report, folder, stem, progress)
+            lines.append(f"Written to {output}: {', '.join(sorted(folder.names))}")
+        if page is not None:
+            from ..studies.common.html_page import html_page
+
+            write_file(page, html_page(made_by["generator"], report, progress))
+            lines.append(f"Written to {page}")
         if arguments.json is not None:
-            _need_another("--json", arguments.json, output)
-            reject_inputs("--json", arguments.json, *inputs)
-            if arguments.json.suffix in (".toml", ".csv"):
-                text = "expected a JSON file, got an input; put inputs before --json"
-                raise ValueError(f"--json {arguments.json}: {text}")
-            beginning = json_text(made_by).removesuffix("\n}\n") + ","
-            stream = stack.enter_context(result_file(arguments.json, [beginning], arguments.force))
-        if stem is not None and output is not None:
-            names = (f"{stem}.txt", f"{stem}.json", *tables)
-            folder = stack.enter_context(result_folder(output, arguments.force, inputs, names))
-        progress = stack.enter_context(progress_line())
+            write_file(arguments.json, json_text(report.data))
 
-        def take(report: Report) -> None:
-            figures = report.figures if getattr(arguments, "plots", True) else {}
-            report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
-            if report.text:
-                lines.append(report.text.rstrip("\n"))
-            texts = [report.text, *(each for each in report.tables.values() if isinstance(each, str))]
-            if in_figures(report.data) or any(map(in_text, texts)):
-                note_not_finite()
-            if folder is not None and stem is not None:
-                write(report, folder, stem, progress)
-                written = sorted(path.name for path in folder.iterdir())
-                lines.append(f"Written to {output}: {', '.join(written)}")
-            if page is not None:
-                from ..studies.common.html_page import html_page
-
-                page.write(html_page(made_by["generator"], report, progress))
-                lines.append(f"Written to {target}")
-            if stream is not None:
-                stream.write(json_text(report.data))
-
+    with progress_line() as progress:
         yield take, progress
+    if beginnings and str(output) == "-":
+        lines.clear()
+    elif beginnings and output is not None:
+        lines.append(f"Written to {output}")
     if str(arguments.json) != "-":
         for text in lines:
             print(*map(safe_text, text.split("\n")), sep="\n")
 
 
-def _need_another(option: str, path: Path, *others: Path | None) -> None:
-    """Raise ValueError if another result is written to the same file."""
-    if path in others:
-        raise ValueError(f"{option} {path}: another result has the same file; name another file")
+def _paths(arguments: argparse.Namespace) -> Iterator[Path]:
+    """Yield the input files among the arguments."""
+    for name, value in vars(arguments).items():
+        if name not in ("output", "json", "html"):
+            yield from (
+                each for each in (value if isinstance(value, list) else [value]) if isinstance(each, Path)
+            )
+
+
+def need_own_file(path: Path, beginnings: Sequence[str], force: bool, inputs: Iterable[Path]) -> None:
+    """Raise ValueError if a file cannot be written or must not be replaced; ``-`` is standard output."""
+    if str(path) != "-":
+        must_be_replaceable(path, begins_with(path, beginnings), force, inputs)
 
 
 def need_html(option: str, target: Path) -> None:
     """Raise ValueError if the file name has a suffix other than .html or .htm."""
     if target.suffix.lower() not in ("", ".html", ".htm"):
         raise ValueError(f"{option} {target}: the file name must end in .html")
-
-
-def _paths(arguments: argparse.Namespace) -> list[Path]:
-    """Return the input files among the arguments."""
-    values = {
-        name: value for name, value in vars(arguments).items() if name not in ("output", "json", "html")
-    }
-    given = (value if isinstance(value, list) else [value] for value in values.values())
-    return [path for path in itertools.chain(*given) if isinstance(path, Path)]
-
-
-def reject_inputs(option: str, output: Path, *inputs: Path) -> None:
-    """Raise ValueError if the output file ``output`` of ``option`` is one of the inputs."""
-    for path in inputs:
-        if output.exists() and path.exists() and output.samefile(path):
-            raise ValueError(f"{option} {output}: the file is an input; name another file")
 
 
 def need_drawing(otherwise: str = "") -> None:

@@ -1,14 +1,13 @@
 """Progress, warnings, and errors on the terminal, one line each."""
 
 import contextlib
+import math
 import os
-import re
 import shutil
 import sys
 import time
 import warnings
-from collections.abc import Collection, Iterator
-from functools import partial
+from collections.abc import Iterator
 
 from ..io.arguments import safe_text
 from ..io.progress import Progress, silent
@@ -43,16 +42,12 @@ class _Line:
         self._began = self._shown = 0.0
 
     def __call__(self, text: str, share: float | None = None) -> None:
-        """Show a step.
-
-        A missing fraction, the first fraction, or one that is lower than before starts a new task.
-        """
+        """Show a step; a missing fraction, the first one, or a lower one than before starts a new task."""
         now = time.monotonic()
-        another = share is None or self._share is None or share < self._share
+        if share is None or self._share is None or share < self._share:
+            self._began, self._shown = now, -math.inf
         self._share = share
-        if another:
-            self._began = now
-        elif now - self._shown < _PAUSE:
+        if now - self._shown < _PAUSE:
             return
         self._shown = now
         line = f"{text} ..." if share is None else f"{_bar(share, now - self._began)}  {text}"
@@ -63,29 +58,26 @@ class _Line:
 def _bar(share: float, passed: float) -> str:
     """Format a bar, the percentage, and the remaining time; ``passed`` is the elapsed time (s)."""
     full = round(_WIDTH * share)
-    left = "" if share <= 0.0 else f", {_time(passed * (1.0 - share) / share)} left"
+    left = ""
+    if share > 0.0:
+        minutes, seconds = divmod(round(passed * (1.0 - share) / share), 60)
+        left = f", {f'{minutes} min {seconds:02d} s' if minutes else f'{seconds} s'} left"
     return f"[{'#' * full}{' ' * (_WIDTH - full)}] {100.0 * share:3.0f} %{left}"
 
 
-def _time(seconds: float) -> str:
-    minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes} min {rest:02d} s" if minutes else f"{rest} s"
-
-
 @contextlib.contextmanager
-def warnings_in_lines(*sources: object, options: Collection[str] | None = None) -> Iterator[None]:
+def warnings_in_lines(*sources: object) -> Iterator[None]:
     """Print the warnings of the block at its end, one line each, before the error message of the block.
 
     NumPy's overflow warnings are combined into one line that names the inputs ``sources``. This line is
-    printed only if a result of the block contains a non-finite number. ``options`` are the options of
-    ``one_line``.
+    printed only if a result of the block contains a non-finite number.
     """
     lines: list[str] = []
     overflows: list[str] = []
 
     def keep(message: Warning | str, category: type[Warning], *_: object, **__: object) -> None:
         of_numpy = category is RuntimeWarning and " encountered in " in str(message)
-        (overflows if of_numpy else lines).append(one_line(message, options))
+        (overflows if of_numpy else lines).append(one_line(message))
 
     with warnings.catch_warnings():
         warnings.showwarning = keep
@@ -93,38 +85,23 @@ def warnings_in_lines(*sources: object, options: Collection[str] | None = None) 
             with results_noted() as noted:
                 yield
             if overflows and noted:
-                of = ", ".join(map(str, sources))
-                text = "numbers overflow on the way: do not rely on results that are inf or nan"
-                lines.append(one_line(f"{of}: {text}" if of else text))
+                place = ", ".join(map(str, sources)) or "inputs"
+                lines.append(
+                    f"{place}: numbers overflow on the way: do not rely on results that are inf or nan"
+                )
         finally:
             for text in lines:
                 print(f"{PROGRAM}: warning: {text}", file=sys.stderr)
 
 
-def one_line(error: object, options: Collection[str] | None = None) -> str:
-    """Format an error or a warning as one line.
-
-    ``options`` are the options of the subcommand; None accepts all options of trajectory files.
-    """
+def one_line(error: object) -> str:
+    """Format an error or a warning as one line; system errors without a file name are errors of printing."""
+    text = str(error)
     if isinstance(error, MemoryError):
-        return f"out of memory: {error}" if str(error) else "out of memory"
-    if isinstance(error, OSError) and error.strerror:
-        text = error.strerror if error.filename is None else f"{error.filename}: {error.strerror}"
-    else:
-        text = str(error) or type(error).__name__
-    return safe_text(_ARGUMENT.sub(partial(_as_option, options), " ".join(text.split())))
-
-
-# Messages of the library name arguments of TrajectoryFormat. The command line has options of the same names.
-_ARGUMENT = re.compile(r"TrajectoryFormat\((\w+)=('\w+'|\{[^}]*\})\)")
-
-
-def _as_option(options: Collection[str] | None, found: re.Match[str]) -> str:
-    value = found[2].strip("{}").replace("'", "").replace(": ", "=").replace(", ", ",")
-    option = f"--{found[1].replace('_', '-')}"
-    if options is None or option in options or not option.endswith("-unit"):
-        return f"{option} {value}"
-    return f"{value} in a row of units below the header"
+        text = f"out of memory: {error}".removesuffix(": ")
+    elif isinstance(error, OSError) and error.strerror:
+        text = f"{error.filename or 'standard output'}: {error.strerror}"
+    return safe_text(" ".join(text.split())) or type(error).__name__
 
 
 def give_up_stdout() -> None:

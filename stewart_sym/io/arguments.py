@@ -20,17 +20,12 @@ def shown(value: object) -> str:
 
 
 def safe_text(text: str) -> str:
-    """Replace each nonprintable character of a one-line text by its code point.
-
-    Such characters are direction marks, zero-width characters, and control characters.
-    """
+    """Replace direction marks and other nonprintable characters of a one-line text by their code points."""
     return "".join(each if each.isprintable() else f"[U+{ord(each):04X}]" for each in text)
 
 
 def real_array(value: object, name: str, expected: str = "real numbers") -> NDArray[np.float64]:
-    """Return a float64 copy; raise ValueError with the ``expected`` values unless all entries are real
-    numbers.
-    """
+    """Return a float64 copy; raise ValueError unless all entries are real numbers."""
     try:
         given: NDArray[Any] = np.asarray(value)
     except ValueError:
@@ -43,10 +38,7 @@ def real_array(value: object, name: str, expected: str = "real numbers") -> NDAr
 
 
 def deviations(sigma: object, name: str, shape: tuple[int, ...], rule: str) -> NDArray[np.float64]:
-    """Return standard deviations broadcast to a shape.
-
-    ``rule`` is "> 0" or ">= 0" with a unit and the meaning of the shape, for the error message.
-    """
+    """Return standard deviations of a shape; ``rule`` begins with "> 0" or ">= 0" and names the unit."""
     expected = f"standard deviations {rule}"
     values = real_array(sigma, name, expected)
     bad = ~(np.isfinite(values) & (values >= 0.0 if rule.startswith(">=") else values > 0.0))
@@ -61,9 +53,7 @@ def deviations(sigma: object, name: str, shape: tuple[int, ...], rule: str) -> N
 def number_in(
     value: object, name: str, expected: str, low: float = 0.0, high: float = math.inf, closed: bool = False
 ) -> float:
-    """Return one finite number between two bounds; ``closed`` includes the bounds; raise ValueError
-    otherwise.
-    """
+    """Return one finite number between two bounds, which ``closed`` includes."""
     with contextlib.suppress(ValueError):
         given = real_array(value, name)
         number = float(given) if given.shape == () else math.nan
@@ -81,10 +71,7 @@ def whole_number(value: object, name: str, least: int, expected: str, most: floa
 
 
 def shaped_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
-    """Return a float64 copy of shape (..., *core); raise ValueError for other shapes.
-
-    ``batch`` permits leading axes.
-    """
+    """Return a float64 copy of shape ``core``, with leading axes if ``batch`` is True."""
     expected = f"(..., {', '.join(str(n) for n in core)})" if batch else str(core)
     array = real_array(value, name, f"real numbers of shape {expected}")
     if (array.shape[-len(core) :] if batch else array.shape) != core:
@@ -109,9 +96,8 @@ def leading_shape(leading: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
         try:
             shape = np.broadcast_shapes(shape, lead)
         except ValueError:
-            raise ValueError(
-                f"{name}: expected a leading shape that broadcasts with {shape}, got {lead}"
-            ) from None
+            expected = f"a leading shape that broadcasts with {shape}"
+            raise ValueError(f"{name}: expected {expected}, got {lead}") from None
     return shape
 
 

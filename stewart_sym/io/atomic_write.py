@@ -1,188 +1,85 @@
-"""Atomic writing of one file, or of all files of a folder.
-
-A file in a folder is replaced only if a record in the folder shows that this program wrote it and that it is
-unchanged. A single file has no record; its first lines identify its generator.
-"""
+"""Atomic writing of files, without replacing inputs or files of other programs."""
 
 import contextlib
 import hashlib
 import json
 import os
-import re
+import secrets
 import shutil
-import stat
 import sys
-import tempfile
-import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from errno import EISDIR, ENOTDIR
+from collections.abc import Iterable, Sequence
 from importlib.metadata import version
 from pathlib import Path
-from typing import TextIO
 
-from . import interrupts
 from .json_text import json_text
 
 RECORD = ".stewart-sym.json"
 """Record of the names and SHA-256 digests of the files that this program wrote into a folder."""
 
-_PREFIX = ".stewart-sym-"
-_TEMPORARY = re.compile(re.escape(_PREFIX) + "[a-z0-9_]{8}")
-_OTHERS = "exists with other content; use --force to overwrite"
-# The process that creates a temporary file locks it within this time.
-_UNLOCKED_SECONDS = 60.0
+TEMPORARY = ".stewart-sym-"
+"""Beginning of the names of temporary files, which remain only if the process is killed."""
 
 
-@contextlib.contextmanager
-def replaced_file(path: Path) -> Iterator[TextIO]:
-    """Open a text file that replaces ``path`` only if the block ends without an error; ``-`` is standard
-    output.
+def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
+    """Write a file that has either its former or its new content at any time; ``-`` is standard output.
 
-    A device or a pipe is written directly at the end of the block. Raises OSError with the name ``path``:
-    before the block if the file cannot be written, and for errors during writing.
+    The content is written to a temporary file in the same folder, which then replaces ``path``. Missing
+    folders are created. A device or a pipe is written directly. Raises OSError with the name ``path``.
     """
+    chunks: Iterable[str | bytes] = [content] if isinstance(content, str | bytes) else content
     if str(path) == "-":
-        with named("standard output"), _spooled(sys.stdout) as stream:
-            yield stream
+        sys.stdout.writelines(map(str, chunks))
         return
-    if path.is_dir():
-        raise IsADirectoryError(EISDIR, "is a folder, expected a file to write", str(path))
-    # The path is not resolved, because /dev/stdout and a shell's >(...) refer to pipes without another name.
-    if path.exists() and not path.is_file():
-        with named(path), open(path, "w", encoding="utf-8") as out, _spooled(out) as stream:
-            yield stream
-        return
-    target = path.resolve()
-    with interrupts.deferred():
-        _remove_left_behind(target.parent)
-        with _blamed_on(path):
-            descriptor, name = tempfile.mkstemp(prefix=_PREFIX, dir=target.parent)
-        temporary = Path(name)
-        try:
-            with _locked(temporary):
-                with (
-                    interrupts.deferred(False),
-                    named(path),
-                    open(descriptor, "w", encoding="utf-8", newline="\n") as stream,
-                ):
-                    yield stream
-                interrupts.check()
-                with _blamed_on(path):
-                    temporary.chmod(_mode(target))
-                    os.replace(temporary, target)
-        except BaseException:
-            temporary.unlink(missing_ok=True)
-            raise
-
-
-@contextlib.contextmanager
-def result_file(path: Path, beginnings: Sequence[str], force: bool = False) -> Iterator[TextIO]:
-    """Open a text file as ``replaced_file`` does, without replacing files of other programs.
-
-    An existing file belongs to this program if it is empty or begins with one of ``beginnings``. For other
-    files ValueError is raised before and after the block, unless ``force`` is True.
-    """
-
-    def check() -> None:
-        if force or str(path) == "-" or not path.is_file():
-            return
-        with open(path, "rb") as found:
-            start = found.read(max(map(len, beginnings)))
-        if start and not start.startswith(tuple(text.encode() for text in beginnings)):
-            raise ValueError(f"{path}: {_OTHERS}")
-
-    check()
-    with replaced_file(path) as stream:
-        yield stream
-        check()
-
-
-@contextlib.contextmanager
-def _spooled(out: TextIO) -> Iterator[TextIO]:
-    """Open a temporary file, whose text is copied to ``out`` if the block ends without an error."""
-    with tempfile.TemporaryFile("w+", encoding="utf-8", newline="\n") as stream:
-        yield stream
-        stream.seek(0)
-        shutil.copyfileobj(stream, out)
-        out.flush()
-
-
-def _mode(target: Path) -> int:
-    """Return the permissions of ``target``, or the permissions of a new file if it does not exist."""
-    with contextlib.suppress(FileNotFoundError):
-        return target.stat().st_mode & 0o777
-    mask = os.umask(0)
-    os.umask(mask)
-    return 0o666 & ~mask
-
-
-@contextlib.contextmanager
-def result_folder(
-    directory: Path, force: bool = False, inputs: Iterable[Path] = (), names: Iterable[str] = ()
-) -> Iterator[Path]:
-    """Return an empty folder as ``staged_folder`` does, without replacing files of other programs.
-
-    Parameters
-    ----------
-    directory : Path
-        Folder of the files and of their record.
-    force : bool
-        True also replaces edited files and files of other programs, except inputs.
-    inputs : iterable of Path
-        Files that are never replaced.
-    names : iterable of str
-        Names of files that the block writes, also checked before the block.
-
-    Yields
-    ------
-    Path
-        Empty folder.
-
-    Raises
-    ------
-    ValueError
-        If a file is an input, or was written or changed by another program.
-    OSError
-        As for ``staged_folder``.
-    """
-    ours = recorded(directory, RECORD)
-    for name in names:
-        must_replace(directory, name, None, ours, force, inputs)
-    with staged_folder(directory) as folder:
-        yield folder
-        found = {
-            path.relative_to(folder).as_posix(): path.read_bytes()
-            for path in sorted(folder.rglob("*"))
-            if path.is_file()
-        }
-        for name, content in found.items():
-            must_replace(directory, name, content, ours, force, inputs)
-        kept = {name: digest for name, digest in ours.items() if (directory / name).is_file()}
-        files = kept | {name: hashlib.sha256(content).hexdigest() for name, content in found.items()}
-        (folder / RECORD).write_text(record(files), encoding="utf-8", newline="\n")
-
-
-def record(files: Mapping[str, str]) -> str:
-    """Format a record of names and digests of files."""
-    generator = f"stewart-sym {version('stewart-sym')}"
-    return json_text({"generator": generator, "files": dict(sorted(files.items()))})
-
-
-def recorded(directory: Path, name: str) -> Mapping[str, str]:
-    """Read the digests of files that this program wrote into a folder from a record; return {} without a
-    record.
-    """
-    path = directory / name
-    if not path.is_file():
-        return {}
+    # Links to files are followed, but /dev/stdout and a shell's >(...) are pipes without another name.
+    special = path.exists() and not path.is_file()
+    target = path if special else path.resolve()
+    place = path if special else target.with_name(f"{TEMPORARY}{secrets.token_hex(4)}")
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-        own = str(found["generator"]).startswith("stewart-sym ")
-        files = {str(file): str(digest) for file, digest in found["files"].items()}
-    except (ValueError, KeyError, TypeError, AttributeError):
-        return {}
-    inside = all(not Path(file).is_absolute() and ".." not in Path(file).parts for file in files)
-    return files if own and inside else {}
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with open(place, "wb" if special else "xb") as stream:
+            stream.writelines(each.encode() if isinstance(each, str) else each for each in chunks)
+        if not special:
+            if target.exists():
+                shutil.copymode(target, place)
+            os.replace(place, target)
+    except BaseException as error:
+        if not special:
+            place.unlink(missing_ok=True)
+        if isinstance(error, OSError) and error.filename in (None, str(place)):
+            raise OSError(error.errno, error.strerror, str(path)) from None
+        raise
+
+
+def must_be_replaceable(
+    path: Path,
+    is_ours: bool,
+    force: bool = False,
+    inputs: Iterable[Path] = (),
+    remedy: str = "name another file",
+) -> None:
+    """Raise ValueError if a file cannot be written or must not be replaced.
+
+    An input is never replaced, and an existing file that is not ours only with ``force``.
+    """
+    folder = next(each for each in path.absolute().parents if each.exists())
+    if path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
+        raise ValueError(f"{path}: cannot write a file here; {remedy}")
+    if not path.exists():
+        return
+    if any(each.exists() and path.samefile(each) for each in inputs):
+        raise ValueError(f"{path}: is an input; {remedy}")
+    if not (is_ours or force):
+        raise ValueError(f"{path}: exists with other content; use --force to overwrite")
+
+
+def begins_with(path: Path, beginnings: Sequence[str]) -> bool:
+    """Return True if a file of this program is recognized by its beginning, or is empty or no file."""
+    if not path.is_file():
+        return True
+    known = tuple(text.encode() for text in beginnings)
+    with open(path, "rb") as stream:
+        start = stream.read(max(map(len, known)))
+    return not start or start.startswith(known)
 
 
 def digest(path: Path) -> str | None:
@@ -190,185 +87,53 @@ def digest(path: Path) -> str | None:
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
 
 
-def must_replace(
-    directory: Path,
-    name: str,
-    content: bytes | None,
-    ours: Mapping[str, str],
-    force: bool,
-    inputs: Iterable[Path] = (),
-) -> bool:
-    """Return True if a file of a folder must be written.
+def recorded(directory: Path, record: str = RECORD) -> dict[str, str]:
+    """Read the digests of the files that this program wrote into a folder; return {} without a record."""
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError, AttributeError):
+        found = json.loads((directory / record).read_text(encoding="utf-8"))
+        files = {str(name): str(value) for name, value in found["files"].items()}
+        inside = all(not Path(name).is_absolute() and ".." not in Path(name).parts for name in files)
+        if inside and str(found["generator"]).startswith("stewart-sym "):
+            return files
+    return {}
 
-    ``content`` is None if the content is not known yet, and ``ours`` contains the recorded digests. Raises
-    ValueError for an input, for anything other than a file, and without ``force`` for a file of another
-    program.
+
+class ResultFolder:
+    """Folder whose files are written one by one, with a record of the files that this program wrote.
+
+    An input is never replaced, and a file that this program did not write or that was edited only with
+    ``force``.
+
+    Attributes
+    ----------
+    names : list of str
+        Names of the files written so far.
     """
-    path = directory / name
-    if not os.path.lexists(path):
-        return True
-    if path.exists() and not path.is_file():
-        found = "a folder" if path.is_dir() else "a device or a pipe"
-        raise ValueError(f"{path}: expected a file or nothing, found {found}")
-    if content is not None and path.exists() and path.read_bytes() == content:
-        return False
-    if any(path.exists() and each.exists() and path.samefile(each) for each in inputs):
-        raise ValueError(f"{path}: is an input; name another folder")
-    if not force and digest(path) != ours.get(name, ""):
-        raise ValueError(f"{path}: {_OTHERS}")
-    return True
 
+    def __init__(
+        self, directory: Path, force: bool = False, inputs: Iterable[Path] = (), names: Iterable[str] = ()
+    ) -> None:
+        """Raise ValueError now if the folder or one of the files ``names`` cannot be written."""
+        self.names: list[str] = []
+        self._directory, self._force, self._inputs = directory, force, [*inputs]
+        self._digests = recorded(directory)
+        must_be_replaceable(directory / RECORD, is_ours=True)
+        for name in names:
+            self._check(name, "")
 
-@contextlib.contextmanager
-def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
-    """Return an empty folder whose files move into ``directory`` if the block ends without an error.
+    def _check(self, name: str, new: str) -> None:
+        path = self._directory / name
+        is_ours = path.exists() and digest(path) in (self._digests.get(name, ""), new)
+        must_be_replaceable(path, is_ours, self._force, self._inputs, "name another folder")
 
-    The directory is created if missing. Files of the same names are replaced. Files of the names ``gone`` are
-    removed, and folders that become empty too; other files remain. Either all changes are made or none: after
-    an error or an interrupt, moved files are restored.
-
-    Raises OSError that names ``directory`` if it cannot be written, before the block, or the file or folder
-    that prevents a move.
-    """
-    target = directory.resolve()
-    place = target
-    while not os.path.lexists(place):
-        place = place.parent
-    if not place.is_dir():
-        raise NotADirectoryError(ENOTDIR, f"expected a folder, but {place} is none", str(directory))
-    with interrupts.deferred():
-        _remove_left_behind(place)
-        with _blamed_on(directory):
-            # The temporary folder is inside, because the directory may be a mount point, or its parent may be
-            # read-only.
-            temporary = Path(tempfile.mkdtemp(prefix=_PREFIX, dir=place))
-        try:
-            staged, replaced = temporary / "new", temporary / "old"
-            with _locked(temporary):
-                staged.mkdir()
-                replaced.mkdir()
-                with interrupts.deferred(False), named(directory):
-                    yield staged
-                _move_all(staged, target, replaced, gone)
-                for folder in {parent for name in gone for parent in name.parents[:-1]}:
-                    _remove_empty(target / folder)
-        finally:
-            shutil.rmtree(temporary, ignore_errors=True)
-
-
-@contextlib.contextmanager
-def _locked(path: Path) -> Iterator[bool]:
-    """Lock a file or folder during the block, and yield True if it was locked.
-
-    The lock also ends with the process. Systems without such locks yield False.
-    """
-    if sys.platform == "win32":
-        yield False
-        return
-    import fcntl
-
-    descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
-    ours = False
-    try:
-        with contextlib.suppress(OSError):
-            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            ours = True
-        yield ours
-    finally:
-        os.close(descriptor)
-
-
-def _remove_left_behind(folder: Path) -> None:
-    """Remove temporary files and folders of killed processes, except files moved out of their place."""
-    with contextlib.suppress(OSError):
-        for name in filter(_TEMPORARY.fullmatch, os.listdir(folder)):
-            with contextlib.suppress(OSError):
-                _remove_if_left(folder / name)
-
-
-def _remove_if_left(path: Path) -> None:
-    status = path.lstat()
-    if time.time() - status.st_mtime < _UNLOCKED_SECONDS:
-        return
-    if stat.S_ISREG(status.st_mode):
-        with _locked(path) as ours:
-            if ours:
-                path.unlink()
-    elif stat.S_ISDIR(status.st_mode):
-        with _locked(path) as ours:
-            if ours and not any((path / "old").glob("*")):
-                shutil.rmtree(path)
-
-
-def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) -> None:
-    """Move staged files to ``target``, and existing files and ``gone`` to ``replaced``, or none."""
-    new = {path.relative_to(staged): path for path in sorted(staged.rglob("*")) if path.is_file()}
-    with contextlib.ExitStack() as undo:
-        for folder in sorted({target, *((target / file).parent for file in new)}):
-            _make_folder(folder, undo)
-        for number, file in enumerate((*new, *gone)):
-            interrupts.check()
-            _move(new.get(file), target / file, replaced / str(number), undo)
-        interrupts.check()
-        undo.pop_all()
-
-
-# The undo operation is registered before each step, because an interrupt can occur between any two steps.
-
-
-def _make_folder(folder: Path, undo: contextlib.ExitStack) -> None:
-    missing = []
-    while not os.path.lexists(folder):
-        missing.append(folder)
-        folder = folder.parent
-    if not folder.is_dir():
-        raise NotADirectoryError(ENOTDIR, "is in the way, expected a folder", str(folder))
-    for path in reversed(missing):
-        undo.callback(_remove_empty, path)
-        path.mkdir(exist_ok=True)
-
-
-def _remove_empty(folder: Path) -> None:
-    with contextlib.suppress(OSError):
-        folder.rmdir()
-
-
-def _move(new: Path | None, path: Path, old: Path, undo: contextlib.ExitStack) -> None:
-    """Move an existing file to ``old``, and the new file, if any, to its place."""
-    if path.is_dir():
-        raise IsADirectoryError(EISDIR, "is a folder, expected a file to replace", str(path))
-    undo.callback(_put_back, path, old, new or path)
-    with _blamed_on(path):
-        if new is not None and path.is_file():
-            new.chmod(_mode(path))
-        if os.path.lexists(path):
-            path.rename(old)
-        if new is not None:
-            new.rename(path)
-
-
-def _put_back(path: Path, old: Path, new: Path) -> None:
-    if os.path.lexists(old):
-        old.replace(path)
-    elif not os.path.lexists(new):
-        path.unlink()
-
-
-@contextlib.contextmanager
-def named(path: Path | str) -> Iterator[None]:
-    """Add the name ``path`` to an OSError without a file name, such as the error of a full disk."""
-    try:
-        yield
-    except OSError as error:
-        if error.filename is not None or error.errno is None:
-            raise
-        raise OSError(error.errno, error.strerror, str(path)) from error
-
-
-@contextlib.contextmanager
-def _blamed_on(path: Path) -> Iterator[None]:
-    """Replace the temporary file in an OSError by the path of the user."""
-    try:
-        yield
-    except OSError as error:
-        raise OSError(error.errno, f"can't write here: {error.strerror}", str(path)) from None
+    def write(self, name: str, content: str | bytes | Iterable[str]) -> None:
+        """Write one file and record it."""
+        data = content if isinstance(content, bytes) else "".join(content).encode()
+        new = hashlib.sha256(data).hexdigest()
+        self._check(name, new)
+        write_file(self._directory / name, data)
+        self._digests[name] = new
+        self.names.append(name)
+        generator = f"stewart-sym {version('stewart-sym')}"
+        record = {"generator": generator, "files": dict(sorted(self._digests.items()))}
+        write_file(self._directory / RECORD, json_text(record))

@@ -13,20 +13,14 @@ OnFault = Literal["raise", "warn", "nan"]
 ON_FAULT = ("raise", "warn", "nan")
 OnSingular = Literal["raise", "warn", "nan", "damped"]
 ON_SINGULAR = (*ON_FAULT, "damped")
-"""Treatments of unsolvable poses for solves of H x = c.
-
-With "damped", damped least squares determine forces that balance a part of the wrench if H is singular. Poses
-that are unsolvable for other reasons give a warning.
-"""
+"""Treatments of unsolvable poses for solves of H x = c; "damped" warns of poses without a solution."""
 
 Index = tuple[int, ...]
 _PACKAGE = __name__.partition(".")[0]
 
 
 class SingularPoseWarning(UserWarning):
-    """Warning of poses without a finite solution; their results are NaN, and their status contains the
-    reason.
-    """
+    """Warning of poses without a finite solution; their results are NaN."""
 
 
 @contextlib.contextmanager

@@ -2,14 +2,7 @@
 
 import contextlib
 import importlib.util
-import json
 from collections.abc import Iterator
-from importlib.metadata import distributions
-from pathlib import Path
-from urllib.parse import urlsplit
-from urllib.request import url2pathname
-
-from .blas import take_work_area
 
 EXTRAS = {
     "casadi": ("CasADi", "casadi"),
@@ -44,22 +37,10 @@ def need(package: str, what: str, otherwise: str = "") -> None:
 
 @contextlib.contextmanager
 def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
-    """Import optional packages in this block.
+    """Import optional packages in this block; a missing one raises MissingExtraError.
 
-    Parameters
-    ----------
-    what : str
-        Task that requires the packages, as subject of the message.
-    otherwise : str
-        Alternative without the packages, such as an option, as end of the message.
-
-    Raises
-    ------
-    MissingExtraError
-        If a package is missing: ``<what> needs <package>: pip install "stewart-sym[<extra>]"``, with the
-        command of ``install``.
-    MemoryError
-        If there is no memory for the work area of SciPy.
+    ``what`` is the task that requires the packages, and ``otherwise`` an alternative without them, for the
+    message ``<what> needs <package>: pip install "stewart-sym[<extra>]"<otherwise>``.
     """
     try:
         yield
@@ -68,25 +49,11 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
         if package not in EXTRAS:
             raise
         raise _missing(package, what, otherwise) from None
-    take_work_area()
 
 
 def install(extra: str) -> str:
-    """Return the command that adds an extra to this installation, which may be from a source tree or a
-    URL.
-    """
-    name = "stewart-sym"
-    texts = (found.read_text("direct_url.json") for found in distributions(name=name))
-    source = json.loads(next(filter(None, texts), "{}"))
-    url = source.get("url", "")
-    tree = Path(url2pathname(urlsplit(url).path))
-    if "dir_info" in source and tree.is_dir():
-        editable = "-e " if source["dir_info"].get("editable") else ""
-        return f'pip install {editable}"{tree}[{extra}]"'
-    if "vcs_info" in source:
-        vcs = source["vcs_info"]
-        return f'pip install "{name}[{extra}] @ {vcs["vcs"]}+{url}@{vcs["commit_id"]}"'
-    return f'pip install "{name}[{extra}]{f" @ {url}" if "archive_info" in source else ""}"'
+    """Return the command that adds an extra to this installation."""
+    return f'pip install "stewart-sym[{extra}]"'
 
 
 def _missing(package: str, what: str, otherwise: str) -> MissingExtraError:

@@ -1,7 +1,4 @@
-"""Base class of records with read-only arrays, also in copies and after unpickling.
-
-A frozen dataclass with arrays derives from ``Frozen``.
-"""
+"""Base class of frozen dataclasses with arrays, which are read-only also in copies and after unpickling."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -11,11 +8,7 @@ from numpy.typing import NDArray
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """Return a read-only view of an array without other references; the array itself becomes read-only too.
-
-    ``setflags(write=True)`` raises ValueError for the view, because NumPy permits it only for the owner of
-    the memory.
-    """
+    """Return a read-only view of an array, whose owner becomes read-only too, so that it stays read-only."""
     owner = array if array.flags.owndata else array.copy()
     owner.setflags(write=False)
     return owner.view()
@@ -30,13 +23,7 @@ class Frozen:
             object.__setattr__(self, name, read_only(value) if isinstance(value, np.ndarray) else value)
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Set the state of a copy or a pickle.
-
-        Writeable arrays, as from a deep copy or a pickle, are replaced by read-only copies. They may have
-        other references, as in a shallow copy of ``Motion._unchecked``.
-        """
-        self._set({name: _own(value) for name, value in state.items()})
-
-
-def _own(value: Any) -> Any:
-    return value.copy() if isinstance(value, np.ndarray) and value.flags.writeable else value
+        """Set the state of a copy or a pickle; copy writeable arrays, which may have other references."""
+        for name, value in state.items():
+            writeable = isinstance(value, np.ndarray) and value.flags.writeable
+            self._set({name: value.copy() if writeable else value})

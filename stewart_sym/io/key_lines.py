@@ -14,10 +14,9 @@ from .arguments import shown
 Path = tuple[str | int, ...]
 """Keys and, in arrays, indices from 0."""
 
-STRING = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
-LONG_STRING = r"""\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+"{3,5}+|'{3}(?:[^']|'(?!''))*+'{3,5}+"""
-"""Regular expressions of strings of one line and of several lines."""
-_TOKEN = re.compile(rf"#[^\n]*+|{LONG_STRING}|{STRING}|[\[\]{{}}\n]")
+_STRING = r"""\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+"{3,5}+|'{3}(?:[^']|'(?!''))*+'{3,5}+"""
+_STRING += r"""|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+'"""
+_TOKEN = re.compile(rf"#[^\n]*+|{_STRING}|[\[\]{{}}\n]")
 
 
 def paths(value: Any, path: Path = ()) -> Iterator[Path]:
@@ -35,16 +34,9 @@ def key_text(key: object) -> str:
 
 
 def spelled(path: Path) -> str:
-    """Format a path for messages: ``platform.mass``, and ``leg 3: lower.mass`` for the third table of an
-    array.
-    """
-    found = ""
-    for part in path:
-        if isinstance(part, int):
-            found += f" {part + 1}: "
-        else:
-            found += ("" if not found or found.endswith(": ") else ".") + key_text(part)
-    return found.removesuffix(": ")
+    """Format a path for messages: ``platform.mass``, or ``leg 3: lower.mass`` for a table of an array."""
+    found = "".join(f" {part + 1}: " if isinstance(part, int) else f".{key_text(part)}" for part in path)
+    return found.replace(": .", ": ").removeprefix(".").removesuffix(": ")
 
 
 def key_line(path: Path, text: str) -> int:
@@ -58,30 +50,14 @@ def key_line(path: Path, text: str) -> int:
             closing = closing[1:]
         elif token[0] == "\n":
             cuts.append((token.end(), closing))
-    first = bisect.bisect_left(cuts, True, key=lambda cut: _holds(text[: cut[0]] + cut[1], path))
+    first = bisect.bisect_left(
+        cuts, True, key=lambda cut: path in paths(tomllib.loads(text[: cut[0]] + cut[1]))
+    )
     return text.count("\n", 0, cuts[first - 1][0]) + 1
 
 
 def line_of(message: str, text: str) -> int:
     """Return the line of the last key whose path is the beginning of a message, or 1 without such a key."""
-    found: Path = ()
-    name = ""
-    try:
-        for path in paths(tomllib.loads(text)):
-            each = spelled(path)
-            if len(name) < len(each) and message.startswith((f"{each}:", f"{each}.", f"{each} ")):
-                name, found = each, path
-        return key_line(found, text) if found else 1
-    except RecursionError:
-        return 1
-
-
-def _holds(text: str, path: Path) -> bool:
-    """Return True if a text contains a key."""
-    value: Any = tomllib.loads(text)
-    try:
-        for part in path:
-            value = value[part]
-    except (KeyError, IndexError):
-        return False
-    return True
+    names = {spelled(path): path for path in paths(tomllib.loads(text))}
+    found = [name for name in names if message.startswith((f"{name}:", f"{name}.", f"{name} "))]
+    return key_line(names[max(found, key=len)], text) if found else 1

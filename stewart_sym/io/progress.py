@@ -10,11 +10,7 @@ class Progress(Protocol):
     """Callback with the current step."""
 
     def __call__(self, text: str, share: float | None = None) -> None:
-        """Report a step.
-
-        ``share`` is the completed fraction of the task, 0 to 1, which does not decrease during the task, or
-        None if it is unknown.
-        """
+        """Report a step and the completed fraction of the task, which does not decrease, or None."""
         ...
 
 

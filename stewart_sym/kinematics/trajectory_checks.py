@@ -70,10 +70,9 @@ def _need_length_unit(robot: Robot, log: Log, few: Log) -> None:
     typical, size, (near, far), text = _beside_size(robot, lengths)
     units = [name for name, each in LENGTH_UNITS.items() if low * size <= each * typical <= high * size]
     if units and not (near * size if low else 0.0) <= typical <= far * size:
-        remedies = " or ".join(f"TrajectoryFormat(length_unit={name!r})" for name in units)
+        remedies = " or ".join(f"length_unit={name}" for name in units)
         raise ValueError(
-            f"{log.source}: {text} if read in m; give {remedies}, "
-            f"or TrajectoryFormat(length_unit='m') if m is right"
+            f"{log.source}: {text} if read in m; give {remedies}, or length_unit=m if m is right"
         )
 
 
@@ -90,7 +89,7 @@ def _need_angle_unit(robot: Robot, log: Log, few: Log) -> None:
         axis = int(np.argmax(spans))
         raise ValueError(
             f"{log.source}: {angle_range(theta, axis)}, which the legs allow only in degrees; give "
-            "TrajectoryFormat(angle_unit='deg'), or TrajectoryFormat(angle_unit='rad') if rad is right"
+            "angle_unit=deg, or angle_unit=rad if rad is right"
         )
 
 
@@ -112,11 +111,11 @@ def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
     low, high = _USUAL
     written = typical / LENGTH_UNITS[unit]
     units = [name for name, factor in LENGTH_UNITS.items() if low * size <= factor * written <= high * size]
-    hints = [f"TrajectoryFormat(length_unit={name!r})" for name in units]
+    hints = [f"length_unit={name}" for name in units]
     cause = (
         f"are they in another unit ({' or '.join(hints)})"
         if units
-        else f"is TrajectoryFormat(length_unit={unit!r}) right, and are the robot file's lengths in meters"
+        else f"is length_unit={unit} right, and are the robot file's lengths in meters"
         if typical < size
         else "is it the log of another machine, or are the robot file's lengths not in meters"
     )
@@ -153,7 +152,7 @@ def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | No
         return None
     return (
         f"{angle_range(theta, axis)} leads {how}, in degrees it does not: "
-        "are angles in degrees (TrajectoryFormat(angle_unit='deg'))?"
+        "are angles in degrees (angle_unit=deg)?"
     )
 
 

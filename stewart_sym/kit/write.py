@@ -1,9 +1,10 @@
-"""Writing of a kit into a folder: all files or none, without replacing edited files."""
+"""Writing of a kit into a folder, file by file, without replacing edited files."""
 
+import contextlib
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..io.atomic_write import digest, must_replace, recorded, staged_folder
+from ..io.atomic_write import digest, must_be_replaceable, recorded, write_file
 from ..io.progress import Progress, silent
 from ..robot.robot import Robot
 from .files import MANIFEST, Kit, kit
@@ -34,35 +35,42 @@ def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] 
     Existing files with equal content are not touched. Files of an older kit, recognized by its manifest, are
     replaced, or removed if the new kit has no file of that name. Edited files and files of other origin are
     replaced or removed only with ``force``. Otherwise they are errors, because a header or source of an older
-    kit would be compiled with the new kit. Other files remain, and ``inputs`` are never replaced. After an
-    error the folder is unchanged.
+    kit would be compiled with the new kit. Other files remain, and ``inputs`` are never replaced. All files
+    are checked before the first one is written.
 
     Raises ValueError if a file would be overwritten or the folder cannot be written.
     """
     try:
-        ours = dict(recorded(directory, MANIFEST))
+        ours = recorded(directory, MANIFEST)
         if ours:
             ours[MANIFEST] = str(digest(directory / MANIFEST))
-        changed = [
-            name
-            for name, content in made.files.items()
-            if must_replace(directory, name, content, ours, force, inputs)
-        ]
-        gone = [name for name in ours if name not in made.files and (directory / name).is_file()]
-        for name in gone:
-            path = directory / name
+        changed = {
+            name: content for name, content in made.files.items() if not _is(directory / name, content)
+        }
+        for name in changed:
+            is_ours = (directory / name).exists() and digest(directory / name) == ours.get(name, "")
+            must_be_replaceable(directory / name, is_ours, force, inputs, "name another folder")
+        gone = [directory / name for name in ours if name not in made.files and (directory / name).is_file()]
+        for path in gone:
             if any(each.exists() and path.samefile(each) for each in inputs):
                 raise ValueError(f"{path}: is an input; name another folder")
-            if not force and digest(path) != ours[name]:
+            if not force and digest(path) != ours[path.relative_to(directory).as_posix()]:
                 raise ValueError(
                     f"{path}: was edited and is not part of this kit; use --force to remove it, or rename it"
                 )
-        if changed or gone:
-            with staged_folder(directory, [Path(name) for name in gone]) as folder:
-                for name in changed:
-                    (folder / name).parent.mkdir(exist_ok=True)
-                    (folder / name).write_bytes(made.files[name])
+        # The manifest is the last file, so that it lists no file of an unfinished kit.
+        for name in sorted(changed, key=MANIFEST.__eq__):
+            write_file(directory / name, changed[name])
+        for path in gone:
+            path.unlink()
+            with contextlib.suppress(OSError):
+                path.parent.rmdir()
     except OSError as error:
         reason = error.strerror or str(error)
         raise ValueError(f"{error.filename or directory}: {reason}") from error
     return [directory / name for name in made.files]
+
+
+def _is(path: Path, content: bytes) -> bool:
+    """Return True if a file has this content."""
+    return path.is_file() and path.read_bytes() == content

@@ -11,8 +11,8 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.extras import need
 from ..io.progress import Progress, silent
-from ..io.sample_times import Clock, even_clock
 from ..io.toml_reader import file_name, opened
+from .even_clock import Clock, even_clock
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import TrajectoryFormat, need_columns, read_columns, stated_units
 from .noise_level import scatter
@@ -46,7 +46,7 @@ _KNOWN = (
     "time and either t_x t_y t_z with theta_x theta_y theta_z or q_w q_x q_y q_z, v_*, theta_dot_*, a_*, "
     "theta_ddot_*, or L_1 to L_6, L_dot_*, L_ddot_*; F_ext_*, M_ext_*"
 )
-_OTHER_NAMES = "; for other names give TrajectoryFormat(columns={NAME: HEADER, ...})"
+_OTHER_NAMES = "; for other names give columns NAME=HEADER,..."
 PLAIN = TrajectoryFormat()
 AS_SHOWN = SmoothingOptions()
 
@@ -224,11 +224,7 @@ def _warn_of_angles(log: Log) -> None:
     if "theta" in log.written:
         doubt = turn_doubt(np.unwrap(log.vector("theta"), axis=0))
         if doubt is not None:
-            hint = (
-                ": are angles in degrees (TrajectoryFormat(angle_unit='deg'))?"
-                if log.form.radians_per_unit == 1.0
-                else ""
-            )
+            hint = ": are angles in degrees (angle_unit=deg)?" if log.form.radians_per_unit == 1.0 else ""
             log.warn(f"{doubt}{hint}")
     if "q" in log.written:
         q = np.abs(log.vector("q"))
@@ -237,7 +233,7 @@ def _warn_of_angles(log: Log) -> None:
         ):
             log.warn(
                 "q_z is the largest component: half a turn about z, or quaternions with the scalar last? "
-                "(TrajectoryFormat(columns={'q_w': 'q_z', 'q_x': 'q_w', 'q_y': 'q_x', 'q_z': 'q_y', ...}))",
+                "(columns q_w=q_z,q_x=q_w,q_y=q_x,q_z=q_y,...)",
             )
 
 
@@ -252,16 +248,15 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
     slow = [name for name, least in LONG_STEPS.items() if step >= least]
     if largest > _MOST_ACCELERATION * unit:
         hint = (
-            "are time or lengths in another unit (TrajectoryFormat(time_unit='ms'), "
-            "TrajectoryFormat(length_unit='mm'))"
+            "are time or lengths in another unit (time_unit=ms, length_unit=mm)"
             if log.form.time_unit in (None, "s")
-            else f"is time in seconds, expected {log.form.time_unit} (TrajectoryFormat(time_unit='s'))"
+            else f"is time in seconds, expected {log.form.time_unit} (time_unit=s)"
         )
     elif moves and slow and largest < _LEAST_ACCELERATION * unit:
         low, high = _ORDINARY
         sure = [name for name in slow if low * unit <= largest / TIME_UNITS[name] ** 2 <= high * unit]
         _need_time_unit(log, sure, f"steps of {step:.4g} s and accelerations of at most {largest:.2g} m/s^2")
-        hint = f"is time in another unit (TrajectoryFormat(time_unit='{slow[-1]}'))"
+        hint = f"is time in another unit (time_unit={slow[-1]})"
     else:
         return
     log.warn(f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?")
@@ -270,8 +265,8 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
 def _need_time_unit(log: Log, units: Sequence[str], finding: str) -> None:
     """Raise ValueError with the remedy if numbers fit other units of time and no unit is stated."""
     if units and "time_unit" not in log.given_units:
-        remedies = " or ".join(f"TrajectoryFormat(time_unit='{unit}')" for unit in units)
-        in_s = "TrajectoryFormat(time_unit='s')"
+        remedies = " or ".join(f"time_unit={unit}" for unit in units)
+        in_s = "time_unit=s"
         raise ValueError(f"{log.source}: {finding} if read in s; give {remedies}, or {in_s} if s is right")
 
 
@@ -297,11 +292,7 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
         unit = {-3: "ms", -6: "us"}.get(nearest)
         finding = f"coordinates change by {changed / expected:.2g} times what their rates say"
         _need_time_unit(log, [unit] if unit else [], finding)
-        hint = (
-            f"is time in another unit (TrajectoryFormat(time_unit='{unit}'))"
-            if unit
-            else "are rates in another unit"
-        )
+        hint = f"is time in another unit (time_unit={unit})" if unit else "are rates in another unit"
         log.warn(f"{finding}: {hint}?")
         return
     kinds = len(names) // 3
@@ -408,8 +399,8 @@ def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES)
             required += _components(name)
     missing = [c for c in _components(*derivatives) if c not in header]
     if missing and len(missing) < len(_components(*derivatives)):
-        kept = ", ".join(f"{name!r}: {name!r}" for name in required)
-        remedy = f": TrajectoryFormat(columns={{{kept}}}) reads none" if otherwise else ""
+        kept = ",".join(f"{name}={name}" for name in required)
+        remedy = f": columns {kept} reads none" if otherwise else ""
         raise ValueError(
             f"{source}: missing column {missing[0]}: expected velocities and accelerations "
             f"({', '.join(derivatives)}) all, or none of them{remedy}"

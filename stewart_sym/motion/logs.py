@@ -23,9 +23,9 @@ from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
 from ..io.sample_times import time_text
-from ..io.toml_reader import table_as_utf8
 from .noise_level import TrajectoryWarning
 from .text.clock import READ, Clock, instant
+from .text.encoding import table_as_utf8
 from .text.head import MARKS, Head, is_value, read_head, without_row
 from .text.unit_row import ANGLE_UNITS, LENGTH_UNITS, TIME_UNITS, UNITS, units_of
 
@@ -259,7 +259,7 @@ def _clock(head: Head, header: list[str | None], source: str, form: TrajectoryFo
     if form.time_unit not in (None, "s"):
         raise ValueError(
             f"{source}: line {head.above + 1}: time: expected {form.time_unit} "
-            f"(TrajectoryFormat(time_unit={form.time_unit!r})), got {text!r}: "
+            f"(time_unit={form.time_unit}), got {text!r}: "
             "dates and times of day have no unit"
         )
     return Clock()
@@ -424,9 +424,7 @@ def _cause(text: str, decimal: str) -> str:
     if "." in text and "," in text:
         return ": thousands separators are not read"
     if "." in text and decimal == ",":
-        return (
-            ": decimals have a comma (TrajectoryFormat(decimal='comma')), thousands separators are not read"
-        )
+        return ": decimals have a comma (decimal=comma), thousands separators are not read"
     if "," in text and decimal == ".":
-        return ": is its decimal mark a comma (TrajectoryFormat(decimal='comma'))?"
+        return ": is its decimal mark a comma (decimal=comma)?"
     return ""

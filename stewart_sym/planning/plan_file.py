@@ -54,8 +54,6 @@ class PlanRequest:
     files : tuple of Path
         Files from which the plan was read: the plan, the robot, and the via poses if they are in a separate
         file.
-    stated : frozenset of str
-        Keys in the plan file.
     doubt : str
         Warning about the via poses, or an empty string.
     """
@@ -72,7 +70,6 @@ class PlanRequest:
     minimize: Minimize
     duration: float | None
     files: tuple[Path, ...]
-    stated: frozenset[str]
     doubt: str = ""
 
     def of_poses(self, text: str) -> str:
@@ -147,7 +144,6 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         need_poses(poses)
     except ValueError as error:
         raise ValueError(_of_poses(str(error), files)) from None
-    stated = frozenset(top)
     return PlanRequest(
         robot,
         poses,
@@ -155,7 +151,6 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         limits,
         load=load,
         files=tuple(files),
-        stated=stated,
         doubt=doubt,
         **options,
     )

@@ -11,7 +11,7 @@ from typing import Any, cast
 
 from ..dynamics.home_pose import home_pose
 from ..io.arguments import instance, safe_text
-from ..io.atomic_write import replaced_file
+from ..io.atomic_write import write_file
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..motion.straight_line import StraightLinePath
@@ -84,8 +84,7 @@ class Viewer:
         OSError
             If the file cannot be written; the message contains its name.
         """
-        with replaced_file(Path(path)) as stream:
-            stream.write(self.html)
+        write_file(Path(path), self.html)
 
     def _repr_html_(self) -> str:
         """Return the page as a separate frame of a notebook."""

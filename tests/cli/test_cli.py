@@ -157,27 +157,6 @@ def test_derive_rejects_a_folder_it_cannot_write_before_deriving(
     assert folder_state(tmp_path) == {"file": b"x"}
 
 
-def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
-    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    files = {"__init__.py": "", "assembly.py": "", "c/stewart.h": "", "exact.py": ""}
-
-    def derived(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
-        progress("exact", 1.0, 1.0)
-        return files
-
-    monkeypatch.setattr("stewart_sym.derive.generate.generated_files", derived)
-    (tmp_path / "dd").mkdir()
-    for name in ("c", "exact.py"):
-        (tmp_path / "dd" / name).write_text("x")
-    before = folder_state(tmp_path)
-    assert (
-        f"{tmp_path / 'dd' / 'c'}: is in the way, expected a folder"
-        in run("derive", "-o", tmp_path / "dd", "--force", code=2).err
-    )
-    assert folder_state(tmp_path) == before
-
-
 def _two_files(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
     progress("exact", 1.0, 1.0)
     counts = {"friction": {"total": (4, 3, 2, 1)}}
@@ -196,7 +175,7 @@ def test_generate_says_what_folding_the_numbers_in_saves(robot: Path, run: Run) 
 
 
 @pytest.mark.parametrize("command", [["check"], ["generate", "-o", "kit"]], ids=["check", "generate"])
-def test_points_whose_squares_overflow_are_the_files(
+def test_points_whose_squares_overflow_are_the_robots(
     robot: Path, monkeypatch: pytest.MonkeyPatch, run: Run, command: list[str]
 ) -> None:
     monkeypatch.chdir(robot.parent)
@@ -205,7 +184,7 @@ def test_points_whose_squares_overflow_are_the_files(
         re.sub(r"(\[platform\]\npoints = \[\n    \[)[^,]+", r"\g<1>8e200", text), encoding="utf-8"
     )
     error = run(command[0], robot, *command[1:], code=2).err.splitlines()[-1]
-    assert re.fullmatch(rf"stewart-sym: error: {robot}: expected .* points whose squares are finite", error)
+    assert re.fullmatch(r"stewart-sym: error: robot: expected .* points whose squares are finite", error)
 
 
 def test_the_help_has_every_level(run: Run) -> None:
@@ -216,9 +195,9 @@ def test_the_help_has_every_level(run: Run) -> None:
 
 def test_generate_names_the_option_that_is_wrong(robot: Path, fails: Fails) -> None:
     asked = ("generate", robot, "-o", robot.parent / "kit")
-    assert "error: --bake: expected language c, " in fails(*asked, "--bake", "--language", "rust")
+    assert "error: bake: expected language c, " in fails(*asked, "--bake", "--language", "rust")
     error = fails(*asked, "--fidelity", "rigid")
-    assert "error: --fidelity: expected one of general, " in error
+    assert "error: fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
 
 
@@ -270,7 +249,6 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(fails: Fails) -> Non
             ["generate", "a", "--ouput", "b"],
             "unrecognized arguments: --ouput, did you mean --output? (see {} generate --help)",
         ),
-        (["plan", "-x"], "unrecognized arguments: -x (see {} plan --help)"),
         (["--vresion"], "unrecognized arguments: --vresion, did you mean --version? (see {} --help)"),
         (
             ["plann", "--minimize"],
@@ -325,6 +303,6 @@ def test_progress_shows_on_a_terminal_and_leaves_no_line(
 
 
 def test_the_default_folder_is_no_part_of_the_repository() -> None:
-    folder = cli._parser().parse_args(["reproduce"]).output
+    folder = cli.subcommand_parser("reproduce").parse_args([]).output
     ignored = (Path(__file__).parents[2] / ".gitignore").read_text().splitlines()
     assert f"/{folder}/" in ignored

@@ -127,7 +127,7 @@ def test_a_pose_without_an_answer_is_rejected_unless_allowed(robot: Path, run: R
 
 
 def test_an_output_that_cannot_be_written_is_named_before_work(robot: Path, fails: Fails) -> None:
-    for output in (robot.parent / "no" / "f.csv", robot / "f.csv", robot.parent):
+    for output in (robot / "f.csv", robot.parent):
         line = fails("forces", robot, robot.parent / "none.csv", "-o", output)
         assert str(output) in line
     assert list(robot.parent.iterdir()) == [robot]
@@ -165,10 +165,9 @@ def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, traject
     assert error.startswith("stewart-sym: error: ")
     assert all(line.startswith("stewart-sym: warning: ") for line in warned)
     assert (
-        len([line for line in warned if "compared with a machine" in line and "--length-unit mm" in line])
-        == 1
+        len([line for line in warned if "compared with a machine" in line and "length_unit=mm" in line]) == 1
     )
-    assert "--length-unit mm" not in error
+    assert "length_unit=mm" not in error
 
 
 def test_a_rejected_compiler_flag_is_not_blamed_on_the_trajectory(

@@ -130,9 +130,9 @@ def test_a_file_is_replaced_by_force_alone(tmp_path: Path, fails: Fails) -> None
     [
         (
             {"--stroke": 1.0},
-            "--stroke: expected a number below 0.5433, since a leg is longer than its stroke",
+            "stroke: expected a number below 0.5433, since a leg is longer than its stroke",
         ),
-        ({"--base-angle": 130.0}, "--base-angle: expected 0 to 120 degrees, got 130.0"),
+        ({"--base-angle": 130.0}, "base_angle: expected 0 to 120 degrees, got 130.0"),
         ({"--height": -1.0}, "argument --height: expected a number > 0, got '-1.0'"),
     ],
 )
@@ -170,7 +170,7 @@ def test_what_is_not_given_is_asked_for_on_a_terminal(
     assert ss.Robot.from_toml(path).home_position[2] == 0.7
     monkeypatch.setattr(sys, "stdin", Terminal("300\n"))
     assert run("new", "-o", tmp_path / "other.toml", *options(given), code=2).err.endswith(
-        "--height: missing; standard input has ended\n"
+        "height: missing; standard input has ended\n"
     )
     monkeypatch.setattr(sys, "stdin", io.StringIO())
     assert "standard input is not a terminal" in fails("new", "-o", str(path))

@@ -11,8 +11,6 @@ from pathlib import Path
 import pytest
 from installed import REPOSITORY, install
 
-from stewart_sym.derive.package import licence
-
 CHECK = """
 import sys, pathlib, warnings
 sys.path.insert(0, sys.argv[1])
@@ -88,22 +86,6 @@ def test_archives_are_small_and_pass_the_checks_of_the_package_index(archives: t
     ):
         done = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr
-
-
-def test_licenses_are_a_spdx_expression_with_a_text_each() -> None:
-    assert PROJECT["license"] == "BSD-3-Clause AND 0BSD"
-    bsd, zero = ((REPOSITORY / name).read_text(encoding="utf-8") for name in PROJECT["license-files"])
-    assert bsd.startswith("BSD 3-Clause License")
-    assert zero == f"BSD Zero Clause License\n\n{licence.TEXT}"
-
-
-def test_the_package_index_learns_author_keywords_and_categories() -> None:
-    (author,) = PROJECT["authors"]
-    assert f"Copyright (c) 2026, {author['name']}" in (REPOSITORY / "LICENSE").read_text(encoding="utf-8")
-    assert {"Stewart platform", "parallel robot", "Jacobian"} <= set(PROJECT["keywords"])
-    assert "Typing :: Typed" in PROJECT["classifiers"]
-    # The license is an expression; classifiers of licenses are obsolete then.
-    assert not [name for name in PROJECT["classifiers"] if name.startswith("License")]
 
 
 def test_the_version_is_the_same_in_citation_and_changelog() -> None:

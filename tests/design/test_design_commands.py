@@ -123,7 +123,7 @@ def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, r
 def test_shares_given_in_per_cent_are_named(run: Run) -> None:
     size = ("size-actuators", "hexapod.toml", "trajectory.csv", "--no-plots")
     assert "--margin: 25 means 2500 %; use 0.25 for 25 %" in run(*size, "--margin", 25).err
-    assert "--quantile: expected fractions > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
+    assert "quantiles: expected fractions > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
 
 
 def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
@@ -240,13 +240,13 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, r
         (("workspace", "trajectory.csv"), "trajectory.csv"),
         (
             ("workspace", "hexapod.toml", "--position-bounds", 1, 0, 0, 1, 0, 1),
-            "--position-bounds: expected least < greatest",
+            "position_bounds: expected least < greatest",
         ),
         (("workspace", "hexapod.toml", "--rpy", 1, 2, "nan"), "expected a finite number"),
         (("workspace", "hexapod.toml", "--kind", "every"), "--kind"),
         (("size-actuators", "hexapod.toml"), "TRAJECTORY.csv"),
         (("size-actuators", "hexapod.toml", "none.csv"), "none.csv"),
-        (("size-actuators", "hexapod.toml", "trajectory.csv", "--quantile", 2), "--quantile: expected"),
+        (("size-actuators", "hexapod.toml", "trajectory.csv", "--quantile", 2), "quantiles: expected"),
         (("size-actuators", "hexapod.toml", "hexapod.toml"), "hexapod.toml"),
     ],
 )

@@ -157,8 +157,7 @@ def test_a_picture_of_something_else_is_found() -> None:
 
 
 def subcommands() -> dict[str, argparse.ArgumentParser]:
-    parsers = [a for a in main._parser()._actions if isinstance(a, argparse._SubParsersAction)]
-    return dict(parsers[0].choices)
+    return {name: main.subcommand_parser(name) for name in main.SUBCOMMANDS}
 
 
 def written_files() -> set[str]:

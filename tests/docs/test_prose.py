@@ -1,6 +1,5 @@
 """Unclear constructions in texts do not become more frequent, by the rates of ``LIMITS``."""
 
-import argparse
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
 from pathlib import Path
@@ -45,10 +44,7 @@ def revised() -> list[Path]:
 
 def help_texts() -> Iterator[str]:
     """Yield descriptions and option texts of all subcommands."""
-    (subcommands,) = (
-        action for action in main._parser()._actions if isinstance(action, argparse._SubParsersAction)
-    )
-    for parser in subcommands.choices.values():
+    for parser in map(main.subcommand_parser, main.SUBCOMMANDS):
         yield parser.description or ""
         yield from (action.help or "" for action in parser._actions)
 

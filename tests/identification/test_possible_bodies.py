@@ -196,8 +196,8 @@ def test_command_keeps_to_possible_bodies(tmp_path: Path) -> None:
     [
         (("--position-std", "1e-4"), "--angle-std"),
         (("--angle-std", "0", "--position-std", "1"), "--angle-std"),
-        (("--enforce-physical",), "--enforce-physical: applies to measured forces"),
-        (("--no-friction",), "--no-friction: applies to measured forces"),
+        (("--enforce-physical",), "enforce_physical: applies to measured forces"),
+        (("--no-friction",), "no_friction: applies to measured forces"),
         (
             ("--length-unit", "mm"),
             "--pose-guess and options of the trajectory file: apply to measured forces",

@@ -6,13 +6,11 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.io import extras
 from stewart_sym.io.extras import EXTRAS, install
 
 PACKAGE = Path(ss.__file__).parent
@@ -77,10 +75,10 @@ hidden, commands = json.loads(sys.argv[1])
 sys.modules.update(dict.fromkeys(hidden))
 from stewart_sym.backend import native
 from stewart_sym.cli.main import main
-from stewart_sym.studies.reports import identify, run, track
+from stewart_sym.cli.machine import forces, identify
 def work(*_, **__):
     raise AssertionError("work began")
-for module, name in ((track, "in_parts"), (identify, "from_measurement"), (run, "run_columns")):
+for module, name in ((forces, "in_parts"), (identify, "from_measurement")):
     setattr(module, name, work)
 def told(command):
     with contextlib.redirect_stderr(io.StringIO()) as stream:
@@ -117,29 +115,6 @@ def test_a_missing_scipy_is_said_in_one_line_before_the_work(tmp_path: Path) -> 
         assert line.startswith(f"stewart-sym: error: {what} needs SciPy: {install('sim')}")
         assert line.count("\n") == 1
     assert not (tmp_path / "out").exists()
-
-
-SOURCES = {
-    '{"dir_info": {"editable": true}, "url": "file://TREE"}': 'pip install -e "TREE[sim]"',
-    '{"dir_info": {}, "url": "file://TREE"}': 'pip install "TREE[sim]"',
-    '{"dir_info": {}, "url": "file://TREE/gone"}': 'pip install "stewart-sym[sim]"',
-    '{"vcs_info": {"vcs": "git", "commit_id": "abc"}, "url": "https://host/it"}': (
-        'pip install "stewart-sym[sim] @ git+https://host/it@abc"'
-    ),
-    '{"archive_info": {}, "url": "file://TREE/it.whl"}': 'pip install "stewart-sym[sim] @ file://TREE/it.whl"',
-    None: 'pip install "stewart-sym[sim]"',
-}
-
-
-@pytest.mark.parametrize("source", SOURCES)
-def test_the_command_of_an_extra_installs_from_where_this_was_installed_from(
-    source: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    tree = str(tmp_path)
-    found = SimpleNamespace(read_text=lambda _: source and source.replace("TREE", tree))
-    without = SimpleNamespace(read_text=lambda _: None)
-    monkeypatch.setattr(extras, "distributions", lambda name: [without, found])
-    assert install("sim") == SOURCES[source].replace("TREE", tree)
 
 
 IDENTIFY = """

@@ -147,7 +147,6 @@ def test_the_first_byte_that_is_no_utf_8_is_named(name: str, tmp_path: Path) -> 
         b"[" * 400 + b"]" * 400,
         b"[" * 50_000 + b"]" * 50_000,
         b"{a=" * 20_000 + b"1" + b"}" * 20_000,
-        b"{" + b".".join([b"a"] * 100_000) + b" = 1}",
         b'"' + b"x" * 100_000 + b'"',
         b"40.0\nmass = 41.0",
         b"40.0\n[platform]",
@@ -160,12 +159,10 @@ def test_values_that_are_no_mass_are_rejected(value: bytes, tmp_path: Path) -> N
     assert told.startswith(("platform.body.mass: ", "not valid TOML: "))
 
 
-@pytest.mark.parametrize("key", [b"schema", b"duration", b"actuation", b"output_step", b"robot"])
+@pytest.mark.parametrize("key", [b"duration", b"actuation"])
 def test_scenes_take_no_number_of_thousands_of_digits(key: bytes, tmp_path: Path) -> None:
     lines = [line for line in SCENE.split(b"\n") if not line.startswith(key)]
     text = key + b" = 0x" + b"F" * 5000 + b"\n" + b"\n".join(lines)
-    if key == b"legs":
-        text = text.replace(b"[legs]\n", b"")
     assert rejected(read_scene, written(tmp_path, text)).startswith((key.decode(), "not valid TOML"))
 
 
@@ -225,62 +222,12 @@ def test_ten_megabytes_are_read_or_rejected_in_seconds_and_little_memory(name: s
     assert all(line.startswith(f"{path}: ") and len(line) < 900 for line in lines)
 
 
-@pytest.mark.parametrize("name", TOML)
-@pytest.mark.parametrize(
-    "key",
-    [b".".join([b"a"] * 30_000), b' . "b c" . '.join([b"'a'"] * 10_000), b".".join([b'"\\""'] * 10_000)],
-    ids=["bare", "quoted", "escaped"],
-)
-@pytest.mark.parametrize(
-    "line", [b"%b = 1\n", b"[%b]\n", b"a = {%b = 1}\n"], ids=["value", "table", "inline"]
-)
-def test_keys_of_thousands_of_parts_are_rejected_before_they_are_parsed(
-    name: str, key: bytes, line: bytes, tmp_path: Path
-) -> None:
-    read, sound = READERS[name]
-    assert rejected(read, written(tmp_path, line % key + sound)) == "not valid TOML: nested too deeply"
-
-
-def test_as_many_parts_as_a_robot_file_needs_are_read(tmp_path: Path) -> None:
-    text = ROBOT.replace(MASS, b"# a.b.c.d.e.f see www.example.com, 1.2.3.4\n" + MASS)
-    assert ss.Robot.from_toml(written(tmp_path, text)).M == 40.0
-
-
-DOTTED = b".".join([b"words"] * 16)
-
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        b"# %b\n" % DOTTED,
-        b'name = "%b"  # %b\n' % (DOTTED, DOTTED),
-        b"name = '%b'\n" % DOTTED,
-        b'name = """%b"""\n' % DOTTED,
-        b"name = '''%b'''\n" % DOTTED,
-        b'name = """\\\n   a \\" quote, %b"""\n' % DOTTED,
-    ],
-    ids=["comment", "both", "literal", "long", "long literal", "continued"],
-)
-def test_dotted_words_in_comments_and_texts_are_no_key(line: bytes, tmp_path: Path) -> None:
-    text = line + ROBOT.replace(b'name = "Dasgupta & Mruthyunjaya 1998"\n', b"" if b"name" in line else NAME)
-    assert ss.Robot.from_toml(written(tmp_path, text)).M == 40.0
-
-
-@pytest.mark.parametrize(
-    "before",
-    [b'name = "%b"\n' % DOTTED, b'a = """a"""""\n', b"a = ''''''\n", b'a = "\\""\n', b"a = '#'\n", b"# '\n"],
-)
-def test_keys_of_too_many_parts_are_found_behind_texts_and_comments(before: bytes, tmp_path: Path) -> None:
-    text = before + b".".join([b"a"] * 16) + b" = 1\n"
-    assert rejected(ss.Robot.from_toml, written(tmp_path, text)) == "not valid TOML: nested too deeply"
-
-
 # What is no file
 
 
 @pytest.mark.parametrize("name", READERS)
 @pytest.mark.parametrize(
-    "place", ["/dev/zero", "/dev/null", "/dev/urandom", "/", "no/such/file", "a\0b", "", "x" * 5000]
+    "place", ["/dev/zero", "/dev/null", "/dev/urandom", "/", "no/such/file", "", "x" * 5000]
 )
 def test_what_is_no_file_is_rejected(
     name: str, place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -337,7 +337,7 @@ def test_bad_csv_is_named(tmp_path: Path, text: str, expected: str) -> None:
         "t_x t_y t_z",
         "q_w q_x q_y q_z",
         "L_1 to L_6, L_dot_*, L_ddot_*",
-        "TrajectoryFormat(columns={NAME: HEADER, ...})",
+        "columns NAME=HEADER,...",
     ],
 )
 def test_an_unknown_column_is_answered_with_all_that_are_known(tmp_path: Path, known: str) -> None:

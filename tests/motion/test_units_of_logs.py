@@ -64,21 +64,21 @@ def test_machines_of_all_sizes_are_read_and_other_units_named(tooled: bool, tmp_
         t, theta = moves(robot, travel, tilt)
         assert fault(robot, log(path, poses(t, theta))) == "", i
         if not tooled:
-            assert "length_unit='mm'" in fault(robot, log(path, poses(t, theta, 1e3))), i
+            assert "length_unit=mm" in fault(robot, log(path, poses(t, theta, 1e3))), i
         theta = moves(robot, 0.0, 0.03)[1]
         degrees = fault(robot, log(path, poses(t, 2.0 * theta, 1.0, np.degrees(1.0))))
-        assert not tilt or "angle_unit='deg'" in degrees, i
+        assert not tilt or "angle_unit=deg" in degrees, i
         L = leg_lengths(robot, rotation_from_rpy(0.0 * theta), t - robot.tool)
         assert "length_unit" not in fault(robot, log(path, L, LENGTHS)), i
-        assert "length_unit='mm'" in fault(robot, log(path, 1e3 * L, LENGTHS)), i
+        assert "length_unit=mm" in fault(robot, log(path, 1e3 * L, LENGTHS)), i
 
 
 def test_a_stated_unit_is_taken_as_stated_and_a_wrong_row_does_not_count(tmp_path: Path) -> None:
     robot, path = dasgupta(), tmp_path / "log.csv"
     t, theta = moves(robot, 0.02, 0.05)
     log(path, poses(t, theta, 1e3, np.degrees(1.0)))
-    assert "length_unit='mm'" in fault(robot, path)
-    assert "angle_unit='deg'" in fault(robot, path, ss.TrajectoryFormat(length_unit="mm"))
+    assert "length_unit=mm" in fault(robot, path)
+    assert "angle_unit=deg" in fault(robot, path, ss.TrajectoryFormat(length_unit="mm"))
     assert fault(robot, path, ss.TrajectoryFormat(length_unit="mm", angle_unit="deg")) == ""
     assert "give TrajectoryFormat" not in fault(
         robot, path, ss.TrajectoryFormat(length_unit="m", angle_unit="rad")
@@ -97,7 +97,7 @@ def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path:
     given = ["--measured", path, path] if command == "identify" else [path]
     line = fails(command, tmp_path / "robot.toml", *given, "-o", tmp_path / "out.html")
     assert f"{path}: lengths of " in line
-    assert line.endswith("--length-unit mm, or --length-unit m if m is right")
+    assert line.endswith("length_unit=mm, or length_unit=m if m is right")
     assert not (tmp_path / "out.html").exists()
 
 
@@ -109,5 +109,5 @@ def test_forces_names_the_unit_of_time_before_it_writes(tmp_path: Path, fails: F
     late = [f"{1e3 * float(time)},{rest}" for time, rest in (row.split(",", 1) for row in rows[1:])]
     path.write_text("\n".join([rows[0], *late]))
     line = fails("forces", tmp_path / "robot.toml", path, "-o", tmp_path / "out.csv")
-    assert line.endswith("if read in s; give --time-unit ms, or --time-unit s if s is right")
+    assert line.endswith("if read in s; give time_unit=ms, or time_unit=s if s is right")
     assert not (tmp_path / "out.csv").exists()

@@ -14,6 +14,7 @@ from command_line import Run
 from motion_fields import FIELDS, motion_of, waves
 from pages import DOCS
 
+import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.drives.effort import DriveLimitWarning, drive_effort
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
@@ -22,7 +23,6 @@ from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
-from stewart_sym.planning import path_parameterization, plan_certificate
 from stewart_sym.planning.path_parameterization import TimedPath
 from stewart_sym.planning.plan_certificate import PlanCertificate, certify_plan
 from stewart_sym.robot.robot import Robot
@@ -70,7 +70,7 @@ def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are
         found.append(dataclasses.replace(certify_plan(plan), angles_ok=False))
         return found[0]
 
-    monkeypatch.setattr(plan_certificate, "certify_plan", beyond)
+    monkeypatch.setattr(ss, "certify_plan", beyond)
     out = run("plan", via(folder, SHORT), "-o", folder / "out", "--no-plots", code=1).out
     assert "certificate  does not hold: joint angles beyond their limits\n" in out
     report = json.loads((folder / "out" / "report.json").read_text())
@@ -139,9 +139,9 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (["--minimize", "energy", "--duration", "0.01"], "--duration: expected at least the least time, "),
-        (["--minimize", "energy"], '--minimize: expected a duration for "energy"'),
-        (["--duration", "2"], '--duration: applies to minimize "energy" or "peak_force", got "time"'),
+        (["--minimize", "energy", "--duration", "0.01"], "duration: expected at least the least time, "),
+        (["--minimize", "energy"], 'minimize: expected a duration for "energy"'),
+        (["--duration", "2"], 'duration: applies to minimize "energy" or "peak_force", got "time"'),
     ],
 )
 def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list[str], words: str) -> None:
@@ -170,8 +170,8 @@ def test_an_overflow_on_the_way_to_a_finite_plan_is_no_warning(
         assert np.isinf(np.array([1e300]) ** 2)
         return timing(*arguments, **options)
 
-    timing = path_parameterization.parameterize_path
-    monkeypatch.setattr(path_parameterization, "parameterize_path", overflowing)
+    timing = ss.parameterize_path
+    monkeypatch.setattr(ss, "parameterize_path", overflowing)
     assert run("plan", via(folder, PLAN), "-o", folder / "out", "--no-plots").err == ""
 
 
@@ -218,7 +218,7 @@ def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run, 
     text = 'schema = 1\nrobot = "hexapod.toml"\nvia_file = "poses.csv"\n'
     (error,) = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
     assert "poses.csv: lengths of 6" in error
-    assert "give mm in a row of units below the header" in error
+    assert "give length_unit=mm" in error
 
 
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:

@@ -398,4 +398,4 @@ def test_subcommands_say_so_in_one_line(tmp_path: Path, run: Run) -> None:
     log = str(DOCS / "examples" / "trajectory.csv")
     run("forces", path, log, "-o", tmp_path / "F.csv", "--reactions")
     (error,) = run("generate", EXAMPLE, "-o", tmp_path / "kit", code=2).err.strip().splitlines()
-    assert error.startswith(f"stewart-sym: error: {EXAMPLE}: offsets: ")
+    assert "robot: offsets: " in error

@@ -253,7 +253,7 @@ def test_lengths_in_another_unit_are_an_error_that_names_the_option(tmp_path: Pa
     told = run("forces", PAPERS, tmp_path / "log.csv", "-o", tmp_path / "F.csv", code=2).err
     (line,) = told.splitlines()
     assert "log.csv: lengths of" in line
-    assert "give --length-unit mm" in line
+    assert "give length_unit=mm" in line
 
 
 def spline_rates(time: Array, L: Array) -> tuple[Array, Array]:

@@ -180,7 +180,7 @@ def test_the_command_prints_the_sweep(capsys: pytest.CaptureFixture[str]) -> Non
 
 def test_too_few_cases_are_rejected_in_one_line(run: Run) -> None:
     assert run("stability", "--cases", "3", code=2).err.startswith(
-        "stewart-sym: error: --cases: expected at least"
+        "stewart-sym: error: cases: expected at least"
     )
 
 

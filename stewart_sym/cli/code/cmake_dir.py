@@ -1,11 +1,11 @@
-"""``stewart-sym cmake-dir``: print the folder of the CMake package with stewart_generate()."""
+"""Print the folder of the CMake package with stewart_generate().
+
+Example: cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)
+"""
 
 import argparse
 from importlib.resources import files
 from pathlib import Path
-
-HELP = "print the folder of the CMake package with stewart_generate()"
-EXAMPLE = "cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,60 +1,47 @@
-"""``stewart-sym generate``: write a kit for one robot."""
+"""Write a kit for one robot in C, Python, MATLAB, or Rust.
+
+A kit contains kernels, the constants of the robot, a self-test, an example, and a README.
+In C, `make` builds the kit and runs its self-test; for other languages see its README.
+
+Example: stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit
+"""
 
 import argparse
-from pathlib import Path
 
 from ...io.arguments import no_option
+from ...studies.common.report import Report
 from ..inputs import robot_of
-from ..options import chosen, formulation, output, robot_file
+from ..options import chosen, flag, formulation, output, robot_file, valued
 from ..output import results
 
-HELP = "write a kit for one robot in C, Python, MATLAB, or Rust"
-EXAMPLE = "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit"
-MORE = (
-    "A kit contains kernels, the constants of the robot, a self-test, an example, and a README.\n"
-    "In C, `make` builds the kit and runs its self-test; for other languages see its README."
+_FUNCTIONS = (
+    "functions, with commas: forces, reactions (C), motion (M, C, g, friction, bias, H, forward dynamics, "
+    "inertia at the actuators), derivatives (of the forces; linearization), kinematics (inverse, forward, "
+    "velocities), torque (motors, C). motion and derivatives require universal base joints"
+)
+_FIDELITY = (
+    "leg physics in the forces: general, frictionless, axisymmetric, slender, point_masses, massless (the "
+    "last four also with _friction); general_static, slender_static, massless_static; for robots with rotors "
+    "also no_rotor, reflected, reflected_slender, reflected_massless (the last two also with _friction)"
+)
+_LANGUAGE = (
+    "language: c, python (arrays of NumPy, JAX, PyTorch), matlab (also Octave), or rust (also without std). "
+    "Only C has reactions, torque, --bake, --scalar, and --fmu; only C and Rust have --precision float"
 )
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
-    parser.add_argument(
-        "--functions",
-        metavar="LIST",
-        default="forces",
-        help="functions, with commas: forces, reactions (C), motion (M, C, g, friction, bias, H, forward "
-        "dynamics, inertia at the actuators), derivatives (of the forces; linearization), kinematics "
-        "(inverse, forward, velocities), torque (motors, C). motion and derivatives require universal base "
-        "joints; default: forces",
-    )
+    valued(parser, "functions", str, _FUNCTIONS, "forces", "LIST")
     formulation(parser)
-    parser.add_argument(
-        "--fidelity",
-        metavar="LEVEL",
-        help="leg physics in the forces: general, frictionless, axisymmetric, slender, point_masses, "
-        "massless (the last four also with _friction); general_static, slender_static, massless_static; for "
-        "robots with rotors also no_rotor, reflected, reflected_slender, reflected_massless (the last two "
-        "also with _friction); default: general",
-    )
-    parser.add_argument(
-        "--bake", action="store_true", help="insert the constants of the robot into the kernel"
-    )
-    parser.add_argument(
-        "--scalar",
-        action="store_true",
-        help="process the legs of one pose in sequence, for processors without vector registers",
-    )
+    valued(parser, "fidelity", str, f"{_FIDELITY}; default: general", metavar="LEVEL")
+    flag(parser, "bake", "insert the constants of the robot into the kernel")
+    text = "process the legs of one pose in sequence, for processors without vector registers"
+    flag(parser, "scalar", text)
     chosen(parser, "precision", ("double", "float"), "floating-point type")
-    parser.add_argument("--fmu", action="store_true", help="add an FMI 2.0 co-simulation unit of the forces")
-    parser.add_argument(
-        "--language",
-        type=_language,
-        default="c",
-        help="language: c, python (arrays of NumPy, JAX, PyTorch), matlab (also Octave), or rust (also "
-        "without std). Only C has reactions, torque, --bake, --scalar, and --fmu; only C and Rust have "
-        "--precision float; default: c",
-    )
-    parser.add_argument("--list", action="store_true", help="print the file names without writing files")
+    flag(parser, "fmu", "add an FMI 2.0 co-simulation unit of the forces")
+    valued(parser, "language", _language, _LANGUAGE, "c")
+    flag(parser, "list", "print the file names without writing files")
     output(parser, "DIR", "folder of the kit", None)
 
 
@@ -70,23 +57,22 @@ def _language(name: str) -> str:
 
 def run(arguments: argparse.Namespace) -> int:
     from ...kit import Choice, kit_names, write_kit
-    from ...studies.common.report import Report
 
-    robot = robot_of(arguments.robot)
+    robot, to = robot_of(arguments.robot), arguments.output
     options = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu", "language")
     functions = tuple(name.strip() for name in arguments.functions.split(","))
     choice = Choice(functions, **{name: getattr(arguments, name) for name in options})
     with results(arguments) as (take, progress):
-        counts: dict[str, int | None] = {"operations_per_pose": None, "baked_operations_per_pose": None}
+        operations = baked = None
         if arguments.list:
-            files = [arguments.output / name for name in kit_names(robot, choice)]
+            files = [to / name for name in kit_names(robot, choice)]
         else:
-            inputs = [Path(arguments.robot)]
-            made, files = write_kit(robot, arguments.output, choice, arguments.force, inputs, progress)
-            counts = dict(zip(counts, (made.operations, made.baked_operations), strict=True))
-        operations, baked = counts.values()
-        folded = "" if baked is None else f", with the numbers folded in {baked}"
-        of_forces = [] if operations is None else [f"operations per pose: {operations}{folded}"]
-        names = [str(path) for path in files]
-        take(Report("\n".join([*names, *of_forces]), data={"files": names, **counts}))
+            made, files = write_kit(robot, to, choice, arguments.force, [arguments.robot], progress)
+            operations, baked = made.operations, made.baked_operations
+        lines = [str(path) for path in files]
+        data = {"files": [*lines], "operations_per_pose": operations, "baked_operations_per_pose": baked}
+        if operations is not None:
+            folded = "" if baked is None else f", with the numbers folded in {baked}"
+            lines.append(f"operations per pose: {operations}{folded}")
+        take(Report("\n".join(lines), data=data))
     return 0

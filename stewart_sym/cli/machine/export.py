@@ -1,58 +1,52 @@
-"""``stewart-sym export``: write a robot as a model of another program."""
+"""Write a robot for MuJoCo, Gazebo, Drake, ROS, Pinocchio, or Isaac Sim.
+
+The model is at the home pose, with a free platform and six spherical loop closures.
+Quantities without a place in the format are stored in a note, which only `import` reads.
+Loops of a URDF file are written to NAME.loops.json.
+
+Example: stewart-sym export hexapod.toml --format mjcf -o hexapod.xml
+"""
 
 import argparse
-import contextlib
 from pathlib import Path
 
+import stewart_sym as ss
+
+from ...exchange.files import BEGINNINGS, loops_path
+from ...io.atomic_write import write_file
+from ...io.error_policy import errors_of
+from ...studies.common.report import Report
 from ..inputs import robot_of
 from ..options import output, robot_file
-from ..output import reject_inputs, results
-
-HELP = "write a robot for MuJoCo, Gazebo, Drake, ROS, Pinocchio, or Isaac Sim"
-EXAMPLE = "stewart-sym export hexapod.toml --format mjcf -o hexapod.xml"
-MORE = (
-    "The model is at the home pose, with a free platform and six spherical loop closures.\n"
-    "Quantities without a place in the format are stored in a note, which only `import` reads.\n"
-    "Loops of a URDF file are written to NAME.loops.json."
-)
+from ..output import need_own_file, results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
-    parser.add_argument(
-        "--format",
-        choices=("mjcf", "sdf", "drake", "urdf", "usd"),
-        required=True,
-        help="format; mjcf: MuJoCo; sdf: Gazebo; drake: Drake (SDF with ball constraints); "
-        "urdf: ROS, Pinocchio, Drake; usd: Isaac Sim, as text",
+    text = (
+        "format; mjcf: MuJoCo; sdf: Gazebo; drake: Drake (SDF with ball constraints); urdf: ROS, Pinocchio, "
+        "Drake; usd: Isaac Sim, as text"
     )
+    formats = ("mjcf", "sdf", "drake", "urdf", "usd")
+    parser.add_argument("--format", choices=formats, required=True, help=text)
     output(parser, "FILE", "model file; - for standard output", None)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...exchange.files import BEGINNINGS, export_model, loops_path
-    from ...io.atomic_write import result_file
-    from ...studies.common.report import Report
-
     path: Path = arguments.output
-    printed = str(path) == "-"
-    if printed and arguments.format == "urdf":
+    if str(path) == "-" and arguments.format == "urdf":
         raise ValueError("-o -: a URDF model consists of two files; name a file")
-    with results(arguments) as (take, _), contextlib.ExitStack() as stack:
+    with results(arguments, beginnings=BEGINNINGS) as (take, _):
         if arguments.format == "urdf":
-            reject_inputs("-o", loops_path(path), arguments.robot)
-        try:
-            file = export_model(robot_of(arguments.robot), arguments.format)
-        except ValueError as error:
-            text = str(error)
-            where = "" if text.startswith(str(arguments.robot)) else f"{arguments.robot}: "
-            raise ValueError(f"{where}{text}") from None
-        texts = {path: file.text} | (
-            {} if file.loop_closures is None else {loops_path(path): file.loop_closures}
-        )
-        for name, text in texts.items():
-            stack.enter_context(result_file(name, BEGINNINGS, arguments.force)).write(text)
-        written = [str(name) for name in texts]
-        said = "" if printed else f"Written to {', '.join(written)}"
-        take(Report(said, data={"format": arguments.format, "files": written}))
+            need_own_file(loops_path(path), BEGINNINGS, arguments.force, [arguments.robot])
+        robot = robot_of(arguments.robot)
+        with errors_of(f"{arguments.robot}: "):
+            file = ss.export_model(robot, arguments.format)
+        files, text = [str(path)], ""
+        if file.loop_closures is not None:
+            write_file(loops_path(path), file.loop_closures)
+            files.append(str(loops_path(path)))
+            text = f"Written to {files[-1]}"
+        write_file(path, file.text)
+        take(Report(text, data={"format": arguments.format, "files": files}))
     return 0

@@ -1,99 +1,70 @@
-"""``stewart-sym plan``: plan a well-conditioned path through via poses, and a motion along it."""
+"""Plan a well-conditioned path through via poses and an optimal motion along it.
+
+The keys of the file of via poses are on page "Files" of the documentation.
+Output: trajectory.csv for `forces`, a report with the certificate of the limits, and drawings.
+Exit code: 0, 1 if the certificate is not valid, 2 for an error. SI units.
+
+Example: stewart-sym plan via.toml -o plan
+"""
 
 import argparse
-import contextlib
-from collections.abc import Iterator, Set
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
-from ...io.error_policy import warn
+import numpy as np
+
+import stewart_sym as ss
+
+from ...io.error_policy import errors_of, warn
 from ...io.extras import need
 from ...io.progress import Progress
+from ...kinematics.offset_legs import leg_lengths
+from ...kinematics.trajectory_checks import meters_doubt
+from ...planning.path_parameterization import need_duration
+from ...planning.plan_file import PlanRequest, read_plan
+from ...studies.reports import plan
 from ..inputs import FEW_ROWS, warn_of_doubts
 from ..options import output, positive, valued
 from ..output import results
-
-if TYPE_CHECKING:
-    from ...planning.plan_file import PlanRequest
-    from ...planning.plan_path import PlannedPath
-
-HELP = "plan a well-conditioned path through via poses and an optimal motion along it"
-EXAMPLE = "stewart-sym plan via.toml -o plan"
-MORE = (
-    'The keys of the file of via poses are on page "Files" of the documentation.\n'
-    "Output: trajectory.csv for `forces`, a report with the certificate of the limits, and drawings.\n"
-    "Exit code: 0, 1 if the certificate is not valid, 2 for an error. SI units."
-)
-_LEAST = ("time", "energy", "peak_force")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("via", metavar="VIA.toml", type=Path, help="file of via poses, schema 1")
     text = "objective, overrides the key of the file; default: time"
-    parser.add_argument("--minimize", choices=_LEAST, help=text)
+    parser.add_argument("--minimize", choices=("time", "energy", "peak_force"), help=text)
     valued(parser, "duration", positive, "duration (s), for energy and peak force", metavar="SECONDS")
     output(parser, "DIR", "folder of the results", Path("plan"), plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...planning.plan_file import read_plan
-
     need("scipy", "planning")
-    with read_plan(arguments.via) as request, _where_stated(arguments, request.stated):
+    with read_plan(arguments.via) as request:
         return _plan(arguments, request)
 
 
-@contextlib.contextmanager
-def _where_stated(arguments: argparse.Namespace, stated: Set[str]) -> Iterator[None]:
-    """Prefix errors about keys of the file, unless an option overrides them, with the name of the file.
-
-    Errors about limits are not prefixed, because limits may originate from the robot file.
-    """
-    try:
-        yield
-    except ValueError as error:
-        key = str(error).partition(":")[0]
-        if key in stated - {"limits"} and getattr(arguments, key, None) is None:
-            raise ValueError(f"{arguments.via}: {error}") from None
-        raise
-
-
-def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
-    import numpy as np
-
-    from ...drives.effort import DriveLimitWarning
-    from ...kinematics.offset_legs import leg_lengths
-    from ...kinematics.trajectory_checks import meters_doubt
-    from ...planning.path_parameterization import need_duration, parameterize_path
-    from ...planning.plan_certificate import certify_plan
-    from ...studies.reports import plan
-
+def _plan(arguments: argparse.Namespace, request: PlanRequest) -> int:
     robot, least = request.robot, arguments.minimize or request.minimize
     duration = request.duration if arguments.duration is None else arguments.duration
-    need_duration(least, duration)
-    if duration is not None:
-        plan.need_instants(duration, request.rate)
+    with errors_of("" if arguments.minimize or arguments.duration else f"{arguments.via}: "):
+        need_duration(least, duration)
+        if duration is not None:
+            plan.need_instants(duration, request.rate)
     warn_of_doubts(robot, request.files[1])
     t, R = (np.array([getattr(pose, name) for pose in request.poses]) for name in ("t", "R"))
     if (doubt := meters_doubt(robot, leg_lengths(robot, R, t))) is not None:
         raise ValueError(request.of_poses(f"via poses: {doubt}"))
-    tables = ("trajectory.csv", "path.csv")
-    with results(arguments, "report", *tables, read=request.files) as (take, progress):
+    with results(arguments, "report", "trajectory.csv", "path.csv", read=request.files) as (take, progress):
         planned = _planned(request, progress)
-        timed = parameterize_path(
-            robot,
-            planned.path,
-            limits=request.limits,
-            formulation=request.formulation,
-            progress=progress,
-            minimize=least,
-            duration=duration,
-        )
+        options: dict[str, Any] = {"limits": request.limits, "formulation": request.formulation}
+        options |= {"minimize": least, "duration": duration}
+        timed = ss.parameterize_path(robot, planned.path, **options, progress=progress)
         progress("checking the plan")
-        found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)
+        with errors_of(f"{arguments.via}: "):
+            plan.need_instants(timed.duration, request.rate)
+        found = plan.Plan(robot, planned, timed, ss.certify_plan(timed), request.rate)
         take(plan.report(found))
     for line in [] if found.motors is None else found.motors.summary.exceeded():
-        warn(f"drive: {line}", DriveLimitWarning)
+        warn(f"drive: {line}", ss.DriveLimitWarning)
     if len(found.times) < FEW_ROWS:
         warn(
             f"{arguments.via}: rate: expected {FEW_ROWS} or more rows in trajectory.csv of a motion of "
@@ -104,20 +75,11 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
     return 0 if found.certificate.is_valid else 1
 
 
-def _planned(request: "PlanRequest", progress: Progress) -> "PlannedPath":
+def _planned(request: PlanRequest, progress: Progress) -> ss.PlannedPath:
     """Plan the path; add the name of the file and a possible warning about the angles to errors."""
-    from ...planning.plan_path import plan_path
-
     try:
-        return plan_path(
-            request.robot,
-            request.poses,
-            request.path_limits,
-            request.objective,
-            request.smoothness_weight,
-            request.load,
-            progress,
-        )
+        cost = (request.objective, request.smoothness_weight, request.load)
+        return ss.plan_path(request.robot, request.poses, request.path_limits, *cost, progress)
     except ValueError as error:
         doubt = f"; {request.doubt}" if request.doubt else ""
         raise ValueError(request.of_poses(f"{error}{doubt}")) from None

@@ -1,44 +1,42 @@
-"""``stewart-sym robots``: robots of the package."""
+"""List, print, or copy the robots of the package.
+
+Each file cites its source and marks its assumptions.
+In Python: ss.robots.NAME().
+
+Example: stewart-sym robots --show tsai2000 -o tsai2000.toml
+"""
 
 import argparse
 
-from ..options import output
-from ..output import results
+import stewart_sym as ss
 
-HELP = "list, print, or copy the robots of the package"
-EXAMPLE = "stewart-sym robots --show tsai2000 -o tsai2000.toml"
-MORE = "Each file cites its source and marks its assumptions.\nIn Python: ss.robots.NAME()."
+from ...io.arguments import option
+from ...io.atomic_write import write_file
+from ...studies.common.output import aligned
+from ...studies.common.report import Report
+from ..options import output, valued
+from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--show", metavar="NAME", help="name of the robot whose file is printed")
+    valued(parser, "show", str, "name of the robot whose file is printed", metavar="NAME")
     output(parser, "ROBOT.toml", "copy of the file of --show", "standard output")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...io.arguments import option
-    from ...io.atomic_write import result_file
-    from ...robots import NAMES, load, text
-    from ...studies.common.output import aligned
-    from ...studies.common.report import Report
-
     if arguments.show is None:
         if arguments.output is not None:
             raise ValueError("-o: requires the name of a robot; add --show NAME")
-        robots = {name: load(name) for name in NAMES}
+        robots = {name: ss.robots.load(name) for name in ss.robots.NAMES}
         rows = [[name, robot.name, f"{robot.M:.4g}"] for name, robot in robots.items()]
         data = {name: {"name": robot.name, "platform_mass_kg": robot.M} for name, robot in robots.items()}
         with results(arguments) as (take, _):
             take(Report(aligned(["name", "machine", "platform, kg"], rows, left=2), data={"robots": data}))
         return 0
-    option(arguments.show, NAMES, "--show")
-    copy = text(arguments.show)
-    shown = {"name": arguments.show, "text": copy}
-    with results(arguments) as (take, _):
-        if arguments.output is None:
-            take(Report(copy, data=shown))
-        else:
-            with result_file(arguments.output, [copy], arguments.force) as stream:
-                stream.write(copy)
-            take(Report(f"Written to {arguments.output}", data=shown))
+    option(arguments.show, ss.robots.NAMES, "--show")
+    copy = ss.robots.text(arguments.show)
+    with results(arguments, beginnings=[copy]) as (take, _):
+        if arguments.output is not None:
+            write_file(arguments.output, copy)
+        take(Report("" if arguments.output else copy, data={"name": arguments.show, "text": copy}))
     return 0

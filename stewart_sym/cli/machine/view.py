@@ -1,32 +1,38 @@
-"""``stewart-sym view``: a machine in motion as one HTML file."""
+"""Show a machine in motion as one HTML file.
+
+MOTION is a path of the paper (I, II, III), a CSV file as for `forces`, or the results of `simulate`.
+The default is the home pose.
+Without -o, the file is opened in a browser.
+Limits of legs and motors are compared as in `forces`.
+
+Example: stewart-sym view hexapod.toml trajectory.csv -o machine.html
+"""
 
 import argparse
 import csv
 import os
 import sys
 import warnings
+import webbrowser
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import numpy as np
+
+import stewart_sym as ss
+
+from ...drives.leg_limits import limited_angles
+from ...dynamics.home_pose import home_pose
+from ...io.atomic_write import write_file
 from ...io.error_policy import warn
 from ...io.progress import Progress
+from ...studies.common.report import Report
+from ...studies.reports.track import Digest, Part
+from ...viewer import motion_history
+from ...viewer.motion_history import MotionHistory
+from ...viewer.page import BEGINNING
 from ..inputs import robot_of, trajectory_of
-from ..options import log_options, output, robot_file
-from ..output import need_html, reject_inputs, results
-
-if TYPE_CHECKING:
-    from ...robot.robot import Robot
-    from ...viewer.motion_history import MotionHistory
-    from ...viewer.view import Viewer
-
-HELP = "show a machine in motion as one HTML file"
-EXAMPLE = "stewart-sym view hexapod.toml trajectory.csv -o machine.html"
-MORE = (
-    "MOTION is a path of the paper (I, II, III), a CSV file as for `forces`, or the results of `simulate`.\n"
-    "The default is the home pose.\n"
-    "Without -o, the file is opened in a browser.\n"
-    "Limits of legs and motors are compared as in `forces`."
-)
+from ..options import flag, log_options, output, robot_file
+from ..output import need_html, results
 
 _RUN = "run.csv"
 _DEFAULT = Path("machine.html")
@@ -34,65 +40,42 @@ _DEFAULT = Path("machine.html")
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser, nargs="?")
-    parser.add_argument(
-        "motion", metavar="MOTION", nargs="?", help="I, II, III, a CSV file, or the folder of a simulation"
-    )
-    parser.add_argument("--example", action="store_true", help="show the robot of the paper on its Path I")
+    text = "I, II, III, a CSV file, or the folder of a simulation"
+    parser.add_argument("motion", metavar="MOTION", nargs="?", help=text)
+    flag(parser, "example", "show the robot of the paper on its Path I")
     log_options(parser)
     output(parser, "FILE.html", "HTML file; - for standard output", str(_DEFAULT))
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...io.atomic_write import result_file
-    from ...robots import dasgupta1998
-    from ...studies.common.report import Report
-    from ...viewer.page import BEGINNING
-    from ...viewer.view import Viewer
-
-    if arguments.example and arguments.robot is not None:
-        raise ValueError("--example: shows the robot of the paper; omit ROBOT.toml")
-    if not arguments.example and arguments.robot is None:
-        raise ValueError("ROBOT.toml: missing; name a robot file, or use --example")
-    path = _DEFAULT if arguments.output is None else arguments.output
-    read = [] if arguments.motion is None else [Path(arguments.motion)]
-    reject_inputs("-o", path, *([] if arguments.robot is None else [arguments.robot]), *read)
+    if arguments.example == (arguments.robot is not None):
+        raise ValueError("ROBOT.toml: expected either a robot file or --example, the robot of the paper")
+    shown_at_once = arguments.output is None
+    path = arguments.output = arguments.output or _DEFAULT
     need_html("-o", path)
-    if path == arguments.json:
-        raise ValueError(f"--json {arguments.json}: the same file as -o; name another file")
-    with (
-        results(arguments, read=read) as (take, progress),
-        result_file(path, [BEGINNING], arguments.force) as stream,
-    ):
-        robot = dasgupta1998() if arguments.example else robot_of(arguments.robot)
-        shown = Viewer(robot, _motion(robot, arguments, progress))
+    read = [] if arguments.motion is None else [Path(arguments.motion)]
+    with results(arguments, read=read, beginnings=[BEGINNING]) as (take, progress):
+        robot = ss.robots.dasgupta1998() if arguments.example else robot_of(arguments.robot)
+        shown = ss.Viewer(robot, _motion(robot, arguments, progress))
         progress("writing the page")
-        stream.write(shown.html)
-        said = [] if str(path) == "-" else [f"{shown.title}", f"Written to {path}"]
-        take(Report("\n".join(said), data=_data(shown)))
+        write_file(path, shown.html)
+        take(Report(shown.title, data=_data(shown)))
     for _, line in shown.limits.told:
         warn(line)
-    if arguments.output is None and not _opened(path):
+    if shown_at_once and not _opened(path):
         print(f"no screen found; open {path.resolve()} in a browser", file=sys.stderr)
     return 0
 
 
-def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "MotionHistory":
-    from ...dynamics.home_pose import home_pose
-    from ...motion.straight_line import PAPER_PATHS
-    from ...viewer import motion_history
-
+def _motion(robot: ss.Robot, arguments: argparse.Namespace, progress: Progress) -> MotionHistory:
     name = "I" if arguments.example else arguments.motion
     if name is None:
         return motion_history.at_home(robot, home_pose(robot).t)
-    if name in PAPER_PATHS:
+    if name in ss.PAPER_PATHS:
         return motion_history.of_path(robot, name)
-    path = Path(name)
-    if path.is_dir():
-        path = path / _RUN
+    path = Path(name, _RUN) if Path(name).is_dir() else Path(name)
     if not path.exists():
-        raise ValueError(
-            f"{path}: expected I, II, III, a CSV file, or a folder with {_RUN}; the file does not exist"
-        )
+        raise ValueError(f"{path}: no such file; expected I, II, III, a CSV file, or a folder with {_RUN}")
     if _is_run(path):
         progress("reading the run")
         return motion_history.of_run_file(robot, path)
@@ -108,9 +91,7 @@ def _is_run(path: Path) -> bool:
     return {"omega_x", "F_1", "kinetic_energy"} <= {name.strip() for name in header}
 
 
-def _data(view: "Viewer") -> dict[str, object]:
-    import numpy as np
-
+def _data(view: ss.Viewer) -> dict[str, object]:
     shown = view.instants
     # NumPy warns of legs without a finite force at any sample.
     with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
@@ -124,21 +105,13 @@ def _data(view: "Viewer") -> dict[str, object]:
         "peak_force_N": peaks,
         "legs": _legs(view),
         "warnings": [line for _, line in view.limits.told],
-        "marked": [
-            {"time_s": event.time, "singular": event.singular, "twist": event.at.twist}
-            for event in shown.events
-        ],
+        "marked": [{"time_s": e.time, "singular": e.singular, "twist": e.at.twist} for e in shown.events],
         "units": {"twist": "m/s and rad/s"},
     }
 
 
-def _legs(view: "Viewer") -> object:
+def _legs(view: ss.Viewer) -> object:
     """Return peaks, limits, standard deviations, and limit status of each leg, as in ``forces``."""
-    import numpy as np
-
-    from ...drives.leg_limits import limited_angles
-    from ...studies.reports.track import Digest, Part
-
     shown, found = view.instants, view.limits
     sd, there = (None, None) if shown.noise is None else (shown.noise.sd, shown.noise.there)
     status = np.zeros(len(shown.time), dtype=np.int32)
@@ -151,8 +124,6 @@ def _legs(view: "Viewer") -> object:
 
 def _opened(path: Path) -> bool:
     """Open a file in a browser; return False without a screen or a browser."""
-    import webbrowser
-
     screen = sys.platform in ("darwin", "win32") or any(
         os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER")
     )

@@ -1,23 +1,22 @@
-"""``stewart-sym benchmark``: execution times of the kernels and of the baselines."""
+"""Compare kernel times with CasADi, Drake, Pinocchio, MuJoCo, JAX, and the processor limit.
+
+All results are compared before the timing.
+Packages that are not installed (extra `bench`) are omitted.
+The study takes about four minutes on an idle machine.
+
+Example: stewart-sym benchmark -o bench
+"""
 
 import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import PAPERS, output, robot_file
+from ..options import PAPERS, flag, output, robot_file
 from ..output import need_drawing, results
-
-HELP = "compare kernel times with CasADi, Drake, Pinocchio, MuJoCo, JAX, and the processor limit"
-EXAMPLE = "stewart-sym benchmark -o bench"
-MORE = (
-    "All results are compared before the timing.\n"
-    "Packages that are not installed (extra `bench`) are omitted.\n"
-    "The study takes about four minutes on an idle machine."
-)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--quick", action="store_true", help="use fewer rounds and smaller batches")
+    flag(parser, "quick", "use fewer rounds and smaller batches")
     robot_file(parser, "--robot", PAPERS)
     output(parser, "DIR", "folder of the results", Path("bench"), html=True)
 

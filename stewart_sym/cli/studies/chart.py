@@ -1,40 +1,35 @@
-"""``stewart-sym chart``: charts of cost and accuracy."""
+"""Draw time per pose over the error of model and rounding.
+
+chart.png: all fidelity levels and implementations.
+scales.png: rounding errors over size and mass of the machine.
+bounds.png: rounding errors and their bounds.
+Each chart is also written as SVG and CSV. The study takes about a minute.
+
+Example: stewart-sym chart enough.toml -o chart
+"""
 
 import argparse
 from pathlib import Path
 
-from ..inputs import warn_of_doubts
-from ..options import output
-from ..output import results
+import stewart_sym as ss
 
-HELP = "draw time per pose over the error of model and rounding"
-EXAMPLE = "stewart-sym chart enough.toml -o chart"
-MORE = (
-    "chart.png: all fidelity levels and implementations.\n"
-    "scales.png: rounding errors over size and mass of the machine.\n"
-    "bounds.png: rounding errors and their bounds.\n"
-    "Each chart is also written as SVG and CSV. The study takes about a minute."
-)
+from ..inputs import warn_of_doubts
+from ..options import output, scene_file
+from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "scene",
-        metavar="SCENE.toml",
-        type=Path,
-        nargs="?",
-        help="scene file of `choose-fidelity`; default: the robot of the paper on Paths I, II, and III",
-    )
+    text = "scene file of `choose-fidelity`; default: the robot of the paper on Paths I, II, and III"
+    scene_file(parser, nargs="?", help=text)
     output(parser, "DIR", "folder of the results", Path("chart"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...robots import dasgupta1998
     from ...studies.accuracy.budget import papers_motions, read_budget
     from ...studies.accuracy.charts import full_report
     from ...studies.accuracy.cost import ROUNDS, cost
 
-    robot, motions = dasgupta1998(), papers_motions()
+    robot, motions = ss.robots.dasgupta1998(), papers_motions()
     read: tuple[Path, ...] = ()
     if arguments.scene is not None:
         scene = read_budget(arguments.scene)

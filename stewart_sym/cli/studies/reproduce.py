@@ -1,13 +1,13 @@
-"""``stewart-sym reproduce``: reproduce section 5 of the paper."""
+"""Reproduce section 5 of the paper: tables, CSV files, and Figs. 4-10.
+
+Example: stewart-sym reproduce -o reproduce
+"""
 
 import argparse
 from pathlib import Path
 
 from ..options import output
 from ..output import results
-
-HELP = "reproduce section 5 of the paper: tables, CSV files, and Figs. 4-10"
-EXAMPLE = "stewart-sym reproduce -o reproduce"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,19 +1,19 @@
-"""``stewart-sym stability``: test all methods near degenerate configurations."""
+"""Test all methods near degenerate configurations against 50-digit arithmetic.
+
+--cases without -o runs only random cases; exit code 1 if a result with status OK is wrong or a
+solvable pose is rejected.
+Requires a compiler with __float128.
+The families take about two minutes, and a million random cases another minute.
+
+Example: stewart-sym stability -o stability
+"""
 
 import argparse
 from pathlib import Path
 
-from ..options import output, valued, whole
+from ...studies.common.report import Report
+from ..options import output, seed, valued, whole
 from ..output import results
-
-HELP = "test all methods near degenerate configurations against 50-digit arithmetic"
-EXAMPLE = "stewart-sym stability -o stability"
-MORE = (
-    "--cases without -o runs only random cases; exit code 1 if a result with status OK is wrong or a\n"
-    "solvable pose is rejected.\n"
-    "Requires a compiler with __float128.\n"
-    "The families take about two minutes, and a million random cases another minute."
-)
 
 CASES = 1_000_000
 """Number of random cases of the sweep."""
@@ -21,12 +21,11 @@ CASES = 1_000_000
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     valued(parser, "cases", whole, f"number of random cases; default with -o: {CASES:,}", metavar="N")
-    valued(parser, "seed", whole, "random seed", 0)
+    seed(parser)
     output(parser, "DIR", "folder of the results", "stability", plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...studies.common.report import Report
     from ...studies.robustness import study
     from ...studies.robustness.pictures import pictures
     from ...studies.robustness.sweep.sweep import report, sweep

@@ -64,7 +64,7 @@ def units_of(
             )
     for kind, unit in found.items():
         if given.get(kind) not in (None, unit):
-            expected = f"TrajectoryFormat({kind}={given[kind]!r})"
+            expected = f"{kind}={given[kind]}"
             raise ValueError(f"{where}: the row of units ({unit}) contradicts {expected}; omit one")
     return found
 

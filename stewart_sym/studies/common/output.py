@@ -2,13 +2,11 @@
 
 import csv
 import io
-import math
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-import orjson
 from numpy.typing import NDArray
 
 from ...motion.rotation import quaternion_from_rotation
@@ -52,18 +50,11 @@ def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Itera
         yield ",".join(columns) + "\n"
     # Rows are converted to Python numbers in blocks, because these require four times the memory of arrays.
     for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
-        part = (_numbers(column[start : start + _ROWS]) for column in columns.values())
-        rows = orjson.dumps([*zip(*part, strict=True)]).decode()
-        yield rows[2:-2].replace("],[", "\n").replace('"', "") + "\n"
-
-
-def _numbers(values: NDArray[Any]) -> list[Any]:
-    """Convert values to Python numbers; non-finite values become text, because JSON does not support them."""
-    found: list[Any] = values.tolist()
-    if np.isfinite(values).all():
-        return found
-    note_not_finite()
-    return [x if math.isfinite(x) else repr(x) for x in found]
+        part = [column[start : start + _ROWS] for column in columns.values()]
+        if not all(np.isfinite(values).all() for values in part):
+            note_not_finite()
+        rows = zip(*(values.tolist() for values in part), strict=True)
+        yield "".join(",".join(map(str, row)) + "\n" for row in rows)
 
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from io import BytesIO
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from ...io.atomic_write import replaced_file
+from ...io.atomic_write import ResultFolder, write_file
 from ...io.json_text import json_text
 from ...io.progress import Progress, silent
 from .output import csv_lines
@@ -61,33 +62,37 @@ class Report:
     views: "Mapping[str, Callable[[], Viewer]]" = field(default_factory=dict)
 
 
-def write(report: Report, folder: Path, name: str, progress: Progress = silent) -> None:
+def write(report: Report, folder: ResultFolder, name: str, progress: Progress = silent) -> None:
     """Write ``name.txt``, ``name.json``, every table as CSV, and every plot into a folder.
 
     Raises OSError with the name of the file, and ImportError for plots without Matplotlib.
     """
-    texts: dict[str, Table] = {
-        f"{name}.txt": report.text.rstrip("\n") + "\n",
-        f"{name}.json": json_text(report.data),
-    }
-    texts |= {f"{table}.csv": content for table, content in report.tables.items()}
-    for file, content in texts.items():
-        with replaced_file(folder / file) as stream:
-            stream.writelines([content] if isinstance(content, str) else csv_lines(content))
+    folder.write(f"{name}.txt", report.text.rstrip("\n") + "\n")
+    folder.write(f"{name}.json", json_text(report.data))
+    for table, content in report.tables.items():
+        folder.write(f"{table}.csv", content if isinstance(content, str) else csv_lines(content))
     for number, (stem, picture) in enumerate(report.figures.items()):
         progress(f"drawing {stem}", number / len(report.figures))
-        draw(picture, folder / stem)
+        for kind, data in drawn(picture).items():
+            folder.write(f"{stem}.{kind}", data)
 
 
 def draw(picture: Picture, stem: Path) -> None:
     """Draw a plot, and write it to a path to which the suffixes are added."""
+    for kind, data in drawn(picture).items():
+        write_file(stem.with_name(f"{stem.name}.{kind}"), data)
+
+
+def drawn(picture: Picture) -> dict[str, bytes]:
+    """Draw a plot, and return the content of its files by suffix."""
     import matplotlib
 
+    files = {kind: BytesIO() for kind in picture.kinds}
     with matplotlib.rc_context({**_SVG, **picture.style}):
         figure = picture.draw()
-        for kind in picture.kinds:
-            path = stem.with_name(f"{stem.name}.{kind}")
-            figure.savefig(path, dpi=picture.dpi, metadata=_METADATA[kind])
+        for kind, stream in files.items():
+            figure.savefig(stream, format=kind, dpi=picture.dpi, metadata=_METADATA[kind])
+    return {kind: stream.getvalue() for kind, stream in files.items()}
 
 
 def svg(picture: Picture, stream: IO[bytes]) -> None:

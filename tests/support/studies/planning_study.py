@@ -15,7 +15,7 @@ from scipy.stats import spearmanr
 
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
 from stewart_sym.io.array_types import Array
-from stewart_sym.io.atomic_write import replaced_file
+from stewart_sym.io.atomic_write import write_file
 from stewart_sym.io.json_text import json_text
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
@@ -329,8 +329,7 @@ def main(arguments: list[str]) -> int:
     folder = Path(arguments[0])
     folder.mkdir(parents=True, exist_ok=True)
     found = {"claim": claim(), "gains": gains(), "path_III": path_III(), "durations": durations()}
-    with replaced_file(folder / "plan.json") as stream:
-        stream.write(json_text(found))
+    write_file(folder / "plan.json", json_text(found))
     for name, figure in (("claim", claim_figure), ("path_III", path_figure), ("durations", durations_figure)):
         draw(Picture(functools.partial(figure, found[name]), SMALL), folder / f"plan_{name}")
     return 0

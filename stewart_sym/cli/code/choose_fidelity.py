@@ -1,31 +1,26 @@
-"""``stewart-sym choose-fidelity``: find the cheapest kernel within a tolerance."""
+"""Find the cheapest kernel within a tolerance of the forces, and the physics that it requires.
+
+All keys of the scene are on page "Files" of the documentation.
+The study runs its motions at every fidelity, formulation, and precision, in about a minute.
+Exit code: 0, or 2 if no kernel is within the tolerance or for an error.
+
+Example: stewart-sym choose-fidelity enough.toml --generate kernel
+"""
 
 import argparse
 from pathlib import Path
 
+from ...studies.common.report import Report
 from ..inputs import warn_of_doubts
-from ..options import folder_name, json_file
+from ..options import flag, folder_name, json_file, scene_file, valued
 from ..output import results
-from ..terminal import progress_line
-
-HELP = "find the cheapest kernel within a tolerance of the forces, and the physics that it requires"
-EXAMPLE = "stewart-sym choose-fidelity enough.toml --generate kernel"
-MORE = (
-    'All keys of the scene are on page "Files" of the documentation.\n'
-    "The study runs its motions at every fidelity, formulation, and precision, in about a minute.\n"
-    "Exit code: 0, or 2 if no kernel is within the tolerance or for an error."
-)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
+    scene_file(parser)
     json_file(parser)
-    parser.add_argument(
-        "--generate", metavar="DIR", type=folder_name, help="folder of a kit with the chosen kernel"
-    )
-    parser.add_argument(
-        "--bake", action="store_true", help="insert the constants of the robot into that kernel"
-    )
+    valued(parser, "generate", folder_name, "folder of a kit with the chosen kernel", metavar="DIR")
+    flag(parser, "bake", "insert the constants of the robot into that kernel")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -33,11 +28,8 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.accuracy import advice
     from ...studies.accuracy.budget import read_budget
     from ...studies.accuracy.cost import candidate_of, cost
-    from ...studies.common.report import Report
 
-    with progress_line() as progress:
-        progress("reading the motions")
-        budget = read_budget(arguments.scene)
+    budget = read_budget(arguments.scene)
     warn_of_doubts(budget.robot, arguments.scene)
     with results(arguments, read=budget.files) as (take, progress):
         found = advice.advice(cost(budget.robot, budget.motions, progress=progress), budget)
