@@ -13,10 +13,10 @@ from ..io.arguments import finite_array, instance, real_array, status_text
 from ..io.array_types import Array, Flags
 from ..io.error_policy import SingularPoseWarning, warn
 from ..io.frozen import Frozen, read_only
-from ..io.sample_times import least_step, time_text
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.trajectory_checks import side_change
 from ..motion.motion import Motion
+from ..motion.sample_times import least_step, time_text
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot

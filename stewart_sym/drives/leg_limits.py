@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from ..io.arguments import status_text
 from ..io.array_types import Array, Flags
-from ..io.sample_times import elapsed, least_step, time_text
 from ..kinematics.clearance import angles_from, neutral_directions
 from ..motion.motion import Motion
+from ..motion.sample_times import elapsed, least_step, time_text
 from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..robot.robot import LEGS, Robot
 from .effort import trapezoids

@@ -9,8 +9,8 @@ import numpy as np
 from ..dynamics.equations import force_derivatives
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
-from ..io.sample_times import elapsed
 from ..motion.motion import Motion
+from ..motion.sample_times import elapsed
 from ..motion.smooth_motion import (
     Basis,
     PoseNoise,

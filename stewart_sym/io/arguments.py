@@ -16,7 +16,7 @@ def shown(value: object) -> str:
     except (ValueError, RecursionError):
         # Python raises an error for integers of thousands of digits and for nesting a thousand levels deep.
         return f"{type(value).__name__} too long to show"
-    return text if len(text) <= 60 else text[:57] + "..."
+    return text if len(text) <= 60 else f"{text[:57]}..."
 
 
 def safe_text(text: str) -> str:
@@ -64,10 +64,9 @@ def number_in(
 
 def whole_number(value: object, name: str, least: int, expected: str, most: float = math.inf) -> int:
     """Return a whole number from ``least`` to ``most``; raise ValueError otherwise."""
-    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
-    if not whole or not least <= value <= most:  # type: ignore[operator]
-        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
-    return int(value)  # type: ignore[call-overload, no-any-return]
+    if isinstance(value, int | np.integer) and not isinstance(value, bool) and least <= value <= most:
+        return int(value)
+    raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
 
 
 def shaped_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
@@ -113,10 +112,11 @@ def truth(value: object, name: str) -> None:
         raise ValueError(f"{name}: expected True or False, got {shown(value)}")
 
 
-def option(value: object, options: Sequence[str], name: str) -> None:
-    """Raise ValueError unless a value is one of the options."""
-    if not isinstance(value, str) or value not in options:
-        raise ValueError(f"{name}: {no_option(value, options)}")
+def option(value: object, options: Sequence[str], name: str) -> str:
+    """Return a value that is one of the options; raise ValueError otherwise."""
+    if isinstance(value, str) and value in options:
+        return value
+    raise ValueError(f"{name}: {no_option(value, options)}")
 
 
 def no_option(value: object, options: Sequence[str]) -> str:

@@ -29,33 +29,28 @@ def absent(*packages: str) -> tuple[str, ...]:
     return tuple(package for package in packages if importlib.util.find_spec(package) is None)
 
 
-def need(package: str, what: str, otherwise: str = "") -> None:
-    """Raise the error of ``needed_for`` before a long computation if a package is not installed."""
-    if absent(package):
-        raise _missing(package, what, otherwise)
-
-
-@contextlib.contextmanager
-def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
-    """Import optional packages in this block; a missing one raises MissingExtraError.
-
-    ``what`` is the task that requires the packages, and ``otherwise`` an alternative without them, for the
-    message ``<what> needs <package>: pip install "stewart-sym[<extra>]"<otherwise>``.
-    """
-    try:
-        yield
-    except ModuleNotFoundError as error:
-        package = (error.name or "").partition(".")[0]
-        if package not in EXTRAS:
-            raise
-        raise _missing(package, what, otherwise) from None
-
-
 def install(extra: str) -> str:
     """Return the command that adds an extra to this installation."""
     return f'pip install "stewart-sym[{extra}]"'
 
 
-def _missing(package: str, what: str, otherwise: str) -> MissingExtraError:
-    name, extra = EXTRAS[package]
-    return MissingExtraError(f"{what} needs {name}: {install(extra)}{otherwise}")
+def need(package: str, what: str, otherwise: str = "") -> None:
+    """Raise MissingExtraError if a package is not installed, for use before a long computation.
+
+    ``what`` is the task that requires the package, and ``otherwise`` an alternative without it.
+    """
+    if absent(package):
+        name, extra = EXTRAS[package]
+        raise MissingExtraError(f"{what} needs {name}: {install(extra)}{otherwise}")
+
+
+@contextlib.contextmanager
+def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
+    """Import optional packages in this block; a missing one raises the error of ``need``."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        package = (error.name or "").partition(".")[0]
+        if package in EXTRAS:
+            need(package, what, otherwise)
+        raise

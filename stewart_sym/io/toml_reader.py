@@ -6,9 +6,9 @@ Every message begins with the given prefix: ``file: key: expected X, got Y``.
 import contextlib
 import difflib
 import io
+import math
 import os
 import stat
-import sys
 import tomllib
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -17,13 +17,12 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from .arguments import option, safe_text, shown
+from .arguments import number_in, safe_text, shown
 from .array_types import Array
 from .key_lines import key_text, line_of
 
 MOST_BYTES = 1 << 18
 """Largest size of a TOML file (bytes), thirty times the size of a robot file with all numbers of each leg."""
-_MOST = sys.float_info.max
 
 
 def file_name(path: object) -> str:
@@ -62,9 +61,8 @@ def read_text(source: str, what: str, most: int) -> str:
     try:
         return data.decode().removeprefix("\ufeff")
     except UnicodeDecodeError as error:
-        raise ValueError(
-            f"{source}: expected UTF-8 text, byte {error.start} is not: save it as UTF-8"
-        ) from None
+        problem = f"expected UTF-8 text, byte {error.start} is not: save it as UTF-8"
+        raise ValueError(f"{source}: {problem}") from None
 
 
 _KINDS = {
@@ -91,11 +89,10 @@ def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
     try:
         yield top
     except ValueError as error:
-        message, file = str(error), f"{source}: "
-        if not message.startswith(file):
+        file, _, message = str(error).partition(f"{source}: ")
+        if file or not message:
             raise
-        line = line_of(message.removeprefix(file), text)
-        raise ValueError(f"{message} (at line {line})") from None
+        raise ValueError(f"{error} (at line {line_of(message, text)})") from None
 
 
 def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
@@ -107,12 +104,8 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
         raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
     except ValueError as error:
         first = text.lstrip().split("\n", 1)[0]
-        if first.startswith(("{", "<")):
+        if first[0] in "{<" or (first.count(",") > 1 and "=" not in first and first[0] not in "#["):
             raise ValueError(f"{source}: expected a {what}, got {shown(first)}") from None
-        if first.count(",") > 1 and "=" not in first and first[0] not in "#[":
-            raise ValueError(
-                f"{source}: expected a {what}, got a table of values, as of a CSV file"
-            ) from None
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
 
 
@@ -209,14 +202,8 @@ def need_schema(value: object, known: Sequence[int], where: str) -> int:
 
 def number(value: Any, where: str, expected: str = "a finite number") -> float:
     """Return a finite number; reject Booleans."""
-    hint = ""
-    if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):
-        size: Any = abs(value)
-        if size <= _MOST:
-            return float(value)
-        if size > _MOST:
-            hint = f" (no limit is a key left out, and a double holds up to {_MOST:.2g})"
-    raise ValueError(f"{where}: expected {expected}, got {shown(value)}{hint}")
+    remedy = " (no limit: omit the key)" if isinstance(value, float) and math.isinf(value) else ""
+    return number_in(value, where, f"{expected}{remedy}", -math.inf)
 
 
 def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
@@ -254,9 +241,3 @@ def per_leg(value: object, where: str) -> Array:
     if isinstance(value, list | tuple | np.ndarray):
         return numbers(value, (6,), where)
     return np.full(6, number(value, where, "one finite number or six"))
-
-
-def choice(value: object, options: Sequence[str], where: str) -> str:
-    """Return a value that is one of the options."""
-    option(value, options, where)
-    return str(value)

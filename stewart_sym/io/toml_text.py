@@ -16,29 +16,22 @@ def toml_text(tables: Mapping[str, Any], inline: bool = True) -> str:
 
 def _lines(table: Mapping[str, Any], path: str, inline: bool) -> Iterator[str]:
     sections = {key: value for key, value in table.items() if _is_section(value, path, inline)}
-    for key, value in table.items():
-        if key not in sections:
-            yield f"{key} = {_value(value)}"
+    yield from (f"{key} = {_value(value)}" for key, value in table.items() if key not in sections)
     for key, value in sections.items():
-        for each in value if isinstance(value, list) else [value]:
-            name = f"{path}{key}"
-            if (
-                not inline
-                or isinstance(value, list)
-                or not each
-                or not all(_is_section(one, name, inline) for one in each.values())
-            ):
-                yield ""
-                yield f"[[{name}]]" if isinstance(value, list) else f"[{name}]"
+        name, entries = f"{path}{key}", isinstance(value, list)
+        for each in value if entries else [value]:
+            # A table of sections only needs no header.
+            nested = bool(each) and all(_is_section(one, name, inline) for one in each.values())
+            if entries or not inline or not nested:
+                yield from ("", f"[[{name}]]" if entries else f"[{name}]")
             yield from _lines(each, f"{name}.", inline)
 
 
 def _is_section(value: object, path: str, inline: bool) -> bool:
     if isinstance(value, list):
         return bool(value) and isinstance(value[0], Mapping)
-    return isinstance(value, Mapping) and (
-        not path or not inline or any(isinstance(each, Mapping) for each in value.values())
-    )
+    nested = isinstance(value, Mapping) and any(isinstance(each, Mapping) for each in value.values())
+    return isinstance(value, Mapping) and (not path or not inline or nested)
 
 
 def _value(value: Any) -> str:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..io.array_types import Array
-from ..io.sample_times import parts
+from .sample_times import parts
 
 # Smallest number of rows of an even clock, and the range of its step in units of the rounding of times.
 # Smaller steps may be caused by missing rows; for larger steps rounding affects no rate.

@@ -18,10 +18,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
 from ..io.array_types import Array
-from ..io.sample_times import apart, elapsed, parts, time_text
 from ..io.toml_reader import positive
 from . import rotation
 from .motion import Motion, at_rest
+from .sample_times import apart, elapsed, parts, time_text
 from .straight_line import MOST_STEPS
 from .trajectory import PoseLog, Replaced, Trajectory, Uncertainty, need_trajectory
 

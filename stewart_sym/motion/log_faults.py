@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
-from ..io.sample_times import elapsed, least_step, time_text
 from .interpolation import quintic, values
+from .sample_times import elapsed, least_step, time_text
 from .trajectory import Log
 
 # Lengths of blocks, samples, and the degrees of their polynomials.

@@ -10,7 +10,6 @@ import numpy as np
 
 from ..io.array_types import Array, Flags
 from ..io.extras import absent, needed_for
-from ..io.sample_times import elapsed, lost, time_text
 from . import log_faults
 from .interpolation import PAIRS, breaks, check_cutoff
 from .noise import in_log
@@ -18,6 +17,7 @@ from .noise.lines import line_covariance, lines, tell_lines
 from .noise.sparse_rows import DEGREE, FEWEST, end_errors
 from .noise.still_rows import held_offsets, still_rows, tell_still
 from .noise_level import Level
+from .sample_times import elapsed, lost, time_text
 from .smoothing import smoothed
 from .trajectory import Log, Replaced, Uncertainty
 

@@ -22,8 +22,8 @@ from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
-from ..io.sample_times import time_text
 from .noise_level import TrajectoryWarning
+from .sample_times import time_text
 from .text.clock import READ, Clock, instant
 from .text.encoding import table_as_utf8
 from .text.head import MARKS, Head, is_value, read_head, without_row

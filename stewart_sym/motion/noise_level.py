@@ -10,7 +10,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from ..io.array_types import Array, Flags
-from ..io.sample_times import elapsed
+from .sample_times import elapsed
 
 
 class TrajectoryWarning(UserWarning):

@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ..io.array_types import Array, Flags
-from ..io.sample_times import elapsed
 from .noise_level import rounding_step
 from .rotation import angle_rates, distance_from_lock, rotation_about_axes
+from .sample_times import elapsed
 
 # Rates are of another motion if what they say over some stretch is off by this share of the changes, which is
 # more than a filter's lag, by a share of the largest of their kind or, where all rest, by this much in units

@@ -18,9 +18,9 @@ from numpy.typing import ArrayLike
 from ..io.arguments import instance, number_in, real_array, shown, whole_number
 from ..io.array_types import Array, Indices
 from ..io.extras import needed_for
-from ..io.sample_times import elapsed
 from .motion import Motion
 from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
+from .sample_times import elapsed
 
 WITHOUT_PERIOD = "a smooth motion without a period"
 """What needs SciPy, in words."""

@@ -14,6 +14,7 @@ from ..backend.kernel import FORMULATIONS
 from ..design.pose_limits import PoseLimits, need_clearance
 from ..dynamics.inverse_dynamics import Formulation
 from ..io import toml_reader
+from ..io.arguments import option
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.robot_logs import form_of
@@ -110,7 +111,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     if ("via" in top) == ("via_file" in top):
         raise ValueError(f"{file}via: expected either via poses or via_file")
     options: dict[str, Any] = {
-        key: toml_reader.choice(top.get(key, known[0]), known, file + key)
+        key: option(top.get(key, known[0]), known, file + key)
         for key, known in (("formulation", FORMULATIONS), ("objective", OBJECTIVES), ("minimize", MINIMIZE))
     }
     options["smoothness_weight"] = toml_reader.not_negative(

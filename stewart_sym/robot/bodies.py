@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import shown
+from ..io.arguments import option, shown
 from ..io.array_types import Array
 from .fields import direction, inertia
 
@@ -131,7 +131,7 @@ def _by_shape(
     table: dict[str, Any], prefix: str, meters: Meters, along: float | None, place: tuple[str, ...]
 ) -> dict[str, Any]:
     toml_reader.require(table, ("shape",), prefix, "missing")
-    shape = toml_reader.choice(table["shape"], tuple(SHAPES), f"{prefix}shape")
+    shape = option(table["shape"], tuple(SHAPES), f"{prefix}shape")
     known = ("shape", *SHAPES[shape], *_MATTER, *place)
     known += ("inner_radius",) if shape == "plate" else ()
     known = tuple(key for key in known if (shape, key) != ("box", "axis"))

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import shown
+from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..motion.logs import EULER_ORDERS, LENGTHS
 
@@ -58,14 +58,14 @@ def vector_text(vector: Array) -> str:
 
 def base_joint(value: object, where: str) -> str:
     """Check the type of the base joints."""
-    return toml_reader.choice(value, BASE_JOINTS, where)
+    return option(value, BASE_JOINTS, where)
 
 
 def accepted(value: object, where: str) -> tuple[str, ...]:
     """Check names of warnings."""
     if not isinstance(value, list | tuple):
         raise ValueError(f"{where}: expected a list of names of warnings, got {shown(value)}")
-    return tuple(toml_reader.choice(name, WARNING_NAMES, where) for name in value)
+    return tuple(option(name, WARNING_NAMES, where) for name in value)
 
 
 def limits(value: object, where: str) -> Array:
@@ -231,8 +231,8 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
 POSE_FIELDS: dict[str, Check] = {
     "home_position": lambda value, where: None if value is None else toml_reader.vector(value, where),
     "tool": toml_reader.vector,
-    "euler_order": lambda value, where: toml_reader.choice(value, EULER_ORDERS, where),
-    "length_mode": lambda value, where: toml_reader.choice(value, LENGTHS, where),
+    "euler_order": lambda value, where: option(value, EULER_ORDERS, where),
+    "length_mode": lambda value, where: option(value, LENGTHS, where),
 }
 """Check of each field that defines the representation of poses."""
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..io import toml_reader
+from ..io.arguments import option
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from .fields import LEGS, LegTables, direction
@@ -70,7 +71,7 @@ class JointOffsets(Frozen):
     cross_inertia: Array = field(default_factory=lambda: np.zeros(LEGS))
 
     def __post_init__(self) -> None:
-        toml_reader.choice(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
+        option(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
         found = {name: _six(getattr(self, name), shape, name) for name, shape in SHAPES.items()}
         for name in ("cross_mass", "cross_inertia"):
             for i in range(LEGS):
@@ -140,7 +141,7 @@ def offsets_of_tables(legs: LegTables, meters: Callable[[Any], Any]) -> JointOff
             raise ValueError(f"{prefix}platform_joint: expected it in legs.offsets, for all legs")
     of_all, none = joints.prefixes[0], np.zeros(3)
     joint = joints.tables[0].get("platform_joint", "spherical")
-    joint = toml_reader.choice(joint, PLATFORM_JOINTS, f"{of_all}platform_joint")
+    joint = option(joint, PLATFORM_JOINTS, f"{of_all}platform_joint")
     found = {name: meters(joints.each(name, toml_reader.number, 0.0)) for name in LENGTHS}
     if joint == "universal":
         for i in range(LEGS):

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import shown
+from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..motion.text.unit_row import LENGTH_UNITS
 from . import fields
@@ -53,10 +53,8 @@ _MOST_TURNS = 2.0
 def values(d: object, file: str) -> dict[str, Any]:
     """Return the checked fields of a robot by name; every message begins with ``file``."""
     top = toml_reader.checked_table(d, file, _TOP_KEYS, _NEEDED)
-    meters = _meters(
-        toml_reader.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit")
-    )
-    degrees = toml_reader.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
+    meters = _meters(option(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
+    degrees = option(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
     joint = fields.base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     home = (
         meters(toml_reader.vector(top["home_position"], f"{file}home_position"))
@@ -369,7 +367,7 @@ def axis(value: object, where: str, b: Array, middle: Array, home: Array | None)
     """
     if not isinstance(value, str):
         return fields.direction(value, where)
-    name = toml_reader.choice(value, AXES, where)
+    name = option(value, AXES, where)
     along = b - middle
     if name == "horizontal":
         if home is None:

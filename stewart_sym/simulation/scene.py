@@ -11,16 +11,16 @@ import numpy as np
 from ..backend.kernel import FORMULATIONS
 from ..dynamics.inverse_dynamics import Formulation
 from ..io import toml_reader
-from ..io.arguments import shown
+from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
-from ..io.sample_times import elapsed
 from ..kinematics.mounting import path_for
 from ..kinematics.robot_logs import trajectory_for
 from ..motion.interpolation import followed
 from ..motion.motion import Motion
 from ..motion.noise_level import TrajectoryWarning
 from ..motion.rotation import rotation_from_rpy
+from ..motion.sample_times import elapsed
 from ..motion.straight_line import PAPER_PATHS
 from ..motion.trajectory import JointTrajectory
 from ..robot.robot import Robot
@@ -150,7 +150,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         check_output_step(options["output_step"], options["duration"])
     choices = {"method": METHODS, "formulation": FORMULATIONS, "on_force_limit": ON_FORCE_LIMIT}
     for key, known in choices.items():
-        options[key] = toml_reader.choice(top.get(key, known[0]), known, file + key)
+        options[key] = option(top.get(key, known[0]), known, file + key)
     thresholds = _thresholds(top.get("stop_conditions", {}), f"{file}stop_conditions.")
     load = _vectors(top.get("load", {}), _LOAD_KEYS, (), f"{file}load.")
     _check_start(top, legs["type"], file)
@@ -176,7 +176,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
 def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
     """Reject a scene with no initial state or with two; computed torque starts on its path by default."""
     if "initial_state" in top:
-        start = toml_reader.choice(top["initial_state"], STARTS, f"{file}initial_state")
+        start = option(top["initial_state"], STARTS, f"{file}initial_state")
         if law != "computed_torque":
             raise ValueError(
                 f'{file}initial_state: expected [actuation] type = "computed_torque" with "{start}", '
@@ -191,7 +191,7 @@ def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
 def _actuation(value: object, prefix: str) -> dict[str, Any]:
     """Return the checked values of the table ``actuation``; its valid keys depend on ``type``."""
     every = ("type", *(key for checks in _LAW_KEYS.values() for key in checks))
-    law = toml_reader.choice(
+    law = option(
         toml_reader.checked_table(value, prefix, every, ("type",))["type"], tuple(_LAW_KEYS), f"{prefix}type"
     )
     checks = {"type": toml_reader.one_line} | _LAW_KEYS[law]
@@ -214,7 +214,7 @@ _LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
         "path": toml_reader.one_line,
         "k_p": toml_reader.not_negative,
         "k_d": toml_reader.not_negative,
-        "model_formulation": lambda value, where: toml_reader.choice(value, FORMULATIONS, where),
+        "model_formulation": lambda value, where: option(value, FORMULATIONS, where),
         "rate": toml_reader.positive,
     },
 }

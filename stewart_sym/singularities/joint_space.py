@@ -20,7 +20,6 @@ from numpy.typing import ArrayLike
 from ..io.arguments import deviations, finite_array, instance, real_array
 from ..io.array_types import Array
 from ..io.progress import Progress, silent
-from ..io.sample_times import elapsed
 from ..kinematics.forward_kinematics import (
     REASONS,
     Guess,
@@ -38,6 +37,7 @@ from ..motion.logs import TrajectoryFormat
 from ..motion.motion import Motion
 from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
 from ..motion.rate_doubts import rate_doubts
+from ..motion.sample_times import elapsed
 from ..motion.trajectory import JointTrajectory, SmoothingOptions, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot

@@ -10,11 +10,11 @@ import numpy as np
 
 from ..io.array_types import Array, Flags
 from ..io.progress import Progress, tracked
-from ..io.sample_times import elapsed
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse_kinematics import leg_vectors
 from ..kinematics.pose_search import ToSingular, newton, other_side, rates_per_twist, solve, way_to_singular
 from ..motion import rotation
+from ..motion.sample_times import elapsed
 from ..robot.robot import Robot
 
 NO_WAY = (

@@ -17,10 +17,10 @@ from ..drives.limit_status import EXCEEDED, VERDICTS, shows
 from ..io.arguments import safe_text
 from ..io.array_types import Array
 from ..io.json_text import plain
-from ..io.sample_times import least_step, time_text
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.mounting import platform_side, radius
 from ..motion.rotation import quaternion_from_rotation
+from ..motion.sample_times import least_step, time_text
 from ..robot.offset_chains import chains
 from ..robot.robot import Robot
 from .limit_report import LimitReport

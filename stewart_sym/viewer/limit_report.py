@@ -14,7 +14,7 @@ from ..drives.limit_status import NOT_DECIDED, unknown_forces
 from ..drives.motor_states import MotorStates as Motors
 from ..drives.motor_states import motor_states, of_motor_forces
 from ..io.array_types import Array
-from ..io.sample_times import elapsed, least_step
+from ..motion.sample_times import elapsed, least_step
 from ..robot.robot import Robot
 from .motion_history import FORMULATIONS, MotionHistory
 

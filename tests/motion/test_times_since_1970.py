@@ -11,11 +11,11 @@ from motion_fields import motion_of
 from noisy_logs import WHITE, Array, coordinates
 
 import stewart_sym as ss
-from stewart_sym.io.sample_times import elapsed, lost
 from stewart_sym.kinematics.inverse_kinematics import leg_vectors
 from stewart_sym.motion.interpolation import followed, interpolate, resample
 from stewart_sym.motion.log_reader import read_csv, read_log, trajectory_from
 from stewart_sym.motion.logs import TIME_UNITS, TrajectoryFormat
+from stewart_sym.motion.sample_times import elapsed, lost
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory
 from stewart_sym.singularities.joint_space import on_platform
 

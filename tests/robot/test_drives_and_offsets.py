@@ -150,13 +150,13 @@ BAD = {
         "leg.2.drive.rated_torque: expected at most the torque_limit, 2 N m, got 3 (at line 22)"
     ),
     "[legs.drive]\nlead = 5\ncurrent_limit = inf\n": (
-        "legs.drive.current_limit: expected a finite number, got inf (no limit is a key left out, "
+        "legs.drive.current_limit: expected a finite number (no limit: omit the key), got inf (at line 20)"
     ),
     "[legs.drive]\nlead = 1e-120\n": (
         "legs.drive.lead: expected a lead with which the rotor's inertia is a finite mass (at line 19)"
     ),
     "[legs.drive]\nlead = 1e400\n": (
-        "legs.drive.lead: expected a finite number, got inf (no limit is a key left out, and a double holds "
+        "legs.drive.lead: expected a finite number (no limit: omit the key), got inf (at line 19)"
     ),
     "[leg.2]\ndrive = []\n": "leg.2.drive: expected a table, got [] (at line 19)",
     "[[legs.drive]]\nlead = 5\n": "legs.drive: expected a table, got [{'lead': 5}] (at line 18)",

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...io import toml_reader
+from ...io.arguments import option
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
@@ -117,7 +118,7 @@ def _closure(given: object, number_: int, names: set[str], apart: dict[str, str]
     table = toml_reader.checked_table(
         given, where, _CLOSURE_KEYS, ("link_1", "point_1_m", "link_2", "point_2_m")
     )
-    kind = toml_reader.choice(table.get("type", "spherical"), ("spherical", "fixed"), f"{where}type")
+    kind = option(table.get("type", "spherical"), ("spherical", "fixed"), f"{where}type")
     for key in ("link_1", "link_2"):
         table = {**table, key: apart.get(str(table[key]), table[key])}
         if table[key] not in names:

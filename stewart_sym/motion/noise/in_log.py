@@ -7,7 +7,6 @@ from collections.abc import Callable
 import numpy as np
 
 from ...io.array_types import Array, Flags
-from ...io.sample_times import elapsed, time_text
 from ..noise_level import (
     FEWEST_SAMPLES,
     LEAST_SAMPLES,
@@ -17,6 +16,7 @@ from ..noise_level import (
     noise_level,
     varying_noise,
 )
+from ..sample_times import elapsed, time_text
 from ..smoothing import likeliest_noise, shown_noise, smoothed
 from ..trajectory import Log
 

@@ -7,8 +7,8 @@ import itertools
 import numpy as np
 
 from ...io.array_types import Array
-from ...io.sample_times import elapsed, time_text
 from ..interpolation import breaks
+from ..sample_times import elapsed, time_text
 from ..trajectory import Log
 
 DEGREE = 5

@@ -8,9 +8,9 @@ import math
 import numpy as np
 
 from ...io.array_types import Array, Flags
-from ...io.sample_times import time_text
 from ..log_faults import column_of
 from ..noise_level import LEAST_SAMPLES, white_noise
+from ..sample_times import time_text
 from ..trajectory import Log
 
 # Fewest rows of a stretch, and the probability that noise repeats numbers so often in any row of a log.

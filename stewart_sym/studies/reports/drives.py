@@ -10,7 +10,7 @@ from ...drives.limit_status import amount_text
 from ...drives.motor_states import MotorStates
 from ...drives.noise import MotorDeviations
 from ...io.array_types import Array, Flags
-from ...io.sample_times import elapsed, least_step
+from ...motion.sample_times import elapsed, least_step
 from ...robot.robot import LEGS, Robot
 from ..common.drawing import DARK, Figure, as_written, new_figure, plot_legs
 from ..common.output import Columns, csv_text, leg_table, of_legs

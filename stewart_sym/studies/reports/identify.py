@@ -17,8 +17,8 @@ from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_reference
 from ...io.array_types import Array
-from ...io.sample_times import time_text
 from ...motion.logs import TrajectoryFormat
+from ...motion.sample_times import time_text
 from ...motion.smooth_motion import PoseNoise, estimate_pose_noise, smoothed
 from ...motion.trajectory import IN_SI, Trajectory
 from ...robot.robot import Robot, about_point

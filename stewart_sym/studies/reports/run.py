@@ -8,8 +8,8 @@ import numpy as np
 from ...drives.motor_states import of_motor_forces
 from ...dynamics.inverse_dynamics import Formulation
 from ...io.array_types import Array
-from ...io.sample_times import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
+from ...motion.sample_times import least_step, time_text
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.state_history import SimulationResult, StateHistory, leg_states

@@ -9,11 +9,11 @@ import numpy as np
 
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics
 from ...io.array_types import Array
-from ...io.sample_times import time_text
 from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse_kinematics import ROUNDING, leg_vectors, wrench_matrix
 from ...kinematics.pose_search import rates_per_twist
 from ...motion.interpolation import Path
+from ...motion.sample_times import time_text
 from ...results import OK
 from ...robot.robot import LEGS, Robot
 from ...singularities.path_singularities import (

@@ -2,7 +2,7 @@
 
 import dataclasses
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,10 +28,11 @@ from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inve
 from ...io.arguments import status_text
 from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
-from ...io.sample_times import least_step, time_text
+from ...io.progress import Progress
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.motion import Motion
+from ...motion.sample_times import least_step, time_text
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult
 from ...robot.robot import LEGS, Robot
@@ -159,6 +160,15 @@ class Digest:
         # Time and value of the largest condition number of each part.
         self.conditions: list[tuple[float, float]] = []
         self.drive = None if robot.drive is None else DriveDigest(robot, time)
+
+    def rows(self, parts: Iterable[Part], progress: Progress) -> Iterator[str]:
+        """Add all parts, and yield the text of their CSV file."""
+        count = len(self.time)
+        progress(f"computing {count} instants", 0.0)
+        for part in parts:
+            yield from csv_lines(part.columns, header=part.where.start == 0)
+            self.add(part)
+            progress(f"computing {count} instants", min(1.0, part.where.stop / count))
 
     def add(self, part: Part) -> None:
         """Add the next part."""

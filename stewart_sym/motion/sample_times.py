@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from .array_types import Array
+from ..io.array_types import Array
 
 # A double has 15 to 17 digits. With 16 digits a time of few decimals is printed without further decimals.
 _FEWEST, _MOST = 6, 16

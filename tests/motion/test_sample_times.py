@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from stewart_sym.io.sample_times import least_step, time_text
 from stewart_sym.motion.even_clock import even_clock
+from stewart_sym.motion.sample_times import least_step, time_text
 
 
 @pytest.mark.parametrize("start", [0.0, -2.0, 1e3, 1.7e9])
