@@ -7,19 +7,20 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-PAPERS = "the robot of the paper"
+_FILES = {
+    "robot": ("ROBOT.toml", "robot file"),
+    "scene": ("SCENE.toml", "scene file, schema 1"),
+    "trajectory": ("TRAJECTORY.csv", "CSV file of times and poses or leg lengths"),
+    "via": ("VIA.toml", "file of via poses, schema 1"),
+    "model": ("MODEL", "model in MJCF, SDF, or URDF"),
+}
+"""Placeholder and help of each kind of input file."""
 
 
-def robot_file(parser: argparse.ArgumentParser, name: str = "robot", default: str = "", **more: Any) -> None:
-    """Add the robot file; ``default`` is a description."""
-    text = f"robot file; default: {default}" if default else "robot file"
-    parser.add_argument(name, metavar="ROBOT.toml", type=Path, help=text, **more)
-
-
-def scene_file(parser: argparse.ArgumentParser, **more: Any) -> None:
-    """Add the scene file."""
-    more = {"help": "scene file, schema 1", **more}
-    parser.add_argument("scene", metavar="SCENE.toml", type=Path, **more)
+def input_file(parser: argparse.ArgumentParser, kind: str, name: str = "", **more: Any) -> None:
+    """Add an input file, a positional argument unless ``name`` is the name of an option."""
+    metavar, text = _FILES[kind]
+    parser.add_argument(name or kind, **{"metavar": metavar, "type": Path, "help": text, **more})
 
 
 def output(
@@ -103,36 +104,22 @@ def folder_name(text: str) -> Path:
     return path_name(text)
 
 
-def finite(text: str) -> float:
-    """Parse a finite number."""
-    with contextlib.suppress(ValueError):
-        number = float(text)
-        if math.isfinite(number):
-            return number
-    raise argparse.ArgumentTypeError(f"expected a finite number, got {text!r}")
+def _number(kind: type, allowed: Callable[[float], bool], expected: str) -> Callable[[str], Any]:
+    """Return a parser of numbers that are allowed."""
+
+    def parsed(text: str) -> Any:
+        with contextlib.suppress(ValueError):
+            number = kind(text)
+            if allowed(number):
+                return number
+        raise argparse.ArgumentTypeError(f"expected {expected}, got {text!r}")
+
+    return parsed
 
 
-def positive(text: str) -> float:
-    """Parse a number above 0."""
-    number = finite(text)
-    if number <= 0.0:
-        raise argparse.ArgumentTypeError(f"expected a number > 0, got {text!r}")
-    return number
-
-
-def whole(text: str) -> int:
-    """Parse a whole number, 0 or more."""
-    with contextlib.suppress(ValueError):
-        number = int(text)
-        if number >= 0:
-            return number
-    raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
-
-
-def trajectory_files(parser: argparse.ArgumentParser, name: str, **more: Any) -> None:
-    """Add the files of trajectories."""
-    text = "CSV file of times and poses or leg lengths"
-    parser.add_argument(name, metavar="TRAJECTORY.csv", type=Path, help=text, **more)
+finite = _number(float, math.isfinite, "a finite number")
+positive = _number(float, lambda x: 0.0 < x < math.inf, "a number > 0")
+whole = _number(int, lambda n: n >= 0, "a whole number >= 0")
 
 
 def log_options(parser: argparse.ArgumentParser) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import itertools
 import os
 from collections.abc import Mapping
@@ -191,6 +192,13 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
         columns = read_columns(stream, source, check, PLAIN).columns
     t, theta, v, omega, F, L = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
     return columns["time"], Motion(R=rotation_from_rpy(theta), t=t, omega=omega, v=v), F, L
+
+
+def is_run_file(path: str | os.PathLike[str]) -> bool:
+    """Return True if a table contains the states and forces of a simulated run."""
+    with open(path, encoding="utf-8", errors="replace", newline="") as stream:
+        header = next(csv.reader(stream), [])
+    return {"omega_x", "F_1", "kinetic_energy"} <= {name.strip() for name in header}
 
 
 def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> MotionHistory:

@@ -12,12 +12,12 @@ from pathlib import Path
 
 from ...studies.common.report import Report
 from ..inputs import warn_of_doubts
-from ..options import flag, folder_name, json_file, scene_file, valued
+from ..options import flag, folder_name, input_file, json_file, valued
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    scene_file(parser)
+    input_file(parser, "scene")
     json_file(parser)
     valued(parser, "generate", folder_name, "folder of a kit with the chosen kernel", metavar="DIR")
     flag(parser, "bake", "insert the constants of the robot into that kernel")

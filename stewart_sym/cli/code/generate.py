@@ -8,10 +8,9 @@ Example: stewart-sym generate hexapod.toml -o kit --functions forces,kinematics 
 
 import argparse
 
-from ...io.arguments import no_option
 from ...studies.common.report import Report
 from ..inputs import robot_of
-from ..options import chosen, flag, formulation, output, robot_file, valued
+from ..options import chosen, flag, formulation, input_file, output, valued
 from ..output import results
 
 _FUNCTIONS = (
@@ -31,7 +30,7 @@ _LANGUAGE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    robot_file(parser)
+    input_file(parser, "robot")
     valued(parser, "functions", str, _FUNCTIONS, "forces", "LIST")
     formulation(parser)
     valued(parser, "fidelity", str, f"{_FIDELITY}; default: general", metavar="LEVEL")
@@ -40,19 +39,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     flag(parser, "scalar", text)
     chosen(parser, "precision", ("double", "float"), "floating-point type")
     flag(parser, "fmu", "add an FMI 2.0 co-simulation unit of the forces")
-    valued(parser, "language", _language, _LANGUAGE, "c")
+    chosen(parser, "language", ("c", "python", "matlab", "rust"), _LANGUAGE)
     flag(parser, "list", "print the file names without writing files")
     output(parser, "DIR", "folder of the kit", None)
-
-
-def _language(name: str) -> str:
-    """Parse the name of a language; import the other languages only if the name is not C."""
-    if name != "c":
-        from ...derive.package.languages import LANGUAGES
-
-        if name not in LANGUAGES:
-            raise argparse.ArgumentTypeError(no_option(name, ("c", *LANGUAGES)))
-    return name
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -69,10 +58,9 @@ def run(arguments: argparse.Namespace) -> int:
         else:
             made, files = write_kit(robot, to, choice, arguments.force, [arguments.robot], progress)
             operations, baked = made.operations, made.baked_operations
-        lines = [str(path) for path in files]
-        data = {"files": [*lines], "operations_per_pose": operations, "baked_operations_per_pose": baked}
-        if operations is not None:
-            folded = "" if baked is None else f", with the numbers folded in {baked}"
-            lines.append(f"operations per pose: {operations}{folded}")
-        take(Report("\n".join(lines), data=data))
+        names = [str(path) for path in files]
+        data = {"files": names, "operations_per_pose": operations, "baked_operations_per_pose": baked}
+        folded = "" if baked is None else f", with the numbers folded in {baked}"
+        counts = [] if operations is None else [f"operations per pose: {operations}{folded}"]
+        take(Report("\n".join(names + counts), data=data))
     return 0

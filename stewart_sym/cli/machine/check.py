@@ -16,12 +16,12 @@ from pathlib import Path
 from ...io.toml_reader import toml_tables
 from ...studies.reports.describe import report
 from ..inputs import robot_of
-from ..options import output, robot_file
+from ..options import input_file, output
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    robot_file(parser)
+    input_file(parser, "robot")
     output(parser, "DIR", "folder of the report and a drawing", "no files", plots=True)
 
 

@@ -17,12 +17,12 @@ from ...io.atomic_write import write_file
 from ...io.error_policy import errors_of
 from ...studies.common.report import Report
 from ..inputs import robot_of
-from ..options import output, robot_file
+from ..options import input_file, output
 from ..output import need_own_file, results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    robot_file(parser)
+    input_file(parser, "robot")
     text = (
         "format; mjcf: MuJoCo; sdf: Gazebo; drake: Drake (SDF with ball constraints); urdf: ROS, Pinocchio, "
         "Drake; usd: Isaac Sim, as text"

@@ -9,7 +9,6 @@ Example: stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm 
 """
 
 import argparse
-from collections.abc import Iterator
 from pathlib import Path
 
 import stewart_sym as ss
@@ -18,22 +17,19 @@ from ...drives.leg_limits import replaced_rows
 from ...io.atomic_write import must_be_replaceable, write_file
 from ...io.error_policy import warn
 from ...io.extras import need
-from ...io.progress import Progress
 from ...motion.log_rates import noise_text
-from ...motion.trajectory import PoseLog, Trajectory
 from ...singularities.path_warnings import crossing_warning
-from ...studies.common.output import csv_lines
 from ...studies.common.report import Picture, Report, draw
 from ...studies.reports.track import Digest, header_lines, in_parts
 from .. import options
 from ..inputs import robot_of, trajectory_of
-from ..options import chosen, flag, formulation, output, robot_file, valued
+from ..options import chosen, flag, formulation, input_file, output, valued
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    robot_file(parser)
-    options.trajectory_files(parser, "trajectory")
+    input_file(parser, "robot")
+    input_file(parser, "trajectory")
     formulation(parser)
     chosen(parser, "backend", ("c", "numpy", "reference"), "implementation")
     flag(parser, "reactions", "add columns of the joint reactions")
@@ -53,7 +49,9 @@ def run(arguments: argparse.Namespace) -> int:
     with results(arguments, beginnings=header_lines()) as (take, progress):
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
-        write_file(arguments.output, _rows(arguments, robot, trajectory, digest, progress))
+        how = (arguments.formulation, arguments.backend, arguments.reactions)
+        parts = in_parts(robot, trajectory, *how, arguments.on_singular == "nan")
+        write_file(arguments.output, digest.rows(parts, progress))
         progress("looking for singular poses")
         crossed = crossing_warning(robot, trajectory)
         if crossed is not None:
@@ -75,23 +73,6 @@ def run(arguments: argparse.Namespace) -> int:
     for line in doubts:
         warn(line)
     return 0
-
-
-def _rows(
-    arguments: argparse.Namespace,
-    robot: ss.Robot,
-    trajectory: Trajectory | PoseLog,
-    digest: Digest,
-    progress: Progress,
-) -> Iterator[str]:
-    """Compute the forces in parts, add them to the digest, and yield the text of the CSV file."""
-    count = len(trajectory.time)
-    how = (arguments.formulation, arguments.backend, arguments.reactions)
-    progress(f"computing {count} instants", 0.0)
-    for part in in_parts(robot, trajectory, *how, arguments.on_singular == "nan"):
-        yield from csv_lines(part.columns, header=part.where.start == 0)
-        digest.add(part)
-        progress(f"computing {count} instants", min(1.0, part.where.stop / count))
 
 
 def _need_plot(arguments: argparse.Namespace, robot: ss.Robot) -> None:

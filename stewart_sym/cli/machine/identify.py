@@ -29,12 +29,12 @@ from ...robot.robot import LEGS
 from ...studies.common.report import Report
 from ...studies.reports.identify import doubts, from_measurement, measured_report, simulated_report
 from ..inputs import log_format, poses_of, robot_of, stated_noise
-from ..options import finite, flag, log_form, noise_options, output, positive, robot_file, seed, valued, whole
+from ..options import finite, flag, input_file, log_form, noise_options, output, positive, seed, valued, whole
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    robot_file(parser)
+    input_file(parser, "robot")
     text = (
         "files of the motion, as for `forces`, and of time with F_1 to F_6 (N) or current_1 to current_6 (A, "
         "sign of the torque). The robot file provides geometry, gravity, and drives. If a drive has a "
@@ -96,10 +96,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> tuple[Report
     time, F, columns, lines = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))
     sigma = np.asarray(arguments.force_std)
     if columns == CURRENTS:
-        F, sigma = (
-            ss.motor_forces(robot, F),
-            np.abs(ss.motor_forces(robot, np.full(LEGS, arguments.force_std))),
-        )
+        F, sigma = ss.motor_forces(robot, F), np.abs(ss.motor_forces(robot, np.full(LEGS, sigma)))
     noise = None
     if noisy:
         harmonics = arguments.harmonics if arguments.period is not None else None
@@ -115,9 +112,8 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> tuple[Repor
     if given:
         raise ValueError(f"{given[0]}: applies to measured forces; add --measured")
     if log_format(arguments) != ss.TrajectoryFormat() or arguments.pose_guess is not None:
-        raise ValueError(
-            "--pose-guess and options of the trajectory file: apply to measured forces; add --measured"
-        )
+        of_files = "--pose-guess and options of the trajectory file"
+        raise ValueError(f"{of_files}: apply to measured forces; add --measured")
     robot = robot_of(arguments.robot)
     names = ("period", "samples", "candidates", "seed", "identical_legs")
     options: dict[str, Any] = {name: getattr(arguments, name) for name in names}

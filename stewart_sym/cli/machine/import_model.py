@@ -8,7 +8,6 @@ Example: stewart-sym import hexapod.xml -o imported.toml
 """
 
 import argparse
-from pathlib import Path
 
 import stewart_sym as ss
 
@@ -17,14 +16,14 @@ from ...io.atomic_write import write_file
 from ...io.toml_text import toml_text
 from ...studies.common.report import Report
 from ..inputs import warn_of_doubts
-from ..options import output
+from ..options import input_file, output
 from ..output import results
 
 _BEGINNING = "# Imported by stewart-sym"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("model", metavar="MODEL", type=Path, help="model in MJCF, SDF, or URDF")
+    input_file(parser, "model")
     output(parser, "ROBOT.toml", "robot file; - for standard output", None)
 
 

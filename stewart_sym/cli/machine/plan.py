@@ -24,12 +24,12 @@ from ...planning.path_parameterization import need_duration
 from ...planning.plan_file import PlanRequest, read_plan
 from ...studies.reports import plan
 from ..inputs import FEW_ROWS, warn_of_doubts
-from ..options import output, positive, valued
+from ..options import input_file, output, positive, valued
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("via", metavar="VIA.toml", type=Path, help="file of via poses, schema 1")
+    input_file(parser, "via")
     text = "objective, overrides the key of the file; default: time"
     parser.add_argument("--minimize", choices=("time", "energy", "peak_force"), help=text)
     valued(parser, "duration", positive, "duration (s), for energy and peak force", metavar="SECONDS")

@@ -21,12 +21,12 @@ from ...studies.reports import run as runs
 from ...studies.reports.energy_drift import energy_drift
 from ...studies.reports.scene_checks import start_doubts
 from ..inputs import warn_of_doubts
-from ..options import flag, output, scene_file
+from ..options import flag, input_file, output
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    scene_file(parser)
+    input_file(parser, "scene")
     text = "compare the energy drift of both formulations, without friction and damping (springs only)"
     flag(parser, "energy-drift", text)
     output(parser, "DIR", "folder of the results", Path("simulation"), plots=True, html=True)

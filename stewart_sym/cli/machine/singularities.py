@@ -16,12 +16,12 @@ from ...motion.interpolation import Path as MotionPath
 from ...studies.reports import singularities
 from ...studies.reports.singularities_plot import pictures
 from ..inputs import robot_of, trajectory_of
-from ..options import formulation, log_options, output, robot_file
+from ..options import formulation, input_file, log_options, output
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    robot_file(parser)
+    input_file(parser, "robot")
     text = "I, II, or III (paths of the paper), or a CSV file as for `forces`"
     parser.add_argument("path", metavar="PATH", help=text)
     formulation(parser)

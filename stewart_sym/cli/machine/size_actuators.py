@@ -12,11 +12,10 @@ import dataclasses
 from pathlib import Path
 
 from ...design.actuator_requirements import QUANTILES, actuator_requirements
-from ...design.limit_margins import compared
 from ...io.error_policy import warn
-from ...studies.design.actuator_report import doubt, report, views
+from ...studies.design.actuator_report import doubts, report, views
 from ..inputs import robot_of, trajectory_of
-from ..options import finite, formulation, log_options, output, positive, robot_file, trajectory_files, valued
+from ..options import finite, formulation, input_file, log_options, output, positive, valued
 from ..output import results
 
 _MOST_MARGIN = 5.0
@@ -24,8 +23,8 @@ _MOST_MARGIN = 5.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    robot_file(parser)
-    trajectory_files(parser, "trajectories", nargs="+")
+    input_file(parser, "robot")
+    input_file(parser, "trajectory", "trajectories", nargs="+")
     text = "fraction by which each limit should exceed the required value"
     valued(parser, "margin", finite, text, 0.25, "FRACTION")
     text = (
@@ -48,14 +47,6 @@ def run(arguments: argparse.Namespace) -> int:
         needs = actuator_requirements(robot, read, margin, quantiles, arguments.formulation, progress)
         names = [path.name for path in arguments.trajectories]
         take(dataclasses.replace(report(robot, names, needs), views=views(robot, names, read)))
-    unknown = doubt(needs)
-    if unknown is not None:
-        warn(unknown)
-    over, unsure, short, perhaps = compared(robot, needs)
-    lines = over + unsure + short + perhaps
-    if lines:
-        told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}"
-        told += f", not decided: {len(unsure)}" if unsure else ""
-        told += f", margin not decided: {len(perhaps)}" if perhaps else ""
-        warn(f"{arguments.robot}: {told}; {lines[0]}")
+    for text in doubts(robot, needs, arguments.robot):
+        warn(text)
     return 0

@@ -15,14 +15,10 @@ import numpy as np
 
 import stewart_sym as ss
 
-from ...design.pose_limits import CONDITION, LENGTH, REASONS, PoseExaminer, at_reference
-from ...io.arguments import status_text
 from ...io.error_policy import warn
-from ...kinematics.offset_legs import leg_lengths
-from ...motion.rotation import rotation_from_rpy
-from ...studies.design.workspace_report import report, slices
+from ...studies.design.workspace_report import center_doubt, report, slices
 from ..inputs import robot_of
-from ..options import chosen, finite, output, positive, robot_file, seed, valued, whole
+from ..options import chosen, finite, input_file, output, positive, seed, valued, whole
 from ..output import results
 
 _IGNORED = ("lengths", "joint_angles", "forces")
@@ -40,7 +36,7 @@ _VECTORS = {
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    robot_file(parser)
+    input_file(parser, "robot")
     text = "coordinates that vary: positions, rotations, or both"
     chosen(parser, "kind", ("constant_orientation", "orientation", "six_dof"), text)
     for name, (names, text) in _VECTORS.items():
@@ -69,30 +65,13 @@ def run(arguments: argparse.Namespace) -> int:
         load=np.array(arguments.load or [0.0] * 6),
     )
     options = {name: getattr(arguments, name) for name in ("position", "samples", "seed", "scheduler")}
-    options["rpy"] = arguments.rpy or (0.0, 0.0, 0.0)
     for name in ("position_bounds", "rpy_bounds"):
         given = getattr(arguments, name)
         options[name] = None if given is None else np.reshape(given, (3, 2)).tolist()
     with results(arguments, "report", "slices.csv") as (take, progress):
-        found = ss.workspace(robot, arguments.kind, limits, **options, progress=progress)
+        rpy = arguments.rpy or (0.0, 0.0, 0.0)
+        found = ss.workspace(robot, arguments.kind, limits, rpy=rpy, **options, progress=progress)
         if found.distance_to_limit == 0.0:
-            what = _broken(PoseExaminer(robot, at_reference(robot, limits)), found)
-            warn(f"center pose: violates a limit, {what}")
+            warn(f"center pose: violates a limit, {center_doubt(robot, limits, found)}")
         take(report(robot, limits, found, slices(robot, limits, found, progress)))
     return 0
-
-
-def _broken(examiner: PoseExaminer, found: ss.WorkspaceResult) -> str:
-    """Describe the limit that the center pose violates."""
-    R = rotation_from_rpy(found.rpy[None])
-    t = found.position - R @ found.tool
-    code = int(examiner.broken_limits(R, t)[0])
-    if code == LENGTH:
-        L = leg_lengths(examiner.robot, R, t)
-        legs = f"its legs are {L.min():.4g} to {L.max():.4g} m long"
-        return f"{legs}: change --position (m)"
-    number, most = float(examiner.conditions(R, t)[0]), examiner.limits.condition
-    if code == CONDITION and number > most:
-        return f"{status_text(REASONS[code])}: expected at most {most:g}, got {number:.4g}"
-    beyond = ": det H has another sign than at the home pose" if code == CONDITION else ""
-    return f"{status_text(REASONS[code])}{beyond}"

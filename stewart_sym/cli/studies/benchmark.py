@@ -11,13 +11,13 @@ import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import PAPERS, flag, output, robot_file
+from ..options import flag, input_file, output
 from ..output import need_drawing, results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     flag(parser, "quick", "use fewer rounds and smaller batches")
-    robot_file(parser, "--robot", PAPERS)
+    input_file(parser, "robot", "--robot", help="robot file; default: the robot of the paper")
     output(parser, "DIR", "folder of the results", Path("bench"), html=True)
 
 

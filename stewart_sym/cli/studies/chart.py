@@ -14,13 +14,13 @@ from pathlib import Path
 import stewart_sym as ss
 
 from ..inputs import warn_of_doubts
-from ..options import output, scene_file
+from ..options import input_file, output
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     text = "scene file of `choose-fidelity`; default: the robot of the paper on Paths I, II, and III"
-    scene_file(parser, nargs="?", help=text)
+    input_file(parser, "scene", nargs="?", help=text)
     output(parser, "DIR", "folder of the results", Path("chart"), plots=True)
 
 

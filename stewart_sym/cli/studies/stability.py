@@ -36,8 +36,8 @@ def run(arguments: argparse.Namespace) -> int:
             take(Report(report(swept), data=swept.figures))
         return 1 if swept.figures["wrong"] or swept.figures["rejected_good"] else 0
     arguments.output = arguments.output or Path("stability")
+    cases = CASES if arguments.cases is None else arguments.cases
     with results(arguments, "stability") as (take, progress):
         found = study.study(progress)
-        cases = CASES if arguments.cases is None else arguments.cases
         take(study.full_report(*found, sweep(cases, arguments.seed, progress), pictures(*found)))
     return 0

@@ -2,6 +2,7 @@
 
 import functools
 from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -72,6 +73,18 @@ def doubt(needs: ActuatorRequirementsResult) -> str | None:
     if course.std is None or course.replaced is None:
         return None
     return unknown_forces(course.F, np.where(course.replaced[:, None], 0.0, course.std["F"]))
+
+
+def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> list[str]:
+    """Return warnings about undetermined forces and about the limits of the robot in the file ``source``."""
+    unknown = doubt(needs)
+    over, unsure, short, perhaps = compared(robot, needs)
+    lines = over + unsure + short + perhaps
+    told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}"
+    told += f", not decided: {len(unsure)}" if unsure else ""
+    told += f", margin not decided: {len(perhaps)}" if perhaps else ""
+    found = [] if unknown is None else [unknown]
+    return [*found, f"{source}: {told}; {lines[0]}"] if lines else found
 
 
 def rows(needs: ActuatorRequirementsResult | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits, at_reference
+from ...design.pose_limits import CONDITION, INSIDE, LENGTH, REASONS, PoseExaminer, PoseLimits, at_reference
 from ...design.workspace import WorkspaceResult
 from ...io.arguments import status_text
 from ...io.array_types import Array
 from ...io.progress import Progress, tracked
+from ...kinematics.offset_legs import leg_lengths
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
 from ..common.drawing import DARK, Z_DOWN, Axes, Figure, as_written, legend_below, new_figure, vertical
@@ -51,6 +52,23 @@ class Slice:
     second: Array
     codes: NDArray[np.int8]
     condition: Array
+
+
+def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
+    """Describe the limit that the center pose violates."""
+    examiner = PoseExaminer(robot, at_reference(robot, limits))
+    R = rotation_from_rpy(found.rpy[None])
+    t = found.position - R @ found.tool
+    code = int(examiner.broken_limits(R, t)[0])
+    if code == LENGTH:
+        L = leg_lengths(examiner.robot, R, t)
+        legs = f"its legs are {L.min():.4g} to {L.max():.4g} m long"
+        return f"{legs}: change --position (m)"
+    number, most = float(examiner.conditions(R, t)[0]), examiner.limits.condition
+    if code == CONDITION and number > most:
+        return f"{status_text(REASONS[code])}: expected at most {most:g}, got {number:.4g}"
+    beyond = ": det H has another sign than at the home pose" if code == CONDITION else ""
+    return f"{status_text(REASONS[code])}{beyond}"
 
 
 def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: Progress) -> list[Slice]:
