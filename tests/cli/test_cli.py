@@ -6,12 +6,10 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pytest
 from command_files import edit, results
 from command_line import Fails, Run, folder_state, read
 
-from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.cli import main as cli
 from stewart_sym.cli import terminal
 from stewart_sym.io.extras import install
@@ -46,19 +44,6 @@ def test_without_matplotlib_a_study_says_how_to_get_it_and_writes_nothing(
     line = fails(command, "-o", tmp_path / "out")
     assert line.endswith(f"{install('plot')}{instead}")
     assert not list(tmp_path.iterdir())
-
-
-def test_reproduce_rejects_a_folder_it_cannot_write_before_computing(
-    tmp_path: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def unreachable(*_: object) -> None:
-        raise AssertionError("computed before the folder was tried")
-
-    monkeypatch.setattr("stewart_sym.studies.paper.reproduce.reproduce", unreachable)
-    (tmp_path / "file").write_text("x")
-    line = fails("reproduce", "--no-plots", "-o", tmp_path / "file" / "out")
-    assert str(tmp_path / "file" / "out") in line
-    assert folder_state(tmp_path) == {"file": b"x"}
 
 
 def test_reproduce_interrupted_is_quiet_and_leaves_nothing(
@@ -96,21 +81,6 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Pa
     assert all(line.startswith(f"stewart-sym: warning: {robot}: ") for line in warnings)
 
 
-def test_check_puts_the_home_pose_in_the_middle_of_the_length_limits(robot: Path, run: Run) -> None:
-    edit(robot, "[legs.lower]", "[legs]\nlength_limits = [0.8, 1.2]\n\n[legs.lower]")
-    out = run("check", robot).out
-    assert "length 0.8 to 1.2 m" in out
-    lengths = next(line for line in out.splitlines() if line.startswith("leg lengths"))
-    values = [float(word) for word in lengths[lengths.index("(") + 1 : lengths.index(")")].split(",")]
-    assert np.mean(values) == pytest.approx(1.0, abs=0.01)
-
-
-def test_check_says_when_friction_is_off(robot: Path, run: Run) -> None:
-    for coefficient in ("0.0001", "0.001", "0.0002"):
-        edit(robot, f"= {coefficient}\n", "= 0.0\n")
-    assert "friction     off" in run("check", robot).out
-
-
 def test_bad_robot_files_are_rejected_by_all_subcommands(robot: Path, trajectory: Path, fails: Fails) -> None:
     edit(robot, "mass = 40.0", "mass = -40.0")
     before = folder_state(robot.parent)
@@ -146,17 +116,6 @@ def test_derive_check_tells_what_differs(tmp_path: Path, run: Run, monkeypatch: 
     assert folder_state(target) == before
 
 
-def test_derive_rejects_a_folder_it_cannot_write_before_deriving(
-    tmp_path: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("stewart_sym.derive.generate.generated_files", None)
-    (tmp_path / "file").write_text("x")
-    for extra in ([], ["--check"]):
-        line = fails("derive", "-o", tmp_path / "file", *extra)
-        assert str(tmp_path / "file") in line
-    assert folder_state(tmp_path) == {"file": b"x"}
-
-
 def _two_files(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
     progress("exact", 1.0, 1.0)
     counts = {"friction": {"total": (4, 3, 2, 1)}}
@@ -172,25 +131,6 @@ def test_generate_says_what_folding_the_numbers_in_saves(robot: Path, run: Run) 
     found = re.fullmatch(r"operations per pose: (\d+), with the numbers folded in (\d+)", count)
     assert found is not None
     assert int(found[2]) < int(found[1])
-
-
-@pytest.mark.parametrize("command", [["check"], ["generate", "-o", "kit"]], ids=["check", "generate"])
-def test_points_whose_squares_overflow_are_the_robots(
-    robot: Path, monkeypatch: pytest.MonkeyPatch, run: Run, command: list[str]
-) -> None:
-    monkeypatch.chdir(robot.parent)
-    text = robot.read_text(encoding="utf-8")
-    robot.write_text(
-        re.sub(r"(\[platform\]\npoints = \[\n    \[)[^,]+", r"\g<1>8e200", text), encoding="utf-8"
-    )
-    error = run(command[0], robot, *command[1:], code=2).err.splitlines()[-1]
-    assert re.fullmatch(r"stewart-sym: error: robot: expected .* points whose squares are finite", error)
-
-
-def test_the_help_has_every_level(run: Run) -> None:
-    told = " ".join(run("generate", "--help").out.split())
-    for level in (*FIDELITIES, *DRIVE_FIDELITIES):
-        assert re.search(rf"\b{level.removesuffix('_friction')}[ ,;]", told), level
 
 
 def test_generate_names_the_option_that_is_wrong(robot: Path, fails: Fails) -> None:
@@ -240,17 +180,6 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(fails: Fails) -> Non
             """argument --precision: expected "double" or "float", got 'half' (see {} generate --help)""",
         ),
         (
-            ["generate", "a", "-o", "b", "--language", "julia"],
-            'argument --language: expected "c", "python", "matlab" or "rust", '
-            "got 'julia' (see {} generate --help)",
-        ),
-        (["benchmark", "--rounds", "x"], "unrecognized arguments: --rounds (see {} benchmark --help)"),
-        (
-            ["generate", "a", "--ouput", "b"],
-            "unrecognized arguments: --ouput, did you mean --output? (see {} generate --help)",
-        ),
-        (["--vresion"], "unrecognized arguments: --vresion, did you mean --version? (see {} --help)"),
-        (
             ["plann", "--minimize"],
             "argument SUBCOMMAND: expected a subcommand, got 'plann', did you mean plan? (see {} --help)",
         ),
@@ -274,10 +203,6 @@ def test_no_folder_is_called_like_standard_output(
     assert not list(tmp_path.iterdir())
 
 
-def test_version(run: Run) -> None:
-    assert run("--version").out.startswith("stewart-sym 0.")
-
-
 def test_checking_a_robot_loads_nothing_heavy(robot: Path) -> None:
     code = "import sys; from stewart_sym.cli.main import main; main(sys.argv[1:]); print(*sys.modules)"
     done = subprocess.run(
@@ -297,12 +222,3 @@ def test_progress_shows_on_a_terminal_and_leaves_no_line(
     with terminal.progress_line() as progress:
         progress("working")
     assert capsys.readouterr().err == "\r\x1b[Kworking ...\r\x1b[K"
-
-
-# writing
-
-
-def test_the_default_folder_is_no_part_of_the_repository() -> None:
-    folder = cli.subcommand_parser("reproduce").parse_args([]).output
-    ignored = (Path(__file__).parents[2] / ".gitignore").read_text().splitlines()
-    assert f"/{folder}/" in ignored

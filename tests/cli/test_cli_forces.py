@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import whole_track
 from command_files import edit, results
 from command_line import Fails, Run, read
 from robot_files import written
@@ -20,7 +19,6 @@ from stewart_sym.cli.terminal import warnings_in_lines
 from stewart_sym.drives.effort import trapezoids
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.studies.common.output import csv_lines
-from stewart_sym.studies.reports import track
 
 
 def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) -> None:
@@ -97,13 +95,6 @@ def test_times_since_1970_are_printed_in_full(robot: Path, trajectory: Path, run
     assert "e+09" not in found.out + found.err
 
 
-def test_a_missing_trajectory_is_named(robot: Path, fails: Fails) -> None:
-    missing = robot.parent / "none.csv"
-    line = fails("forces", robot, missing, "-o", robot.parent / "f.csv")
-    assert str(missing) in line
-    assert not (robot.parent / "f.csv").exists()
-
-
 def test_a_pose_without_an_answer_is_rejected_unless_allowed(robot: Path, run: Run, fails: Fails) -> None:
     # Leg 1 has length zero at the second instant: t = b_1 - p_1.
     poses = [[0.1, 0.0, 0.4], [0.3, 0.2, -0.1], [0.1, 0.0, 0.5]]
@@ -131,14 +122,6 @@ def test_an_output_that_cannot_be_written_is_named_before_work(robot: Path, fail
         line = fails("forces", robot, robot.parent / "none.csv", "-o", output)
         assert str(output) in line
     assert list(robot.parent.iterdir()) == [robot]
-
-
-def test_a_full_disk_is_blamed_on_the_output(robot: Path, trajectory: Path) -> None:
-    module = [sys.executable, "-m", "stewart_sym.cli.main"]
-    command = [*module, "forces", str(robot), str(trajectory), "-o", "/dev/full"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == "stewart-sym: error: /dev/full: No space left on device\n"
 
 
 @pytest.mark.parametrize("arguments", [["check"], ["forces", "-o", "-"]], ids=["check", "forces"])
@@ -178,25 +161,6 @@ def test_a_rejected_compiler_flag_is_not_blamed_on_the_trajectory(
     line = fails("forces", robot, trajectory, "-o", robot.parent / "f.csv")
     assert line.startswith("stewart-sym: error: CC: -ffast-math changes the arithmetic")
     assert str(trajectory) not in line
-
-
-def test_reactions_that_overflow_are_a_pose_without_an_answer(
-    robot: Path, trajectory: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    real = track.joint_reactions
-
-    def far(*arguments: object, **options: object) -> ss.JointReactionsResult:
-        return real(*arguments, **options, bearing_distance=1e308)  # type: ignore[arg-type]
-
-    monkeypatch.setattr(track, "joint_reactions", far)
-    read_back = read_csv(trajectory)
-    machine = ss.Robot.from_toml(robot)
-    with pytest.raises(ValueError, match=r"csv: line 2: an input is not finite, or a result overflows"):
-        whole_track.track(machine, read_back, reactions=True)
-    with pytest.warns(ss.SingularPoseWarning, match=r"csv: line 2: "):
-        columns = whole_track.track(machine, read_back, reactions=True, allow_singular=True).columns
-    assert np.all(columns["status"] == 1)
-    assert np.all(np.isnan(columns["M_p_1_x"]))
 
 
 @pytest.mark.parametrize("big", [{"M": 1e308}, {"g": [0.0, 0.0, -1e308]}, {"C_p": np.full(6, 1e307)}])
@@ -281,13 +245,6 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     ]
     assert min(sides) < -1e6
     assert max(sides) > 1e6
-
-
-def test_singularities_names_the_point_of_twists_if_the_robot_has_a_tool(robot: Path, run: Run) -> None:
-    line = "point      reference point for twists and wrenches, not the tool of the robot file"
-    assert line not in run("singularities", robot, "III", "-o", robot.parent / "plain", "--no-plots").out
-    written(dataclasses.replace(ss.Robot.from_toml(robot), tool=np.array([0.0, 0.0, 0.1])), robot)
-    assert line in run("singularities", robot, "III", "-o", robot.parent / "tool", "--no-plots").out
 
 
 def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path, run: Run) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Fails, Run
+from command_line import Run
 
 from stewart_sym.cli import main as cli
 from stewart_sym.cli import terminal
@@ -62,13 +62,6 @@ def test_a_folder_has_the_same_figures(robot: Path, trajectory: Path, run: Run) 
     assert found["nearest"]["scaled_condition_number"] > 1.0
 
 
-def test_inputs_and_forces_are_not_written_over(robot: Path, trajectory: Path, fails: Fails) -> None:
-    # The one argument that may be left out is taken for the option's.
-    assert "put inputs before" in fails("chart", "--json", robot.parent / "scene.toml")
-    line = fails("forces", robot, trajectory, "-o", "-", "--json")
-    assert "two results have the same file" in line
-
-
 def test_what_is_not_finite_is_null() -> None:
     data = {"a": np.array([1.0, np.nan]), "b": (np.float64(np.inf), np.int32(3)), "c": {2: [-np.inf, "x"]}}
     assert strict(json_text(data)) == {"a": [1.0, None], "b": [None, 3], "c": {"2": [None, "x"]}}
@@ -94,17 +87,3 @@ def test_a_task_shows_its_share_and_the_time_left(
         "another ...",
     ]
     assert shown[2].startswith("[############            ]")
-
-
-def test_another_task_begins_its_own_time(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    now = [0.0]
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    monkeypatch.setattr(terminal.time, "monotonic", lambda: now[0])
-    with terminal.progress_line() as progress:
-        for seconds in (1.0, 10.0):
-            for _ in tracked(progress, range(2), str):
-                now[0] += seconds
-    assert "50 %, 1 s left  1" in (err := capsys.readouterr().err)
-    assert "50 %, 10 s left  1" in err

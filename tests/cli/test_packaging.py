@@ -1,6 +1,5 @@
 """A plain install carries everything: both folders beside the package, the C sources and the robot files."""
 
-import re
 import shutil
 import subprocess
 import sys
@@ -86,15 +85,6 @@ def test_archives_are_small_and_pass_the_checks_of_the_package_index(archives: t
     ):
         done = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr
-
-
-def test_the_version_is_the_same_in_citation_and_changelog() -> None:
-    version = PROJECT["version"]
-    citation = (REPOSITORY / "CITATION.cff").read_text(encoding="utf-8")
-    changelog = (REPOSITORY / ".docs" / "changelog.md").read_text(encoding="utf-8")
-    assert f"\nversion: {version}\n" in citation
-    (newest, *_) = re.findall(r"^## \[(.*?)\]", changelog, re.MULTILINE)
-    assert newest == version
 
 
 @pytest.mark.slow

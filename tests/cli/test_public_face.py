@@ -2,20 +2,14 @@
 
 import importlib
 import importlib.metadata
-import inspect
 import signal
 import subprocess
 import sys
 import types
-from pathlib import Path
 
-import numpy as np
 import pytest
-from machines import machine_in_motion
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
-from stewart_sym.results import Accelerations, DampedLeastSquaresResult, Velocities
 
 
 def test_dir_shows_what_is_public_and_nothing_else() -> None:
@@ -35,12 +29,6 @@ def test_every_public_name_is_what_its_module_defines() -> None:
     for name, module in ss._public().items():
         found = importlib.import_module(module, "stewart_sym")
         assert getattr(ss, name) is (found if module == f".{name}" else getattr(found, name)), name
-
-
-def test_no_public_name_is_hidden_by_the_module_of_that_name() -> None:
-    """Importing a submodule sets it as an attribute of the package, whatever was there."""
-    modules = {path.stem for path in Path(ss.__file__).parent.iterdir()} - {"results", "robots"}
-    assert not modules & set(dir(ss))
 
 
 def interruptible() -> None:
@@ -103,56 +91,3 @@ sys.argv = ["stewart-sym", "--version"]
 sys.exit(main())
 """)
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
-
-
-def test_a_subinterpreter_imports_the_package() -> None:
-    done = run("""
-try:
-    import _interpreters as interpreters
-except ImportError:
-    import _xxsubinterpreters as interpreters
-code = "import stewart_sym as ss; print(ss.__version__, len(dir(ss)))"
-interpreters.run_string(interpreters.create(), code)
-""")
-    assert done.stdout == f"{ss.__version__} {len(dir(ss))}\n", done.stderr
-
-
-def test_signatures_name_their_types_and_fit_a_screen() -> None:
-    functions = {name: getattr(ss, name) for name in ss.__all__ if callable(getattr(ss, name))}
-    functions |= {f"Motion.{name}": getattr(ss.Motion, name) for name in dir(ss.Motion) if name[0] != "_"}
-    for name, function in functions.items():
-        if not callable(function) or (isinstance(function, type) and issubclass(function, Warning)):
-            continue
-        text = str(inspect.signature(function))
-        assert "_SupportsArray" not in text, name
-        assert len(text) < 1500, name
-
-
-def test_pairs_of_results_say_which_is_which() -> None:
-    robot, motion = machine_in_motion(1)
-    found = ss.inverse_dynamics(robot, motion)
-    legs = ss.inverse_kinematics(robot, motion)
-    dynamics = ss.forward_dynamics(robot, motion, found.F)
-    velocity = ss.forward_velocity(robot, motion.R, motion.t, legs.L_dot)
-    acceleration = ss.forward_acceleration(robot, motion.R, motion.t, motion.v, motion.omega, legs.L_ddot)
-    assert isinstance(dynamics, Accelerations)
-    assert isinstance(velocity, Velocities)
-    assert isinstance(acceleration, Accelerations)
-    for pair in (dynamics, acceleration):
-        a, alpha = pair
-        assert a is pair.a
-        assert pair.a == pytest.approx(motion.a, rel=1e-7, abs=1e-7 * np.abs(motion.a).max())
-        assert pair.alpha == pytest.approx(motion.alpha, rel=1e-7, abs=1e-7 * np.abs(motion.alpha).max())
-        assert alpha is pair.alpha
-    assert velocity.v == pytest.approx(motion.v)
-    assert velocity.omega == pytest.approx(motion.omega)
-    solution = ss.damped_least_squares(found.H, found.c, 1.0)
-    assert isinstance(solution, DampedLeastSquaresResult)
-    assert found.H @ solution.x + solution.wrench_error == pytest.approx(found.c)
-
-
-def test_the_help_speaks_of_subcommands(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit):
-        main(["--help"])
-    text = capsys.readouterr().out
-    assert "SUBCOMMAND ..." in text

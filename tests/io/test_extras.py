@@ -53,13 +53,6 @@ def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extr
     assert not [name for name in errors if not any(part in name for part in comparing)]
 
 
-@pytest.mark.slow
-def test_what_the_readme_installs_serves_all_but_the_comparisons() -> None:
-    errors = errors_without(of_extras("bench", "casadi", "cluster"))
-    comparing = {"baselines_casadi", "drake_inverse", "mujoco_constraints", "pinocchio"}
-    assert {name.rpartition(".")[2] for name in errors} == comparing | {"workspace_map"}
-
-
 @pytest.mark.parametrize("package", sorted(set(EXTRAS) - {"mpl_toolkits", "distributed"}))
 def test_each_optional_package_is_in_the_extra_that_is_named_for_it(package: str) -> None:
     project = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -115,28 +108,3 @@ def test_a_missing_scipy_is_said_in_one_line_before_the_work(tmp_path: Path) -> 
         assert line.startswith(f"stewart-sym: error: {what} needs SciPy: {install('sim')}")
         assert line.count("\n") == 1
     assert not (tmp_path / "out").exists()
-
-
-IDENTIFY = """
-import sys
-sys.modules["scipy"] = None
-import numpy as np, stewart_sym as ss
-from stewart_sym.identification import estimation as identification
-robot = ss.robots.dasgupta1998()
-path = ss.PAPER_PATHS["I"].path
-motion = path.sample(np.linspace(0.0, 6.0, 50))
-noise = ss.PoseNoise(np.linspace(0.0, 6.0, 50), 1e-4, 1e-4)
-identification.parameters_of = None  # nothing is computed
-for options in ({"enforce_physical": True}, {"pose_noise": noise}):
-    try:
-        ss.identify(robot, motion, np.zeros((50, 6)), 1.0, **options)
-    except ImportError as error:
-        print(error)
-"""
-
-
-def test_identify_says_which_extra_it_needs_before_it_computes() -> None:
-    done = subprocess.run([sys.executable, "-c", IDENTIFY], capture_output=True, text=True, check=True)
-    lines = done.stdout.splitlines()
-    assert len(lines) == 2
-    assert all(line.endswith(f" needs SciPy: {install('sim')}") for line in lines)

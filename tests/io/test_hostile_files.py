@@ -97,17 +97,11 @@ def test_the_sound_files_are_read(name: str, tmp_path: Path) -> None:
     ("spoil", "told"),
     [
         (lambda sound: sound.decode().encode("utf-16")[:-1], "UTF-8"),
-        (lambda sound: sound.decode().encode("utf-32"), "UTF-8"),
         (lambda sound: sound + "# Größe".encode("latin-1"), "UTF-8"),
-        (lambda sound: b"\xed\xa0\x80" + sound, ""),
         (lambda sound: sound.decode().encode("utf-16-le"), ""),
         (lambda sound: sound + b"\0", ""),
-        (lambda sound: b"\0" * 1000, ""),
-        (lambda sound: b"\xef\xbb\xbf\xef\xbb\xbf" + sound, ""),
         (lambda sound: sound[: len(sound) // 4], ""),
         (lambda sound: b"\x7fELF" + bytes(range(128)) * 10, ""),
-        (lambda sound: b"\x1f\x8b" + bytes(range(256)) * 10, "UTF-8"),
-        (lambda sound: b"{" * 10_000, ""),
         (lambda sound: b'"' * 100_001, ""),
         (lambda sound: "\u202e\u2028\u2029\u0085".encode() + sound, ""),
         (lambda sound: b"", ""),
@@ -116,12 +110,6 @@ def test_the_sound_files_are_read(name: str, tmp_path: Path) -> None:
 def test_odd_bytes_are_no_file(name: str, spoil: Callable[[bytes], bytes], told: str, tmp_path: Path) -> None:
     read, sound = READERS[name]
     assert told in rejected(read, written(tmp_path, spoil(sound)))
-
-
-@pytest.mark.parametrize("name", TOML)
-def test_robots_and_scenes_are_no_utf_16(name: str, tmp_path: Path) -> None:
-    read, sound = READERS[name]
-    assert "UTF-8" in rejected(read, written(tmp_path, sound.decode().encode("utf-16")))
 
 
 @pytest.mark.parametrize("name", READERS)
@@ -136,21 +124,16 @@ def test_the_first_byte_that_is_no_utf_8_is_named(name: str, tmp_path: Path) -> 
     [
         b"0x" + b"F" * 5000,
         b"9" * 5000,
-        b"[0x" + b"F" * 5000 + b"]",
         b"1e400",
-        b"1e-400",
         b"-inf",
         b"nan",
         b"true",
         b"1979-05-27T07:32:00Z",
         b'"\\u0000\\n"',
-        b"[" * 400 + b"]" * 400,
         b"[" * 50_000 + b"]" * 50_000,
         b"{a=" * 20_000 + b"1" + b"}" * 20_000,
         b'"' + b"x" * 100_000 + b'"',
         b"40.0\nmass = 41.0",
-        b"40.0\n[platform]",
-        b"40.0\nmass.a = 1",
     ],
     ids=lambda value: value[:12].decode(),
 )
@@ -159,34 +142,14 @@ def test_values_that_are_no_mass_are_rejected(value: bytes, tmp_path: Path) -> N
     assert told.startswith(("platform.body.mass: ", "not valid TOML: "))
 
 
-@pytest.mark.parametrize("key", [b"duration", b"actuation"])
-def test_scenes_take_no_number_of_thousands_of_digits(key: bytes, tmp_path: Path) -> None:
-    lines = [line for line in SCENE.split(b"\n") if not line.startswith(key)]
-    text = key + b" = 0x" + b"F" * 5000 + b"\n" + b"\n".join(lines)
-    assert rejected(read_scene, written(tmp_path, text)).startswith((key.decode(), "not valid TOML"))
-
-
-@pytest.mark.parametrize(
-    "column",
-    [b"\x064", b'"F\n9"', "\u2028".encode(), b"x" * 10_000],
-    ids=["control", "newline", "separator", "long"],
-)
-def test_a_column_given_twice_is_shown_in_one_line(column: bytes, tmp_path: Path) -> None:
-    header, numbers, _ = FORCES.split(b"\n")
-    twice = b"\n".join([b",".join([header, column, column]), numbers + b",0,0", b""])
-    assert rejected(read_forces, written(tmp_path, twice)).endswith("is given twice")
-
-
 def repeated(line: bytes) -> bytes:
     return line * (10_000_000 // len(line))
 
 
 HUGE = {
     "tables": repeated(b"[[leg]]\n"),
-    "header": b"time," + repeated(b"t_x,"),
     "blank": POSES + repeated(b" " * 9 + b"\n"),
     "digits": POSES + b"9," + b"1" * MILLIONS + b",0,0,0,0,0\n",
-    "rows": POSES + repeated(b"9,0,0,0,0,0,0\n9,1,0,0,0,0,0\n"),
     "copies": POSES + repeated(b"9,0,0,0,0,0,0\n"),
     "quote": b'"' + b"x" * 2 * MILLIONS,
 }
@@ -352,12 +315,6 @@ def test_fuzzing_the_readers_finds_nothing(tmp_path: Path) -> None:
     limits += [f"-artifact_prefix={tmp_path}{os.sep}"]
     told = attack_build.ran([sys.executable, script, *limits, str(tmp_path)], tmp_path)
     assert f"Done {runs} runs" in told
-
-
-@pytest.mark.parametrize("name", TOML)
-@pytest.mark.parametrize("text", [b"", b"\n \n", b"\xef\xbb\xbf"])
-def test_an_empty_file_is_called_empty(name: str, text: bytes, tmp_path: Path) -> None:
-    assert rejected(READERS[name][0], written(tmp_path, text)).endswith("the file is empty")
 
 
 KINDS = {
