@@ -64,9 +64,7 @@ def test_what_the_readme_installs_serves_all_but_the_comparisons() -> None:
 def test_each_optional_package_is_in_the_extra_that_is_named_for_it(package: str) -> None:
     project = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     needs = project["optional-dependencies"][EXTRAS[package][1]]
-    assert any(
-        need.startswith({"pinocchio": "pin", "pydrake": "drake"}.get(package, package)) for need in needs
-    )
+    assert any(need.startswith({"pinocchio": "pin"}.get(package, package)) for need in needs)
 
 
 RUN_ALL = """

@@ -22,7 +22,6 @@ import stewart_sym as ss
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.robots import dasgupta1998
-from stewart_sym.studies.accuracy import bound_plot
 from stewart_sym.studies.common.drawing import log_numbers
 from stewart_sym.studies.design import workspace_report
 from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
@@ -49,7 +48,6 @@ def _path() -> Figure:
 
 
 PICTURES: dict[str, Callable[[], Figure]] = {
-    "bounds": lambda: bound_plot.figure(bound_plot.bounds_study(cases=20)),
     "chart": chart,
     "drift": _drift,
     "run": _run,
