@@ -4,7 +4,6 @@ import copy
 import json
 import re
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,14 +11,13 @@ import published
 import pytest
 from machines import dasgupta, machine_in_motion
 from numpy.typing import NDArray
-from pages import DOCS, PAGES, TOP, blocks, prepared, prose_of, table_row
+from pages import DOCS, PAGES, TOP, prose_of, table_row
 from pinocchio_model import pinocchio_inverse_dynamics
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
 from stewart_sym.backend.kernel import module
 from stewart_sym.reference import newton_euler
-from stewart_sym.simulation.scene import Scene, read_scene
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.benchmark.benchmark import of_group, ratios
 from stewart_sym.studies.benchmark.case import EQUATIONS, FORCES
@@ -213,16 +211,3 @@ def test_the_committed_chart_is_what_the_code_computes() -> None:
             assert off / np.abs(true).max() == pytest.approx(
                 each["errors"][path]["model"], rel=1e-6, abs=1e-12
             )
-
-
-def paper_scene(folder: Path) -> Scene:
-    """The scene of the page about energy, read from a folder that has the robot file where it says."""
-    (scene,) = (block for block in blocks(FAULTS) if block.language == "toml")
-    (prepared("README.md", folder) / "swing.toml").write_text(scene.text)
-    return read_scene(folder / "swing.toml")
-
-
-def test_scene_of_the_paper_is_a_valid_scene_of_springs(tmp_path: Path) -> None:
-    scene = paper_scene(tmp_path)
-    assert scene.robot.name == ss.robots.dasgupta1998().name
-    assert isinstance(scene.law, ss.LegSprings)
