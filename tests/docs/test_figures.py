@@ -184,7 +184,7 @@ def shown_of_chart(found: dict[str, Any]) -> list[tuple[Any, ...]]:
         ("machine", "processor"),
         ("software", "compiler"),
         ("motions", "II", "peak_force_N"),
-        *(("candidates", double, name) for name in ("operations", "one_pose_ns", "text_bytes")),
+        *(("candidates", double, name) for name in ("operations", "one_pose_ns")),
         ("candidates", double - 1, "one_pose_ns"),
         *(("candidates", double, "errors", path, "model") for path in ("I", "II", "III")),
         ("candidates", general, "errors", "III", "rounding"),

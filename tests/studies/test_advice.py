@@ -358,7 +358,6 @@ def test_every_long_part_of_advise_is_shown_and_its_share_where_it_is_known(
     cost(robot, {"some": motion}, progress=lambda text, share=None: steps.append((text, share)))
     for part in (
         "compiling exact",
-        "measuring the code of",
         "computing the forces of",
         "computing some at 50",
     ):

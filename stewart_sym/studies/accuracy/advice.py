@@ -161,7 +161,7 @@ _WHERE = (
 )
 
 _COLUMNS = (
-    *("kernel", "operations", "ns per pose", "in a batch", "bytes"),
+    *("kernel", "operations", "ns per pose", "in a batch"),
     *("model error", "RMS", "rounding", "total"),
 )
 
@@ -175,7 +175,6 @@ def table(cost: Figures, found: Advice | None = None) -> str:
             str(entry["operations"]),
             f"{entry['one_pose_ns']:.0f}",
             f"{entry['batch_ns']:.0f}",
-            "" if entry["text_bytes"] is None else str(entry["text_bytes"]),
             *(_share(worst(entry, *part)) for part in (("model",), ("model_rms",), ("rounding",), ())),
             *([] if found is None else [_mark(entry, found)]),
         )

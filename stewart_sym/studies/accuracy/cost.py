@@ -32,7 +32,6 @@ from ..common import host
 from ..common.kernel_loop import kernel_loop
 from ..common.output import Figures
 from ..common.timing import Task, measured, repeated
-from .code_size import code_size
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
 """Precisions, the cheaper first."""
@@ -107,8 +106,7 @@ def cost(
 ) -> Figures:
     """Measure every candidate for the motions.
 
-    A candidate has the operations and the times per pose, single and in a batch, and its code size. The code
-    size is the size of a program that computes single poses, or None without a tool.
+    A candidate has the operations and the times per pose, single and in a batch.
 
     By motion, a candidate has the largest and the RMS modeling error relative to `exact` general, and the
     largest rounding error at the sampled poses. A modeling error within the differences of two
@@ -134,7 +132,7 @@ def cost(
     -------
     dict
         Largest actuator force of each motion (N), and records of the candidates, the cheapest first
-        (operations, then precision), with times in ns and code sizes in bytes.
+        (operations, then precision), with times in ns.
 
     Raises
     ------
@@ -143,7 +141,7 @@ def cost(
     native.CompilerError
         Without a C compiler.
     """
-    kernels, texts = _compiled(robot, progress)
+    kernels = _compiled(robot, progress)
     paths = tracked(progress, motions.items(), lambda each: f"computing the forces of {each[0]}")
     cases = {name: _Case.of(robot, motion, name) for name, motion in paths}
     progress("compiling the truth of 50 digits")
@@ -171,7 +169,6 @@ def cost(
             "operations": fidelity.operations(robot, candidate.formulation, candidate.fidelity),
             **_times("one_pose_", raw[candidate, "one pose"]),
             **_times("batch_", raw[candidate, "batch"]),
-            "text_bytes": texts[candidate],
             "errors": errors[candidate],
         }
         for candidate in kernels
@@ -221,19 +218,14 @@ def _cost(entry: Figures) -> tuple[int, int, int, int]:
 # --- compiling --------------------------------------------------------------------------------
 
 
-def _compiled(
-    robot: Robot, progress: Progress
-) -> tuple[dict[Candidate, ForceKernel], dict[Candidate, int | None]]:
-    """Compile all kernels in parallel; return the kernels and their code sizes (bytes)."""
+def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
+    """Compile all kernels in parallel."""
     every = candidates(robot)
     with ThreadPoolExecutor(CORES) as pool:
         made = {each: pool.submit(_kernel, robot, each) for each in every}
-        sizes = {each: pool.submit(_text, robot, each) for each in every}
         done = tracked(progress, made.items(), lambda pair: f"compiling {pair[0].name}")
         kernels = {each: future.result() for each, future in done}
-        ended = tracked(progress, sizes.items(), lambda pair: f"measuring the code of {pair[0].name}")
-        texts = {each: future.result() for each, future in ended}
-    return {each: kernel for each, kernel in kernels.items() if kernel is not None}, texts
+    return {each: kernel for each, kernel in kernels.items() if kernel is not None}
 
 
 def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
@@ -245,11 +237,6 @@ def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
         if precision == "double":
             raise
         return None
-
-
-def _text(robot: Robot, candidate: Candidate) -> int | None:
-    name = fidelity.force_kernel_name(robot, candidate.formulation, candidate.fidelity)
-    return code_size(name, candidate.precision)
 
 
 # --- errors -----------------------------------------------------------------------------------

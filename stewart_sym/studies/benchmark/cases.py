@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ...backend import c_kernel, kernel, native
 from ...dynamics import closed_form, equations
 from ...dynamics.forces import CORES, ForceKernel, Precision
-from ...dynamics.inverse_dynamics import inverse_dynamics, prepared_kernel
+from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, prepared_kernel
 from ...exchange.model_from_robot import robot_of_bodies
 from ...io.array_types import Array
 from ...io.extras import absent
@@ -21,11 +21,11 @@ from ...reference.equations_of_motion import regressor
 from ...robot.robot import Robot
 from ..common.kernel_loop import kernel_loop
 from ..common.timing import Task, over, repeated
-from .case import CALLS, EQUATIONS, FORCES, PASSES, SIZES, Case
+from .case import AGREEMENT, CALLS, EQUATIONS, FORCES, PASSES, SIZES, Case
 from .engines import forward_engines, inverse_engines
 from .poses import Poses
 
-NAME = "exact"
+NAME: Formulation = "exact"
 """Measured formulation."""
 
 FEW, SLOW, MANY, LARGE = 64, 1_000, 10_000, 200_000
@@ -89,6 +89,7 @@ def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
     function = getattr(c_kernel.library(NAME), f"stewart_{NAME}_inverse_dynamics")
     every, what = _operations("OPERATIONS"), "C, D K H c x F"
     numbers = kernel.robot_numbers(robot)
+    # The structure of all outputs has 78 numbers and begins with F.
     yield _one_pose(FORCES, "every output", what, function, numbers, few, 78, truth, operations=every)
     slow = poses.resized(SLOW)
     for name, backend, what, operations in (
@@ -141,9 +142,9 @@ def _batch(
     arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
     F, status = np.zeros((len(poses), 6), dtype=prepared.dtype), np.zeros(len(poses), dtype=np.int32)
     run = repeated(lambda: prepared.forces(arrays, threads, out=(F, status)))
-    tolerance = {} if precision == "double" else {"tolerance": 1e-3}
+    tolerance = AGREEMENT if precision == "double" else 1e-3
     task = Task(run, len(poses))
-    return Case(group, name, "C, F alone", task, lambda: F, truth, operations, **tolerance)
+    return Case(group, name, "C, F alone", task, lambda: F, truth, operations, tolerance)
 
 
 def _columns(poses: Poses, truth: Array, operations: int) -> Case:
@@ -177,7 +178,7 @@ def _compared(poses: Poses, truth: Array) -> Iterator[Case]:
             made = casadi_forces.program(legs)
             function = native.load("bench_casadi", made.sources, _FUSED).one_pose
             numbers, what = kernel.robot_numbers(few.robot), f"C, {frame} frame"
-            more = {"operations": made.operations, "package": "CasADi"}
+            more: dict[str, Any] = {"operations": made.operations, "package": "CasADi"}
             yield _one_pose(FORCES, name, what, function, numbers, few, 6, truth, **more)
     yield from inverse_engines(few, truth)
 
@@ -197,6 +198,8 @@ def _equations(poses: Poses) -> Iterator[Case]:
     linear = equations.linearize(robot, motion, F, backend="numpy")
     inertia = equations.joint_space_inertia(robot, motion, backend="reference")
     columns = _flat(regressor(robot, motion)[0])
+    # The solve multiplies rounding errors by the condition number of M. Row: name, library, function, numbers
+    # of a result, expected results, and further arguments.
     solved: Any = {"F": F, "tolerance": 1e-8}
     forces, motions = c_kernel.library(f"{NAME}_forces"), closed_form.library(NAME)
     of_columns = c_kernel.library(f"{NAME}_regressor")
@@ -269,10 +272,10 @@ def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
         pointer = c_kernel.address
         if getattr(library, f"stewart_{NAME}_prepare")(pointer(numbers), pointer(model)):
             raise ValueError(f"{made.name}: the constants of the robot cannot be prepared")
-        function, counted = getattr(library, _FORCES), {"operations": made.operations[1]}
-        name = f"{made.name}, one pose"
-        yield _one_pose(PASSES, name, made.meaning, function, model, few, 6, truth, **counted)
-        yield _batch_of_pass(poses, truth, made.name, made.meaning, library, model, made.operations[1])
+        function, name, what = getattr(library, _FORCES), f"{made.name}, one pose", made.meaning
+        count = made.operations[1]
+        yield _one_pose(PASSES, name, what, function, model, few, 6, truth, operations=count)
+        yield _batch_of_pass(poses, truth, made.name, what, library, model, count)
 
 
 def _batch_of_pass(

@@ -23,7 +23,7 @@ from ...singularities.path_singularities import (
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import SingularityResult
 from ..common.drawing import BLUE, DARK, RED, Figure, as_written, log_numbers, new_figure
-from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
+from ..common.output import Columns, aligned, by_leg, of_legs
 from ..common.report import Picture, Report
 
 NEAREST = ("least held", "dearest wrench", "idlest forces")
@@ -85,10 +85,11 @@ def report(found: Examination) -> str:
 
 
 def full_report(found: Examination) -> Report:
-    """Create the report with text, events, and curves over time, and their plot."""
+    """Create the report with text and curves over time, and their plot."""
     columns = curves(found)
-    tables = {"events": events(found), "path": columns}
-    return Report(report(found), tables, _data(found), {"path": Picture(lambda: path_figure(found, columns))})
+    return Report(
+        report(found), {"path": columns}, _data(found), {"path": Picture(lambda: path_figure(found, columns))}
+    )
 
 
 def _data(found: Examination) -> dict[str, Any]:
@@ -140,29 +141,6 @@ def _pose_data(at: SingularityResult) -> dict[str, Any]:
         "lost_moment_N_m": at.wrench[3:],
         "leg_forces_N": at.leg_forces,
     }
-
-
-def events(found: Examination) -> Columns:
-    """Return columns (n,) with a row for each crossing (1) and each local minimum (0), sorted by time."""
-    along, none = found.along, np.full(LEGS, np.nan)
-    rows = [
-        (item.time, 1, item.time_error, item.sign_before, item.sign_after, item.singularity, A)
-        for item, A in zip(along.crossings, found.residues, strict=True)
-    ]
-    minima = [*along.approaches, *([] if along.crossings else [along.nearest])]
-    for approach in {item.time: item for item in minima}.values():
-        side = int(np.sign(approach.singularity.determinant))
-        rows.append((approach.time, 0, np.nan, side, side, approach.singularity, none))
-    *numbers, poses, residues = zip(*sorted(rows, key=lambda row: row[0]), strict=True)
-    names = ("time", "crossing", "time_error", "sign_before", "sign_after")
-    columns: Columns = {name: np.array(values) for name, values in zip(names, numbers, strict=True)}
-    for name in ("condition_number", "smallest_singular_value", "lost_dof", "screw_pitch"):
-        columns[name] = np.array([getattr(pose, name) for pose in poses])
-    twists = np.array([pose.twist for pose in poses])
-    columns |= of_axes("v", twists[:, :3]) | of_axes("omega", twists[:, 3:])
-    for name in ("screw_axis", "screw_point"):
-        columns |= of_axes(name, np.array([getattr(pose, name) for pose in poses]))
-    return columns | of_legs("A", np.array(residues))
 
 
 def curves(found: Examination) -> Columns:

@@ -45,11 +45,11 @@ def _fidelities(found: Figures) -> str:
     )
     lead = paragraph(
         "The table lists the physics, the cost, and the error of each level. Times are nanoseconds for one "
-        "pose at a time, in double and in float; bytes are the code that prepares and computes one pose in "
-        "double. Errors are the largest error on each of the paper's paths, in percent of the largest force "
+        "pose at a time, in double and in float. Errors are the largest error on each of the paper's paths, "
+        "in percent of the largest force "
         f"({peaks}). The machine has {machine['cores']} cores of an {machine['processor']}, and {compiler}."
     )
-    header = ("fidelity", "physics", "operations", "ns", "float, ns", "bytes")
+    header = ("fidelity", "physics", "operations", "ns", "float, ns")
     rows = [
         (
             _name(each),
@@ -57,7 +57,6 @@ def _fidelities(found: Figures) -> str:
             str(each["operations"]),
             f"{each['one_pose_ns']:.0f}",
             f"{entry_of(found, each['formulation'], each['fidelity'], 'float')['one_pose_ns']:.0f}",
-            f"{each['text_bytes']:,}",
             *(_percent(errors["model"]) for errors in each["errors"].values()),
         )
         for each in found["candidates"]
