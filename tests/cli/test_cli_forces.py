@@ -1,6 +1,7 @@
 """`forces` and `singularities` on the command line: what they write, warn of and reject."""
 
 import dataclasses
+import json
 import re
 import subprocess
 import sys
@@ -229,17 +230,16 @@ def test_forces_of_one_instant_are_no_path_and_take_no_energy(robot: Path, cross
 def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> None:
     folder = robot.parent / "found"
     told = run("singularities", robot, "III", "-o", folder).out
-    pictures, tables = ["crossing_1.png", "path.png"], ["events.csv", "path.csv"]
-    assert results(folder) == sorted([*pictures, *tables, "report.json", "report.txt"])
+    assert results(folder) == ["path.csv", "path.png", "report.json", "report.txt"]
     text = (folder / "report.txt").read_text()
     assert told.startswith(text)
     assert "Crossing 1 at 3.670504110" in text
     assert "det H          - before, + after" in text
     assert "most affected  leg 2: -inf before, +inf after" in text
     assert "unconstrained  v = (0.733923, 0.305677, -0.535366) m/s" in text
-    (event,) = read(folder / "events.csv")
-    assert (event["crossing"], event["sign_before"], event["sign_after"]) == ("1", "-1", "1")
-    assert float(event["A_1"]) == pytest.approx(-27554.33, rel=1e-6)
+    (crossing,) = json.loads((folder / "report.json").read_text())["crossings"]
+    assert (crossing["side_before"], crossing["side_after"]) == (-1, 1)
+    assert crossing["residue_N_s"][0] == pytest.approx(-27554.33, rel=1e-6)
     sides = [
         float(row["F_2"]) for row in read(folder / "path.csv") if abs(float(row["time"]) - 3.6705) < 0.05
     ]
@@ -250,11 +250,10 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
 def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path, run: Run) -> None:
     folder = robot.parent / "found"
     out = run("singularities", robot, trajectory, "-o", folder, "--no-plots").out
-    assert results(folder) == ["events.csv", "path.csv", "report.json", "report.txt"]
+    assert results(folder) == ["path.csv", "report.json", "report.txt"]
     assert "crossings  0" in out
     assert "Nearest approach at" in out
-    events = read(folder / "events.csv")
-    assert {event["crossing"] for event in events} == {"0"}
+    assert json.loads((folder / "report.json").read_text())["crossings"] == []
 
 
 def test_singularities_fails_in_one_line(robot: Path, trajectory: Path, crossing: Path, fails: Fails) -> None:

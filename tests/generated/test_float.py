@@ -1,6 +1,5 @@
 """The float kernels: no double in the object code, and as good as float can be on machines of any size."""
 
-import csv
 import dataclasses
 import math
 import platform
@@ -35,7 +34,6 @@ from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot
 from stewart_sym.robot.units import UnitScaling
-from stewart_sym.studies.accuracy import scales
 
 SOURCES = sorted(path.name for path in GENERATED.glob("*.c"))
 # Of legs with rotors, whose printers and passes are those of the others, one kernel is in the fast tests.
@@ -185,15 +183,6 @@ def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
         assert (np.abs(found - expected).max(axis=-1) <= BOUND * EPSILON * condition * largest).all()
 
 
-def test_float_loses_no_digits_with_the_size_of_the_machine() -> None:
-    sizes = (1e-4, 1e-3, 1.0, 10.0)
-    found = scales.scales_study(robot=dasgupta(), sizes=sizes, masses=(1.0,), machines=40, poses=40)
-    # Of a hundred poses the worst, as it is no matter of one unlucky pose.
-    worst = np.quantile(found.errors[scales.FLOAT], 0.99, axis=(1, 2, 3))
-    assert found.errors[scales.FLOAT].max() <= BOUND / 4
-    assert worst.max() <= 1.5 * worst.min()
-
-
 # --- units ------------------------------------------------------------------------------------
 
 
@@ -299,36 +288,3 @@ def test_a_machine_without_gravity_or_load_has_units() -> None:
 @pytest.mark.parametrize("name", ["length", "mass", "time"])
 def test_a_unit_that_is_no_power_of_two_is_named(name: str, bad: float) -> None:
     rejects(rf"^{name}: expected a power of two", UnitScaling, **{name: bad})
-
-
-# --- study ------------------------------------------------------------------------------------
-
-
-def test_the_study_hands_out_a_row_for_every_machine_and_a_picture_of_all_arithmetics() -> None:
-    told: list[str] = []
-    found = scales.scales_study(
-        lambda text, share=None: told.append(text),
-        dasgupta(),
-        sizes=(0.01, 1.0),
-        masses=(1.0, 10.0, 100.0),
-        machines=2,
-        poses=3,
-    )
-    assert len(told) == 3 * 3
-    assert told[1] == "platform of 1 kg, legs of 10 kg"
-    header, *rows = csv.reader(scales.csv_rows(found).splitlines())
-    assert len(rows) == 2 * 3 * 3
-    assert {len(row) for row in rows} == {len(header)}
-    assert all(0.0 < float(value) < BOUND for row in rows for value in row[3:])
-    assert all(np.isfinite(errors).all() for errors in found.errors.values())
-    panels = scales.figure(found).axes
-    assert len(panels) == 3
-    drawn = {line.get_label().partition(":")[0] for line in panels[0].get_lines()}
-    assert set(found.errors) <= drawn
-
-
-def test_a_machine_without_good_poses_is_rejected_in_one_line() -> None:
-    robot = dataclasses.replace(dasgupta(), p=np.tile([0.1, 0.0, 0.0], (6, 1)))
-    with pytest.raises(ValueError, match=r"^robot '.*': too few poses around its home") as rejected:
-        scales.scales_study(robot=robot, machines=1, poses=2)
-    assert "\n" not in str(rejected.value)

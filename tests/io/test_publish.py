@@ -38,7 +38,7 @@ TO_ONE_FILE = {
     "mine.csv": [*FORCES, "-o", "mine.csv"],
     "mine.json": [*FORCES, "-o", "forces.csv", "--json", "mine.json"],
     "advice.json": ["generate", "robot.toml", "-o", "kit", "--list", "--json", "advice.json"],
-    "events.csv": ["singularities", "robot.toml", "I", "-o", ".", "--no-plots"],
+    "report.json": ["singularities", "robot.toml", "I", "-o", ".", "--no-plots"],
     "report.txt": ["reproduce", "-o", ".", "--no-plots"],
 }
 

@@ -3,6 +3,7 @@
 import csv
 import dataclasses
 import itertools
+import json
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
@@ -213,7 +214,8 @@ def named_paths(robot: ss.Robot, folder: Path) -> list[Array]:
     """Time of the crossing, s, and forces along named paths by subcommands."""
     file = str(written(robot, folder / "robot.toml"))
     assert main(["singularities", file, "III", "-o", str(folder / "III"), "--force", "--no-plots"]) == 0
-    crossing = np.loadtxt(folder / "III/events.csv", delimiter=",", skiprows=1, usecols=0)
+    (found,) = json.loads((folder / "III/report.json").read_text())["crossings"]
+    crossing = np.array(found["time_s"])
     head = 'schema = 1\nrobot = "robot.toml"\n'
     legs = '[actuation]\ntype = "computed_torque"\npath = "I"\nk_p = 100.0\nk_d = 20.0\n'
     (folder / "scene.toml").write_text(f"{head}duration = 0.05\n{legs}")

@@ -27,7 +27,7 @@ from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy.budget import MARGIN, papers_motions, read_budget
-from stewart_sym.studies.accuracy.cost import Candidate, cost, entry_of, worst
+from stewart_sym.studies.accuracy.cost import cost, entry_of, worst
 from stewart_sym.studies.common.output import Figures, csv_lines
 
 pytestmark = pytest.mark.usefixtures("quickly")
@@ -289,22 +289,3 @@ def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: 
     levels = {entry["fidelity"] for entry in made["candidates"]}
     assert levels == set(fidelity.available(robot))
     assert worst(entry_of(made, "exact", "general", "double"), "model") == 0.0
-
-
-@pytest.mark.parametrize("precision", ["double", pytest.param("float", marks=pytest.mark.slow)])
-def test_bytes_of_code_are_those_of_a_program_of_one_pose(precision: str) -> None:
-    sizes = {
-        level: study._text(dasgupta(), Candidate("exact", level, precision))
-        for level in ("general", "massless_static")
-    }
-    assert sizes["general"] is not None
-    assert sizes["massless_static"] is not None
-    assert 1_000 < sizes["massless_static"] < sizes["general"] < 50_000
-
-
-def test_one_pose_runs_the_kernel_it_is_named_after() -> None:
-    robot, motion = dasgupta(), papers_motions()["II"]
-    poses = study._poses([motion], 64)
-    for precision in ("double", "float"):
-        kernel = ss.ForceKernel(robot, "exact", precision, "slender")  # type: ignore[arg-type]
-        assert study._one_pose(kernel, poses)(2) == 0

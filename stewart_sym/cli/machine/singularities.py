@@ -1,7 +1,7 @@
 """Find singular poses along a path and their unconstrained twists.
 
 Between samples of a trajectory, the path is the quintic through poses, rates, and accelerations.
-Output: report, tables of events and of the path, and drawings. SI units.
+Output: report, a table of the path, and a plot. SI units.
 
 Example: stewart-sym singularities hexapod.toml trajectory.csv -o singularities
 """
@@ -14,7 +14,6 @@ import stewart_sym as ss
 from ...kinematics.mounting import path_for
 from ...motion.interpolation import Path as MotionPath
 from ...studies.reports import singularities
-from ...studies.reports.singularities_plot import pictures
 from ..inputs import robot_of, trajectory_of
 from ..options import formulation, input_file, log_options, output
 from ..output import results
@@ -33,7 +32,7 @@ def run(arguments: argparse.Namespace) -> int:
     robot = robot_of(arguments.robot)
     name, file = arguments.path, Path(arguments.path)
     read = [] if name in ss.PAPER_PATHS else [file]
-    with results(arguments, "report", "events.csv", "path.csv", read=read) as (take, progress):
+    with results(arguments, "report", "path.csv", read=read) as (take, progress):
         path: MotionPath
         if name in ss.PAPER_PATHS:
             if arguments.pose_guess is not None:
@@ -47,5 +46,5 @@ def run(arguments: argparse.Namespace) -> int:
             path, times = ss.interpolate(trajectory), trajectory.time
         progress("looking for singular poses")
         found = singularities.examine(robot, file.name, path, times, arguments.formulation)
-        take(singularities.full_report(found, pictures(found)))
+        take(singularities.full_report(found))
     return 0

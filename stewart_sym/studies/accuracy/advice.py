@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...derive.mechanics.legs.rotor import FULL, NONE
-from ...derive.mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, level_of
+from ...derive.mechanics.reduced_models import level_of
 from ...robot.fields import need_axisymmetric
 from ...robot.robot import Robot
 from ..common.output import Figures, aligned
@@ -43,16 +43,6 @@ _LEGS: Mapping[str, frozenset[str]] = {
 }
 """Terms that each kind of leg includes."""
 
-
-def check_legs(levels: Mapping[str, Fidelity]) -> None:
-    """Raise ValueError for a level whose kind of leg has no terms."""
-    for name, level in levels.items():
-        if level.legs not in _LEGS:
-            expected = f"the terms of {level.legs!r}, legs of {name}"
-            raise ValueError(f"_LEGS in advice.py: expected {expected}, got none")
-
-
-check_legs(FIDELITIES | DRIVE_FIDELITIES)
 
 _INERTIA = frozenset({"axial", "rods", "reflected", "momentum"})
 """Terms without effect at rest."""
@@ -171,7 +161,7 @@ _WHERE = (
 )
 
 _COLUMNS = (
-    *("kernel", "operations", "ns per pose", "in a batch", "bytes"),
+    *("kernel", "operations", "ns per pose", "in a batch"),
     *("model error", "RMS", "rounding", "total"),
 )
 
@@ -185,7 +175,6 @@ def table(cost: Figures, found: Advice | None = None) -> str:
             str(entry["operations"]),
             f"{entry['one_pose_ns']:.0f}",
             f"{entry['batch_ns']:.0f}",
-            "" if entry["text_bytes"] is None else str(entry["text_bytes"]),
             *(_share(worst(entry, *part)) for part in (("model",), ("model_rms",), ("rounding",), ())),
             *([] if found is None else [_mark(entry, found)]),
         )

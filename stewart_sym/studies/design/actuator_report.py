@@ -16,7 +16,7 @@ from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
-from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
+from ..common.drawing import DARK, Axes, Figure, as_written, legend_below, new_figure, plot_legs
 from ..common.output import aligned, csv_text
 from ..common.report import SMALL, Picture, Report
 
@@ -196,31 +196,19 @@ def _table(needs: ActuatorRequirementsResult) -> str:
 
 
 def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
-    """Draw four panels, or six for a robot with drives."""
-    driven = needs.history.torque is not None
-    drawn = new_figure(15.5 if driven else 11.0, 8.2)
-    panels = drawn.subplots(2, 3 if driven else 2)
-    course = needs.history
-    _plane(panels[0, 0], course.L_dot, course.F, robot.speed_limit, robot.force_limit)
-    panels[0, 0].set(xlabel="rate of length, m/s", ylabel="actuator force, N")
-    _shares(panels[0, 1], np.abs(course.F), course.time_weight, robot.force_limit)
-    panels[0, 1].set(xlabel="share of the time, %", ylabel="size of the force exceeded, N")
-    _strokes(panels[1, 0], robot, needs)
-    _angles(panels[1, 1], robot, needs)
-    if course.torque is not None and course.motor_speed is not None and robot.drive is not None:
-        drive = robot.drive
+    """Draw the force of each leg over its speed, and with drives the motor torque over the motor speed."""
+    course, drive = needs.history, robot.drive
+    driven = course.torque is not None and course.motor_speed is not None and drive is not None
+    drawn = new_figure(12.0 if driven else 6.4, 4.8)
+    panels = drawn.subplots(1, 2 if driven else 1, squeeze=False)[0]
+    _plane(panels[0], course.L_dot, course.F, robot.speed_limit, robot.force_limit)
+    panels[0].set(xlabel="rate of length, m/s", ylabel="actuator force, N")
+    if course.torque is not None and course.motor_speed is not None and drive is not None:
         speed, torque = (np.asarray(limit) for limit in (drive.speed_limit, drive.torque_limit))
-        _plane(panels[0, 2], course.motor_speed, course.torque, speed, torque)
-        panels[0, 2].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
-        _shares(panels[1, 2], np.abs(course.torque), course.time_weight, torque)
-        panels[1, 2].set(xlabel="share of the time, %", ylabel="size of the torque exceeded, N m")
-    margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
-    drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed; {margin}", fontsize=10.0)
-    handles = [
-        panels[0, 0].plot([], [], marker="o", linestyle="", color=color, label=f"leg {leg + 1}")[0]
-        for leg, color in enumerate(LEG_COLORS)
-    ]
-    legend_below(drawn, handles)
+        _plane(panels[1], course.motor_speed, course.torque, speed, torque)
+        panels[1].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
+    drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed", fontsize=10.0)
+    legend_below(drawn)
     return drawn
 
 
@@ -235,53 +223,3 @@ def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort
         for value in np.unique(limit[np.isfinite(limit)]):
             for side in (-value, value) if value < 3.0 * size else ():
                 draw(side, **_LIMIT)
-
-
-def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:
-    """Draw the fraction of the time in which the effort of each leg, shape (n, 6), exceeds a value."""
-    for leg, color in enumerate(LEG_COLORS):
-        order = np.argsort(-sizes[:, leg])
-        above = np.cumsum(weight[order]) / weight.sum()
-        axes.plot(100.0 * above, sizes[order, leg], color=color, linewidth=1.1)
-    for value in np.unique(limit[np.isfinite(limit)]):
-        if value < 3.0 * sizes.max():
-            axes.axhline(value, **_LIMIT)
-    axes.set_xlim(0.0, 100.0)
-    axes.set_ylim(bottom=0.0)
-
-
-def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
-    """Draw the lengths and the stroke of each leg with the margin, and the limits of the lengths."""
-    strokes = (1.0 + needs.margin) * needs.stroke
-    for leg, (color, stroke) in enumerate(zip(LEG_COLORS, strokes, strict=True)):
-        low, high = needs.length[leg]
-        least, most = robot.length_limits[leg]
-        # Half of the margin is at each end, unless a limit shifts it to the other end.
-        bottom = min(max(0.5 * (low + high - stroke), least), most - stroke)
-        bottom = min(max(bottom, high - stroke), low)
-        axes.bar(leg + 1, stroke, bottom=bottom, color=color, alpha=0.3, width=0.6)
-        axes.bar(leg + 1, high - low, bottom=low, color=color, width=0.6)
-        for limit in (least, most):
-            if np.isfinite(limit) and limit > 0.0:
-                axes.hlines(limit, leg + 0.6, leg + 1.4, **_LIMIT)
-    axes.use_sticky_edges = False
-    axes.set(xlabel="leg", ylabel="length, m", xticks=range(1, LEGS + 1))
-    axes.margins(y=0.08)
-
-
-def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
-    """Draw the largest angles of the joints at the base, left, and at the platform, right and hatched."""
-    ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
-    for end, (angles, shift, hatch) in enumerate(ends):
-        for leg, color in enumerate(LEG_COLORS):
-            place, angle = leg + 1 + shift, np.degrees(angles[leg])
-            axes.bar(place, angle * (1.0 + needs.margin), color=color, alpha=0.3, width=0.36)
-            axes.bar(place, angle, color=color, width=0.36, hatch=hatch, edgecolor="white")
-            limit = robot.joint_angle_limit[leg, end]
-            if limit < np.pi:
-                axes.hlines(np.degrees(limit), place - 0.2, place + 0.2, **_LIMIT)
-    axes.set(
-        xlabel="leg; base joint left, platform joint right, hatched",
-        ylabel="joint angle, degrees",
-        xticks=range(1, LEGS + 1),
-    )

@@ -117,7 +117,6 @@ def report(plan: Plan) -> Report:
     figures = {
         "condition": Picture(lambda: condition_figure(plan)),
         "forces": Picture(lambda: forces_figure(plan)),
-        "phase_plane": Picture(lambda: phase_figure(plan)),
     }
     view = {"motion": lambda: Viewer(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))}
     return Report(text, tables, data(plan), figures, view)
@@ -258,27 +257,5 @@ def forces_figure(plan: Plan) -> Figure:
         axes.axhline(bound, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
     label = "force over its limit" if bounded else "force, N"
     axes.set(xlim=(0.0, plan.timed.duration), xlabel="time, s", ylabel=label)
-    legend_below(figure)
-    return figure
-
-
-def phase_figure(plan: Plan) -> Figure:
-    """Plot s' over s: the motion, and its limits for feasible accelerations and for stopping at the end."""
-    figure = new_figure(8.0, 4.6)
-    axes = figure.subplots()
-    phase, nodes = plan.timed.profile.phase, plan.timed.profile.nodes
-    top = 1.6 * float(nodes.rate.max())
-    curves: list[tuple[Array, str, str, Any]] = [(nodes.rate, "motion", BLUE, "solid")]
-    if plan.timed.profile.ease is None:
-        most, stops = np.sqrt(phase.most), np.sqrt(phase.stops)
-        curves.insert(0, (stops, "rest at the end is out of reach above", RED, (0, (1, 1))))
-        curves.insert(0, (most, "no acceleration keeps the limits above", GREY, (0, (4, 2))))
-    for rates, name, color, style in curves:
-        values = np.minimum(rates, 2.0 * top)
-        axes.plot(nodes.s, values, color=color, linewidth=1.3, linestyle=style, label=name)
-    for s in plan.planned.path.via:
-        axes.axvline(s, color=GREY, linewidth=0.6, linestyle=(0, (4, 3)))
-    axes.set(xlim=(nodes.s[0], nodes.s[-1]), ylim=(0.0, top))
-    axes.set(xlabel="path parameter s; via poses dashed", ylabel="its rate, 1/s")
     legend_below(figure)
     return figure

@@ -29,7 +29,7 @@ rate = 1000.0
 
 
 def hasty(patch: pytest.MonkeyPatch) -> None:
-    """Times without meaning, and no sizes: nothing here depends on them."""
+    """Times without meaning: nothing here depends on them."""
     compile_quickly(patch)
     patch.setattr(timing, "SHORTEST", 1e-7)
     patch.setattr(gc, "collect", lambda: 0)
@@ -37,7 +37,6 @@ def hasty(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(study, "ROUNDS", 1)
     patch.setattr(study, "MANY", 64)
     patch.setattr(study, "SAMPLED", 2)
-    patch.setattr(study, "text_size", lambda *_: None)
 
 
 def budget(tolerance: float, margin: float = MARGIN, rate: float | None = None) -> Budget:
@@ -53,7 +52,6 @@ def entry(name: str, operations: int, error: float, ns: float = 100.0) -> Figure
     found = {
         "operations": operations,
         **times,
-        "text_bytes": 1000,
         "errors": {"I": errors(error, error / 2, 0.0)},
     }
     return Candidate(*name.split())._asdict() | found
