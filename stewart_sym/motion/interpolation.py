@@ -161,7 +161,7 @@ def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
         h = np.diff(since)[:, None]
         c = quintic(h, tuple(start), tuple(end))
         if gaps:
-            noise = _in_gaps(noise, time, gaps, trajectory.rows)
+            noise = in_gaps(noise, time, gaps, [f"the gap before line {trajectory.rows[k]}" for k in gaps])
         noise = noise._replace(coordinates=np.stack(values(c[:, i], share, h[i])))
     return Trajectory(when, path(when), trajectory.source, rows, noise)
 
@@ -170,14 +170,18 @@ def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
 _IN_GAP, _TRIED = 17, 200
 
 
-def _in_gaps(noise: Uncertainty, time: Array, gaps: list[int], rows: Sequence[int]) -> Uncertainty:
-    """Uncertainty of coordinates, in gaps, before some of the instants, that of quintics through them."""
+def in_gaps(noise: Uncertainty, time: Array, gaps: list[int], names: Sequence[str]) -> Uncertainty:
+    """Return the uncertainty of coordinates bridged by quintics in gaps, before some of the instants.
+
+    A smooth curve holds both ends of a short gap, and its uncertainty remains; both ends of a long gap are
+    independent. How far quintics as long miss the motion elsewhere is added.
+    """
     since, share, first = elapsed(time), np.linspace(0.0, 1.0, _IN_GAP)[:, None], 0
     missed = functools.cache(functools.partial(_missed, since, noise.coordinates))
     units = np.eye(6).reshape(2, 3, 6)
-    grids, covariances, spans = [], [], []
+    grids, covariances, spans, long = [], [], [], breaks(since)
     at_ends = noise.covariances(time[np.add.outer(gaps, [-1, 0]).ravel()]).reshape(len(gaps), 2, 6, -1)
-    for i, both in zip(gaps, at_ends, strict=True):
+    for i, both, name in zip(gaps, at_ends, names, strict=True):
         ends, h = time[i - 1 : i + 1], since[i : i + 1] - since[i - 1]
         # What value, rate and second rate at each end make of those inside, (g, 6).
         made = values(quintic(h, *map(tuple, units))[:, None], share, h)
@@ -186,11 +190,14 @@ def _in_gaps(noise: Uncertainty, time: Array, gaps: list[int], rows: Sequence[in
             for k, (p, q) in enumerate(PAIRS):
                 known[:, 3 * end + p, 3 * end + q] = known[:, 3 * end + q, 3 * end + p] = of[:, k]
         off = missed(float(f"{h[0]:.2g}"))
-        inside = [off[p] * off[q] + np.einsum("ga,cab,gb->gc", made[p], known, made[q]) for p, q in PAIRS]
+        inside = np.stack([np.einsum("ga,cab,gb->gc", made[p], known, made[q]) for p, q in PAIRS], axis=-1)
+        if i not in long:
+            inside = noise.covariances(ends[0] + h * share[:, 0])
+        inside = inside + np.stack([off[p] * off[q] for p, q in PAIRS], axis=-1)
         before, after = np.searchsorted(noise.grid, ends[0]), np.searchsorted(noise.grid, ends[1], "right")
         grids += [noise.grid[first:before], ends[0] + h * share[:, 0]]
-        covariances += [noise.covariance[first:before], np.stack(inside, axis=-1)]
-        spans.append(Replaced(float(ends[0]), float(ends[1]), (f"the gap before line {rows[i]}",)))
+        covariances += [noise.covariance[first:before], inside]
+        spans.append(Replaced(float(ends[0]), float(ends[1]), (name,)))
         first = int(after)
     return noise._replace(
         grid=np.concatenate([*grids, noise.grid[first:]]),

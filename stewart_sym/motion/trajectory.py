@@ -219,7 +219,7 @@ IN_SI = TrajectoryFormat().with_units({})
 class Log:
     """A trajectory as read: the components of vectors by name, (n,) each, as written.
 
-    given_units: names of the units in an option or in a row of units.
+    given_units: names of the units in an option. unit_line: line of the row of units; None if there is none.
     """
 
     source: str
@@ -229,6 +229,7 @@ class Log:
     form: TrajectoryFormat = IN_SI
     smoothing: SmoothingOptions = dataclasses.field(default_factory=SmoothingOptions)
     given_units: frozenset[str] = frozenset()
+    unit_line: int | None = None
 
     def scale(self, name: str) -> float:
         """SI units in the unit in which vectors of that name are written."""
@@ -253,6 +254,16 @@ class Log:
         scale, unit = self.scale(name), self.unit(name)
         what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
         return what, lambda number: f"{number / scale:.2g} {unit}"
+
+    def other_unit(self, name: str, finding: str, units: Sequence[str]) -> ValueError:
+        """Return the error for numbers that fit other units; ``name`` is such as ``length_unit``."""
+        unit = self.form.units[name]
+        remedies = [f"TrajectoryFormat({name}={each!r})" for each in units]
+        place = f"{self.source}: {finding} if read in {unit}"
+        if self.unit_line is not None:
+            place = f"{self.source}: line {self.unit_line}: the row of units ({unit}) contradicts {finding}"
+        remedy = f"give {' or '.join(remedies)}, or TrajectoryFormat({name}={unit!r}) if {unit} is right"
+        return ValueError(f"{place}; {remedy}")
 
     def warn(self, text: str) -> None:
         """Warn of the log."""
