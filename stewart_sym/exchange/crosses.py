@@ -68,7 +68,7 @@ def crosses_of(machine: Machine, leg: Leg, ends: Array, k: Array | None) -> Iter
         Fixed axis of a universal joint at the base.
     """
     S = ends[1] - ends[0]
-    base, tip = (np.concatenate([step.axes for step in steps]) for steps in (leg.base, leg.tip))
+    base, tip = (np.array([axis for step in steps for axis in step.axes]) for steps in (leg.base, leg.tip))
     turns = _turns(S, base, tip) if len(base) == 2 else None
     for steps, names, point, at_base in (
         (leg.base, leg.crosses[0], ends[0], True),
@@ -93,12 +93,12 @@ def _turns(S: Array, base: Array, tip: Array) -> tuple[Array, Array] | None:
     """Return the angular velocities after each axis at both ends, shape (2, 3, 6) and (m, 3, 6), else None.
 
     They are linear in the velocity of the platform point and the angular velocity of the platform. ``base``
-    (2, 3) and ``tip`` (m, 3) are the axes, two at the tip with a leg that spins about itself.
+    (2, 3) and ``tip`` (m, 3) are the axes: two at the tip if the leg spins, none of a ball.
     """
     L = float(np.linalg.norm(S))
     s = S / L
     ahead = np.stack([L * cross(base[0], s), L * cross(base[1], s), s], axis=-1)
-    behind = np.stack([s, *tip] if len(tip) == 2 else [*tip], axis=-1)
+    behind = np.stack({0: [*np.eye(3)], 2: [s, *tip]}.get(len(tip), [*tip]), axis=-1)
     if behind.shape != (3, 3) or min(abs(np.linalg.det(ahead / L)), abs(np.linalg.det(behind))) < _SAME:
         return None
     rates = np.hstack([np.linalg.inv(ahead), np.zeros((3, 3))])

@@ -132,8 +132,8 @@ def _crosses_said(legs: Sequence["_Leg"], platform: Body, robot: Robot) -> Itera
         worst = max(every, key=lambda each: each.body.mass * each.lost)
         raise ValueError(
             f"body {worst.body.name!r}: expected its center of mass at the intersection of the axes, got "
-            f"{1e3 * worst.lost:.3g} mm off, which changes forces by up to {error:.3g} N (limit {limit:.3g} N, "
-            f"{100.0 * _MOST_OFF:g} % of the weight per leg); move its center of mass, or reduce its mass"
+            f"{1e3 * worst.lost:.3g} mm off, which changes forces by up to {error:.3g} N (limit {limit:.3g} "
+            f"N, {100.0 * _MOST_OFF:g} % of the weight per leg); move its center of mass, or reduce its mass"
         )
     return lines_of(crosses, error)
 

@@ -129,3 +129,18 @@ def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
         for path in source.rglob("*"):
             if path.is_file() and path.suffix != ".pyc":
                 assert prefix + str(path.relative_to(source)) in shipped
+
+
+def test_a_clone_shadows_an_installed_package_completely() -> None:
+    """Python in a clone, without an editable install: the folders next to the package belong to it."""
+    check = """
+import sys
+sys.meta_path = [finder for finder in sys.meta_path if "editable" not in repr(finder).lower()]
+import stewart_sym.generated.interface, stewart_sym.derive
+import stewart_sym as ss
+print(ss.InverseDynamicsResult.__name__, stewart_sym.generated.interface.__file__)
+"""
+    run = [sys.executable, "-c", check]
+    done = subprocess.run(run, cwd=REPOSITORY, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split() == ["InverseDynamicsResult", str(REPOSITORY / "generated" / "interface.py")]

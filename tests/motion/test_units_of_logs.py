@@ -102,6 +102,8 @@ def test_a_row_of_units_that_contradicts_its_numbers_is_an_error_with_the_option
     lengths: float, angles: float, units: str, fix: dict[str, str], tmp_path: Path
 ) -> None:
     robot = dasgupta()
+    L = leg_lengths(robot, np.eye(3), home_pose(robot).t)
+    robot = dataclasses.replace(robot, length_limits=np.outer(L, [0.7, 1.3]))
     t, theta = moves(robot, 0.02, 0.05)
     path = log(tmp_path / "log.csv", poses(t, theta, lengths, angles), units=units)
     ((name, unit),) = fix.items()

@@ -128,7 +128,7 @@ def test_an_option_has_priority_over_the_row_of_units_with_a_warning(tmp_path: P
     header, *rows = lines()
     form = TrajectoryFormat(length_unit="cm")
     told = r"line 2: the row of units \(mm\) contradicts TrajectoryFormat\(length_unit='cm'\), which is used"
-    with pytest.warns(ss.TrajectoryWarning, match=told):
+    with pytest.warns(TrajectoryWarning, match=told):
         found = read(tmp_path, [header, "s,mm,mm,mm,rad,rad,rad", *rows], form)
     np.testing.assert_allclose(found.motion.t, read(tmp_path, [header, *rows], form).motion.t)
 

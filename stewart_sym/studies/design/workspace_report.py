@@ -151,7 +151,7 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
         clear = f"{clear} that" if np.isfinite(found.distance_to_limit) else "no pose"
         lines.append(f"clear      {clear} was found beyond a limit")
     rows = [
-        (name, f"{low:.4g}", f"{high:.4g}", f"{least:.4g}", f"{most:.4g}")
+        (name, *("-" if np.isnan(x) else f"{x:.4g}" for x in (low, high)), f"{least:.4g}", f"{most:.4g}")
         for name, (low, high), (least, most) in zip(_names(found), found.extent, found.bounds, strict=True)
     ]
     header = ("coordinate", "at least from", "to", "searched from", "to")
