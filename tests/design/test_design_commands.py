@@ -88,6 +88,29 @@ def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run
     assert {row["first_limit"] for row in rows} >= {"feasible", "leg_length", "joint_angle"}
 
 
+def test_the_table_of_an_empty_workspace_has_no_nan(folder: Path, run: Run) -> None:
+    ranges = (
+        "--position-bounds",
+        0.5,
+        0.6,
+        0.5,
+        0.6,
+        0.5,
+        0.6,
+        "--rpy-bounds",
+        -0.1,
+        0.1,
+        -0.1,
+        0.1,
+        -0.1,
+        0.1,
+    )
+    run("workspace", "hexapod.toml", "--kind", "six_dof", *ranges, "--samples", 200, "--no-plots")
+    report = (folder / "workspace" / "report.txt").read_text()
+    assert "nan" not in report
+    assert len(re.findall(r"-  +-  ", report)) == 6
+
+
 def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(run: Run) -> None:
     few = ("--samples", 500, "--no-plots")
     for position, doubted in ((0.7, False), (700.0, True)):
