@@ -9,7 +9,7 @@ from ...io.sample_times import elapsed, time_text
 from ..noise_level import LEAST_SAMPLES, white_noise
 from ..trajectory import Log
 
-# Fewest repeated rows: shorter runs are single faults. Of noisy rows, runs up to the second are bridged
+# Fewest repeated rows: shorter runs are single faults. Noisy runs up to the second are bridged
 # without harm even if the machine rests.
 _FEWEST, _SHORT = 4, 12
 # Rows without repetitions that must be on both sides.
