@@ -409,7 +409,7 @@ def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | No
 
 
 def _replaced_rows(log: Log, bad: Sequence[log_faults.Fault], near: Flags) -> tuple[Replaced, ...]:
-    """Spans of instants at which replaced rows count, with the faults that are nearest to each."""
+    """Spans of samples at which replaced rows count, with the faults that are nearest to each."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(np.int8)))
     rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
     first = np.array([start for start, _ in rows])
