@@ -125,7 +125,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     lines = [
         f"robot   {robot.name}",
         f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
-        f"margin  {100.0 * needs.margin:g} %: the last column is the largest value of the row with this margin",
+        f"margin  {100.0 * needs.margin:g} %: the last column is the largest value of the row with it",
         "",
         aligned(("need", *legs, "with margin"), cells),
         "",
