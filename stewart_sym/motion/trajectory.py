@@ -119,9 +119,9 @@ class Uncertainty(NamedTuple):
 
 
 class Trajectory(NamedTuple):
-    """A trajectory of n instants: time, s, (n,), and the motion, of shape (n,).
+    """A trajectory of n samples: time, s, (n,), and the motion, of shape (n,).
 
-    source: the file it comes from. rows: line of each instant in the file. noise: None for
+    source: the file it comes from. rows: line of each sample in the file. noise: None for
     a log without.
     """
 
@@ -132,7 +132,7 @@ class Trajectory(NamedTuple):
     noise: Uncertainty | None = None
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
-        """The motion at some of the instants."""
+        """The motion at some of the samples."""
         return self.motion[index]
 
 
@@ -158,7 +158,7 @@ class PoseLog(NamedTuple):
     order: str = "zyx"
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
-        """The motion at some of the instants; ValueError of one line that names file and line."""
+        """The motion at some of the samples; ValueError of one line that names file and line."""
         names, chosen = ("t", "theta", *DERIVATIVES), self.coordinates[:, index]
         # Arguments of ``Motion.from_rpy``.
         numbers = {name: chosen[i // 2, ..., 3 * (i % 2) :][..., :3] for i, name in enumerate(names)}
@@ -181,7 +181,7 @@ class PoseLog(NamedTuple):
 
     @property
     def motion(self) -> Motion:
-        """The motion at all instants."""
+        """The motion at all samples."""
         return self.at(slice(None))
 
 
@@ -192,7 +192,7 @@ def need_trajectory(value: object) -> None:
 
 
 class JointTrajectory(NamedTuple):
-    """A trajectory in joint space of n instants: time, s, (n,), and the legs' motion, (n, 6) each.
+    """A trajectory in joint space of n samples: time, s, (n,), and the legs' motion, (n, 6) each.
 
     L, L_dot, L_ddot: lengths, m, rates, m/s, and accelerations, m/s^2. F_ext, M_ext: external load, N and
     N m, platform frame, (n, 3), or None. source, rows, noise: as in ``Trajectory``. relative: whether L are

@@ -26,7 +26,7 @@ from ..robot.robot import Robot
 
 ForceLaw = Callable[[float, Motion], ArrayLike]
 """Function (time in s, state) -> actuator forces (N), shape (6,)."""
-Wanted = Callable[[float], Motion]
+Reference = Callable[[float], Motion]
 """Function time (s) -> reference motion of shape ()."""
 Model = Callable[[Motion], Array]
 """Function Motion of shape () -> actuator forces of the model (N), shape (6,)."""
@@ -151,7 +151,7 @@ class ModelTorque:
     ----------
     model : callable
         Function Motion of shape () with accelerations -> actuator forces (N), shape (6,).
-    wanted : callable
+    reference : callable
         Function time (s) -> reference Motion with accelerations. The model includes its load.
     k_p, k_d : float
         Gains of position (1/s^2) and velocity (1/s).
@@ -163,7 +163,7 @@ class ModelTorque:
     """
 
     model: Model
-    wanted: Wanted
+    reference: Reference
     k_p: float
     k_d: float
 
@@ -173,13 +173,13 @@ class ModelTorque:
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Compute the forces (N), shape (6,), of a state."""
-        wanted = self.wanted(time)
-        if wanted.a is None or wanted.alpha is None:
+        reference = self.reference(time)
+        if reference.a is None or reference.alpha is None:
             raise ValueError("reference: expected a motion with accelerations, got none")
-        a, alpha = feedback(wanted, state, self.k_p, self.k_d)
-        a, alpha = wanted.a + a, wanted.alpha + alpha
+        a, alpha = feedback(reference, state, self.k_p, self.k_d)
+        a, alpha = reference.a + a, reference.alpha + alpha
         rates = state.omega, state.v, alpha, a
-        return self.model(Motion._unchecked(state.R, state.t, *rates, wanted.F_ext, wanted.M_ext))
+        return self.model(Motion._unchecked(state.R, state.t, *rates, reference.F_ext, reference.M_ext))
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,7 +203,7 @@ class ComputedTorque:
     """
 
     robot: Robot
-    reference: Wanted
+    reference: Reference
     k_p: float
     k_d: float
     formulation: Formulation = "exact"
@@ -243,7 +243,7 @@ class GravityCompensation(Frozen):
     inertia : ndarray, shape (6, 6)
         Constant mass matrix M_0 for twists [v; omega] in the base frame. It converts the gains to stiffness
         and damping.
-    wanted : callable
+    reference : callable
         Function time (s) -> reference Motion.
     k_p, k_d : float
         Gains of position (1/s^2) and velocity (1/s).
@@ -256,7 +256,7 @@ class GravityCompensation(Frozen):
 
     model: Model
     inertia: Array
-    wanted: Wanted
+    reference: Reference
     k_p: float
     k_d: float
 
@@ -270,28 +270,28 @@ class GravityCompensation(Frozen):
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Compute the forces (N), shape (6,), of a state."""
-        wrench = self.inertia @ np.concatenate(feedback(self.wanted(time), state, self.k_p, self.k_d))
+        wrench = self.inertia @ np.concatenate(feedback(self.reference(time), state, self.k_p, self.k_d))
         # At rest the legs apply this wrench if the platform carries the opposite wrench as its load.
         load = -wrench.reshape(2, 3) @ state.R
         zero = np.zeros(3)
         return self.model(Motion._unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))
 
 
-def feedback(wanted: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:
+def feedback(reference: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:
     """Return the feedback accelerations (m/s^2 and rad/s^2) of a state, shape (..., 3) each."""
-    turn = vector_from_rotation(wanted.R @ np.swapaxes(state.R, -1, -2))
-    a = k_d * (wanted.v - state.v) + k_p * (wanted.t - state.t)
-    return a, k_d * (wanted.omega - state.omega) + k_p * turn
+    turn = vector_from_rotation(reference.R @ np.swapaxes(state.R, -1, -2))
+    a = k_d * (reference.v - state.v) + k_p * (reference.t - state.t)
+    return a, k_d * (reference.omega - state.omega) + k_p * turn
 
 
-def along(path: StraightLinePath) -> Wanted:
+def along(path: StraightLinePath) -> Reference:
     """Return a path as a reference motion that remains at rest at its end."""
 
-    def wanted(time: float) -> Motion:
+    def reference(time: float) -> Motion:
         motion = path.sample(min(time, path.tau_f))
         return motion if time < path.tau_f else at_rest(motion.R, motion.t)
 
-    return wanted
+    return reference
 
 
 def _gains(k_p: float, k_d: float) -> None:

@@ -24,7 +24,7 @@ from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import PAPER_PATHS
 from ..motion.trajectory import JointTrajectory
 from ..robot.robot import Robot
-from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Wanted, along
+from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Reference, along
 from .simulation import (
     METHODS,
     ON_FORCE_LIMIT,
@@ -160,14 +160,14 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     tracked = legs["path"] if legs["type"] == "computed_torque" else None
     if tracked is not None and tracked not in PAPER_PATHS:
         read.append(toml_reader.file_beside(tracked, source, "actuation.path"))
-    wanted = None if tracked is None else _wanted(robot, tracked, read[-1], options["duration"])
-    state = _state(given, wanted, load)
+    reference = None if tracked is None else _reference(robot, tracked, read[-1], options["duration"])
+    state = _state(given, reference, load)
     with errors_of(f"{file}actuation: "):
-        law = _law(robot, legs, state, wanted)
+        law = _law(robot, legs, state, reference)
     rate = legs.get("rate")
     options |= {"stop_conditions": thresholds, "files": tuple(read)}
-    if wanted is not None and "load" not in top and _load_of(wanted(0.0)) is not None:
-        options["load"] = lambda time, state: _load_of(wanted(time))
+    if reference is not None and "load" not in top and _load_of(reference(0.0)) is not None:
+        options["load"] = lambda time, state: _load_of(reference(time))
     stated = {f"state.{key}": value for key, value in (given or {}).items()}
     stated |= {f"actuation.{key}": value for key, value in legs.items()}
     return Scene(robot, state, law, rate, stated=stated, **options)
@@ -235,7 +235,7 @@ def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], pref
     return {key: toml_reader.vector(given, prefix + key) for key, given in table.items()}
 
 
-def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:
+def _reference(robot: Robot, path: str, file: Path, duration: float) -> Reference:
     """Return the reference motion from a path or a file; warn if a file ends in motion too early."""
     if path in PAPER_PATHS:
         return along(path_for(robot, path).path)
@@ -251,11 +251,13 @@ def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:
     return followed(found)
 
 
-def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:
+def _state(
+    given: Mapping[str, Array] | None, reference: Reference | None, load: Mapping[str, Array]
+) -> Motion:
     """Return the initial state; without values, the start of the reference motion."""
     if given is None:
-        assert wanted is not None
-        start = wanted(0.0)
+        assert reference is not None
+        start = reference(0.0)
         return Motion(R=start.R, t=start.t, omega=start.omega, v=start.v, **load)
     zero = np.zeros(3)
     R = rotation_from_rpy(given["theta"])
@@ -270,7 +272,7 @@ def _load_of(motion: Motion) -> Array | None:
     return np.concatenate([np.zeros(3) if part is None else part for part in load])
 
 
-def _law(robot: Robot, legs: Mapping[str, Any], state: Motion, wanted: Wanted | None) -> ForceLaw:
+def _law(robot: Robot, legs: Mapping[str, Any], state: Motion, reference: Reference | None) -> ForceLaw:
     """Create the force law of the table ``actuation``."""
     if legs["type"] == "constant_force":
         constant: Array = legs["forces"]
@@ -280,7 +282,7 @@ def _law(robot: Robot, legs: Mapping[str, Any], state: Motion, wanted: Wanted | 
         if "rest_length" in legs:
             return LegSprings(robot, stiffness, legs["rest_length"], damping)
         return LegSprings.in_equilibrium(robot, state, stiffness, damping)
-    assert wanted is not None
+    assert reference is not None
     return ComputedTorque(
-        robot, wanted, legs["k_p"], legs["k_d"], legs.get("model_formulation", FORMULATIONS[0])
+        robot, reference, legs["k_p"], legs["k_d"], legs.get("model_formulation", FORMULATIONS[0])
     )

@@ -1,11 +1,13 @@
 """A plain install carries everything: both folders beside the package, the C sources and the robot files."""
 
+import email
 import re
 import shutil
 import subprocess
 import sys
 import tarfile
 import tomllib
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -44,7 +46,7 @@ def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """Return the sdist and the wheel of a clone, so that nothing is written next to the package."""
     folder = tmp_path_factory.mktemp("archives")
     subprocess.run(["git", "clone", "-q", str(REPOSITORY), str(folder / "clone")], check=True)
-    for name in ("pyproject.toml", "LICENSE", "LICENSE.0BSD", "README.md"):
+    for name in ("pyproject.toml", "setup.py", "LICENSE", "LICENSE.0BSD", "README.md"):
         shutil.copy(REPOSITORY / name, folder / "clone")
     run = [sys.executable, "-c", BUILD, str(folder)]
     subprocess.run(run, check=True, capture_output=True, cwd=folder / "clone")
@@ -88,6 +90,21 @@ def test_archives_are_small_and_pass_the_checks_of_the_package_index(archives: t
     ):
         done = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.slow
+def test_the_description_on_the_package_index_has_no_relative_link(archives: tuple[Path, Path]) -> None:
+    _, wheel = archives
+    with zipfile.ZipFile(wheel) as archive:
+        (name,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
+        message = email.message_from_bytes(archive.read(name))
+    text = str(message.get_payload())
+    assert message["Description-Content-Type"] == "text/markdown"
+    assert text.startswith("# stewart-sym\n")
+    assert re.findall(r"\]\((?!https?://)", text) == []
+    pictures = re.findall(r"^!\[.*\]\((.*)\)$", (REPOSITORY / "README.md").read_text(encoding="utf-8"), re.M)
+    assert pictures
+    assert all((REPOSITORY / path).exists() for path in pictures)
 
 
 def test_licenses_are_a_spdx_expression_with_a_text_each() -> None:

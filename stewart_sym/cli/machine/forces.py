@@ -64,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
         count = len(trajectory.time)
-        progress(f"computing {count} instants", 0.0)
+        progress(f"computing {count} samples", 0.0)
         for part in in_parts(
             robot,
             trajectory,
@@ -75,7 +75,7 @@ def run(arguments: argparse.Namespace) -> int:
         ):
             stream.writelines(csv_lines(part.columns, header=part.where.start == 0))
             digest.add(part)
-            progress(f"computing {count} instants", min(1.0, part.where.stop / count))
+            progress(f"computing {count} samples", min(1.0, part.where.stop / count))
         progress("looking for singular poses")
         crossed = crossing_warning(robot, trajectory)
         if crossed is not None:

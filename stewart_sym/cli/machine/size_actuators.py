@@ -73,7 +73,7 @@ def run(arguments: argparse.Namespace) -> int:
     lines = over + unsure + short + perhaps
     if lines:
         told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}"
-        told += f", not decided: {len(unsure)}" if unsure else ""
-        told += f", margin not decided: {len(perhaps)}" if perhaps else ""
+        told += f", inconclusive: {len(unsure)}" if unsure else ""
+        told += f", margin inconclusive: {len(perhaps)}" if perhaps else ""
         warn(f"{arguments.robot}: {told}; {lines[0]}")
     return 0

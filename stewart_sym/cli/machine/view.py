@@ -97,7 +97,7 @@ def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -
         progress("reading the run")
         return motion_history.of_run_file(robot, path)
     trajectory = trajectory_of(robot, path, arguments, progress)
-    progress("computing forces and singular instants")
+    progress("computing forces and singular poses")
     return motion_history.of_trajectory(robot, trajectory)
 
 
@@ -111,7 +111,7 @@ def _is_run(path: Path) -> bool:
 def _data(view: "Viewer") -> dict[str, object]:
     import numpy as np
 
-    shown = view.instants
+    shown = view.history
     # NumPy warns of legs without a finite force at any sample.
     with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
         peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
@@ -139,7 +139,7 @@ def _legs(view: "Viewer") -> object:
     from ...drives.leg_limits import limited_angles
     from ...studies.reports.track import Digest, Part
 
-    shown, found = view.instants, view.limits
+    shown, found = view.history, view.limits
     sd, there = (None, None) if shown.noise is None else (shown.noise.sd, shown.noise.there)
     status = np.zeros(len(shown.time), dtype=np.int32)
     whole = Part(slice(None), shown.time, found.F, shown.L, shown.L_dot, shown.condition, status)

@@ -22,7 +22,7 @@ MORE = (
     "The error is three standard deviations. Positions refer to the tool."
 )
 
-_IGNORED = ("lengths", "joint-angles", "forces")
+_IGNORED = ("lengths", "joint_angles", "forces")
 _TRIPLE = ("X", "Y", "Z")
 _RANGES = ("X", "X", "Y", "Y", "Z", "Z")
 
@@ -81,10 +81,10 @@ def run(arguments: argparse.Namespace) -> int:
     robot = robot_of(arguments.robot)
     limits = PoseLimits(
         lengths="lengths" not in arguments.ignore,
-        joint_angles="joint-angles" not in arguments.ignore,
+        joint_angles="joint_angles" not in arguments.ignore,
         forces="forces" not in arguments.ignore,
-        condition=arguments.max_condition or math.inf,
-        clearance=arguments.min_clearance or 0.0,
+        max_condition=arguments.max_condition or math.inf,
+        min_clearance=arguments.min_clearance or 0.0,
         load=np.array(arguments.load or [0.0] * 6),
     )
     with results(arguments, "report", "slices.csv") as (take, progress):
@@ -122,7 +122,7 @@ def _broken(examiner: "PoseExaminer", found: "WorkspaceResult") -> str:
         L = leg_lengths(examiner.robot, R, t)
         legs = f"its legs are {L.min():.4g} to {L.max():.4g} m long"
         return f"{legs}: change --position (m)"
-    number, most = float(examiner.conditions(R, t)[0]), examiner.limits.condition
+    number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
     if code == CONDITION and number > most:
         return f"{status_text(REASONS[code])}: expected at most {most:g}, got {number:.4g}"
     beyond = ": det H has another sign than at the home pose" if code == CONDITION else ""

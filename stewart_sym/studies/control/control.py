@@ -27,7 +27,7 @@ from ...motion.straight_line import StraightLinePath
 from ...results import OK, STATUS_TEXT
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ...simulation.actuator_models import ForceLaw, GravityCompensation, Model, ModelTorque, Wanted
+from ...simulation.actuator_models import ForceLaw, GravityCompensation, Model, ModelTorque, Reference
 from ...simulation.fixed_step import advance
 
 CONTROLLERS = ("exact", "paper", "massless", "gravity")
@@ -151,7 +151,7 @@ class PreparedModel:
         return np.array(self._slot.F) if self._slot.solve() == OK else np.full(6, np.nan)
 
 
-def controllers(robot: Robot, wanted: Wanted, settings: Settings) -> dict[str, ForceLaw]:
+def controllers(robot: Robot, reference: Reference, settings: Settings) -> dict[str, ForceLaw]:
     """The four laws. `gravity` takes for its gains the machine's inertia at the start of the path."""
     gains = {"k_p": settings.k_p, "k_d": settings.k_d}
     models: dict[str, Model] = {
@@ -159,10 +159,10 @@ def controllers(robot: Robot, wanted: Wanted, settings: Settings) -> dict[str, F
         "paper": PreparedModel(robot, "paper"),
         "massless": PreparedModel(robot, fidelity="massless"),
     }
-    inertia = equations_of_motion(robot, wanted(0.0)).M
+    inertia = equations_of_motion(robot, reference(0.0)).M
     return {
-        **{name: ModelTorque(model, wanted, **gains) for name, model in models.items()},
-        "gravity": GravityCompensation(models["exact"], inertia, wanted, **gains),
+        **{name: ModelTorque(model, reference, **gains) for name, model in models.items()},
+        "gravity": GravityCompensation(models["exact"], inertia, reference, **gains),
     }
 
 
@@ -240,14 +240,14 @@ def _reject(laws: Mapping[str, ForceLaw], time: float, reasons: Sequence[str]) -
             raise ValueError(f"controller {name}: at {time:g} s: {reason}")
 
 
-def _start(wanted: Motion, axes: Array, settings: Settings, count: int) -> Motion:
-    R = rotation_from_vector(axes @ settings.offset_phi) @ wanted.R
-    t = wanted.t + axes @ settings.offset_t
+def _start(reference: Motion, axes: Array, settings: Settings, count: int) -> Motion:
+    R = rotation_from_vector(axes @ settings.offset_phi) @ reference.R
+    t = reference.t + axes @ settings.offset_t
     return Motion(
         R=np.tile(R, (count, 1, 1)),
         t=np.tile(t, (count, 1)),
-        omega=np.array(wanted.omega),
-        v=np.array(wanted.v),
+        omega=np.array(reference.omega),
+        v=np.array(reference.v),
     )
 
 

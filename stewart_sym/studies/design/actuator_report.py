@@ -125,7 +125,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     lines = [
         f"robot   {robot.name}",
         f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
-        f"margin  {100.0 * needs.margin:g} %: the last column is the largest of a row with it",
+        f"margin  {100.0 * needs.margin:g} %: the last column is the largest value of the row with it",
         "",
         aligned(("need", *legs, "with margin"), cells),
         "",
@@ -138,9 +138,9 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
         lines.append(f"{unknown[0].upper()}{unknown[1:]}.")
     found = compared(robot, needs)
     told = [*needs.crossings, *(f"Exceeded: {line}" for line in found.exceeded)]
-    told += [f"{line[0].upper()}{line[1:]}" for line in found.not_decided]
+    told += [f"{line[0].upper()}{line[1:]}" for line in found.inconclusive]
     told += [f"Margin missing: {line}" for line in found.margin_missing]
-    told += [f"{line[0].upper()}{line[1:]}" for line in found.margin_not_decided]
+    told += [f"{line[0].upper()}{line[1:]}" for line in found.margin_inconclusive]
     if not told:
         stated = states_limits(robot, needs)
         told = ["Every limit of the robot file suffices." if stated else "The robot file states no limit."]
@@ -171,8 +171,8 @@ def _data_of_noise(found: LimitMargins, needs: ActuatorRequirementsResult) -> di
     unknown = doubt(needs)
     return {
         "std": dict(needs.std),
-        "not_decided": found.not_decided,
-        "margin_not_decided": found.margin_not_decided,
+        "inconclusive": found.inconclusive,
+        "margin_inconclusive": found.margin_inconclusive,
         "warnings": [] if unknown is None else [unknown],
     }
 

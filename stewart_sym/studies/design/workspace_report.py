@@ -104,8 +104,8 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
             "lengths": limits.lengths,
             "joint_angles": limits.joint_angles,
             "forces": limits.forces,
-            "scaled_condition_number": limits.condition,
-            "clearance_m": limits.clearance,
+            "max_condition": limits.max_condition,
+            "min_clearance_m": limits.min_clearance,
             "load_N_N_m": limits.load,
         },
         "volume": found.volume,
@@ -140,16 +140,16 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
         f"robot      {robot.name}",
         f"workspace  {_title(found)}",
         f"limits     {', '.join(_limits(robot, limits)) or 'none'}",
-        f"volume     {_size(found)}, of {found.samples:,} poses",
+        f"volume     {_size(found)}, from {found.samples:,} random poses",
     ]
     if found.tool.any():
         point = ", ".join(f"{x:.4g}" for x in found.tool)
         lines.insert(2, f"point      tool of the robot file, ({point}) m, platform frame: positions and load")
     if found.kind != "six_dof":
         distance = f"{found.distance_to_limit:.4g} {_clear_unit(found)}"
-        clear = f"at most {distance} from the pose in the middle, to the nearest"
-        clear = f"{clear} that" if np.isfinite(found.distance_to_limit) else "no pose"
-        lines.append(f"clear      {clear} was found beyond a limit")
+        nearest = f"at most {distance} from the center pose to the nearest pose beyond a limit"
+        known = np.isfinite(found.distance_to_limit)
+        lines.append(f"distance   {nearest if known else 'no random pose is beyond a limit'}")
     rows = [
         (name, *("-" if np.isnan(x) else f"{x:.4g}" for x in (low, high)), f"{least:.4g}", f"{most:.4g}")
         for name, (low, high), (least, most) in zip(_names(found), found.extent, found.bounds, strict=True)
@@ -172,10 +172,10 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
         yield "leg lengths"
     if limits.joint_angles and robot.has_joint_angle_limits:
         yield "joint angles"
-    if limits.clearance > 0.0:
-        yield f"leg clearance {limits.clearance:g} m"
-    if limits.condition < math.inf:
-        yield f"scaled condition number {limits.condition:g}"
+    if limits.min_clearance > 0.0:
+        yield f"leg clearance {limits.min_clearance:g} m"
+    if limits.max_condition < math.inf:
+        yield f"scaled condition number {limits.max_condition:g}"
     if limits.forces and np.isfinite(robot.force_limit).any():
         yield "actuator forces at rest" + (" under the load" if limits.load.any() else "")
 

@@ -120,7 +120,7 @@ def from_measurement(
     base = base_parameters(moved, smooth, friction, identical_legs)
     found = identify(moved, motion, F, sigma, base, noise, physical, drive_terms=drive)
     if bad.any():
-        said = f"motion: {np.count_nonzero(bad)} of {len(bad)} instants at wrong rows are left out of the fit"
+        said = f"motion: {np.count_nonzero(bad)} of {len(bad)} samples at wrong rows are left out of the fit"
         found = replace(found, warnings=(*found.warnings, f"{said}; check these rows"))
     if of_tool:
         base = base_parameters(robot, smooth.at_point(-robot.tool), friction, identical_legs)
@@ -394,7 +394,7 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
     return _report(
         [
             _count(robot, estimate.base),
-            f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} instants; "
+            f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} samples; "
             f"condition number {excited.condition:.4g}",
             _noise(found.force_std, found.pose_noise),
             *verdict(estimate),

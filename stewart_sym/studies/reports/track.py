@@ -230,7 +230,7 @@ class Digest:
         header = ["leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"]
         header += ["joint angles, degrees"] if angles else []
         text = (
-            f"{len(self.time)} instant{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
+            f"{len(self.time)} sample{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
             f"number of H up to {condition:.4g} (at {time_text(when, self.step)} s)\n"
             f"{aligned(header, rows)}"
         )
