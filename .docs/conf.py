@@ -49,4 +49,6 @@ html_show_copyright = False
 html_math_renderer = "mathml"
 # Typographic quotes and dashes would change options such as --help.
 smartquotes = False
-pygments_style = "friendly"
+# Comments contain results, so their contrast must be sufficient.
+pygments_style = "default"
+pygments_dark_style = "monokai"

@@ -26,6 +26,11 @@ For your own machine, load a robot file with ``ss.Robot.from_toml("robot.toml")`
 import os
 from _thread import RLock
 
+# In a clone, whose package precedes an installed one if Python starts there, the folders ``generated``
+# and ``derive`` are next to it.
+if not os.path.isdir(os.path.join(__path__[0], "generated")):
+    __path__.append(os.path.dirname(os.path.abspath(__path__[0])))
+
 # Modules are imported when a name is first used, so that the command line soon handles interrupts cleanly.
 _modules: dict[str, str] = {}
 # A fork waits for imports, because its child would wait forever for the locks of an importing thread.

@@ -8,6 +8,7 @@
 
 import argparse
 import inspect
+import re
 from importlib import import_module
 from typing import ClassVar
 
@@ -63,7 +64,7 @@ class Subcommands(SphinxDirective):
 
     def _section(self, name: str, parser: argparse.ArgumentParser) -> nodes.section:
         section = nodes.section("", nodes.title(text=name), ids=[nodes.make_id(f"stewart-sym-{name}")])
-        section += [nodes.paragraph(text=line) for line in parser.description.splitlines()]
+        section += [_paragraph(line) for line in parser.description.splitlines()]
         section += _code(parser.format_usage().removeprefix("usage: "))
         for group in parser._action_groups:
             shown = [each for each in group._group_actions if each.dest != "help"]
@@ -83,8 +84,16 @@ def _options(parser: argparse.ArgumentParser, actions: list[argparse.Action]) ->
     for action in actions:
         term = nodes.term("", "", nodes.literal(text=formatter._format_action_invocation(action)))
         text = formatter._expand_help(action) if action.help else ""
-        found += nodes.definition_list_item("", term, nodes.definition("", nodes.paragraph(text=text)))
+        found += nodes.definition_list_item("", term, nodes.definition("", _paragraph(text)))
     return found
+
+
+def _paragraph(text: str) -> nodes.paragraph:
+    """Return a paragraph with the words between backticks as code."""
+    parts = enumerate(text.split("`"))
+    return nodes.paragraph(
+        "", "", *(nodes.literal(text=part) if i % 2 else nodes.Text(part) for i, part in parts)
+    )
 
 
 def _code(text: str) -> nodes.literal_block:
@@ -142,8 +151,28 @@ class Machine(SphinxDirective):
         return [nodes.raw("", frame(view, _HEIGHT), format="html")]
 
 
+def _is_alias(app: Sphinx, what: str, name: str, obj: object, skip: bool, options: object) -> bool | None:
+    """Skip the fields of a named tuple, which the section Attributes describes."""
+    return True if str(getattr(obj, "__doc__", "")).startswith("Alias for field number") else None
+
+
+def _named_defaults(
+    app: Sphinx,
+    what: str,
+    name: str,
+    obj: object,
+    options: object,
+    signature: str | None,
+    returned: str | None,
+) -> tuple[str, str | None] | None:
+    """Write functions among the defaults of a signature with their names."""
+    return None if signature is None else (re.sub(r"<function (\w+)>", r"\1", signature), returned)
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Register the directives."""
+    """Register the directives and the corrections of autodoc."""
+    app.connect("autodoc-skip-member", _is_alias)
+    app.connect("autodoc-process-signature", _named_defaults)
     for directive in (Statuses, Structs, Subcommands, Public, Machine):
         app.add_directive(directive.__name__.lower(), directive)
     return {"parallel_read_safe": True}

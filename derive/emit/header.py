@@ -8,10 +8,7 @@ from ..kernel.tree.constants import STATUSES
 from ..mechanics.quantities import MOTION, OF_LEG, PLATFORM
 from ..print.template import filled
 
-_MORE = {
-    "BAD_ARGUMENT": ", or the function names another invalid argument, such as stride < count",
-    "NOT_CONVERGED": ", or R of the guess is not a rotation",
-}
+_MORE = {"NOT_CONVERGED": ", or R of the guess is not a rotation"}
 """Causes of a status in addition to its text."""
 _MATRICES = {q.name: q for q in (*OF_LEG, *PLATFORM, *MOTION) if len(q.shape) == 2}
 

@@ -53,7 +53,7 @@ typedef double stewart_real;
 #define STEWART_ZERO_LENGTH 2 /* a leg has length zero */
 #define STEWART_JOINT_SINGULAR 3 /* a leg lies along the fixed axis of its universal joint */
 #define STEWART_SINGULAR 4 /* H is singular: no leg forces can hold the platform */
-#define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null, or the function names another invalid argument, such as stride < count */
+#define STEWART_BAD_ARGUMENT 5 /* an argument is invalid: a pointer is null, stride < count, or an index is out of range */
 #define STEWART_MASS_MATRIX_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
 #define STEWART_NOT_CONVERGED 7 /* no pose with these leg lengths was found, or R of the guess is not a rotation */
 

@@ -40,9 +40,14 @@ typedef struct {
 /* Six legs at a pose, and their equations. */
 typedef struct {
     stewart_real A[6][7]; /* 1: rows [s, q x s / size] of J, and a right side; then a triangle */
+    stewart_real q[6][3]; /* m: platform points from the reference point, base frame */
+    stewart_real S[6][3]; /* m: leg vectors, base frame */
     stewart_real L[6]; /* m: lengths */
     stewart_real reach; /* m: largest component of the terms of S = q + t - b */
     stewart_real of_inverse; /* 1: square of the size of J^-1 */
+    stewart_real first; /* m^2: square of the first step of a search */
+    stewart_real last; /* m^2: square of its last step */
+    int straight; /* 1 if each step is at most half as long as the one before */
 } legs_at_pose;
 
 /* What the search of a pose finds. */
@@ -228,30 +233,48 @@ static leg_rates rates_of(const stewart_robot *robot, const stewart_motion *moti
     return out;
 }
 
-/* Lengths and J of the legs at a pose; returns a status. */
-static int legs_at(
-    const stewart_robot *robot, const stewart_pose *pose, stewart_real per_size, legs_at_pose *out)
+/* Vectors and lengths of the legs at a pose; returns a status. */
+static int legs_at(const stewart_robot *robot, const stewart_pose *pose, legs_at_pose *legs)
 {
     int i;
     int j;
     int status = STEWART_OK;
-    out->reach = REAL(0);
+    legs->reach = REAL(0);
     for (i = 0; i < 6; ++i) {
         leg_vectors leg;
         leg = vectors_of(&robot->leg[i], pose);
         const stewart_real reach = reach_of(robot->leg[i].b, pose->t, leg.q);
         const int fault = fault_of(leg.L, REAL(1), reach);
         status = (status == STEWART_OK) ? fault : status;
+        for (j = 0; j < 3; ++j) {
+            legs->q[i][j] = leg.q[j];
+            legs->S[i][j] = leg.S[j];
+        }
+        legs->L[i] = leg.L;
+        legs->reach = STEWART_LARGER(reach, legs->reach);
+    }
+    return status;
+}
+
+/* Compute J of the legs at a pose. */
+static void rows_at(legs_at_pose *legs, stewart_real per_size)
+{
+    int i;
+    int j;
+    leg_vectors leg = {{0, 0, 0}, {0, 0, 0}, 0};
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            leg.q[j] = legs->q[i][j];
+            leg.S[j] = legs->S[i][j];
+        }
+        leg.L = legs->L[i];
         leg_row row;
         row = row_of(&leg);
         for (j = 0; j < 3; ++j) {
-            out->A[i][j] = row.H_force[j];
-            out->A[i][j + 3] = row.H_moment[j]*per_size;
+            legs->A[i][j] = row.H_force[j];
+            legs->A[i][j + 3] = row.H_moment[j]*per_size;
         }
-        out->L[i] = leg.L;
-        out->reach = STEWART_LARGER(reach, out->reach);
     }
-    return status;
 }
 
 /* Root mean square distance of the platform points from the reference point, by which moments are
@@ -270,7 +293,8 @@ static stewart_real platform_size(const stewart_robot *robot)
     return (extent > STEWART_SHORTEST) ? extent : REAL(1);
 }
 
-/* Makes a triangle of [J | right side] by Householder's reflections. */
+/* Makes a triangle of [J | right side] by Householder's reflections. Its diagonal holds reciprocals, or
+ * 0 where the entry is 0. */
 static void reflect(stewart_real A[6][7])
 {
     int i;
@@ -296,52 +320,60 @@ static void reflect(stewart_real A[6][7])
                 A[i][j] = A[i][j] + (total*A[i][k]);
             }
         }
-        A[k][k] = diagonal;
+        A[k][k] = factor*first;
     }
 }
 
-/* x of the triangle's equations, the last first; 0 where the diagonal entry is. */
-static void substitute(stewart_real A[6][7], stewart_real x[6])
+/* Compute x of the triangle's equations, the last first, or 0 where the diagonal entry is 0. Return the
+ * square of the size of x. */
+static stewart_real substitute(stewart_real A[6][7], stewart_real x[6])
 {
     int i;
     int j;
+    stewart_real square = REAL(0);
     for (i = 5; i >= 0; --i) {
         stewart_real total = A[i][6];
-        for (j = i + 1; j < 6; ++j) {
+        for (j = 5; j > (i + 1) - 1; --j) {
             total = total - (A[i][j]*x[j]);
         }
-        x[i] = (STEWART_FABS(A[i][i]) > REAL(0)) ? total/A[i][i] : REAL(0);
+        x[i] = total*A[i][i];
+        square = square + (x[i]*x[i]);
     }
+    return square;
 }
 
 /* 1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
  * poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
- * rounding: lengths known to rounding leave the pose open. Stores |J^-1|^2 in ``legs``. */
-static int is_open(legs_at_pose *legs)
+ * rounding: lengths known to rounding leave the pose open. ``factor`` multiplies the square of the
+ * condition number. Stores |J^-1|^2 in ``legs``. */
+static int is_open(legs_at_pose *legs, stewart_real factor)
 {
     int i;
     int j;
     int k;
-    stewart_real pivot[6] = {0, 0, 0, 0, 0, 0};
-    stewart_real inverse[6] = {0, 0, 0, 0, 0, 0};
     stewart_real total = REAL(0);
     stewart_real of_inverse = REAL(0);
     int regular = 1;
     for (k = 0; k < 6; ++k) {
-        regular = (STEWART_FABS(legs->A[k][k]) > REAL(0)) ? regular : 0;
-        pivot[k] = (STEWART_FABS(legs->A[k][k]) > REAL(0)) ? REAL(1)/legs->A[k][k] : REAL(0);
-        for (i = (k + 1) - 1; i >= 0; --i) {
-            stewart_real entry = (i == k) ? REAL(1) : REAL(0);
-            for (j = i + 1; j < k + 1; ++j) {
-                entry = entry - (legs->A[i][j]*inverse[j]);
+        const stewart_real pivot = legs->A[k][k];
+        regular = (STEWART_FABS(pivot) > REAL(0)) ? regular : 0;
+        legs->A[k][6] = pivot;
+        total = total + ((STEWART_FABS(pivot) > REAL(0)) ? REAL(1)/(pivot*pivot) : REAL(0));
+        of_inverse = of_inverse + (pivot*pivot);
+        for (i = k - 1; i >= 0; --i) {
+            stewart_real entry = legs->A[i][k]*pivot;
+            for (j = i + 1; j < k; ++j) {
+                entry = entry + (legs->A[i][j]*legs->A[k][j]);
             }
-            inverse[i] = entry*pivot[i];
+            entry = (-entry)*legs->A[i][i];
+            legs->A[k][i] = entry;
             total = total + (legs->A[i][k]*legs->A[i][k]);
-            of_inverse = of_inverse + (inverse[i]*inverse[i]);
+            of_inverse = of_inverse + (entry*entry);
         }
     }
     legs->of_inverse = of_inverse;
-    return ((regular == 1) && ((REAL(256)*STEWART_EPSILON*total*of_inverse) <= REAL(1))) ? 0 : 1;
+    const stewart_real square = REAL(256)*STEWART_EPSILON*factor*total*of_inverse;
+    return ((regular == 1) && (square <= REAL(1))) ? 0 : 1;
 }
 
 /* One of Newton's steps toward the rotation nearest to R, R <- R + R (E - R^T R) / 2, or none where
@@ -354,11 +386,13 @@ static stewart_real polish(stewart_real R[9], stewart_real half)
     stewart_real lack[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real skew = REAL(0);
     for (i = 0; i < 3; ++i) {
-        for (j = 0; j < 3; ++j) {
+        for (j = i; j < 3; ++j) {
             const stewart_real product = (R[i]*R[j]) + (R[3 + i]*R[3 + j]) + (R[6 + i]*R[6 + j]);
             const stewart_real missing = ((i == j) ? REAL(1) : REAL(0)) - product;
             skew = STEWART_LARGER(STEWART_FABS(missing), skew);
-            lack[(3*i) + j] = half*missing;
+            const stewart_real part = half*missing;
+            lack[(3*i) + j] = part;
+            lack[(3*j) + i] = part;
         }
     }
     for (k = 0; k < 3; ++k) {
@@ -444,7 +478,9 @@ static stewart_real per_longest_of(const stewart_real L[6])
     return REAL(1)/longest;
 }
 
-/* Split a step x into [along; turn], no longer than a quarter of a radian and of the longest leg. */
+/* Split a step x into [along; turn], no longer than a quarter of a radian and of the longest leg. Beyond
+ * it (2) is far from the straight line that it is taken for. With it, steps need no damping: taking back
+ * those that lead away loses more poses. */
 static void trusted(
     const stewart_real x[6], stewart_real per_size, stewart_real per_longest, stewart_real along[3],
     stewart_real turn[3])
@@ -457,25 +493,13 @@ static void trusted(
     const stewart_real way = REAL(16)*per_longest*per_longest*square_of(along);
     const stewart_real angle = REAL(16)*square_of(turn);
     const stewart_real excess = STEWART_LARGER(STEWART_LARGER(way, angle), REAL(1));
-    const stewart_real shorter = REAL(1)/STEWART_SQRT(excess);
-    for (i = 0; i < 3; ++i) {
-        along[i] = along[i]*shorter;
-        turn[i] = turn[i]*shorter;
+    if (excess > REAL(1)) {
+        const stewart_real shorter = REAL(1)/STEWART_SQRT(excess);
+        for (i = 0; i < 3; ++i) {
+            along[i] = along[i]*shorter;
+            turn[i] = turn[i]*shorter;
+        }
     }
-}
-
-/* [along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted: no
- * more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight line
- * that it is taken for. With it, steps need no damping: taking back those that lead away loses more
- * poses. */
-static void newton_step(
-    legs_at_pose *legs, stewart_real per_size, stewart_real per_longest, stewart_real along[3],
-    stewart_real turn[3])
-{
-    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
-    reflect(legs->A);
-    substitute(legs->A, x);
-    trusted(x, per_size, per_longest, along, turn);
 }
 
 /* Move a pose by a step if ``going`` is 1. */
@@ -502,29 +526,42 @@ static void advance(stewart_pose *pose, const stewart_real along[3], const stewa
 }
 
 /* Step from a pose, with its legs, to lengths L. The first four steps are damped. Return 1 if a pose
- * with these lengths was found, else 0. */
+ * with these lengths was found, else 0. ``legs`` keeps the triangle of J before the last step, and the
+ * squares of the first and of the last step. */
 static int search(
     const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, stewart_real damping,
     stewart_pose *pose, legs_at_pose *legs)
 {
     int step;
+    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
     stewart_real along[3] = {0, 0, 0};
     stewart_real turn[3] = {0, 0, 0};
     const stewart_real per_longest = per_longest_of(L);
     int status = STEWART_OK;
     stewart_real worst = compare(L, legs);
     int going = 1;
+    legs->straight = 1;
+    legs->first = REAL(1e+30);
+    legs->last = REAL(1e+30);
     for (step = 0; step < STEWART_MAX_STEPS; ++step) {
         going = (status == STEWART_OK) ? going : 0;
         going = (worst > (REAL(4)*STEWART_EPSILON*legs->reach)) ? going : 0;
         if (going == 1) {
+            rows_at(legs, per_size);
             const stewart_real part = (step < 4) ? damping : REAL(0);
             if (part > REAL(0)) {
                 damp(legs->A, part);
             }
-            newton_step(legs, per_size, per_longest, along, turn);
+            reflect(legs->A);
+            const stewart_real square = substitute(legs->A, x);
+            trusted(x, per_size, per_longest, along, turn);
             advance(pose, along, turn, going);
-            status = legs_at(robot, pose, per_size, legs);
+            const stewart_real doubled = REAL(4)*square;
+            const int longer = ((worst > (STEWART_ROUNDING*legs->reach)) && (doubled > legs->last)) ? 1 : 0;
+            legs->straight = ((going == 1) && (longer == 1)) ? 0 : legs->straight;
+            legs->first = ((step == 0) && (going == 1)) ? square : legs->first;
+            legs->last = (going == 1) ? ((part > REAL(0)) ? REAL(1e+30) : square) : legs->last;
+            status = legs_at(robot, pose, legs);
             worst = compare(L, legs);
         } else {
             break;
@@ -559,16 +596,19 @@ static twist twist_of(const stewart_robot *robot, const stewart_pose *pose, cons
     int i;
     twist out = {{0, 0, 0}, {0, 0, 0}, 0};
     legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
-        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0, 0};
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0,
+        0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0,
+        0, 0, 0, 0, 0}, 0, 0, 0, 0, 0};
     stewart_real x[6] = {0, 0, 0, 0, 0, 0};
     const stewart_real per_size = REAL(1)/platform_size(robot);
-    int status = legs_at(robot, pose, per_size, &legs);
+    int status = legs_at(robot, pose, &legs);
+    rows_at(&legs, per_size);
     for (i = 0; i < 6; ++i) {
         legs.A[i][6] = L_dot[i];
     }
     reflect(legs.A);
-    substitute(legs.A, x);
-    const int unsettled = is_open(&legs);
+    (void)substitute(legs.A, x);
+    const int unsettled = is_open(&legs, REAL(1));
     status = ((status == STEWART_OK) && (unsettled == 1)) ? STEWART_SINGULAR : status;
     for (i = 0; i < 3; ++i) {
         out.v[i] = x[i];
@@ -580,31 +620,31 @@ static twist twist_of(const stewart_robot *robot, const stewart_pose *pose, cons
     return out;
 }
 
-/* Estimate the direction x, of length 1, that changes the lengths least, by inverse iteration. */
-static void flattest(stewart_real A[6][7], stewart_real x[6])
+/* Estimate the direction x that changes the lengths least, by inverse iteration. */
+static void flattest(const legs_at_pose *legs, stewart_real x[6])
 {
     int i;
-    int j;
+    int k;
     int turn;
+    stewart_real y[6] = {0, 0, 0, 0, 0, 0};
+    const stewart_real shrink = REAL(1)/legs->of_inverse;
     for (i = 0; i < 6; ++i) {
         x[i] = REAL(1);
     }
     for (turn = 0; turn < 3; ++turn) {
-        for (i = 0; i < 6; ++i) {
-            stewart_real total = x[i];
-            for (j = 0; j < i; ++j) {
-                total = total - (A[j][i]*A[j][6]);
+        for (k = 0; k < 6; ++k) {
+            stewart_real total = legs->A[k][6]*x[k];
+            for (i = 0; i < k; ++i) {
+                total = total + (legs->A[k][i]*x[i]);
             }
-            A[i][6] = (STEWART_FABS(A[i][i]) > REAL(0)) ? total/A[i][i] : REAL(0);
+            y[k] = total*shrink;
         }
-        substitute(A, x);
-        stewart_real square = REAL(0);
         for (i = 0; i < 6; ++i) {
-            square = square + (x[i]*x[i]);
-        }
-        const stewart_real per_norm = (square > REAL(0)) ? REAL(1)/STEWART_SQRT(square) : REAL(0);
-        for (i = 0; i < 6; ++i) {
-            x[i] = x[i]*per_norm;
+            stewart_real total = legs->A[i][6]*y[i];
+            for (k = i + 1; k < 6; ++k) {
+                total = total + (legs->A[k][i]*y[k]);
+            }
+            x[i] = total;
         }
     }
 }
@@ -617,21 +657,18 @@ static void cross(const stewart_real x[3], const stewart_real y[3], stewart_real
     out[2] = (x[0]*y[1]) - (x[1]*y[0]);
 }
 
-/* Move a pose near the one with the same lengths behind the next singular pose. The step goes along the
+/* Estimate the step x to the pose with the same lengths behind the next singular pose. It goes along the
  * flattest direction, twice as far as the rate of the lengths takes to become 0. */
-static void go_beyond(
-    const stewart_robot *robot, stewart_real per_size, stewart_real per_longest, stewart_pose *pose,
-    legs_at_pose *legs)
+static void step_beyond(const legs_at_pose *legs, stewart_real per_size, stewart_real x[6])
 {
     int i;
     int j;
-    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
+    stewart_real q[3] = {0, 0, 0};
     stewart_real v[3] = {0, 0, 0};
     stewart_real omega[3] = {0, 0, 0};
     stewart_real turning[3] = {0, 0, 0};
-    (void)legs_at(robot, pose, per_size, legs);
-    reflect(legs->A);
-    flattest(legs->A, x);
+    stewart_real bending[3] = {0, 0, 0};
+    flattest(legs, x);
     for (i = 0; i < 3; ++i) {
         v[i] = x[i];
         omega[i] = x[i + 3]*per_size;
@@ -639,26 +676,21 @@ static void go_beyond(
     stewart_real square = REAL(0);
     stewart_real bent = REAL(0);
     for (i = 0; i < 6; ++i) {
-        leg_vectors leg;
-        leg = vectors_of(&robot->leg[i], pose);
-        cross(omega, leg.q, turning);
+        for (j = 0; j < 3; ++j) {
+            q[j] = legs->q[i][j];
+        }
+        cross(omega, q, turning);
+        cross(omega, turning, bending);
         stewart_real rate = REAL(0);
-        stewart_real speed = REAL(0);
-        stewart_real inward = REAL(0);
-        stewart_real around = REAL(0);
-        stewart_real along = REAL(0);
+        stewart_real second = REAL(0);
         for (j = 0; j < 3; ++j) {
             const stewart_real moving = v[j] + turning[j];
-            rate = rate + (leg.S[j]*moving);
-            speed = speed + (moving*moving);
-            around = around + (omega[j]*leg.q[j]);
+            rate = rate + (legs->S[i][j]*moving);
+            second = second + (moving*moving) + (legs->S[i][j]*bending[j]);
         }
-        for (j = 0; j < 3; ++j) {
-            inward = inward + (leg.S[j]*leg.q[j]);
-            along = along + (leg.S[j]*omega[j]);
-        }
-        rate = rate/leg.L;
-        const stewart_real second = (((speed - (rate*rate)) + (along*around)) - (square_of(omega)*inward))/leg.L;
+        const stewart_real per_L = REAL(1)/legs->L[i];
+        rate = rate*per_L;
+        second = (second - (rate*rate))*per_L;
         square = square + (rate*rate);
         bent = bent + (rate*second);
     }
@@ -667,8 +699,6 @@ static void go_beyond(
     for (i = 0; i < 6; ++i) {
         x[i] = way*x[i];
     }
-    trusted(x, per_size, per_longest, v, omega);
-    advance(pose, v, omega, 1);
 }
 
 /* Compute the squares of the distance (m^2) and of the angle (rad^2) between poses. */
@@ -690,49 +720,104 @@ static void apart(const stewart_pose *one, const stewart_pose *other, stewart_re
     squares[1] = chord*(REAL(1) + (chord*(REAL(0.08333333333333333) + (REAL(0.011111111111111112)*chord))));
 }
 
-/* Return 1 if any other pose with the same lengths is farther away than twice a distance, else 0.
- *
- * ``away`` is the square of the distance. An estimate of second order, from second derivatives at this
- * pose. */
-static int is_nearest(
-    const stewart_robot *robot, stewart_real per_size, stewart_real away, const legs_at_pose *legs)
+/* Estimate the rate of J at a pose (1/m), from the shortest leg and the size of the platform. */
+static stewart_real bend_of(stewart_real per_size, const legs_at_pose *legs)
 {
     int i;
-    int j;
     stewart_real shortest = legs->L[0];
-    stewart_real arm = REAL(0);
-    for (i = 0; i < 6; ++i) {
+    for (i = 1; i < 6; ++i) {
         shortest = (legs->L[i] < shortest) ? legs->L[i] : shortest;
-        stewart_real square = REAL(0);
-        for (j = 0; j < 3; ++j) {
-            square = square + (robot->leg[i].p[j]*robot->leg[i].p[j]);
-        }
-        arm = STEWART_LARGER(square, arm);
     }
-    arm = arm*per_size*per_size;
-    const stewart_real bend = ((REAL(1) + arm)/shortest) + (STEWART_SQRT(arm)*per_size);
-    return ((bend*bend*away*legs->of_inverse) <= REAL(1)) ? 1 : 0;
+    return (REAL(2)/shortest) + per_size;
 }
 
-/* Replace ``pose``, the nearest found so far, by the first pose of a search, and return a status. The
- * third search starts behind the next singular pose, the others at the guess. */
-static int start_of(
-    const stewart_robot *robot, int number, const stewart_real L[6], stewart_real per_size,
-    const stewart_pose *guess, stewart_pose *pose, legs_at_pose *legs)
+/* Return 1 if the lengths do not determine the pose that a search found, else 0. The triangle before the
+ * last step suffices if this step hardly changed J; ``flat`` is 1 over the square of the rate of J. */
+static int settle(stewart_real per_size, stewart_real flat, legs_at_pose *legs)
+{
+    int unsettled = is_open(legs, REAL(4));
+    const int redo = ((REAL(4096)*legs->last*legs->of_inverse) <= flat) ? unsettled : 1;
+    if (redo == 1) {
+        rows_at(legs, per_size);
+        reflect(legs->A);
+        unsettled = is_open(legs, REAL(1));
+    }
+    return unsettled;
+}
+
+/* Move a pose, with its triangle, behind the next singular pose. Return 1 if the pose there is estimated
+ * to be less than sqrt(2) times as far from the guess as the nearest pose found, else 0. */
+static int pass_over(
+    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, stewart_real best,
+    const stewart_pose *start, stewart_pose *pose, const legs_at_pose *legs)
 {
     int i;
-    if (number == 2) {
-        go_beyond(robot, per_size, per_longest_of(L), pose, legs);
-    } else {
+    (void)robot;
+    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
+    stewart_real along[3] = {0, 0, 0};
+    stewart_real turn[3] = {0, 0, 0};
+    stewart_real squares[2] = {0, 0};
+    stewart_pose there = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
+    step_beyond(legs, per_size, x);
+    for (i = 0; i < 3; ++i) {
+        along[i] = x[i];
+        turn[i] = x[i + 3]*per_size;
+    }
+    int hopeful = ((square_of(along) + square_of(turn)) >= (REAL(6)*best)) ? 0 : 1;
+    if (hopeful == 1) {
         for (i = 0; i < 9; ++i) {
-            pose->R[i] = guess->R[i];
+            there.R[i] = pose->R[i];
         }
         for (i = 0; i < 3; ++i) {
-            pose->t[i] = guess->t[i];
+            there.t[i] = pose->t[i];
+        }
+        advance(&there, along, turn, 1);
+        apart(&there, start, squares);
+        hopeful = ((squares[0] + squares[1]) >= (REAL(2)*best)) ? 0 : hopeful;
+        trusted(x, per_size, per_longest_of(L), along, turn);
+        advance(pose, along, turn, 1);
+    }
+    return hopeful;
+}
+
+/* Compute the triangle of J at a pose. */
+static void measure(
+    const stewart_robot *robot, stewart_real per_size, const stewart_pose *pose, legs_at_pose *legs)
+{
+    (void)legs_at(robot, pose, legs);
+    rows_at(legs, per_size);
+    reflect(legs->A);
+    (void)is_open(legs, REAL(1));
+}
+
+/* Return 1 if the steps of a search shrank by halves, and the first one was 0.7 to 1.4 times as long as
+ * the way to the result, else 0. ``away`` is the square of the way (m^2). */
+static int is_straight(stewart_real away, const legs_at_pose *legs)
+{
+    const stewart_real least = STEWART_HALF*away;
+    const stewart_real most = REAL(2)*away;
+    return ((legs->first >= least) && (legs->first <= most)) ? legs->straight : 0;
+}
+
+/* Replace ``pose``, the nearest found so far, by the first pose of a search. The third search starts
+ * behind the next singular pose, the others at the guess. Return 1 if the search may find a nearer pose. */
+static int start_of(
+    const stewart_robot *robot, int number, const stewart_real L[6], stewart_real per_size,
+    stewart_real best, const stewart_pose *start, stewart_pose *pose, const legs_at_pose *legs)
+{
+    int i;
+    int hopeful = 1;
+    if (number == 2) {
+        hopeful = pass_over(robot, L, per_size, best, start, pose, legs);
+    } else {
+        for (i = 0; i < 9; ++i) {
+            pose->R[i] = start->R[i];
+        }
+        for (i = 0; i < 3; ++i) {
+            pose->t[i] = start->t[i];
         }
     }
-    const int status = legs_at(robot, pose, per_size, legs);
-    return status;
+    return hopeful;
 }
 
 /* Return the pose for lengths L that is nearest to a guess, and a status. */
@@ -742,7 +827,9 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
     int turn;
     found_pose out = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, 0};
     legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
-        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0, 0};
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0,
+        0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0,
+        0, 0, 0, 0, 0}, 0, 0, 0, 0, 0};
     stewart_pose start = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
     stewart_pose pose = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
     stewart_real squares[2] = {0, 0};
@@ -759,6 +846,8 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
     status = ((status != STEWART_OK) || (near == 1)) ? status : STEWART_NOT_CONVERGED;
     int going = (status == STEWART_OK) ? 1 : 0;
     stewart_real best = STEWART_MAX;
+    int straight = 0;
+    int measured = 1;
     for (i = 0; i < 9; ++i) {
         out.pose.R[i] = start.R[i];
     }
@@ -766,24 +855,33 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
         out.pose.t[i] = start.t[i];
     }
     for (turn = 0; turn < STEWART_MAX_SEARCHES; ++turn) {
-        if (going == 1) {
+        int active = ((turn == 1) && (straight == 1)) ? 0 : going;
+        if ((turn == 2) && (active == 1) && (measured == 0)) {
             for (i = 0; i < 9; ++i) {
                 pose.R[i] = out.pose.R[i];
             }
             for (i = 0; i < 3; ++i) {
                 pose.t[i] = out.pose.t[i];
             }
-            int fault = start_of(robot, turn, L, per_size, &start, &pose, &legs);
+            measure(robot, per_size, &pose, &legs);
+        }
+        if (active == 1) {
+            const int hopeful = start_of(robot, turn, L, per_size, best, &start, &pose, &legs);
+            active = (hopeful == 1) ? active : 0;
+        }
+        if (active == 1) {
+            int fault = legs_at(robot, &pose, &legs);
             status = ((turn == 0) && (status == STEWART_OK)) ? fault : status;
-            going = (status == STEWART_OK) ? going : 0;
+            active = (status == STEWART_OK) ? active : 0;
             const stewart_real damping = (turn == 1) ? REAL(0.001) : REAL(0);
             const int found = search(robot, L, per_size, damping, &pose, &legs);
-            reflect(legs.A);
-            const int unsettled = is_open(&legs);
+            const stewart_real bend = bend_of(per_size, &legs);
+            const stewart_real flat = REAL(1)/(bend*bend);
+            const int unsettled = settle(per_size, flat, &legs);
             fault = (unsettled == 1) ? STEWART_SINGULAR : STEWART_OK;
             apart(&pose, &start, squares);
-            const stewart_real away = squares[0] + squares[1];
-            const int take = ((going == 1) && (found == 1) && (away < best)) ? 1 : 0;
+            stewart_real away = squares[0] + squares[1];
+            const int take = ((active == 1) && (found == 1) && (away < best)) ? 1 : 0;
             best = (take == 1) ? away : best;
             status = (take == 1) ? fault : status;
             for (i = 0; i < 9; ++i) {
@@ -792,10 +890,14 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
             for (i = 0; i < 3; ++i) {
                 out.pose.t[i] = (take == 1) ? pose.t[i] : out.pose.t[i];
             }
-            const int settled = is_nearest(robot, per_size, squares[0] + (length*length*squares[1]), &legs);
-            going = ((found == 1) && (settled == 1)) ? 0 : going;
-        } else {
-            break;
+            measured = take;
+            away = squares[0] + (length*length*squares[1]);
+            straight = is_straight(away, &legs);
+            const stewart_real bound = away*legs.of_inverse;
+            const stewart_real farthest = REAL(512)*flat;
+            straight = ((found == 1) && (bound <= farthest)) ? straight : 0;
+            going = (status == STEWART_OK) ? going : 0;
+            going = ((active == 1) && (found == 1) && (bound <= flat)) ? 0 : going;
         }
     }
     status = ((status == STEWART_OK) && (best >= STEWART_MAX)) ? STEWART_NOT_CONVERGED : status;

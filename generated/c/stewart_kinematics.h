@@ -11,14 +11,15 @@
  * Operations for six legs
  * lengths         162 (72 mul, 84 add, 0 div, 6 sqrt)
  * lengths, rates  270 (126 mul, 132 add, 6 div, 6 sqrt)
- * search          1161 (606 mul, 519 add, 22 div, 14 sqrt)
- * step            975 (516 mul, 426 add, 20 div, 13 sqrt)
- * velocity        969 (509 mul, 421 add, 26 div, 13 sqrt)
- * Forward kinematics requires the operations of `search` once per search and of `step` once per step. For guesses
- * within 0.001, 0.05, and 0.3 rad and the same fractions of the longest leg, 99 of 100 poses of random robots
- * require at most 3, 4, and 6 steps. In float they require at most 2, 3, and 5 steps. A second and a third
- * search follow unless an estimate of second order shows that the first result is the nearest one to the guess. The
- * estimate usually suffices within 0.02 (m and rad) of a pose that is not near a singular pose.
+ * search          1240 (666 mul, 538 add, 23 div, 13 sqrt)
+ * step            973 (523 mul, 423 add, 14 div, 13 sqrt)
+ * velocity        967 (522 mul, 412 add, 20 div, 13 sqrt)
+ * Forward kinematics requires at most the operations of `search` once per search and of `step` once per step. For
+ * guesses within 0.001, 0.05, and 0.3 rad and the same fractions of the longest leg, 99 of 100 poses of random robots
+ * require at most 3, 4, and 6 steps. In float they require at most 2, 3, and 5 steps. A second search follows
+ * if the steps did not shrink, or if the first step was not about as long as the way to the result. A third search
+ * follows if another pose is estimated to be near, behind the next singular pose. Within 0.05 (m and rad) of a pose
+ * that is not near a singular pose, one search usually suffices.
  * STEWART_MAX_SEARCHES 1 omits these searches.
  */
 #ifndef STEWART_KINEMATICS_H

@@ -24,6 +24,7 @@ OPTIONS = {
 }
 VALUES = {
     "constant": "constant_orientation",
+    "joint-angles": "joint_angles",
     "peak-force": "peak_force",
     "total": "six_dof",
 }

@@ -34,18 +34,18 @@ class LimitMargins(NamedTuple):
     ----------
     exceeded : list of str
         Limits that a requirement exceeds.
-    not_decided : list of str
+    inconclusive : list of str
         Limits that are inconclusive because of noise, each after its status.
     margin_missing : list of str
         Limits that are sufficient without the margin, but not with it.
-    margin_not_decided : list of str
+    margin_inconclusive : list of str
         Limits that are sufficient without the margin, but inconclusive with it, each after its status.
     """
 
     exceeded: list[str]
-    not_decided: list[str]
+    inconclusive: list[str]
     margin_missing: list[str]
-    margin_not_decided: list[str]
+    margin_inconclusive: list[str]
 
     def add(self, verdict: str, line: str, margin: str = "") -> None:
         """Add the status of a limit; ``margin`` precedes the status if it includes the margin."""

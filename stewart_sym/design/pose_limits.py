@@ -44,10 +44,10 @@ class PoseLimits(Frozen):
     ----------
     lengths, joint_angles, forces : bool, optional
         Flags that apply the robot's limits of leg lengths, joint angles, and actuator forces.
-    condition : float, optional
+    max_condition : float, optional
         Largest scaled condition number of H (dimensionless). If it is finite, det H must also have the same
         sign as at the home pose, because other poses can be reached only through a singular pose.
-    clearance : float, optional
+    min_clearance : float, optional
         Smallest distance between the center lines of two legs (m). Legs with a common joint are ignored.
     load : array_like, shape (6,), optional
         External wrench [F_ext; M_ext] on the platform (N, N m) in the platform frame, as in ``Motion``, that
@@ -62,17 +62,17 @@ class PoseLimits(Frozen):
     lengths: bool = True
     joint_angles: bool = True
     forces: bool = True
-    condition: float = math.inf
-    clearance: float = 0.0
+    max_condition: float = math.inf
+    min_clearance: float = 0.0
     load: Array = field(default_factory=lambda: np.zeros(6))
 
     def __post_init__(self) -> None:
         """Check all fields."""
         for name in ("lengths", "joint_angles", "forces"):
             truth(getattr(self, name), name)
-        if not (isinstance(self.condition, float) and self.condition == math.inf):
-            number_in(self.condition, "condition", "a number > 1, or infinity for no limit", low=1.0)
-        number_in(self.clearance, "clearance", "a distance >= 0 m", closed=True)
+        if not (isinstance(self.max_condition, float) and self.max_condition == math.inf):
+            number_in(self.max_condition, "max_condition", "a number > 1, or infinity for no limit", low=1.0)
+        number_in(self.min_clearance, "min_clearance", "a distance >= 0 m", closed=True)
         self._set({"load": finite_array(self.load, (6,), "load").reshape(6)})
 
 
@@ -88,7 +88,7 @@ def need_clearance(robot: Robot, clearance: float) -> None:
     tight = np.flatnonzero((distances < clearance) & _apart(robot))
     if tight.size:
         raise ValueError(
-            f"clearance: expected less than {distances[tight[0]]:.4g} m, the distance of joints of "
+            f"min_clearance: expected less than {distances[tight[0]]:.4g} m, the distance of joints of "
             f"{legs_text(PAIRS[tight[0]])}, got {clearance:g} m"
         )
 
@@ -118,7 +118,7 @@ class PoseExaminer(Frozen):
         t = home_pose(self.robot).t
         H = self._rows(*leg_vectors(self.robot, np.eye(3), t))
         self._set({"up": up_direction(self.robot).copy(), "side": float(np.sign(np.linalg.det(H)))})
-        need_clearance(self.robot, self.limits.clearance)
+        need_clearance(self.robot, self.limits.min_clearance)
 
     def broken_limits(self, R: Array, t: Array) -> NDArray[np.int8]:
         """Return the code of the first limit that each pose violates, an index of ``REASONS``, shape (n,).
@@ -173,10 +173,10 @@ class PoseExaminer(Frozen):
             keep(np.all((low <= L[left]) & (L[left] <= high), axis=-1), LENGTH)
         if limits.joint_angles and robot.has_joint_angle_limits:
             keep(self._angles_kept(R[left], S[left], L[left]), ANGLE)
-        if limits.clearance > 0.0:
+        if limits.min_clearance > 0.0:
             apart = _apart(robot)
-            keep(np.all(distances_of(robot.b, S[left])[:, apart] >= limits.clearance, axis=-1), CLEARANCE)
-        if limits.condition < math.inf:
+            keep(np.all(distances_of(robot.b, S[left])[:, apart] >= limits.min_clearance, axis=-1), CLEARANCE)
+        if limits.max_condition < math.inf:
             keep(self._conditions_kept(q[left], S[left], L[left]), CONDITION)
         if limits.forces and np.isfinite(robot.force_limit).any():
             keep(self._forces_kept(R[left], t[left]), FORCE)
@@ -197,7 +197,7 @@ class PoseExaminer(Frozen):
         return rows
 
     def _conditions_kept(self, q: Array, S: Array, L: Array) -> Flags:
-        rows, most = self._rows(q, S, L), self.limits.condition
+        rows, most = self._rows(q, S, L), self.limits.max_condition
         kept = np.sign(np.linalg.det(rows)) == self.side
         rows = rows[kept]
         # The condition number in the Frobenius norm is between one and six times the exact value.

@@ -309,10 +309,10 @@ class Summary:
             )
             self._square_sd = self._square_sd + np.sum(each * np.where(counted, sd.torque, 0.0) ** 2, axis=0)
 
-        def when(instants: list[int]) -> list[str]:
+        def when(samples: list[int]) -> list[str]:
             if time is None:
-                return [f"sample {self.count + i}" for i in instants]
-            return [f"{time_text(time[i], self.step)} s" for i in instants]
+                return [f"sample {self.count + i}" for i in samples]
+            return [f"{time_text(time[i], self.step)} s" for i in samples]
 
         for name, extremes in self.extremes.items():
             values = getattr(flat, name)

@@ -15,7 +15,7 @@ from ..motion.sample_times import elapsed, least_step, time_text
 from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..robot.robot import LEGS, Robot
 from .effort import trapezoids
-from .limit_status import AT_REPLACED, USED_UP, Beyond, Extremes, amount_text, status_codes
+from .limit_status import INCONCLUSIVE_REPLACED_ROWS, USED_UP, Beyond, Extremes, amount_text, status_codes
 from .noise import Deviations, reached_legs
 
 # Largest number of replaced rows in one line.
@@ -139,7 +139,7 @@ class LegLimits:
         if self._count[k, worst]:
             share = f"at {int(self._count[k, worst])} of {len(self.time)} samples"
             text += f"; beyond it for {self._span[k, worst]:.3g} s, {share}"
-        elif found.verdict == AT_REPLACED:
+        elif found.verdict == INCONCLUSIVE_REPLACED_ROWS:
             text += f"; because of replaced rows ({replaced_names(self.replaced)})"
         return text
 
@@ -154,7 +154,7 @@ class LegLimits:
 
     def forces(self) -> tuple[Array, Array, Flags, Array | None]:
         """Return times of possible peak forces (s), (k,), the forces (N), (k, 6), ``there``, and ``sd``."""
-        when, there, sd = self._of(FORCE).instants
+        when, there, sd = self._of(FORCE).samples
         time, F = zip(*when, strict=True)
         return np.array(time), np.array(F), there, sd
 
@@ -175,6 +175,6 @@ def replaced_names(replaced: tuple[Replaced, ...]) -> str:
     )
 
 
-def _rows(time: Array, values: Array, instants: list[int]) -> list[tuple[float, Array]]:
+def _rows(time: Array, values: Array, samples: list[int]) -> list[tuple[float, Array]]:
     # Copy the rows, because a view would keep the whole part in memory.
-    return [(float(time[i]), values[i].copy()) for i in instants]
+    return [(float(time[i]), values[i].copy()) for i in samples]

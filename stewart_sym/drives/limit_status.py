@@ -15,9 +15,9 @@ SURE = 3.0
 USED_UP = 1e-6
 """Relative tolerance of a limit for the rounding of motions that are planned at it or stopped by it."""
 
-WITHIN, EXCEEDED, NOT_DECIDED = "within_limit", "exceeded", "inconclusive_noise"
-AT_REPLACED = "inconclusive_replaced_rows"
-VERDICTS = (WITHIN, AT_REPLACED, NOT_DECIDED, EXCEEDED)
+WITHIN, EXCEEDED, INCONCLUSIVE_NOISE = "within_limit", "exceeded", "inconclusive_noise"
+INCONCLUSIVE_REPLACED_ROWS = "inconclusive_replaced_rows"
+VERDICTS = (WITHIN, INCONCLUSIVE_REPLACED_ROWS, INCONCLUSIVE_NOISE, EXCEEDED)
 """Status names in the order of their codes; the largest code of several samples is their common status."""
 
 # Standard deviation, relative to the peak force of a leg, above which forces are unknown.
@@ -35,14 +35,18 @@ def status_codes(
     """Return the codes, indices of ``VERDICTS``, of magnitudes (n, m) for limits (m,), shape (n, m).
 
     ``sd`` contains the standard deviations of the magnitudes, shape (n, m). ``there`` marks samples, shape
-    (n,), whose standard deviations include replaced rows; the status is ``AT_REPLACED`` if only these make a
-    limit inconclusive.
+    (n,), whose standard deviations include replaced rows. If only these samples make a limit inconclusive,
+    the status is ``INCONCLUSIVE_REPLACED_ROWS``.
     """
     up, down = _sides(sd)
     sure, maybe = sizes - SURE * down > limits, sizes + SURE * up > limits
     at = np.zeros(len(sizes), dtype=bool) if there is None else there
     alone = at[:, None] & ~(sizes > limits)
-    found = np.where(maybe, np.where(alone, VERDICTS.index(AT_REPLACED), VERDICTS.index(NOT_DECIDED)), 0)
+    found = np.where(
+        maybe,
+        np.where(alone, VERDICTS.index(INCONCLUSIVE_REPLACED_ROWS), VERDICTS.index(INCONCLUSIVE_NOISE)),
+        0,
+    )
     return np.where(sure, VERDICTS.index(EXCEEDED), found).astype(np.uint8)
 
 
@@ -135,7 +139,7 @@ class Extremes:
         return (np.concatenate(self._up), np.concatenate(self._down)) if self._up else None
 
     @property
-    def instants(self) -> tuple[list[Any], Flags, Array | None]:
+    def samples(self) -> tuple[list[Any], Flags, Array | None]:
         """Names of the samples, flags of replaced rows (k,), upward standard deviations (k, 6) or None."""
         return self._when, np.concatenate(self._there), np.concatenate(self._up) if self._up else None
 
@@ -169,7 +173,7 @@ class Extremes:
     def beyond(self, limits: Array) -> Iterator[Beyond]:
         """Yield every status other than ``WITHIN`` with its legs."""
         found = self.verdicts(limits)
-        for verdict in (EXCEEDED, NOT_DECIDED, AT_REPLACED):
+        for verdict in (EXCEEDED, INCONCLUSIVE_NOISE, INCONCLUSIVE_REPLACED_ROWS):
             legs = [leg for leg in range(LEGS) if found[leg] == verdict]
             if legs:
                 yield self._worst(verdict, legs, limits)

@@ -33,6 +33,11 @@ class Cross:
         Bound on the error of the lateral force at the end of the leg over the lost moment (1/m).
     twist : float
         Bound on the error of the moment on the platform over the lost moment.
+    arms : ndarray, shape (2, 3)
+        Center of mass relative to the intersection of the axes (m): of the body, and of its assigned mass.
+    turns : ndarray, shape (2, 3, 6), or None
+        Angular velocities of the body and of the part per velocity of the platform point and angular velocity
+        of the platform. None if the joints at the base leave them open.
     in_motion : bool
         True if forces in motion are exact, as forces at rest are.
     """
@@ -43,6 +48,8 @@ class Cross:
     lost: float
     lateral: float
     twist: float
+    arms: Array
+    turns: Array | None
     in_motion: bool
 
 
@@ -61,6 +68,8 @@ def crosses_of(machine: Machine, leg: Leg, ends: Array, k: Array | None) -> Iter
         Fixed axis of a universal joint at the base.
     """
     S = ends[1] - ends[0]
+    base, tip = (np.array([axis for step in steps for axis in step.axes]) for steps in (leg.base, leg.tip))
+    turns = _turns(S, base, tip) if len(base) == 2 else None
     for steps, names, point, at_base in (
         (leg.base, leg.crosses[0], ends[0], True),
         (leg.tip, leg.crosses[1], ends[1], False),
@@ -72,11 +81,42 @@ def crosses_of(machine: Machine, leg: Leg, ends: Array, k: Array | None) -> Iter
                 raise ValueError(f"body {name!r}: expected a mass >= 0, got {body.mass:g}")
             if body.mass or body.inertia.any():
                 sides = np.concatenate(axes[:number]), np.concatenate(axes[number:])
-                yield _cross(body, point, sides, S, k, at_base)
+                cross_turns = None
+                if turns is not None:
+                    body_turns = turns[0][0] if at_base else turns[1][len(sides[0]) - 1]
+                    part_turns = turns[1][-1] if not at_base and len(sides[0]) > 1 else turns[0][1]
+                    cross_turns = np.stack([body_turns, part_turns])
+                yield _cross(body, point, sides, S, k, at_base, cross_turns)
+
+
+def _turns(S: Array, base: Array, tip: Array) -> tuple[Array, Array] | None:
+    """Return the angular velocities after each axis at both ends, shape (2, 3, 6) and (m, 3, 6), else None.
+
+    They are linear in the velocity of the platform point and the angular velocity of the platform. ``base``
+    (2, 3) and ``tip`` (m, 3) are the axes: two at the tip if the leg spins, none of a ball.
+    """
+    L = float(np.linalg.norm(S))
+    s = S / L
+    ahead = np.stack([L * cross(base[0], s), L * cross(base[1], s), s], axis=-1)
+    behind = np.stack({0: [*np.eye(3)], 2: [s, *tip]}.get(len(tip), [*tip]), axis=-1)
+    if behind.shape != (3, 3) or min(abs(np.linalg.det(ahead / L)), abs(np.linalg.det(behind))) < _SAME:
+        return None
+    rates = np.hstack([np.linalg.inv(ahead), np.zeros((3, 3))])
+    first = base[0][:, None] * rates[0]
+    leg = first + base[1][:, None] * rates[1]
+    relative = np.linalg.inv(behind) @ (np.hstack([np.zeros((3, 3)), np.eye(3)]) - leg)
+    steps = np.cumsum(behind.T[:, :, None] * relative[:, None, :], axis=0) + leg
+    return np.stack([first, leg]), steps[3 - len(tip) :]
 
 
 def _cross(
-    body: Body, point: Array, sides: tuple[Array, Array], S: Array, k: Array | None, base: bool
+    body: Body,
+    point: Array,
+    sides: tuple[Array, Array],
+    S: Array,
+    k: Array | None,
+    base: bool,
+    turns: Array | None,
 ) -> Cross:
     """Assign one body; ``sides`` contains the axes before and after it, shape (n, 3) and (m, 3)."""
     L = float(np.linalg.norm(S))
@@ -113,7 +153,7 @@ def _cross(
         lateral = float((1.0 if len(three) == 2 else np.sqrt(2.0) * (1.0 + 1.0 / np.float64(volume))) / lever)
     solid = bodies.Body(body.mass, point + kept, inertia)
     in_motion = lost == 0.0 and ((part == LOWER and k is not None) or not body.inertia.any())
-    return Cross(body, part, solid, lost, lateral, twist, in_motion)
+    return Cross(body, part, solid, lost, lateral, twist, np.stack([arm, kept]), turns, in_motion)
 
 
 def with_crosses(body: Body, crosses: Sequence[Cross], part: str) -> Body:
@@ -132,8 +172,10 @@ def with_crosses(body: Body, crosses: Sequence[Cross], part: str) -> Body:
     )
 
 
-def largest_error(crosses: Sequence[Sequence[Cross]], p: Array, s: Array, g: float) -> float:
-    """Compute a bound on the error of the leg forces at rest (N) from the lost moments.
+def largest_error(crosses: Sequence[Sequence[Cross]], p: Array, s: Array, g: Array) -> float:
+    """Compute the largest error of the leg forces at rest (N) from the lost moments, in the pose of the file.
+
+    The error is exact if the joints determine the angular velocity of a body, else a bound.
 
     Parameters
     ----------
@@ -143,19 +185,25 @@ def largest_error(crosses: Sequence[Sequence[Cross]], p: Array, s: Array, g: flo
         Platform points relative to the platform origin, in the pose of the file.
     s : ndarray, shape (6, 3)
         Directions of the legs in the pose of the file.
-    g : float
-        Magnitude of gravity (m/s^2).
+    g : ndarray, shape (3,)
+        Gravity (m/s^2).
     """
     inverse = np.linalg.pinv(np.concatenate([s, cross(p, s)], axis=-1).T)
-    total = np.zeros(len(p))
+    exact, bound = np.zeros((2, len(p)))
     for i, of_leg in enumerate(crosses):
         arm = inverse[:, :3] + cross(inverse[:, 3:], p[i])
         for each in of_leg:
-            if each.lost:
-                moment = each.body.mass * g * each.lost
-                total += moment * each.lateral * np.linalg.norm(arm, axis=-1)
-                total += moment * each.twist * np.linalg.norm(inverse[:, 3:], axis=-1)
-    return float(total.max())
+            if not each.lost:
+                continue
+            if each.turns is not None:
+                moments = cross(each.arms, each.body.mass * g)
+                load = moments[0] @ each.turns[0] - moments[1] @ each.turns[1]
+                exact += inverse @ np.concatenate([load[:3], cross(p[i], load[:3]) + load[3:]])
+                continue
+            moment = each.body.mass * float(np.linalg.norm(g)) * each.lost
+            bound += moment * each.lateral * np.linalg.norm(arm, axis=-1)
+            bound += moment * each.twist * np.linalg.norm(inverse[:, 3:], axis=-1)
+    return float((np.abs(exact) + bound).max())
 
 
 def lines_of(crosses: Sequence[Sequence[Cross]], error: float) -> Iterator[str]:

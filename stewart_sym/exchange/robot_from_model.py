@@ -30,7 +30,6 @@ _ROUNDING = 1e-9
 _MOST_OFF = 0.01
 """Largest error of a force that is only reported, relative to the mean load of a leg."""
 _SAME_MASS = 1e-12
-_G = float(np.linalg.norm(DEFAULT_GRAVITY))
 _LEAD = 0.005
 """Lead of a screw (m), assumed if a model has an armature but no screw."""
 
@@ -65,9 +64,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         frame = f"the origin of {machine.platform!r}, axes those of the base in the pose in the file"
     who = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
     lines = [f"legs in the order of {order}: {who}", f"base frame: the world's; platform frame: {frame}"]
-    others = [repr(name) for name, first in machine.members.items() if first == machine.platform][1:]
-    if others:
-        lines.append(f"platform: {machine.platform!r}, the heaviest of the bodies that the legs hold")
+    lines += _platform_line(model, machine)
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     found: dict[str, Any] = {
@@ -109,20 +106,34 @@ def _mass_kept(machine: Machine, model: Model, robot: Robot) -> str:
     return f"mass of the bodies that move: {moving:.7g} kg in the file, {kept:.7g} kg imported"
 
 
+def _platform_line(model: Model, machine: Machine) -> list[str]:
+    """Write a message about the choice of the platform among bodies that are fixed together."""
+    masses = {body.name: body.mass for body in model.bodies if machine.members[body.name] == machine.platform}
+    if len(masses) < 2:
+        return []
+    heavier = [repr(name) for name, mass in masses.items() if mass > masses[machine.platform]]
+    reason = "the heaviest of the bodies that are fixed together"
+    if heavier:
+        reason = f"to which the legs are attached; heavier, but only fixed to it: {', '.join(heavier)}"
+    return [f"platform: {machine.platform!r}, {reason}"]
+
+
 def _crosses_said(legs: Sequence["_Leg"], platform: Body, robot: Robot) -> Iterator[str]:
     """Write messages about the bodies between axes; raise ValueError if their effect is large."""
     crosses = [leg.crosses for leg in legs]
     # Without gravity in the file, the effect in motion is estimated with the gravity of the earth.
-    g = float(np.linalg.norm(robot.g)) or _G
+    g = robot.g if robot.g.any() else np.asarray(DEFAULT_GRAVITY)
     s, p = np.array([leg.s for leg in legs]), np.array([platform.R @ leg.p for leg in legs])
     error = largest_error(crosses, p, s, g)
-    load = g * (robot.M + float(robot.m_d.sum()) + float(robot.m_u.sum())) / len(legs)
-    if error > _MOST_OFF * load:
+    mass = robot.M + float(robot.m_d.sum()) + float(robot.m_u.sum())
+    limit = _MOST_OFF * float(np.linalg.norm(g)) * mass / len(legs)
+    if error > limit:
         every = [each for of_leg in crosses for each in of_leg]
         worst = max(every, key=lambda each: each.body.mass * each.lost)
         raise ValueError(
             f"body {worst.body.name!r}: expected its center of mass at the intersection of the axes, got "
-            f"{1e3 * worst.lost:.3g} mm off, which changes forces by up to {error:.3g} N"
+            f"{1e3 * worst.lost:.3g} mm off, which changes forces by up to {error:.3g} N (limit {limit:.3g} "
+            f"N, {100.0 * _MOST_OFF:g} % of the weight per leg); move its center of mass, or reduce its mass"
         )
     return lines_of(crosses, error)
 

@@ -48,7 +48,8 @@ _RANGE = (0.05, 0.95)
 def need_units(robot: Robot, log: Log) -> None:
     """Raise ValueError with the remedy if lengths or angles fit the robot only in another unit.
 
-    If the unit is given, ``log_doubts`` issues a warning instead.
+    A row of units has no priority over the numbers. If an option gives the unit, ``log_doubts`` issues a
+    warning instead.
     """
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     written = {name: [x[some] for x in vector] for name, vector in log.written.items()}
@@ -68,12 +69,30 @@ def _need_length_unit(robot: Robot, log: Log, few: Log) -> None:
     else:
         lengths = leg_lengths(robot, *_reference_poses(robot, few))
     typical, size, (near, far), text = _beside_size(robot, lengths)
-    units = [name for name, each in LENGTH_UNITS.items() if low * size <= each * typical <= high * size]
+    written = typical / log.form.meters_per_unit
+    units = [name for name, each in LENGTH_UNITS.items() if low * size <= each * written <= high * size]
     if units and not (near * size if low else 0.0) <= typical <= far * size:
-        remedies = " or ".join(f"length_unit={name}" for name in units)
-        raise ValueError(
-            f"{log.source}: {text} if read in m; give {remedies}, or length_unit=m if m is right"
-        )
+        raise log.other_unit("length_unit", text, units)
+    if "L" not in few.written and log.unit_line is not None and log.form.length_unit != "m":
+        _need_larger_unit(robot, log, few)
+
+
+def _need_larger_unit(robot: Robot, log: Log, few: Log) -> None:
+    """Raise ValueError if the legs allow the positions only in a larger unit than in the row of units."""
+    theta, _, order = few.angles()
+    t, R = few.vector("t"), rotation_about_axes(theta, order)
+    far = float(np.linalg.norm(t, axis=-1).max())
+    how = impossible(robot, t, R, robot.tool) if far < _NEAR * np.ptp(robot.b, axis=0).max() else None
+    if how is None:
+        return
+    units = [
+        name
+        for name, factor in LENGTH_UNITS.items()
+        if factor > log.form.meters_per_unit
+        and impossible(robot, t * factor / log.form.meters_per_unit, R, robot.tool) is None
+    ]
+    if units:
+        raise log.other_unit("length_unit", f"t of up to {far:.3g} m, which leads {how}", units)
 
 
 def _need_angle_unit(robot: Robot, log: Log, few: Log) -> None:
@@ -83,14 +102,14 @@ def _need_angle_unit(robot: Robot, log: Log, few: Log) -> None:
         return
     t, order = few.vector("t"), log.form.rotation_order
     some = few.vector("theta")
+    if log.form.radians_per_unit != 1.0:
+        return
     R, in_degrees = (rotation_about_axes(angles, order) for angles in (some, np.radians(some)))
     wrong = np.any(spans > MOST_TURNS) or impossible(robot, t, R, robot.tool) is not None
     if wrong and impossible(robot, t, in_degrees, robot.tool) is None:
         axis = int(np.argmax(spans))
-        raise ValueError(
-            f"{log.source}: {angle_range(theta, axis)}, which the legs allow only in degrees; give "
-            "angle_unit=deg, or angle_unit=rad if rad is right"
-        )
+        finding = f"{angle_range(theta, axis)}, which the legs allow only in degrees"
+        raise log.other_unit("angle_unit", finding, ["deg"])
 
 
 def _reference_poses(robot: Robot, log: Log) -> tuple[Array, Array]:

@@ -168,7 +168,8 @@ class KitInterpreter:
         pose = structure((n.R, n.t), vars(found.pose), _number)
         run = _kinematics()
         legs = run.zero(run.program.function("legs_at").arguments[-1].type)
-        run.run("legs_at", self._robot, pose, Running(1), legs)
+        run.run("legs_at", self._robot, pose, legs)
+        run.run("rows_at", legs, Running(1))
         agreed = ON.constants["ROUNDING"].value / ON.constants["EPSILON"].value * legs.reach.value
         off = running.inverse_sizes(array(legs.A)[:, :6]) @ (float(agreed) + errors(array(legs.L)))
         x, y, z = off[3:]
@@ -281,7 +282,7 @@ def _kinematics() -> Interpreter:
     instead: dict[str, Callable[..., Any]] = {
         "reflect": lambda A: None,
         "substitute": _eliminate,
-        "is_open": lambda A: 0,
+        "is_open": lambda *_: 0,
     }
     return Interpreter(_search_program(), ON, instead)
 

@@ -1,8 +1,8 @@
-"""Piecewise polynomials of degree 5: a trajectory between its instants, and B-splines.
+"""Piecewise polynomials of degree 5: a trajectory between its samples, and B-splines.
 
-The quintic between two instants keeps their poses, rates and accelerations.
+The quintic between two samples keeps their poses, rates and accelerations.
 
-Between instants whose rates come from a spline of degree 5, as those of ``read_csv``, positions are that
+Between samples whose rates come from a spline of degree 5, as those of ``read_csv``, positions are that
 spline.
 """
 
@@ -30,9 +30,9 @@ Path = Callable[[Array], Motion]
 
 
 def interpolate(trajectory: Trajectory | PoseLog) -> Path:
-    """Return the trajectory as a motion at any times from its first instant to its last, s, (...).
+    """Return the trajectory as a motion at any times from its first sample to its last, s, (...).
 
-    Positions and, from each instant to the next, the rotation vector are polynomials of degree 5 in time;
+    Positions and, from each sample to the next, the rotation vector are polynomials of degree 5 in time;
     loads change linearly.
 
     Parameters
@@ -48,7 +48,7 @@ def interpolate(trajectory: Trajectory | PoseLog) -> Path:
     Raises
     ------
     ValueError
-        For fewer than two instants, times that do not increase and a motion without accelerations; the
+        For fewer than two samples, times that do not increase and a motion without accelerations; the
         function for times outside.
     """
     _need_interpolable(trajectory)
@@ -80,7 +80,7 @@ def interpolate(trajectory: Trajectory | PoseLog) -> Path:
 
 
 def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
-    """Return ``interpolate`` for one time after the other, s since the first instant: at rest after the last.
+    """Return ``interpolate`` for one time after the other, s since the first sample: at rest after the last.
 
     The polynomials of all steps are made once, which takes as much room as the motion. Raises as
     ``interpolate``.
@@ -105,11 +105,11 @@ def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
 
 
 def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
-    """Reject, by ValueError, fewer than two instants, times that don't increase, and no accelerations."""
+    """Reject, by ValueError, fewer than two samples, times that don't increase, and no accelerations."""
     need_trajectory(trajectory)
     time = trajectory.time
     if len(time) < 2:
-        raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
+        raise ValueError(f"{trajectory.source}: expected at least 2 samples, got {len(time)}")
     if not (time[1:] > time[:-1]).all():
         raise ValueError(f"{trajectory.source}: expected increasing times")
     if isinstance(trajectory, Trajectory) and trajectory.motion.a is None:
@@ -117,18 +117,18 @@ def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
 
 
 def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
-    """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
+    """Return the trajectory at even times from its first sample on, ``rate`` of them per second, Hz.
 
-    Each takes the row of the instant before it. In long gaps of a log of poses, or of one with noise,
+    Each takes the row of the sample before it. In long gaps of a log of poses, or of one with noise,
     deviations hold what noise at both ends leaves open, and by how much as long polynomials miss the motion
-    elsewhere; instants there count as replaced rows. Of a trajectory without noise there are none.
+    elsewhere; samples there count as replaced rows. Of a trajectory without noise there are none.
 
     Parameters
     ----------
     trajectory : Trajectory or PoseLog
         Times and poses, or a log of poses.
     rate : float
-        Instants per second, Hz.
+        Samples per second, Hz.
 
     Returns
     -------
@@ -138,7 +138,7 @@ def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     Raises
     ------
     ValueError
-        For a rate that is not > 0 or makes too many instants, and as ``interpolate``.
+        For a rate that is not > 0 or makes too many samples, and as ``interpolate``.
     """
     _need_interpolable(trajectory)
     rate = positive(rate, "rate")
@@ -146,7 +146,7 @@ def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     since = elapsed(time)
     count = float(since[-1]) * rate * (1.0 + 1e-12)
     if not count < MOST_STEPS:
-        raise ValueError(f"rate: expected > 0 Hz and at most {MOST_STEPS:,} instants, got {rate:g}")
+        raise ValueError(f"rate: expected > 0 Hz and at most {MOST_STEPS:,} samples, got {rate:g}")
     path = interpolate(trajectory)
     when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
     i, share = _steps(time, when)
@@ -161,23 +161,27 @@ def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
         h = np.diff(since)[:, None]
         c = quintic(h, tuple(start), tuple(end))
         if gaps:
-            noise = _in_gaps(noise, time, gaps, trajectory.rows)
+            noise = in_gaps(noise, time, gaps, [f"the gap before line {trajectory.rows[k]}" for k in gaps])
         noise = noise._replace(coordinates=np.stack(values(c[:, i], share, h[i])))
     return Trajectory(when, path(when), trajectory.source, rows, noise)
 
 
-# Instants of a gap at which covariances are given, and places of a log at which as long ones are tried.
+# Times in a gap at which covariances are given, and places of a log at which as long ones are tried.
 _IN_GAP, _TRIED = 17, 200
 
 
-def _in_gaps(noise: Uncertainty, time: Array, gaps: list[int], rows: Sequence[int]) -> Uncertainty:
-    """Uncertainty of coordinates, in gaps, before some of the instants, that of quintics through them."""
+def in_gaps(noise: Uncertainty, time: Array, gaps: list[int], names: Sequence[str]) -> Uncertainty:
+    """Return the uncertainty of coordinates bridged by quintics in gaps, before some of the samples.
+
+    A smooth curve holds both ends of a short gap, and its uncertainty remains; both ends of a long gap are
+    independent. How far quintics as long miss the motion elsewhere is added.
+    """
     since, share, first = elapsed(time), np.linspace(0.0, 1.0, _IN_GAP)[:, None], 0
     missed = functools.cache(functools.partial(_missed, since, noise.coordinates))
     units = np.eye(6).reshape(2, 3, 6)
-    grids, covariances, spans = [], [], []
+    grids, covariances, spans, long = [], [], [], breaks(since)
     at_ends = noise.covariances(time[np.add.outer(gaps, [-1, 0]).ravel()]).reshape(len(gaps), 2, 6, -1)
-    for i, both in zip(gaps, at_ends, strict=True):
+    for i, both, name in zip(gaps, at_ends, names, strict=True):
         ends, h = time[i - 1 : i + 1], since[i : i + 1] - since[i - 1]
         # What value, rate and second rate at each end make of those inside, (g, 6).
         made = values(quintic(h, *map(tuple, units))[:, None], share, h)
@@ -186,11 +190,14 @@ def _in_gaps(noise: Uncertainty, time: Array, gaps: list[int], rows: Sequence[in
             for k, (p, q) in enumerate(PAIRS):
                 known[:, 3 * end + p, 3 * end + q] = known[:, 3 * end + q, 3 * end + p] = of[:, k]
         off = missed(float(f"{h[0]:.2g}"))
-        inside = [off[p] * off[q] + np.einsum("ga,cab,gb->gc", made[p], known, made[q]) for p, q in PAIRS]
+        inside = np.stack([np.einsum("ga,cab,gb->gc", made[p], known, made[q]) for p, q in PAIRS], axis=-1)
+        if i not in long:
+            inside = noise.covariances(ends[0] + h * share[:, 0])
+        inside = inside + np.stack([off[p] * off[q] for p, q in PAIRS], axis=-1)
         before, after = np.searchsorted(noise.grid, ends[0]), np.searchsorted(noise.grid, ends[1], "right")
         grids += [noise.grid[first:before], ends[0] + h * share[:, 0]]
-        covariances += [noise.covariance[first:before], np.stack(inside, axis=-1)]
-        spans.append(Replaced(float(ends[0]), float(ends[1]), (f"the gap before line {rows[i]}",)))
+        covariances += [noise.covariance[first:before], inside]
+        spans.append(Replaced(float(ends[0]), float(ends[1]), (name,)))
         first = int(after)
     return noise._replace(
         grid=np.concatenate([*grids, noise.grid[first:]]),

@@ -249,7 +249,9 @@ def tell_faults(log: Log, found: Sequence[Fault]) -> None:
     ending = f"; and {more} more" if more > 0 else ""
     done = "left as they are"
     if log.smoothing.enabled or log.smoothing.repair:
-        done = "replaced, and deviations there hold what this changes"
+        done = "replaced by a smooth curve"
+        if any(fault.end is None for fault in found):
+            done += "; standard deviations include the change by the step"
     cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
     log.warn(f"numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}")
 

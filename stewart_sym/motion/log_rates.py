@@ -11,8 +11,9 @@ import numpy as np
 from ..io.array_types import Array, Flags
 from ..io.extras import absent, needed_for
 from . import log_faults
-from .interpolation import PAIRS, breaks, check_cutoff
+from .interpolation import PAIRS, breaks, check_cutoff, in_gaps
 from .noise import in_log
+from .noise.frozen_rows import frozen_rows, tell_frozen
 from .noise.lines import line_covariance, lines, tell_lines
 from .noise.sparse_rows import DEGREE, FEWEST, end_errors
 from .noise.still_rows import held_offsets, still_rows, tell_still
@@ -149,6 +150,14 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     in_log.warn_of_few(log, values)
     log_faults.tell_plateaus(log, values, steps)
     held = still_rows(log.time, values, steps)
+    replaces = log.smoothing.enabled or log.smoothing.repair
+    frozen = frozen_rows(log, values, steps, held)
+    if frozen.any():
+        tell_frozen(log, frozen, bridged=replaces)
+    if frozen.any() and replaces:
+        rows = np.flatnonzero(~frozen)
+        found, noise = _replaced(*_measured(log, values, steps, slice(0, 6), rows))
+        return _bridged(log, rows, found, noise)
     if held.any():
         tell_still(log, held)
     shown = in_log.shown_level(log, values, steps, held, tell=True)
@@ -158,16 +167,64 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     bad = log_faults.faults(log.time, values, sigma)
     if bad:
         log_faults.tell_faults(log, bad)
-    if not bad or not (log.smoothing.enabled or log.smoothing.repair):
+    if not bad or not replaces:
         return _curve(log, values, steps, level, held)
-    good = values - log_faults.offsets(bad, values.shape)
-    log_faults.tell_no_repair(log, good, bad)
-    own = in_log.chosen_level(log, in_log.shown_level(log, good, steps, held))
-    found, noise = _curve(log, good, steps, own, held)
-    changed = found - _derivatives(log, values, level, tell=False)[0]
-    near = _near(changed)
-    noise = _with_changes(log.time, found, noise, changed, near)
-    return found, noise._replace(replaced=_replaced_rows(log, bad, near))
+    log_faults.tell_no_repair(log, values - log_faults.offsets(bad, values.shape), bad)
+    return _without(log, values, steps, bad, held, level)
+
+
+def _without(
+    log: Log, values: Array, steps: Array, bad: Sequence[log_faults.Fault], held: Flags, level: Level
+) -> tuple[Array, Uncertainty | None]:
+    """Return ``rates_of`` rows without faults: single rows are bridged, steps are taken away.
+
+    Only the change by steps is a standard deviation: bridged rows have no effect, however far they are off.
+    """
+    stepped = [fault for fault in bad if fault.end is None]
+    off = np.zeros(len(values), dtype=bool)
+    for fault in bad:
+        if fault.end is not None:
+            off[fault.first : fault.end] = True
+    rows, good = np.flatnonzero(~off), values - log_faults.offsets(stepped, values.shape)
+    few, _, own_steps = _measured(log, good, steps, slice(0, 6), rows)
+    own = in_log.chosen_level(few, in_log.shown_level(few, good[rows], own_steps, held[rows]))
+    found, noise = _curve(few, good[rows], own_steps, own, held[rows])
+    if stepped:
+        level = _at_rows(level, rows)
+        changed = found - _derivatives(few, values[rows], level, tell=False)[0]
+        near = _near(changed)
+        noise = _with_changes(few.time, found, noise, changed, near)
+        noise = noise._replace(replaced=_replaced_rows(log, few.time, stepped, near))
+    return _bridged(log, rows, found, noise)
+
+
+def _at_rows(level: Level, rows: log_faults.Rows) -> Level:
+    """Return the level of the noise at some of the rows."""
+    return level if level.scale is None else level._replace(scale=level.scale[rows])
+
+
+def _bridged(
+    log: Log, rows: log_faults.Rows, few: Array, noise: Uncertainty | None
+) -> tuple[Array, Uncertainty | None]:
+    """Return coordinates and rates, (3, n, 6), from those at some rows, (3, m, 6), and their uncertainty."""
+    gaps = (np.flatnonzero(np.diff(rows) > 1) + 1).tolist()
+    names = [log_faults.rows_text(log, int(rows[i - 1]) + 1, int(rows[i])) for i in gaps]
+    found = log_faults.spread(log.time, rows, few)
+    off = log_faults.unseen(log.time, rows, few[2])
+    if gaps:
+        noise = _known(few, log.time[rows], noise)
+        noise = in_gaps(noise._replace(coordinates=few), log.time[rows], gaps, names)
+    if noise is not None:
+        noise = noise._replace(coordinates=found)
+    outside = np.asarray(off.any(axis=(0, 2)))
+    return found, _with_changes(log.time, found, noise, off, outside) if outside.any() else noise
+
+
+def _known(found: Array, time: Array, noise: Uncertainty | None) -> Uncertainty:
+    """Return the uncertainty of coordinates and rates, (3, n, 6); None is none."""
+    if noise is not None:
+        return noise
+    return Uncertainty(found, time[[0, -1]], np.zeros((2, 6, len(PAIRS))), np.zeros(6))
 
 
 def _near(changed: Array) -> Flags:
@@ -213,8 +270,7 @@ def _with_changes(
     time: Array, found: Array, noise: Uncertainty | None, changed: Array, near: Flags
 ) -> Uncertainty:
     """Uncertainty in which changes of coordinates and rates, (3, n, 6), count as a deviation, ``near``."""
-    if noise is None:
-        noise = Uncertainty(found, time[[0, -1]], np.zeros((2, 6, len(PAIRS))), np.zeros(6))
+    noise = _known(found, time, noise)
     rows = np.flatnonzero(np.convolve(near, np.ones(3), "same"))
     squares = np.stack([changed[i, rows] * changed[j, rows] for i, j in PAIRS], axis=-1)
     squares *= near[rows, None, None]
@@ -408,20 +464,19 @@ def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | No
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0])
 
 
-def _replaced_rows(log: Log, bad: Sequence[log_faults.Fault], near: Flags) -> tuple[Replaced, ...]:
-    """Spans of instants at which replaced rows count, with the faults that are nearest to each."""
+def _replaced_rows(
+    log: Log, time: Array, steps: Sequence[log_faults.Fault], near: Flags
+) -> tuple[Replaced, ...]:
+    """Return spans of times, (m,), at which steps of the log count, with the nearest steps of each."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(np.int8)))
-    rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
-    first = np.array([start for start, _ in rows])
-    names = [
-        f"the step at line {log.rows[start]}" if end is None else log_faults.rows_text(log, start, end)
-        for start, end in rows
-    ]
-    found, last = [], len(log.time) - 1
+    rows = list(dict.fromkeys(fault.first for fault in steps))
+    first = np.searchsorted(time, log.time[rows])
+    names = [f"the step at line {log.rows[start]}" for start in rows]
+    found, last = [], len(time) - 1
     for a, b in edges.reshape(-1, 2):
         apart = np.maximum(np.maximum(a - first, first - b + 1), 0)
         nearest = tuple(name for name, away in zip(names, apart, strict=True) if away == apart.min())
-        ends = float(log.time[max(a - 1, 0)]), float(log.time[min(b, last)])
+        ends = float(time[max(a - 1, 0)]), float(time[min(b, last)])
         found.append(Replaced(*ends, nearest))
     return tuple(found)
 

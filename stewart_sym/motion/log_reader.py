@@ -114,10 +114,11 @@ def _read(
         _check_header([*form.columns], "columns", "")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
-        columns, rows, form, _, given_units = read_columns(stream, source, check, form, progress)
-    names = {name.rpartition("_")[0] for name in columns} - {""}
-    written = {name: [columns[c] for c in _components(name)] for name in names}
-    return Log(source, rows, columns["time"], written, form, smoothing, given_units)
+        table = read_columns(stream, source, check, form, progress)
+    names = {name.rpartition("_")[0] for name in table.columns} - {""}
+    written = {name: [table.columns[c] for c in _components(name)] for name in names}
+    given = {"given_units": table.given_units, "unit_line": table.unit_line}
+    return Log(source, table.rows, table.columns["time"], written, table.form, smoothing, **given)
 
 
 def with_units_of(path: str | os.PathLike[str], form: TrajectoryFormat) -> TrajectoryFormat:
@@ -195,7 +196,7 @@ def read_leg_columns(
         unit = stated_units(stream, source, form).get("time_unit", form.time_unit)
         stream.seek(0)
         form = dataclasses.replace(form, time_unit=unit)
-        columns, rows, _, dated, _ = read_columns(stream, source, check, form)
+        columns, rows, _, dated, *_ = read_columns(stream, source, check, form)
     if dated:
         raise ValueError(
             f"{source}: line {rows[0]}: time: expected seconds as in the trajectory, of which dates and "
@@ -263,11 +264,10 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
 
 
 def _need_time_unit(log: Log, units: Sequence[str], finding: str) -> None:
-    """Raise ValueError with the remedy if numbers fit other units of time and no unit is stated."""
+    """Raise ValueError with the remedy if numbers fit other units of time and no option gives one."""
+    units = [unit for unit in units if unit != log.form.time_unit]
     if units and "time_unit" not in log.given_units:
-        remedies = " or ".join(f"time_unit={unit}" for unit in units)
-        in_s = "time_unit=s"
-        raise ValueError(f"{log.source}: {finding} if read in s; give {remedies}, or {in_s} if s is right")
+        raise log.other_unit("time_unit", finding, units)
 
 
 # How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.

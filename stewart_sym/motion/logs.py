@@ -138,7 +138,8 @@ class Table(NamedTuple):
     """Columns of a file by name, as written but for time in s, the rows where they stand, and its format.
 
     dated: whether dates or times of day are written, whose seconds are those since the first row.
-    given_units: names of the units, such as ``length_unit``, in the given format or in a row of units.
+    given_units: names of the units, such as ``length_unit``, in the given format. unit_line: line of the row
+    of units; None if the file has none.
     """
 
     columns: dict[str, Array]
@@ -146,6 +147,7 @@ class Table(NamedTuple):
     form: TrajectoryFormat
     dated: bool
     given_units: frozenset[str]
+    unit_line: int | None
 
 
 def read_columns(
@@ -172,8 +174,14 @@ def read_columns(
             check_header([name for name in header if name is not None], source)
         except ValueError as error:
             raise HeaderError(str(error), head.names) from None
-        units = units_of(head, header, source, form.units)
-        given_units = frozenset(name for name, unit in form.units.items() if unit) | frozenset(units or {})
+        units = units_of(head, header, source)
+        given_units = frozenset(name for name, unit in form.units.items() if unit)
+        unit_line = None if units is None else head.above + 1
+        for name, unit in (units or {}).items():
+            if name in given_units and form.units[name] != unit:
+                option = f"TrajectoryFormat({name}={form.units[name]!r})"
+                contradiction = f"the row of units ({unit}) contradicts {option}, which is used"
+                warn(f"{source}: line {unit_line}: {contradiction}; correct one of them", TrajectoryWarning)
         form = form.with_units(units or {})
         if units is not None:
             head = without_row(stream, head)
@@ -204,7 +212,7 @@ def read_columns(
             f"{source}: line {rows[i + 1]}: time: expected increasing times, got {after} after {before}"
         )
     dated = frozenset() if clock is None else frozenset({"time_unit"})
-    return Table(columns, rows, form, clock is not None, given_units | dated)
+    return Table(columns, rows, form, clock is not None, given_units | dated, unit_line)
 
 
 def stated_units(stream: BinaryIO, source: str, form: TrajectoryFormat) -> dict[str, str]:
@@ -213,7 +221,7 @@ def stated_units(stream: BinaryIO, source: str, form: TrajectoryFormat) -> dict[
     """
     with contextlib.suppress(ValueError), table_as_utf8(stream, source) as text:
         head = _head(text, source, form)
-        return units_of(head, _expected_names(head.names, source, form), source, {}) or {}
+        return units_of(head, _expected_names(head.names, source, form), source) or {}
     return {}
 
 

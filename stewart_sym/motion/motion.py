@@ -1,4 +1,4 @@
-"""Motion of the platform at one or many instants: pose, velocities, accelerations and external load."""
+"""Motion of the platform at one or many samples: pose, velocities, accelerations and external load."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ class Motion(Frozen):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The leading shape, () for one instant."""
+        """The leading shape, () for one sample."""
         return self.t.shape[:-1]
 
     def __getitem__(self, index: Any) -> Motion:
@@ -174,7 +174,7 @@ class Motion(Frozen):
 
     def __iter__(self) -> Iterator[Motion]:
         if not self.shape:
-            raise TypeError("a motion of shape () is one instant and cannot be iterated over")
+            raise TypeError("a motion of shape () is one sample and cannot be iterated over")
         return (self[i] for i in range(self.shape[0]))
 
     @classmethod

@@ -47,10 +47,10 @@ class PoseNoise:
     Attributes
     ----------
     time : ndarray
-        Instants, s, (n,), increasing.
+        Times, s, (n,), increasing.
     position, angle : float
         Standard deviation of each coordinate of the measured position, m, and of the rotation about each
-        axis, rad; independent from instant to instant.
+        axis, rad; independent between samples.
     period : float, optional
         Of a periodic motion, s, which is then a Fourier series; None: of any other, which is then a spline of
         degree 5.
@@ -70,9 +70,9 @@ class PoseNoise:
     harmonics: int | None = None
 
     def __post_init__(self) -> None:
-        time = real_array(self.time, "time", "increasing instants, s, (n,)")
+        time = real_array(self.time, "time", "increasing times, s, (n,)")
         if time.ndim != 1 or not np.isfinite(time).all() or not np.all(np.diff(time) > 0.0):
-            raise ValueError(f"time: expected increasing instants, s, (n,), got {shown(self.time)}")
+            raise ValueError(f"time: expected increasing times, s, (n,), got {shown(self.time)}")
         time.setflags(write=False)
         object.__setattr__(self, "time", time)
         for name, unit in (("position", "m"), ("angle", "rad")):
@@ -84,7 +84,7 @@ class PoseNoise:
         if self.period is None:
             raise ValueError("harmonics: expected None for a motion without a period")
         most = (len(time) - 1) // 2
-        expected = f"a whole number from 1 to {most} for {len(time)} instants, or None"
+        expected = f"a whole number from 1 to {most} for {len(time)} samples, or None"
         whole_number(self.harmonics, "harmonics", 1, expected, most)
 
     @property
@@ -94,9 +94,9 @@ class PoseNoise:
 
 
 class Basis(NamedTuple):
-    """Functions of time and their first two derivatives at n instants, (n, m) each.
+    """Functions of time and their first two derivatives at n samples, (n, m) each.
 
-    start: the first of the ``_DEGREE`` + 1 functions that are not zero at each instant, (n,); None for all.
+    start: the first of the ``_DEGREE`` + 1 functions that are not zero at each sample, (n,); None for all.
     """
 
     value: Array
@@ -134,7 +134,7 @@ def estimate_pose_noise(
     Parameters
     ----------
     time : array_like
-        Instants, s, (n,).
+        Times, s, (n,).
     motion : Motion
         Its poses count, (n,). The fit has as many functions as lower the residual by more than noise would.
     period : float, optional
@@ -195,11 +195,11 @@ def weights_of_choice(noise: PoseNoise, q: Array) -> Array:
 def coordinates(motion: Motion, noise: PoseNoise) -> Array:
     """Position and unwrapped angles of the measured poses, (n, 6).
 
-    Raises ValueError for another number of instants, and for pitch angles near a right angle.
+    Raises ValueError for another number of samples, and for pitch angles near a right angle.
     """
     instance(motion, Motion, "motion")
     if motion.shape != noise.time.shape:
-        raise ValueError(f"motion: expected {len(noise.time)} instants as in time, got shape {motion.shape}")
+        raise ValueError(f"motion: expected {len(noise.time)} samples as in time, got shape {motion.shape}")
     theta = rpy_from_rotation(motion.R)
     steepest = float(np.max(np.abs(theta[:, 1]), initial=0.0))
     if steepest > _STEEPEST:
@@ -263,9 +263,9 @@ def by_normal_equations(A: Array, y: Array) -> Array | None:
 
 
 def bases(noise: PoseNoise) -> Iterator[Basis]:
-    """Bases to choose from, by rising size, at most three quarters as many functions as instants.
+    """Bases to choose from, by rising size, at most three quarters as many functions as samples.
 
-    Instants of several periods that are at one phase count once.
+    Samples of several periods that are at one phase count once.
     """
     if noise.harmonics is not None and noise.period is not None:
         yield _fourier(noise.time, noise.period, noise.harmonics)
@@ -348,7 +348,7 @@ def _fourier(time: Array, period: float, harmonics: int) -> Basis:
 
 
 def _spline(time: Array, size: int) -> Basis:
-    """B-splines whose knots lie among the instants as densely as these do."""
+    """B-splines whose knots lie among the samples as densely as these do."""
     with needed_for(WITHOUT_PERIOD):
         from scipy.interpolate import BSpline
     since = elapsed(time)

@@ -20,7 +20,7 @@ Vector = tuple[float, float, float]
 Rows = tuple[Vector, Vector, Vector]
 # Times that differ by rounding only are the same time: share of tau_f.
 _ROUNDING = 1e-12
-# Ten million instants take up a gigabyte as motions do.
+# Ten million samples take up a gigabyte as motions do.
 MOST_STEPS = 10_000_000
 
 

@@ -119,9 +119,9 @@ class Uncertainty(NamedTuple):
 
 
 class Trajectory(NamedTuple):
-    """A trajectory of n instants: time, s, (n,), and the motion, of shape (n,).
+    """A trajectory of n samples: time, s, (n,), and the motion, of shape (n,).
 
-    source: the file it comes from. rows: line of each instant in the file. noise: None for
+    source: the file it comes from. rows: line of each sample in the file. noise: None for
     a log without.
     """
 
@@ -132,7 +132,7 @@ class Trajectory(NamedTuple):
     noise: Uncertainty | None = None
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
-        """The motion at some of the instants."""
+        """The motion at some of the samples."""
         return self.motion[index]
 
 
@@ -158,7 +158,7 @@ class PoseLog(NamedTuple):
     order: str = "zyx"
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
-        """The motion at some of the instants; ValueError of one line that names file and line."""
+        """The motion at some of the samples; ValueError of one line that names file and line."""
         names, chosen = ("t", "theta", *DERIVATIVES), self.coordinates[:, index]
         # Arguments of ``Motion.from_rpy``.
         numbers = {name: chosen[i // 2, ..., 3 * (i % 2) :][..., :3] for i, name in enumerate(names)}
@@ -181,7 +181,7 @@ class PoseLog(NamedTuple):
 
     @property
     def motion(self) -> Motion:
-        """The motion at all instants."""
+        """The motion at all samples."""
         return self.at(slice(None))
 
 
@@ -192,7 +192,7 @@ def need_trajectory(value: object) -> None:
 
 
 class JointTrajectory(NamedTuple):
-    """A trajectory in joint space of n instants: time, s, (n,), and the legs' motion, (n, 6) each.
+    """A trajectory in joint space of n samples: time, s, (n,), and the legs' motion, (n, 6) each.
 
     L, L_dot, L_ddot: lengths, m, rates, m/s, and accelerations, m/s^2. F_ext, M_ext: external load, N and
     N m, platform frame, (n, 3), or None. source, rows, noise: as in ``Trajectory``. relative: whether L are
@@ -219,7 +219,7 @@ IN_SI = TrajectoryFormat().with_units({})
 class Log:
     """A trajectory as read: the components of vectors by name, (n,) each, as written.
 
-    given_units: names of the units in an option or in a row of units.
+    given_units: names of the units in an option. unit_line: line of the row of units; None if there is none.
     """
 
     source: str
@@ -229,6 +229,7 @@ class Log:
     form: TrajectoryFormat = IN_SI
     smoothing: SmoothingOptions = dataclasses.field(default_factory=SmoothingOptions)
     given_units: frozenset[str] = frozenset()
+    unit_line: int | None = None
 
     def scale(self, name: str) -> float:
         """SI units in the unit in which vectors of that name are written."""
@@ -253,6 +254,16 @@ class Log:
         scale, unit = self.scale(name), self.unit(name)
         what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
         return what, lambda number: f"{number / scale:.2g} {unit}"
+
+    def other_unit(self, name: str, finding: str, units: Sequence[str]) -> ValueError:
+        """Return the error for numbers that fit other units; ``name`` is such as ``length_unit``."""
+        unit = self.form.units[name]
+        remedies = [f"{name}={each}" for each in units]
+        place = f"{self.source}: {finding} if read in {unit}"
+        if self.unit_line is not None:
+            place = f"{self.source}: line {self.unit_line}: the row of units ({unit}) contradicts {finding}"
+        remedy = f"give {' or '.join(remedies)}, or {name}={unit} if {unit} is right"
+        return ValueError(f"{place}; {remedy}")
 
     def warn(self, text: str) -> None:
         """Warn of the log."""

@@ -37,7 +37,7 @@ _TOP_KEYS = (
     *("schema", "robot", "formulation", "objective", "smoothness_weight", "rate", "minimize", "duration"),
     *("limits", "load", "via", "via_file"),
 )
-_POSE_LIMITS = {"max_condition": "condition", "min_clearance": "clearance"}
+_POSE_LIMITS = ("max_condition", "min_clearance")
 _LEG_LIMITS = ("force", "speed", "acceleration", "jerk")
 _LIMIT_KEYS = (*_POSE_LIMITS, *_LEG_LIMITS, "platform_speed", "platform_turn_rate")
 _LOAD_KEYS = ("F_ext", "M_ext")
@@ -129,7 +129,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         files.append(toml_reader.file_beside(top["via_file"], source, "via_file"))
     robot = Robot.from_toml(files[1])
     with errors_of(f"{file}limits."):
-        need_clearance(robot, path_limits.clearance)
+        need_clearance(robot, path_limits.min_clearance)
     doubt = ""
     if given is None:
         read = read_poses(files[2], form_of(robot), partial(need_units, robot))
@@ -170,7 +170,7 @@ def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:
     for key, given in table.items():
         check = six_positive if key in _LEG_LIMITS else toml_reader.positive
         found[key] = check(given, prefix + key)
-    own = {name: found.pop(key) for key, name in _POSE_LIMITS.items() if key in found}
+    own = {key: found.pop(key) for key in _POSE_LIMITS if key in found}
     with errors_of(prefix):
         return PoseLimits(**own), PathLimits(**found)
 

@@ -171,7 +171,7 @@ def plan_path(
     option(objective, OBJECTIVES, "objective")
     limits = PoseLimits() if limits is None else limits
     instance(limits, PoseLimits, "limits")
-    need_clearance(robot, limits.clearance)
+    need_clearance(robot, limits.min_clearance)
     smoothness_weight = not_negative(smoothness_weight, "smoothness_weight")
     wrench = finite_array(load, (6,), "load")
     if not isinstance(via_poses, Sequence):
@@ -381,7 +381,7 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
 
     A via pose with a tolerance is rejected if all poses within the tolerance are out of reach.
     """
-    reach = replace(costs, limits=replace(costs.limits, condition=math.inf))
+    reach = replace(costs, limits=replace(costs.limits, max_condition=math.inf))
     for number, pose in enumerate(poses, start=1):
         if not pose.has_tolerance and not values[number - 1] < 1e12:
             raise ValueError(f"via pose {number}: expected a regular pose, got a singular pose")
@@ -394,9 +394,9 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
                 if name == "leg length":
                     out, far = "out of reach, ", f", {np.linalg.norm(nearest.t):.4g} m from the base's origin"
                 raise ValueError(f"via pose {number}: {out}{who} exceeds the limit of {name}{leg}{far}")
-        if not pose.has_tolerance and values[number - 1] > costs.limits.condition:
+        if not pose.has_tolerance and values[number - 1] > costs.limits.max_condition:
             raise ValueError(
-                f"via pose {number}: expected a condition number of at most {costs.limits.condition:g}, "
+                f"via pose {number}: expected a condition number of at most {costs.limits.max_condition:g}, "
                 f"got {values[number - 1]:.4g}"
             )
     fixed = [k for k, pose in enumerate(poses) if not pose.has_tolerance]

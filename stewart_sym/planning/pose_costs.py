@@ -116,11 +116,11 @@ class PoseCosts(Frozen):
             found.append(("angle to the fixed axis of its universal joint", *self._axes(q, s, L)))
         if self.limits.joint_angles and self.robot.has_joint_angle_limits:
             found += [("joint angle", *part) for part in self._angles(R, q, s, L)]
-        if self.limits.clearance > 0.0:
+        if self.limits.min_clearance > 0.0:
             found.append(("leg clearance", *self._clearances(q, S)))
-        if self.limits.condition < math.inf:
+        if self.limits.max_condition < math.inf:
             value, rate = self.conditions(R, t) if known is None else known
-            most = self.limits.condition
+            most = self.limits.max_condition
             found.append(("condition number", (value / most - 1.0 + ROOM)[:, None], rate[:, None] / most))
         return found
 
@@ -165,5 +165,5 @@ class PoseCosts(Frozen):
         n = between / np.where(distance > 0.0, distance, 1.0)[..., None]
         shift = (x - y)[..., None] * n
         turn = x[..., None] * cross(q[:, i], n) - y[..., None] * cross(q[:, j], n)
-        excess = (self.limits.clearance - distance) / self.length + ROOM
+        excess = (self.limits.min_clearance - distance) / self.length + ROOM
         return excess, -np.concatenate([shift, turn], axis=-1) / self.length

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..drives.friction import constant_part, viscous
 from ..io.array_types import Array
+from ..robot.drive import Drive
 from ..robot.robot import Robot, legs_text
 from .level_poses import Finding, Home
 
@@ -35,6 +36,10 @@ LEAST_CURRENT, MOST_CURRENT, MOST_VOLTAGE = 0.005, 3e3, 5e3
 
 A torque constant in mN m/A instead of N m/A changes them by a factor of 1000.
 """
+
+
+LEAST_LEAD = 6e-5
+"""Smallest plausible lead (m). A lead of 50 mm in meters is as small in a file in millimeters."""
 
 
 def of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
@@ -142,6 +147,25 @@ def of_stroke(robot: Robot) -> Iterator[Finding]:
         )
 
 
+def has_small_leads(drive: Drive) -> bool:
+    """Return True if a lead is too small for any screw, belt, or rack."""
+    return bool(np.any(np.abs(drive.lead) < LEAST_LEAD))
+
+
+def of_leads(robot: Robot) -> Iterator[Finding]:
+    """Yield a finding about leads that no screw, belt, or rack has."""
+    if robot.drive is None:
+        return
+    lead = np.abs(robot.drive.lead)
+    small = np.flatnonzero(lead < LEAST_LEAD).tolist()
+    if small:
+        yield Finding(
+            "drive-speed",
+            f"lead of {legs_text(small)}: {lead[small].min():.4g} m per turn; likely cause: given in m in a "
+            "file of another length_unit",
+        )
+
+
 def of_speeds(robot: Robot) -> Iterator[Finding]:
     """Yield findings about motor speed limits that are impossible or too slow for the leg speed limits."""
     if robot.drive is None:
@@ -155,6 +179,8 @@ def of_speeds(robot: Robot) -> Iterator[Finding]:
             f"speed_limit of the drives of {legs_text(fast)}: {most:.4g} rad/s, {most * 30.0 / np.pi:.4g} "
             "revolutions a minute; likely cause: revolutions a minute given, expected angle_unit a second",
         )
+    if has_small_leads(robot.drive):
+        return
     speed = limit / np.abs(robot.drive.transmission_ratio)
     slow = np.flatnonzero((speed < SLOW * robot.speed_limit) & np.isfinite(robot.speed_limit)).tolist()
     if slow:

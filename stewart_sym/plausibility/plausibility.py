@@ -18,7 +18,7 @@ from ..robot.robot import LEGS, Robot, legs_text
 from . import leg_parts
 from .leg_order import of_order
 from .level_poses import Finding, Home, centered_H, home_of, level_home, parts_of
-from .points import MOST_LEGS, of_coincidence, of_exchange, of_limits, of_place, of_tool
+from .points import MOST_LEGS, UNITS_OF_LIMITS, of_coincidence, of_exchange, of_limits, of_place, of_tool
 
 MOST_GRAVITY = 50.0
 """Largest plausible gravity (m/s^2): twice Jupiter's; the Moon's is 1,620 in mm/s^2 and 162 in cm/s^2."""
@@ -133,6 +133,7 @@ def _of_numbers(robot: Robot) -> Iterator[Finding]:
         yield from _of_friction(robot, size)
         yield from _of_rotors(robot)
         yield from leg_parts.of_drive_friction(robot)
+        yield from leg_parts.of_leads(robot)
         yield from leg_parts.of_speeds(robot)
         yield from leg_parts.of_currents(robot)
     fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
@@ -232,7 +233,7 @@ def _of_rotors(robot: Robot) -> Iterator[Finding]:
     """Yield a finding about rotors that are far heavier than platform and legs."""
     moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
     legs = np.flatnonzero(robot.reflected_mass > MOST_REFLECTED * moving).tolist()
-    if robot.drive is not None and legs:
+    if robot.drive is not None and legs and not leg_parts.has_small_leads(robot.drive):
         worst = int(np.argmax(robot.reflected_mass))
         yield Finding(
             "rotor-inertia",
@@ -401,7 +402,11 @@ def _of_limits(robot: Robot, home: Home) -> Finding:
     finite = np.isfinite(high)
     ratio = float(np.mean(high[finite]) / np.mean(home.L[finite]))
     unit = next((unit for unit, share in _UNITS if _fits(robot, robot.length_limits * share)), "")
-    if unit or ratio > MOST_SIZE:
+    larger = (unit for unit, share in UNITS_OF_LIMITS[:3] if _fits(robot, robot.length_limits * share))
+    small = next(larger, "") if ratio < 0.5 else ""
+    if small:
+        cause = f"limits given in {small} in a file of another length_unit"
+    elif unit or ratio > MOST_SIZE:
         cause = f"limits in {unit or 'millimeters'}"
     elif ratio < 0.9:
         cause = "the stroke given, expected the length from joint to joint"

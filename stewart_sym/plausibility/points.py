@@ -103,6 +103,10 @@ def of_place(robot: Robot) -> Iterator[Finding]:
         )
 
 
+UNITS_OF_LIMITS = (("m", 1e3), ("m", 1e2), ("cm", 10.0), ("mm", 1e-3), ("cm", 1e-2), ("in", 0.0254))
+"""Units in which limits may be given by mistake, and the factors that correct them."""
+
+
 def of_limits(robot: Robot) -> Iterator[Finding]:
     """Yield a finding about a home pose beyond the length limits."""
     if robot.home_position is None:
@@ -111,11 +115,18 @@ def of_limits(robot: Robot) -> Iterator[Finding]:
     legs = np.flatnonzero((low > L) | (high < L)).tolist()
     if legs:
         i = max(legs, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
+        cause = (
+            "home of another point than the platform frame's origin, a stroke without 0 in it, or limits "
+            "between other points than the joints"
+        )
+        for unit, factor in UNITS_OF_LIMITS:
+            if np.all((factor * low <= L) & (factor * high >= L)):
+                cause = f"limits given in {unit} in a file of another length_unit"
+                break
         yield Finding(
             "home",
             f"{legs_text(legs)} beyond length_limits at the home pose: {L[i]:.4g} m, limits {low[i]:.4g} to "
-            f"{high[i]:.4g} m; likely cause: home of another point than the platform frame's origin, a "
-            "stroke without 0 in it, or limits between other points than the joints",
+            f"{high[i]:.4g} m; likely cause: {cause}",
         )
 
 

@@ -428,11 +428,11 @@ def _law(forces: ArrayLike | ForceLaw) -> ForceLaw:
 def _state(given: Motion | str, law: ForceLaw) -> Motion:
     """Return the initial state, from the reference motion of the law for "path"."""
     if isinstance(given, str):
-        wanted = getattr(law, "reference", None)
-        if given != "path" or wanted is None:
+        reference = getattr(law, "reference", None)
+        if given != "path" or reference is None:
             text = 'a Motion, or "path" with a law that has a reference motion'
             raise ValueError(f"initial_state: expected {text}, got {shown(given)}")
-        start: Motion = wanted(0.0)
+        start: Motion = reference(0.0)
         return Motion(
             R=start.R, t=start.t, omega=start.omega, v=start.v, F_ext=start.F_ext, M_ext=start.M_ext
         )

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..drives.effort import Summary, motor_codes, trapezoids
 from ..drives.leg_limits import LegLimits, leg_codes, limited_angles
-from ..drives.limit_status import NOT_DECIDED, unknown_forces
+from ..drives.limit_status import INCONCLUSIVE_NOISE, unknown_forces
 from ..drives.motor_states import MotorStates as Motors
 from ..drives.motor_states import motor_states, of_motor_forces
 from ..io.array_types import Array
@@ -58,7 +58,7 @@ def limits(robot: Robot, shown: MotionHistory) -> LimitReport:
     values = {"F": F, "L": shown.L, "L_dot": shown.L_dot}
     legs.add(slice(None), values | limited_angles(robot, shown.motion), sd, there)
     unknown = None if noise is None else unknown_forces(F, np.where(noise.there[:, None], 0.0, noise.sd.F))
-    told = [*([] if unknown is None else [(NOT_DECIDED, unknown)]), *legs.told()]
+    told = [*([] if unknown is None else [(INCONCLUSIVE_NOISE, unknown)]), *legs.told()]
     codes = dict(_leg_codes(robot, shown))
     if robot.drive is None:
         return LimitReport(_stated(robot), tuple(told), codes, F, None, None)

@@ -131,7 +131,7 @@ class MotionHistory:
 def at_home(robot: Robot, home: Array) -> MotionHistory:
     """Return the motion of a robot at rest at a home position (m), shape (3,)."""
     motion = at_rest(np.eye(3)[None], home[None])
-    return _instants(robot, "home pose", np.zeros(1), motion, None, None)
+    return _history(robot, "home pose", np.zeros(1), motion, None, None)
 
 
 def of_path(robot: Robot, path: str | StraightLinePath) -> MotionHistory:
@@ -143,14 +143,14 @@ def of_path(robot: Robot, path: str | StraightLinePath) -> MotionHistory:
     else:
         name = "straight line"
     time = path.time_grid(path.tau_f / STEPS_PER_PATH)
-    return _instants(robot, name, time, path.sample(time), path.sample, path.breakpoints())
+    return _history(robot, name, time, path.sample(time), path.sample, path.breakpoints())
 
 
 def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> MotionHistory:
     """Return the motion of a trajectory; its name is the file name."""
     path = interpolate(trajectory) if len(trajectory.time) > 1 else None
     name = os.path.basename(trajectory.source)
-    found = _instants(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
+    found = _history(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
     return replace(found, noise=_noise(robot, trajectory, list(found.forces)))
 
 
@@ -162,7 +162,7 @@ def of_run(robot: Robot, run: StateHistory) -> MotionHistory:
         def path(times: Array) -> Motion:
             return run.at(times).motion
 
-    return _instants(robot, "simulated run", run.time, run.motion, path, run.time, {"run": run.F})
+    return _history(robot, "simulated run", run.time, run.motion, path, run.time, {"run": run.F})
 
 
 def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> MotionHistory:
@@ -175,7 +175,7 @@ def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion")
     if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
         raise ValueError("time: expected finite, increasing times")
     forces: Mapping[str, Array] | None = {} if motion.a is None else None
-    return _instants(robot, name, time, motion, _path_of(time, motion), time, forces)
+    return _history(robot, name, time, motion, _path_of(time, motion), time, forces)
 
 
 def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]:
@@ -212,10 +212,10 @@ def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> MotionHistory:
             f"{file_name(path)}: expected a run of {robot.name}, got one of another machine: at "
             f"{time[row]:g} s leg {leg + 1} is {own[row, leg]:.6g} m long, L{leg + 1} is {L[row, leg]:.6g} m"
         )
-    return _instants(robot, "simulated run", time, motion, _path_of(time, motion), time, {"run": F})
+    return _history(robot, "simulated run", time, motion, _path_of(time, motion), time, {"run": F})
 
 
-def _instants(
+def _history(
     robot: Robot,
     name: str,
     time: Array,

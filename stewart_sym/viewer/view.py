@@ -34,22 +34,22 @@ class Viewer:
     ----------
     robot : Robot
         Robot.
-    instants : MotionHistory
+    history : MotionHistory
         Displayed motion.
     """
 
     robot: Robot
-    instants: MotionHistory
+    history: MotionHistory
 
     @property
     def title(self) -> str:
         """Names of the robot and the motion."""
-        return f"{safe_text(self.robot.name)}: {safe_text(self.instants.name)}"
+        return f"{safe_text(self.robot.name)}: {safe_text(self.history.name)}"
 
     @cached_property
     def limits(self) -> LimitReport:
         """Limits of the robot compared with the motion."""
-        return limits(self.robot, self.instants)
+        return limits(self.robot, self.history)
 
     @property
     def html(self) -> str:
@@ -59,14 +59,14 @@ class Viewer:
             "viewer.html",
             {
                 "name": html.escape(safe_text(self.robot.name)),
-                "motion": html.escape(safe_text(self.instants.name)),
+                "motion": html.escape(safe_text(self.history.name)),
                 "length": shown["lengthName"],
                 "moment": f"{(characteristic_length(self.robot) or 1.0) * shown['length']:.4g}",
                 "generator": html.escape(generator()),
                 "parts": parts_text(self.robot),
-                "noise": noise_html(self.instants),
+                "noise": noise_html(self.history),
                 "limits": limits_html(self.limits),
-                "data": data_text(content(self.robot, self.instants, self.limits)),
+                "data": data_text(content(self.robot, self.history, self.limits)),
             },
         )
         return document(self.title, body, "main")
@@ -154,10 +154,10 @@ def view(
     instance(robot, Robot, "robot")
     if time is not None and not isinstance(motion, Motion):
         raise ValueError("time: expected None unless motion is a Motion")
-    return Viewer(robot, _instants(robot, motion, time))
+    return Viewer(robot, _history(robot, motion, time))
 
 
-def _instants(robot: Robot, motion: object, times: object) -> MotionHistory:
+def _history(robot: Robot, motion: object, times: object) -> MotionHistory:
     if motion is None:
         return at_home(robot, home_pose(robot).t)
     if isinstance(motion, str | StraightLinePath):

@@ -87,7 +87,7 @@ def test_times_since_1970_are_printed_in_full(robot: Path, trajectory: Path, run
     edit(robot, "[legs.lower]", "[legs]\nforce_limit = 1.0\n[legs.lower]")
     asked = ["forces", str(robot), str(trajectory), "-o", str(trajectory.with_name("f.csv"))]
     found = run(*asked)
-    assert "21 instants, 1700000000.5 to 1700000002.5 s; " in found.out
+    assert "21 samples, 1700000000.5 to 1700000002.5 s; " in found.out
     assert re.search(
         r" at 170000000[012]\.\d s, limit 1 N; beyond it for 2 s, at 21 of 21 samples", found.err
     )
@@ -218,12 +218,12 @@ def test_forces_warns_of_crossings_between(robot: Path, crossing: Path, trajecto
     assert "singular" not in run("forces", robot, trajectory, "-o", output).err
 
 
-def test_forces_of_one_instant_are_no_path_and_take_no_energy(robot: Path, crossing: Path, run: Run) -> None:
+def test_forces_of_one_sample_are_no_path_and_take_no_energy(robot: Path, crossing: Path, run: Run) -> None:
     crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
     driven = dataclasses.replace(ss.Robot.from_toml(robot), drive=ss.Drive(lead=0.005))
     written(driven, robot)
     text = run("forces", robot, crossing, "-o", robot.parent / "f.csv").out
-    assert text.startswith("1 instant, ")
+    assert text.startswith("1 sample, ")
     assert all(line.split()[-2:] == ["-", "-"] for line in text.splitlines()[-7:-1])
 
 
@@ -266,5 +266,5 @@ def test_singularities_fails_in_one_line(robot: Path, trajectory: Path, crossing
         assert "--pose-guess: the trajectory contains poses" in line
     crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
     line = fails("singularities", robot, crossing, "-o", folder)
-    assert line.endswith("expected at least 2 instants, got 1")
+    assert line.endswith("expected at least 2 samples, got 1")
     assert not folder.exists()

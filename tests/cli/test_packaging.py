@@ -1,10 +1,13 @@
 """A plain install carries everything: both folders beside the package, the C sources and the robot files."""
 
+import email
+import re
 import shutil
 import subprocess
 import sys
 import tarfile
 import tomllib
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -41,7 +44,7 @@ def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """Return the sdist and the wheel of a clone, so that nothing is written next to the package."""
     folder = tmp_path_factory.mktemp("archives")
     subprocess.run(["git", "clone", "-q", str(REPOSITORY), str(folder / "clone")], check=True)
-    for name in ("pyproject.toml", "LICENSE", "LICENSE.0BSD", "README.md"):
+    for name in ("pyproject.toml", "setup.py", "LICENSE", "LICENSE.0BSD", "README.md"):
         shutil.copy(REPOSITORY / name, folder / "clone")
     run = [sys.executable, "-c", BUILD, str(folder)]
     subprocess.run(run, check=True, capture_output=True, cwd=folder / "clone")
@@ -88,6 +91,21 @@ def test_archives_are_small_and_pass_the_checks_of_the_package_index(archives: t
 
 
 @pytest.mark.slow
+def test_the_description_on_the_package_index_has_no_relative_link(archives: tuple[Path, Path]) -> None:
+    _, wheel = archives
+    with zipfile.ZipFile(wheel) as archive:
+        (name,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
+        message = email.message_from_bytes(archive.read(name))
+    text = str(message.get_payload())
+    assert message["Description-Content-Type"] == "text/markdown"
+    assert text.startswith("# stewart-sym\n")
+    assert re.findall(r"\]\((?!https?://)", text) == []
+    pictures = re.findall(r"^!\[.*\]\((.*)\)$", (REPOSITORY / "README.md").read_text(encoding="utf-8"), re.M)
+    assert pictures
+    assert all((REPOSITORY / path).exists() for path in pictures)
+
+
+@pytest.mark.slow
 def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
     target = install(tmp_path)
     run = [sys.executable, "-I", "-c", CHECK, str(target)]
@@ -101,3 +119,18 @@ def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
         for path in source.rglob("*"):
             if path.is_file() and path.suffix != ".pyc":
                 assert prefix + str(path.relative_to(source)) in shipped
+
+
+def test_a_clone_shadows_an_installed_package_completely() -> None:
+    """Python in a clone, without an editable install: the folders next to the package belong to it."""
+    check = """
+import sys
+sys.meta_path = [finder for finder in sys.meta_path if "editable" not in repr(finder).lower()]
+import stewart_sym.generated.interface, stewart_sym.derive
+import stewart_sym as ss
+print(ss.InverseDynamicsResult.__name__, stewart_sym.generated.interface.__file__)
+"""
+    run = [sys.executable, "-c", check]
+    done = subprocess.run(run, cwd=REPOSITORY, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split() == ["InverseDynamicsResult", str(REPOSITORY / "generated" / "interface.py")]

@@ -104,7 +104,7 @@ COMMANDS = {
     "plan": ("via.toml", "-o", "out", "--no-plots"),
     "forces": ("hexapod.toml", "trajectory.csv", "-o", "out.csv"),
 }
-FREE = ("condition_number", "_std_", "/std/", "time_s", "/steps", "certificate/instants")
+FREE = ("condition_number", "_std_", "/std/", "time_s", "/steps", "certificate/samples")
 """With moments of another unit, of rounding, where a peak is flat, of steps."""
 
 

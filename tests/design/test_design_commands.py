@@ -41,7 +41,7 @@ FREE = (
     "--ignore",
     "lengths",
     "--ignore",
-    "joint-angles",
+    "joint_angles",
     "--position-bounds",
     -0.1,
     0.1,
@@ -88,6 +88,29 @@ def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run
     assert {row["first_limit"] for row in rows} >= {"feasible", "leg_length", "joint_angle"}
 
 
+def test_the_table_of_an_empty_workspace_has_no_nan(folder: Path, run: Run) -> None:
+    ranges = (
+        "--position-bounds",
+        0.5,
+        0.6,
+        0.5,
+        0.6,
+        0.5,
+        0.6,
+        "--rpy-bounds",
+        -0.1,
+        0.1,
+        -0.1,
+        0.1,
+        -0.1,
+        0.1,
+    )
+    run("workspace", "hexapod.toml", "--kind", "six_dof", *ranges, "--samples", 200, "--no-plots")
+    report = (folder / "workspace" / "report.txt").read_text()
+    assert "nan" not in report
+    assert len(re.findall(r"-  +-  ", report)) == 6
+
+
 def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(run: Run) -> None:
     few = ("--samples", 500, "--no-plots")
     for position, doubted in ((0.7, False), (700.0, True)):
@@ -128,7 +151,7 @@ def test_shares_given_in_per_cent_are_named(run: Run) -> None:
 
 def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
     volumes = []
-    for ignored in ((), ("--ignore", "joint-angles")):
+    for ignored in ((), ("--ignore", "joint_angles")):
         told = run("workspace", "hanging.toml", *FEW, *ignored, "--no-plots", "--json", "-").out
         volumes.append(json.loads(told)["volume"])
     assert volumes[0] < 0.9 * volumes[1]
@@ -166,13 +189,13 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     assert "at the noise of the log, the forces of all legs are unknown: " in captured.err
     data = json.loads((folder / "size" / "report.json").read_text())
     assert data["exceeded"] == []
-    assert f"limits exceeded: 0, limits without the margin: 0, not decided: {len(data['not_decided'])}" in (
+    assert f"limits exceeded: 0, limits without the margin: 0, inconclusive: {len(data['inconclusive'])}" in (
         captured.err
     )
-    limits = {line.split(": ")[1].partition(" of leg")[0] for line in data["not_decided"]}
+    limits = {line.split(": ")[1].partition(" of leg")[0] for line in data["inconclusive"]}
     assert limits == {"force_limit", "speed_limit", *(f"drive.{name}_limit" for name in ("torque", "speed"))}
-    assert all(line.startswith("inconclusive noise: ") for line in data["not_decided"])
-    assert all(f"I{line[1:]}" in captured.out for line in data["not_decided"])
+    assert all(line.startswith("inconclusive noise: ") for line in data["inconclusive"])
+    assert all(f"I{line[1:]}" in captured.out for line in data["inconclusive"])
     assert re.search(r"^force, peak, N .*\n  \+-( +\S+){6}$", captured.out, re.MULTILINE)
     assert {"force", "speed", "torque", "rms_torque", "length", "base_angle"} < set(data["std"])
     row = next(row for row in read(folder / "size" / "needs.csv") if row["need"] == "force, peak")

@@ -16,7 +16,7 @@ from sweeps import share
 import stewart_sym as ss
 from stewart_sym.design.actuator_requirements import weighted_quantiles
 from stewart_sym.design.limit_margins import compared
-from stewart_sym.drives.limit_status import EXCEEDED, NOT_DECIDED, WITHIN, legs_text
+from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, WITHIN, legs_text
 from stewart_sym.io.arguments import status_text
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.studies.design.actuator_report import report
@@ -265,7 +265,7 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list
             for leg in range(6):
                 verdict = lines.get((name, leg), WITHIN)
                 seen.add(verdict)
-                if verdict != NOT_DECIDED:
+                if verdict != INCONCLUSIVE_NOISE:
                     assert (verdict == EXCEEDED) == bool(peak[leg] > limits[name][leg]), (name, leg)
         digest = Digest(limited, log.time)
         for part in in_parts(limited, log):
@@ -279,7 +279,7 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list
         assert told.count("_limit ") + told.count("rated_torque ") == len(
             {(name, verdict) for (name, _), verdict in lines.items()}
         )
-    assert seen == {WITHIN, EXCEEDED, NOT_DECIDED}
+    assert seen == {WITHIN, EXCEEDED, INCONCLUSIVE_NOISE}
 
 
 def test_noise_makes_no_wrong_verdict_about_the_margin(noisy: list[Noisy]) -> None:
@@ -290,7 +290,7 @@ def test_noise_makes_no_wrong_verdict_about_the_margin(noisy: list[Noisy]) -> No
         assert ("Every limit of the robot file suffices." in written.text) == (not any(found))
         assert found._asdict() == {name: written.data[name] for name in found._fields}
         missing = names(found.margin_missing)
-        possible = " ".join(found.not_decided + found.margin_not_decided)
+        possible = " ".join(found.inconclusive + found.margin_inconclusive)
         for name, peak in peaks.items():
             for leg in range(6):
                 told, kept = f"{name} of leg {leg + 1}", bool(peak[leg] <= limits[name][leg])
@@ -319,7 +319,7 @@ def limited_near(
 def verdicts_of_size(robot: ss.Robot, needs: ss.ActuatorRequirementsResult) -> dict[tuple[str, int], str]:
     """By limit and leg, as the lines of ``size`` have them."""
     lines, found = compared(robot, needs), {}
-    for line in [*(f"{EXCEEDED}: {line}" for line in lines.exceeded), *lines.not_decided]:
+    for line in [*(f"{EXCEEDED}: {line}" for line in lines.exceeded), *lines.inconclusive]:
         verdict, name = line.split(": ")[:2]
         verdict = verdict.replace(" ", "_")
         limit, _, leg = name.partition(" of leg ")

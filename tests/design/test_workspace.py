@@ -175,7 +175,7 @@ def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
         joint_angle_limit=np.column_stack([np.full(6, 0.7), np.full(6, 0.75)]),
         force_limit=np.full(6, weight),
     )
-    limits = ss.PoseLimits(condition=4.0, clearance=0.2 * machine_size(robot))
+    limits = ss.PoseLimits(max_condition=4.0, min_clearance=0.2 * machine_size(robot))
     examiner = PoseExaminer(robot, limits)
     R = rotation_from_rpy(rng.uniform(-0.35, 0.35, (6000, 3)))
     poses = t + machine_size(robot) * rng.uniform([-0.5, -0.5, -1.3], [0.5, 0.5, 0.4], (6000, 3))
@@ -193,7 +193,7 @@ def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
         over >= 0.0,
         np.all((wide[:, 0] <= L) & (wide[:, 1] >= L), axis=-1),
         np.all((angles.base <= 0.7) & (angles.platform <= 0.75), axis=-1),
-        np.all(ss.leg_distances(robot, motion) >= limits.clearance, axis=-1),
+        np.all(ss.leg_distances(robot, motion) >= limits.min_clearance, axis=-1),
         same & (ss.scaled_condition_number(H, size) <= 4.0),
         np.all(np.abs(F) <= weight, axis=-1),
     ]
@@ -270,7 +270,7 @@ def test_a_machine_in_millimeters_that_hangs_has_the_volume_of_its_image_in_mete
 @pytest.mark.slow
 def test_a_cluster_of_workers_gives_the_same_bits() -> None:
     robot = ss.robots.rubin_m2()
-    limits = ss.PoseLimits(condition=10.0, clearance=0.01)
+    limits = ss.PoseLimits(max_condition=10.0, min_clearance=0.01)
     here, there = (
         ss.workspace(robot, limits=limits, samples=150_000, scheduler=scheduler)
         for scheduler in (None, "local")
@@ -351,10 +351,10 @@ def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> Non
     assert error_of(lambda: ss.workspace(robot, "orientation", position_bounds=wide)).startswith(
         "position_bounds: expected None, positions"
     )
-    assert error_of(lambda: ss.PoseLimits(condition=0.5)).startswith("condition: expected")
-    assert error_of(lambda: ss.PoseLimits(clearance=-1.0)).startswith("clearance: expected")
+    assert error_of(lambda: ss.PoseLimits(max_condition=0.5)).startswith("max_condition: expected")
+    assert error_of(lambda: ss.PoseLimits(min_clearance=-1.0)).startswith("min_clearance: expected")
     assert error_of(lambda: ss.PoseLimits(load=[1.0])).startswith("load: expected")
-    tight = ss.PoseLimits(clearance=10.0 * machine_size(robot))
-    assert error_of(lambda: ss.workspace(robot, limits=tight)).startswith("clearance: expected less than")
+    tight = ss.PoseLimits(min_clearance=10.0 * machine_size(robot))
+    assert error_of(lambda: ss.workspace(robot, limits=tight)).startswith("min_clearance: expected less than")
     monkeypatch.setattr(parallel, "_WAIT", "0.2s")
     assert error_of(lambda: ss.workspace(robot, scheduler="tcp://127.0.0.1:1")).startswith("scheduler: none")

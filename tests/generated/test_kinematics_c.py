@@ -104,7 +104,8 @@ BOUND = """static int most_steps = 1;
 def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
     rng = np.random.default_rng(5)
     robot, motion = machine_in_motion(rng)
-    R, t = nudged(rng, motion.R[None], motion.t[None], 0.3, 0.3 * machine_size(robot))
+    # From this guess both steps are shortened, which the header counts.
+    R, t = nudged(rng, motion.R[None], motion.t[None], 0.3, 3.0 * machine_size(robot))
     calls = Template(COUNTED + REPORT).substitute(
         FAR=f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
         EXACT=f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",

@@ -209,7 +209,7 @@ def test_wrong_rows_of_a_log_are_left_out_of_the_fit(noisy: bool, tmp_path: Path
     found = json.loads((tmp_path / "out" / "report.json").read_text())
     assert found["verdict"] == "consistent"
     assert found["robot_file"]["agreement"] == "agrees"
-    assert "of 600 instants at wrong rows are left out of the fit" in told.err
+    assert "of 600 samples at wrong rows are left out of the fit" in told.err
     assert "line 152" in told.err
 
 

@@ -71,7 +71,7 @@ def test_motion_without_period_or_stated_noise_is_identified_as_well() -> None:
 
 
 def test_the_basis_of_a_motion_does_not_grow_with_a_noise_that_is_stated_too_small() -> None:
-    """The largest, of three quarters of the instants, takes minutes."""
+    """The largest, of three quarters of the samples, takes minutes."""
     found = experiment(0)
     right = dataclasses.replace(found.pose_noise, period=None, harmonics=None)
     small = dataclasses.replace(right, position=right.position / 6, angle=right.angle / 6)
@@ -252,10 +252,10 @@ def test_page_states_the_least_move_of_a_payload_that_is_always_named() -> None:
     [
         ({"position": 0.0}, "position: expected a standard deviation > 0 m"),
         ({"angle": np.nan}, "angle: expected a standard deviation > 0 rad"),
-        ({"time": [0.0, 0.0]}, "time: expected increasing instants"),
+        ({"time": [0.0, 0.0]}, "time: expected increasing times"),
         ({"period": -1.0}, "period: expected a duration > 0 s"),
         ({"harmonics": 2}, "harmonics: expected None"),
-        ({"period": 1.0, "harmonics": 2}, "harmonics: expected a whole number from 1 to 1 for 4 instants"),
+        ({"period": 1.0, "harmonics": 2}, "harmonics: expected a whole number from 1 to 1 for 4 samples"),
         ({"period": 1.0, "harmonics": 1.5}, "harmonics: expected a whole number"),
     ],
 )
@@ -277,7 +277,7 @@ def test_poses_that_no_noise_fits_are_named() -> None:
     way = excited(0)
     with pytest.raises(ValueError, match=r"^motion: expected measured poses that scatter"):
         ss.estimate_pose_noise(way.time, way.motion, way.path.period, 5)
-    rejects(rf"^motion: expected {SAMPLES} instants", ss.estimate_pose_noise, way.time, way.motion[1:])
+    rejects(rf"^motion: expected {SAMPLES} samples", ss.estimate_pose_noise, way.time, way.motion[1:])
     rejects(
         r"^motion: expected more than 7 poses, got 7", ss.estimate_pose_noise, way.time[:7], way.motion[:7]
     )

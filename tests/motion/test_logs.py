@@ -262,7 +262,7 @@ def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, run: Run) -> Non
     out = tmp_path / "f.csv"
     told = run("forces", robot, log, "-o", out, "--columns", columns, *units)
     assert "smoothed" in told.err
-    assert "101 instants, 0 to 2 s" in told.out
+    assert "101 samples, 0 to 2 s" in told.out
     assert "100000 within limit" in told.out
     header = out.read_text().splitlines()[0].split(",")
     assert header[7:13] == [f"F_{leg}_std" for leg in range(1, 7)]

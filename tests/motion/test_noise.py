@@ -14,7 +14,7 @@ from noisy_logs import WHITE, Array, Case, case, coordinates, from_poses, logged
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.drives.limit_status import EXCEEDED, NOT_DECIDED, amount_text, limit_status
+from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, amount_text, limit_status
 from stewart_sym.motion import interpolation, smoothing
 from stewart_sym.motion.log_reader import _pose_log, read_csv, read_log
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
@@ -65,8 +65,8 @@ def test_peaks_without_a_warning_are_within_two_percent_and_verdicts_hold(
             assert np.all(np.abs(peak - true)[sure] <= 0.02 * true[sure])
             limit = true * rng.uniform(0.9, 1.1, 6)
             for leg, verdict in enumerate(limit_status(np.abs(F), limit, sd)):
-                decided[verdict != NOT_DECIDED] += 1
-                if verdict != NOT_DECIDED:
+                decided[verdict != INCONCLUSIVE_NOISE] += 1
+                if verdict != INCONCLUSIVE_NOISE:
                     assert (verdict == EXCEEDED) == bool(true[leg] > limit[leg]), (leg, verdict)
     assert min(decided.values()) > 0
 

@@ -437,7 +437,7 @@ def test_times_outside_and_single_instants_are_rejected() -> None:
     motion = trajectory.motion
     still = ss.Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v)
     for time, at, text in (
-        (trajectory.time[:1], motion[:1], "at least 2 instants, got 1"),
+        (trajectory.time[:1], motion[:1], "at least 2 samples, got 1"),
         (np.array([1.0, 1.0]), motion, "increasing times"),
         (trajectory.time, still, "a motion with accelerations, got none"),
     ):

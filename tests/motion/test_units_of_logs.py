@@ -89,6 +89,35 @@ def test_a_stated_unit_is_taken_as_stated_and_a_wrong_row_does_not_count(tmp_pat
     assert "angle_unit" not in fault(robot, log(path, poses(t, theta)))
 
 
+@pytest.mark.parametrize(
+    ("lengths", "angles", "units", "fix"),
+    [
+        (1e3, 1.0, "s,m,m,m,rad,rad,rad", {"length_unit": "mm"}),
+        (1e2, 1.0, "s,mm,mm,mm,rad,rad,rad", {"length_unit": "cm"}),
+        (1.0, 1.0, "s,mm,mm,mm,rad,rad,rad", {"length_unit": "m"}),
+        (1.0, np.degrees(1.0), "s,m,m,m,rad,rad,rad", {"angle_unit": "deg"}),
+    ],
+)
+def test_a_row_of_units_that_contradicts_its_numbers_is_an_error_with_the_option(
+    lengths: float, angles: float, units: str, fix: dict[str, str], tmp_path: Path
+) -> None:
+    robot = dasgupta()
+    L = leg_lengths(robot, np.eye(3), home_pose(robot).t)
+    robot = dataclasses.replace(robot, length_limits=np.outer(L, [0.7, 1.3]))
+    t, theta = moves(robot, 0.02, 0.05)
+    path = log(tmp_path / "log.csv", poses(t, theta, lengths, angles), units=units)
+    ((name, unit),) = fix.items()
+    stated = units.split(",")[1 if name == "length_unit" else 4]
+    text = fault(robot, path)
+    assert text.startswith(f"{path}: line 2: the row of units ({stated}) contradicts ")
+    assert f"TrajectoryFormat({name}={unit!r})" in text
+    assert text.endswith(f"TrajectoryFormat({name}={stated!r}) if {stated} is right")
+    with pytest.warns(ss.TrajectoryWarning, match=rf"line 2: the row of units \({stated}\) contradicts"):
+        found = ss.read_trajectory(robot, path, ss.TrajectoryFormat(**fix))
+    np.testing.assert_allclose(found.motion.t + found.motion.R @ robot.tool, t, atol=1e-6)
+    assert fault(robot, path, ss.TrajectoryFormat(**{name: stated})) == ""
+
+
 @pytest.mark.parametrize("command", ["forces", "size-actuators", "singularities", "view", "identify"])
 def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path: Path, fails: Fails) -> None:
     robot = dasgupta()

@@ -117,16 +117,20 @@ def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
         ("min,m,m,m,rad,rad,rad", "time: .* row of units s or ms or us, got 'min': convert the"),
         ("s,m,m,m,gon,gon,gon", "theta_x: .* row of units rad or deg, got 'gon': convert"),
         ("s,m,mm,m,rad,rad,rad", "t_y: expected one length_unit in the row of units, got mm and m$"),
-        (
-            "s,mm,mm,mm,rad,rad,rad",
-            r"the row of units \(mm\) contradicts length_unit=cm; omit one$",
-        ),
     ],
 )
 def test_units_that_are_none_or_others_are_named(tmp_path: Path, units: str, told: str) -> None:
     header, *rows = lines()
-    form = TrajectoryFormat(length_unit="cm" if "cm" in told else "m")
-    rejects(f"line 2: {told}", read, tmp_path, [header, units, *rows], form)
+    rejects(f"line 2: {told}", read, tmp_path, [header, units, *rows], TrajectoryFormat(length_unit="m"))
+
+
+def test_an_option_has_priority_over_the_row_of_units_with_a_warning(tmp_path: Path) -> None:
+    header, *rows = lines()
+    form = TrajectoryFormat(length_unit="cm")
+    told = r"line 2: the row of units \(mm\) contradicts TrajectoryFormat\(length_unit='cm'\), which is used"
+    with pytest.warns(TrajectoryWarning, match=told):
+        found = read(tmp_path, [header, "s,mm,mm,mm,rad,rad,rad", *rows], form)
+    np.testing.assert_allclose(found.motion.t, read(tmp_path, [header, *rows], form).motion.t)
 
 
 def test_stated_noise_is_in_the_unit_of_the_row_of_units(tmp_path: Path) -> None:

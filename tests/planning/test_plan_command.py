@@ -72,7 +72,7 @@ def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are
 
     monkeypatch.setattr(ss, "certify_plan", beyond)
     out = run("plan", via(folder, SHORT), "-o", folder / "out", "--no-plots", code=1).out
-    assert "certificate  does not hold: joint angles beyond their limits\n" in out
+    assert "certificate  not valid: joint angles beyond their limits\n" in out
     report = json.loads((folder / "out" / "report.json").read_text())
     assert report["certificate"]["lengths_ok"]
     assert not report["certificate"]["angles_ok"]
@@ -278,9 +278,9 @@ def limited(limit: str) -> str:
         ('minimize = "energy"\n' + PLAN, 'via.toml: minimize: expected a duration for "energy" (at line 1)'),
         (
             'minimize = "energy"\nduration = 1e9\n' + PLAN,
-            "via.toml: duration: expected at most 10,000,000 instants, got 1e+09 s at a rate of",
+            "via.toml: duration: expected at most 10,000,000 samples, got 1e+09 s at a rate of",
         ),
-        ("rate = 1e9\n" + PLAN, "via.toml: rate: expected at most 10,000,000 instants, got "),
+        ("rate = 1e9\n" + PLAN, "via.toml: rate: expected at most 10,000,000 samples, got "),
         (
             "duration = 2.0\n" + PLAN,
             'via.toml: duration: applies to minimize "energy" or "peak_force", got "time" (at line 1)',
@@ -291,7 +291,7 @@ def limited(limit: str) -> str:
         (limited("max_condition = 1.1"), "via 1: expected a condition number of at most 1.1"),
         (
             limited("min_clearance = 60.0"),
-            "limits.clearance: expected less than 0.1039 m, the distance of joints of legs 1, 2, got 60 m",
+            "limits.min_clearance: expected less than 0.1039 m, the distance of joints of legs 1, 2, got 60",
         ),
         (limited("forces = 1.0"), 'did you mean "force"?'),
         (PLAN + "tolerance.yaw = [0.1, 0.3]\n", "tolerance.yaw: expected [low, high] with low <= 0 <= high"),

@@ -92,7 +92,9 @@ def test_costs_have_the_derivatives_of_their_values() -> None:
         length_limits=np.tile([2.0, 2.1], (6, 1)) * machine_size(robot),
     )
     family = Family.of(poses, characteristic_length(robot))
-    costs = PoseCosts(robot, PoseLimits(condition=2.0, clearance=0.4), 0.1 * rng.normal(size=3), 1.0, 0.2)
+    costs = PoseCosts(
+        robot, PoseLimits(max_condition=2.0, min_clearance=0.4), 0.1 * rng.normal(size=3), 1.0, 0.2
+    )
     rows = family.rows + 0.02 * rng.normal(size=family.rows.shape)
     move, h = rng.normal(size=rows.shape), 1e-6
 
@@ -113,7 +115,7 @@ def test_costs_have_the_derivatives_of_their_values() -> None:
 
 def test_condition_numbers_are_those_about_the_reference_point() -> None:
     robot, poses = via_case(9)
-    costs = PoseCosts(robot, PoseLimits(condition=2.0), np.array([0.3, -0.2, -0.6]), 1.0, 0.0)
+    costs = PoseCosts(robot, PoseLimits(max_condition=2.0), np.array([0.3, -0.2, -0.6]), 1.0, 0.0)
     R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
     expected = conditions(robot, at_rest(R, t - R @ costs.tool))
     side = costs.plain_conditions(R, t)[1][0]
@@ -204,7 +206,7 @@ def test_limits_of_lengths_clearance_and_condition_are_kept() -> None:
     clearance = 0.9 * float(leg_distances(robot, via).min())
     highest = 1.02 * float(conditions(robot, via).max())
     found = plan_path(
-        limited, poses, PoseLimits(condition=highest, clearance=clearance), smoothness_weight=0.0
+        limited, poses, PoseLimits(max_condition=highest, min_clearance=clearance), smoothness_weight=0.0
     )
     motion = found.path(S)
     L = inverse_kinematics(robot, motion).L
@@ -245,4 +247,4 @@ def test_a_limit_that_stands_in_the_way_is_named(monkeypatch: pytest.MonkeyPatch
     costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
     highest = 1.01 * float(costs.plain_conditions(R, t)[0].max())
     with pytest.raises(ValueError, match=r"^via pose 2: .* pose 1 was found \(obstacle: condition number\)"):
-        plan_path(robot, poses, PoseLimits(condition=highest))
+        plan_path(robot, poses, PoseLimits(max_condition=highest))

@@ -134,6 +134,10 @@ ATTRIBUTES = {
         "weight",
         "deviations",
     ),
+    "PoseLimits": (
+        "condition",
+        "clearance",
+    ),
     "WorkspaceResult": (
         "clear",
         "reasons",
@@ -252,6 +256,7 @@ ATTRIBUTES = {
         "cutoff",
         "on",
     ),
+    "Viewer": ("instants",),
     "LegSprings": ("balanced",),
     "ComputedTorque": ("wanted",),
     "StateHistory": (

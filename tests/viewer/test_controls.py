@@ -26,7 +26,7 @@ def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Hostile names of a machine and of a path that crosses a singular pose; the folder can't be written."""
     robot = dataclasses.replace(dasgupta(), name=HOSTILE)
     shown = ss.view(robot, "III")
-    shown = dataclasses.replace(shown, instants=dataclasses.replace(shown.instants, name=BIDI))
+    shown = dataclasses.replace(shown, history=dataclasses.replace(shown.history, name=BIDI))
     folder = tmp_path_factory.mktemp("read-only")
     shown.save(folder / "III.html")
     (folder / "III.html").chmod(0o444)
@@ -110,7 +110,7 @@ def test_the_clock_runs_at_its_speed_and_begins_again(opened: Opened) -> None:
     opened.page.select_option("#speed", "1")
 
 
-def test_the_slider_moves_by_instants_and_is_read_out(opened: Opened) -> None:
+def test_the_slider_moves_by_samples_and_is_read_out(opened: Opened) -> None:
     slider = opened.page.locator("#time")
     slider.focus()
     for key, expected in (("ArrowRight", 1), ("PageUp", 11), ("ArrowLeft", 10), ("End", 600), ("Home", 0)):
@@ -184,7 +184,7 @@ def test_values_are_shown_under_the_pointer_and_the_curve_sets_the_clock(opened:
     lines = opened.page.locator("#lengths .tip").inner_text().splitlines()
     assert lines[0] == "3.000 s"
     robot = dasgupta()
-    found = ss.view(robot, "III").instants
+    found = ss.view(robot, "III").history
     shown = [float(re.findall(r"\u2002([\d.]+) mm", line)[0]) for line in lines[1:]]
     assert np.allclose(shown, 1e3 * found.L[300], rtol=1e-5)
     opened.page.mouse.down()
@@ -195,7 +195,7 @@ def test_values_are_shown_under_the_pointer_and_the_curve_sets_the_clock(opened:
 
 def test_the_table_has_the_numbers_of_the_instant(opened: Opened) -> None:
     opened.do("viewer.clock.seek(2)")
-    found = ss.view(dasgupta(), "III").instants
+    found = ss.view(dasgupta(), "III").history
     rows = opened.page.locator("#now tbody tr").all_inner_texts()
     for leg, row in enumerate(rows):
         numbers = [float(text) for text in re.findall(r"-?[\d.]+(?:e[+-]\d+)?", row.replace("\u2212", "-"))]
@@ -263,15 +263,15 @@ def test_print_is_light_and_shows_machine_and_curves(browser: Browser, path: Pat
 
 
 @pytest.mark.slow
-def test_twenty_thousand_instants_keep_every_number_and_every_peak(browser: Browser, tmp_path: Path) -> None:
+def test_twenty_thousand_samples_keep_every_number_and_every_peak(browser: Browser, tmp_path: Path) -> None:
     robot, (path, _) = dasgupta(), ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, path.tau_f, 20_000)
     shown = ss.view(robot, path.sample(time), time)
     peak, leg = 13_415, 2
-    F = shown.instants.forces["exact"].copy()
+    F = shown.history.forces["exact"].copy()
     F[peak, leg] = 5e3
-    instants = dataclasses.replace(shown.instants, forces={"exact": F})
-    dataclasses.replace(shown, instants=instants).save(tmp_path / "long.html")
+    history = dataclasses.replace(shown.history, forces={"exact": F})
+    dataclasses.replace(shown, history=history).save(tmp_path / "long.html")
     page = Opened(browser, tmp_path / "long.html")
     assert page.do("return viewer.motion.count") == 20_000
     assert np.array_equal(page.do("return [...viewer.motion.columns.F_exact]"), F.astype(np.float32).ravel())

@@ -1,4 +1,4 @@
-"""Warnings, JSON and page of ``view`` say of limits what ``forces`` says: exceeded, kept, not decided."""
+"""Limits have the same status in warnings, JSON data, and page of ``view`` as in ``forces``."""
 
 import contextlib
 import dataclasses
@@ -19,7 +19,7 @@ from playwright.sync_api import Browser
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.drives.limit_status import EXCEEDED, NOT_DECIDED, SURE, WITHIN
+from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, SURE, WITHIN
 from stewart_sym.viewer.view import Viewer
 
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
@@ -44,7 +44,7 @@ MOTORS = {
     "rated_torque": ("motor_rms_torque_N_m", "motor_rated_torque"),
 }
 VERDICTS = [*LEGS, "max_length_limit", "min_length_limit", *(name for _, name in MOTORS.values())]
-MARKS = {WITHIN: "", NOT_DECIDED: "doubtful", EXCEEDED: "beyond"}
+MARKS = {WITHIN: "", INCONCLUSIVE_NOISE: "doubtful", EXCEEDED: "beyond"}
 # Columns of the tables of peaks, and the verdicts that they show.
 PEAKS = {
     "peaks": {"force_limit": 1, "speed_limit": -1},
@@ -107,7 +107,7 @@ class Case:
 
 
 def limited(text: str, legs: list[dict[str, Any]], noisy: bool) -> str:
-    """A robot file with limits that two legs exceed and one reaches: with noise that is not decided."""
+    """A robot file with limits that two legs exceed and one reaches: inconclusive with noise."""
 
     def limit(name: str, sign: float = 1.0) -> float:
         value = sorted(sign * abs(leg[name]) for leg in legs)[-3]
@@ -139,7 +139,7 @@ def test_warnings_and_json_are_those_of_forces(case: Case) -> None:
     for name, verdicts in found.items():
         assert EXCEEDED in verdicts, name
         assert WITHIN in verdicts, name
-        assert (NOT_DECIDED in verdicts) == case.noisy, name
+        assert (INCONCLUSIVE_NOISE in verdicts) == case.noisy, name
     for leg, other in zip(case.legs, case.forces, strict=True):
         assert leg.keys() == other.keys()
         assert ("motor_peak_power_std_W" in leg) == ("peak_speed_std_m_per_s" in leg) == case.noisy

@@ -35,7 +35,7 @@ LINES = "for (const id of ['frames', 'ribbon', 'skeleton']) document.getElementB
 def shown() -> tuple[Robot, MotionHistory, str]:
     robot = dasgupta()
     found = view(robot, "I")
-    return robot, found.instants, found.html
+    return robot, found.history, found.html
 
 
 @pytest.fixture(scope="module")
@@ -55,15 +55,15 @@ def eye(opened: Opened, which: int = 0) -> tuple[dict[str, Any], dict[str, float
     return camera, opened.do(f"return viewer.pictures()[{which}];")
 
 
-def ends(robot: Robot, instants: MotionHistory, i: int) -> Array:
+def ends(robot: Robot, history: MotionHistory, i: int) -> Array:
     """Base and platform points, (6, 2, 3)."""
-    tips = robot.p @ instants.motion.R[i].T + instants.motion.t[i]
+    tips = robot.p @ history.motion.R[i].T + history.motion.t[i]
     return np.stack([robot.b, tips], axis=1)
 
 
-def projected(opened: Opened, robot: Robot, instants: MotionHistory, i: int, which: int = 0) -> Array:
+def projected(opened: Opened, robot: Robot, history: MotionHistory, i: int, which: int = 0) -> Array:
     """Their pixels, (6, 2, 2)."""
-    return pixels(ends(robot, instants, i).reshape(-1, 3), *eye(opened, which)).reshape(6, 2, 2)
+    return pixels(ends(robot, history, i).reshape(-1, 3), *eye(opened, which)).reshape(6, 2, 2)
 
 
 def off(points: Array, line: Array) -> Array:
@@ -74,20 +74,20 @@ def off(points: Array, line: Array) -> Array:
 
 
 def legs_seen(
-    opened: Opened, robot: Robot, instants: MotionHistory
+    opened: Opened, robot: Robot, history: MotionHistory
 ) -> Iterator[tuple[NDArray[np.int64], Array, int, Array]]:
-    """At some instants the picture and the projected legs; each leg, and the color of its force."""
-    for i in np.linspace(0, len(instants.time) - 1, INSTANTS).astype(int):
-        opened.do(f"viewer.clock.seek({float(instants.time[i])!r})")
-        picture, lines = opened.drawn(), projected(opened, robot, instants, i)
+    """At some history the picture and the projected legs; each leg, and the color of its force."""
+    for i in np.linspace(0, len(history.time) - 1, INSTANTS).astype(int):
+        opened.do(f"viewer.clock.seek({float(history.time[i])!r})")
+        picture, lines = opened.drawn(), projected(opened, robot, history, i)
         for leg in range(6):
-            yield picture, lines, leg, force_color(instants, "exact", i, leg)
+            yield picture, lines, leg, force_color(history, "exact", i, leg)
 
 
-def force_color(instants: MotionHistory, name: str, i: int, leg: int) -> Array:
+def force_color(history: MotionHistory, name: str, i: int, leg: int) -> Array:
     """On the scale of the largest force of the motion."""
-    scale = max(float(np.abs(F).max()) for F in instants.forces.values())
-    return color(float(instants.forces[name][i, leg]), scale)
+    scale = max(float(np.abs(F).max()) for F in history.forces.values())
+    return color(float(history.forces[name][i, leg]), scale)
 
 
 def test_pixels_of_lines_have_the_colors_of_the_forces_and_end_at_the_joints(
@@ -186,16 +186,16 @@ def test_bodies_of_legs_have_the_forces_colors(
 def test_formulations_have_colors_side_by_side(
     opened: Opened, shown: tuple[Robot, MotionHistory, str]
 ) -> None:
-    robot, instants, _ = shown
+    robot, history, _ = shown
     opened.page.select_option("#sets", "side by side")
     opened.do(LINES)
-    i, leg = 0, int(np.argmax(np.abs(instants.forces["exact"][0] - instants.forces["paper"][0])))
+    i, leg = 0, int(np.argmax(np.abs(history.forces["exact"][0] - history.forces["paper"][0])))
     opened.do("viewer.clock.seek(0)")
     picture = opened.drawn()
-    colors = [force_color(instants, name, i, leg) for name in ("exact", "paper")]
+    colors = [force_color(history, name, i, leg) for name in ("exact", "paper")]
     assert np.abs(colors[0] - colors[1]).max() > 4
     for which in (0, 1):
-        line = projected(opened, robot, instants, i, which)[leg]
+        line = projected(opened, robot, history, i, which)[leg]
         x, y = np.floor(DOTS * (line[0] + 0.1 * (line[1] - line[0]))).astype(int)
         assert np.abs(picture[y, x] - colors[which]).max() <= 2
     opened.page.select_option("#sets", "exact")
@@ -210,10 +210,10 @@ def test_other_machines_project_too(browser: Browser, tmp_path: Path, name: str)
     page = Opened(browser, tmp_path / "home.html")
     page.do(STILL + LINES)
     picture = page.drawn()
-    lines = projected(page, robot, found.instants, 0)
+    lines = projected(page, robot, found.history, 0)
     inside = (lines > 0.0).all() and (lines < np.array(picture.shape[1::-1]) / DOTS).all()
     assert inside
     for leg in range(6):
-        wanted = force_color(found.instants, "exact", 0, leg)
+        wanted = force_color(found.history, "exact", 0, leg)
         assert ends_off(picture, wanted, lines, leg) <= 1.0
     page.close()

@@ -27,7 +27,7 @@ def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folde
         main(["forces", "hexapod.toml", "trajectory.csv", "-o", "forces.csv", "--html", "forces.html"]) == 0
     )
     page = Opened(browser, folder / "forces.html", (1000, 800))
-    assert "101 instants" in page.page.inner_text("pre")
+    assert "101 samples" in page.page.inner_text("pre")
     rows = "[...document.querySelectorAll('table.sorts tbody tr')]"
     column = f"() => {rows}.map((row) => row.cells[1].dataset.value)"
     for order, name in ((1, "ascending"), (-1, "descending")):
@@ -194,7 +194,7 @@ def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
     path, _ = ss.PAPER_PATHS["III"]
     time = np.linspace(0.0, 6.0, 61)
     full = path.sample(time)
-    shown = ss.view(robot, ss.Motion(R=full.R, t=full.t, omega=full.omega, v=full.v), time).instants
+    shown = ss.view(robot, ss.Motion(R=full.R, t=full.t, omega=full.omega, v=full.v), time).history
     assert shown.forces == {}
     (event,) = shown.events
     assert event.time == pytest.approx(3.6705041, abs=1e-3)
@@ -202,7 +202,7 @@ def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
 
 def test_a_robot_with_rotors_is_shown_in_exact_alone(folder: Path) -> None:
     robot = dataclasses.replace(dasgupta(), drive=ss.Drive(lead=0.005, rotor_inertia=1.7e-5))
-    shown = ss.view(robot, "I").instants
+    shown = ss.view(robot, "I").history
     expected = ss.inverse_dynamics(robot, shown.motion).F
     assert list(shown.forces) == ["exact"]
     assert np.allclose(shown.forces["exact"], expected, rtol=1e-12)
@@ -227,8 +227,8 @@ def test_with_z_down_the_same_is_shown_upside_down() -> None:
     names = {name: getattr(robot, name) @ Q for name in ("g", "R_0", "b", "p", "k")}
     down = dataclasses.replace(robot, **names, I_p=Q @ robot.I_p @ Q)
     one, other = (ss.view(each, "I") for each in (robot, down))
-    assert np.allclose(one.instants.forces["paper"], other.instants.forces["paper"], rtol=1e-9)
-    ups = [content(each.robot, each.instants, each.limits)["machine"]["up"] for each in (one, other)]
+    assert np.allclose(one.history.forces["paper"], other.history.forces["paper"], rtol=1e-9)
+    ups = [content(each.robot, each.history, each.limits)["machine"]["up"] for each in (one, other)]
     assert np.allclose(ups, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
 
 
@@ -246,7 +246,7 @@ def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
     path, _ = ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, 6.0, 7)
     view = ss.view(robot, path.sample(time), time)
-    shown = view.instants
+    shown = view.history
     assert list(shown.forces) == ["exact"]
     columns = content(robot, shown, view.limits)["columns"]
     moving, foot, end, y = (

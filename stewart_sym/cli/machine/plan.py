@@ -48,7 +48,7 @@ def _plan(arguments: argparse.Namespace, request: PlanRequest) -> int:
     with errors_of("" if arguments.minimize or arguments.duration else f"{arguments.via}: "):
         need_duration(least, duration)
         if duration is not None:
-            plan.need_instants(duration, request.rate)
+            plan.need_samples(duration, request.rate)
     warn_of_doubts(robot, request.files[1])
     t, R = (np.array([getattr(pose, name) for pose in request.poses]) for name in ("t", "R"))
     if (doubt := meters_doubt(robot, leg_lengths(robot, R, t))) is not None:
@@ -60,7 +60,7 @@ def _plan(arguments: argparse.Namespace, request: PlanRequest) -> int:
         timed = ss.parameterize_path(robot, planned.path, **options, progress=progress)
         progress("checking the plan")
         with errors_of(f"{arguments.via}: "):
-            plan.need_instants(timed.duration, request.rate)
+            plan.need_samples(timed.duration, request.rate)
         found = plan.Plan(robot, planned, timed, ss.certify_plan(timed), request.rate)
         take(plan.report(found))
     for line in [] if found.motors is None else found.motors.summary.exceeded():

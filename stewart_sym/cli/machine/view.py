@@ -75,7 +75,7 @@ def _motion(robot: ss.Robot, arguments: argparse.Namespace, progress: Progress) 
         progress("reading the run")
         return motion_history.of_run_file(robot, path)
     trajectory = trajectory_of(robot, path, arguments, progress)
-    progress("computing forces and singular instants")
+    progress("computing forces and singular poses")
     return motion_history.of_trajectory(robot, trajectory)
 
 

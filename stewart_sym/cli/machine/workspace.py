@@ -57,11 +57,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     robot = robot_of(arguments.robot)
-    ignored = {name: name.replace("_", "-") not in arguments.ignore for name in _IGNORED}
+    ignored = {name: name not in arguments.ignore for name in _IGNORED}
     limits = ss.PoseLimits(
         **ignored,
-        condition=arguments.max_condition or math.inf,
-        clearance=arguments.min_clearance or 0.0,
+        max_condition=arguments.max_condition or math.inf,
+        min_clearance=arguments.min_clearance or 0.0,
         load=np.array(arguments.load or [0.0] * 6),
     )
     options = {name: getattr(arguments, name) for name in ("position", "samples", "seed", "scheduler")}

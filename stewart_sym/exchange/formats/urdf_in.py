@@ -64,7 +64,7 @@ def model(root: ET.Element, loops: str | None) -> Model:
     notes = given.get("notes", {})
     left_out = tuple(_left_out(root))
     if loops is None:
-        left_out += ("contents of NAME.loops.json: friction of closures, armatures, and notes",)
+        left_out += ("friction of closures, armatures, and notes (the file NAME.loops.json is missing)",)
     moving = (*joints, *closures)
     return Model(root.get("name", ""), gravity, tuple(bodies), moving, notes, left_out, armatures=True)
 

@@ -1,7 +1,6 @@
 """A row of units below a log's header."""
 
 import math
-from collections.abc import Mapping
 
 from .head import Head, is_value
 
@@ -34,12 +33,10 @@ _SPELLED = {"°": "deg", "degrees": "deg", "inch": "in", "sec": "s", "µs": "us"
 _SPELLED |= {"n": "N", "nm": "Nm", "a": "A"}
 
 
-def units_of(
-    head: Head, header: list[str | None], source: str, given: Mapping[str, str | None]
-) -> dict[str, str] | None:
-    """Units by kind where the first row below the header is one of units; None: it is none.
+def units_of(head: Head, header: list[str | None], source: str) -> dict[str, str] | None:
+    """Return the units by kind if the first row below the header is one of units; None: it is none.
 
-    Such a row has no number. Raises ValueError for a cell that is no unit, or not that of others or given.
+    Such a row has no number. Raises ValueError for a cell that is no unit, or not the unit of others.
     """
     cells = {name: cell for name, cell in zip(header, head.first, strict=False) if name is not None}
     if len(head.first) != len(header) or not any(cells.values()) or any(map(is_value, cells.values())):
@@ -62,10 +59,6 @@ def units_of(
             raise ValueError(
                 f"{where}: {name}: expected one {kind} in the row of units, got {unit} and {stated}"
             )
-    for kind, unit in found.items():
-        if given.get(kind) not in (None, unit):
-            expected = f"{kind}={given[kind]}"
-            raise ValueError(f"{where}: the row of units ({unit}) contradicts {expected}; omit one")
     return found
 
 

@@ -129,7 +129,7 @@ def _motion(robot: Robot, name: str, log: Path | None, prefix: str) -> Motion:
     status = inverse_dynamics(robot, found.motion).status
     if status.any():
         first, reason = first_fault(status, robot, found.motion)
-        where = f"{'instant' if log is None else 'line'} {found.rows[first[0]]}"
+        where = f"{'sample' if log is None else 'line'} {found.rows[first[0]]}"
         raise ValueError(f"{found.source}: {where}: {reason}")
     crossed = crossing_warning(robot, found)
     if crossed is not None:

@@ -81,8 +81,8 @@ def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> lis
     over, unsure, short, perhaps = compared(robot, needs)
     lines = over + unsure + short + perhaps
     told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}"
-    told += f", not decided: {len(unsure)}" if unsure else ""
-    told += f", margin not decided: {len(perhaps)}" if perhaps else ""
+    told += f", inconclusive: {len(unsure)}" if unsure else ""
+    told += f", margin inconclusive: {len(perhaps)}" if perhaps else ""
     found = [] if unknown is None else [unknown]
     return [*found, f"{source}: {told}; {lines[0]}"] if lines else found
 
@@ -131,7 +131,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     lines = [
         f"robot   {robot.name}",
         f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
-        f"margin  {100.0 * needs.margin:g} %: the last column is the largest of a row with it",
+        f"margin  {100.0 * needs.margin:g} %: the last column is the largest value of the row with it",
         "",
         aligned(("need", *legs, "with margin"), cells),
         "",
@@ -144,9 +144,9 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
         lines.append(f"{_capital(unknown)}.")
     found = compared(robot, needs)
     told = [*needs.crossings, *(f"Exceeded: {line}" for line in found.exceeded)]
-    told += map(_capital, found.not_decided)
+    told += map(_capital, found.inconclusive)
     told += [f"Margin missing: {line}" for line in found.margin_missing]
-    told += map(_capital, found.margin_not_decided)
+    told += map(_capital, found.margin_inconclusive)
     if not told:
         stated = states_limits(robot, needs)
         told = ["Every limit of the robot file suffices." if stated else "The robot file states no limit."]
@@ -181,8 +181,8 @@ def _data_of_noise(found: LimitMargins, needs: ActuatorRequirementsResult) -> di
     unknown = doubt(needs)
     return {
         "std": dict(needs.std),
-        "not_decided": found.not_decided,
-        "margin_not_decided": found.margin_not_decided,
+        "inconclusive": found.inconclusive,
+        "margin_inconclusive": found.margin_inconclusive,
         "warnings": [] if unknown is None else [unknown],
     }
 

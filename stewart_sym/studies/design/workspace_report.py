@@ -64,7 +64,7 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
         L = leg_lengths(examiner.robot, R, t)
         legs = f"its legs are {L.min():.4g} to {L.max():.4g} m long"
         return f"{legs}: change --position (m)"
-    number, most = float(examiner.conditions(R, t)[0]), examiner.limits.condition
+    number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
     if code == CONDITION and number > most:
         return f"{status_text(REASONS[code])}: expected at most {most:g}, got {number:.4g}"
     beyond = ": det H has another sign than at the home pose" if code == CONDITION else ""
@@ -109,8 +109,8 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
             "lengths": limits.lengths,
             "joint_angles": limits.joint_angles,
             "forces": limits.forces,
-            "scaled_condition_number": limits.condition,
-            "clearance_m": limits.clearance,
+            "max_condition": limits.max_condition,
+            "min_clearance_m": limits.min_clearance,
             "load_N_N_m": limits.load,
         },
         **{name: getattr(found, name) for name in ("volume", "error", "unit", "bounds", "extent")},
@@ -137,18 +137,18 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
         f"robot      {robot.name}",
         f"workspace  {_title(found)}",
         f"limits     {', '.join(_limits(robot, limits)) or 'none'}",
-        f"volume     {_size(found)}, of {found.samples:,} poses",
+        f"volume     {_size(found)}, from {found.samples:,} random poses",
     ]
     if found.tool.any():
         point = ", ".join(f"{x:.4g}" for x in found.tool)
         lines.insert(2, f"point      tool of the robot file, ({point}) m, platform frame: positions and load")
     if found.kind != "six_dof":
         distance = f"{found.distance_to_limit:.4g} {_clear_unit(found)}"
-        clear = f"at most {distance} from the pose in the middle, to the nearest"
-        clear = f"{clear} that" if np.isfinite(found.distance_to_limit) else "no pose"
-        lines.append(f"clear      {clear} was found beyond a limit")
+        nearest = f"at most {distance} from the center pose to the nearest pose beyond a limit"
+        known = np.isfinite(found.distance_to_limit)
+        lines.append(f"distance   {nearest if known else 'no random pose is beyond a limit'}")
     rows = [
-        (name, *(f"{end:.4g}" for end in ends))
+        (name, *("-" if np.isnan(end) else f"{end:.4g}" for end in ends))
         for name, ends in zip(_names(found), np.hstack([found.extent, found.bounds]), strict=True)
     ]
     header = ("coordinate", "at least from", "to", "searched from", "to")
@@ -169,10 +169,10 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
         yield "leg lengths"
     if limits.joint_angles and robot.has_joint_angle_limits:
         yield "joint angles"
-    if limits.clearance > 0.0:
-        yield f"leg clearance {limits.clearance:g} m"
-    if limits.condition < math.inf:
-        yield f"scaled condition number {limits.condition:g}"
+    if limits.min_clearance > 0.0:
+        yield f"leg clearance {limits.min_clearance:g} m"
+    if limits.max_condition < math.inf:
+        yield f"scaled condition number {limits.max_condition:g}"
     if limits.forces and np.isfinite(robot.force_limit).any():
         yield "actuator forces at rest" + (" under the load" if limits.load.any() else "")
 

@@ -208,7 +208,7 @@ def _singular(found: Reproduction, form: str) -> tuple[object, ...]:
 
 
 @_claim(
-    "5.2, Fig. 10", "Path III: the condition number rises sharply precisely there", "same instant of the grid"
+    "5.2, Fig. 10", "Path III: the condition number rises sharply precisely there", "same time of the grid"
 )
 def _precisely(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["III", form]
@@ -221,7 +221,7 @@ def _precisely(found: Reproduction, form: str) -> tuple[object, ...]:
 @_claim(
     "5.2",
     "condition number of the order of 1e2 or 1e3: forces of the order of 1e4 N or more",
-    "nine tenths of instants (partly: half)",
+    "nine tenths of samples (partly: half)",
 )
 def _near_singular(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["III", form]
@@ -229,7 +229,7 @@ def _near_singular(found: Reproduction, form: str) -> tuple[object, ...]:
     top = np.max(np.abs(run.F), axis=-1)[near]
     share = float(np.mean(top >= 1e4))
     text = f"Path III, condition number {run.condition.min():.0f} to 1e4: largest |F| "
-    text += f"from {_short(top.min())} N, 1e4 N or more in {share:.0%} of instants"
+    text += f"from {_short(top.min())} N, 1e4 N or more in {share:.0%} of samples"
     return text, share > 0.9, share > 0.5
 
 

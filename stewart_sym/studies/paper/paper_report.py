@@ -79,7 +79,7 @@ def _claims_table(found: Reproduction) -> str:
         "(a) What the text claims, and what was computed",
         _wrapped(header, cells, (8, 23, 22, 22, 8, 16)),
         "A verdict is `paper`'s; where `exact` has another, it follows after a semicolon. Dynamic "
-        "fraction: |F_d / F|, of all legs and all instants of the paper's time grid, "
+        "fraction: |F_d / F|, of all legs and all samples of the paper's time grid, "
         f"those left out where |F| is below {NEAR_ZERO:.0%} of the leg's largest on the path, since the "
         "fraction has no bound where F crosses zero. F_d is what masses and weights of the legs and friction "
         "add, F_d = F - F_0; it is mostly weight: with the platform at rest on Path I its median is "
@@ -105,7 +105,7 @@ def _fault_table(found: Reproduction) -> str:
     return _section(
         "(b) What the faults of the printed equations cost",
         aligned(header, cells),
-        "RMS over all legs and instants of F - F_exact, in per cent of the RMS of F_exact; no friction. At "
+        "RMS over all legs and samples of F - F_exact, in per cent of the RMS of F_exact; no friction. At "
         "rest: on the same poses, with rates and accelerations 0. Fault 4 is a slip in print that (35) "
         "doesn't have.",
     )

@@ -80,7 +80,7 @@ def from_measurement(
     found = identify(moved, motion, F, sigma, base, noise, physical, drive_terms=drive)
     said = []
     if bad.any():
-        text = f"motion: {np.count_nonzero(bad)} of {len(bad)} instants at wrong rows are left out of the fit"
+        text = f"motion: {np.count_nonzero(bad)} of {len(bad)} samples at wrong rows are left out of the fit"
         said.append(f"{text}; check these rows")
     if of_tool:
         base = base_parameters(robot, smooth.at_point(-robot.tool), friction, identical_legs)
@@ -347,7 +347,7 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
     harmonics, period = len(excited.path.sine), excited.path.period
     lines = [
         _count(robot, estimate.base),
-        f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} instants; "
+        f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} samples; "
         f"condition number {excited.condition:.4g}",
         _noise(found.force_std, found.pose_noise),
         *verdict(estimate),

@@ -78,16 +78,16 @@ class Plan:
     def times(self) -> Array:
         """Sample times of the trajectory (s); the last one is its end."""
         end = self.timed.duration
-        need_instants(end, self.rate)
+        need_samples(end, self.rate)
         return np.append(np.arange(0.0, end * (1.0 - 1e-9), 1.0 / self.rate), end)
 
 
-def need_instants(end: float, rate: float) -> None:
+def need_samples(end: float, rate: float) -> None:
     """Reject a trajectory whose duration (s) and rate (Hz) give too many samples."""
     if not end * rate < MOST_STEPS:
         name = "rate" if end * RATE < MOST_STEPS else "duration"
         raise ValueError(
-            f"{name}: expected at most {MOST_STEPS:,} instants, got {end:.6g} s at a rate of {rate:g} Hz"
+            f"{name}: expected at most {MOST_STEPS:,} samples, got {end:.6g} s at a rate of {rate:g} Hz"
         )
 
 
@@ -139,7 +139,7 @@ def summary(plan: Plan) -> str:
         f"energy     {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
         f"length     {found.shortest.value.min():.6g} to {found.longest.value.max():.6g} m",
         *_angles(found),
-        f"limits     used to {100.0 * found.max_utilization:.5f} % at {found.samples:,} instants, "
+        f"limits     used to {100.0 * found.max_utilization:.5f} % at {found.samples:,} samples, "
         f"one is active in {100.0 * found.active_fraction:.4g} % of the time",
         f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
         f"smallest singular value {found.nearest.smallest:.4g}",
@@ -161,7 +161,7 @@ def _verdict(found: PlanCertificate) -> str:
     """Describe the validity of the certificate, and violated limits without a utilization."""
     beyond = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
     names = " and ".join(name for name, over in beyond.items() if over)
-    return "holds" if found.is_valid else f"does not hold{names and f': {names} beyond their limits'}"
+    return "valid" if found.is_valid else f"not valid{names and f': {names} beyond their limits'}"
 
 
 def _conditions(found: Conditions) -> str:
@@ -223,8 +223,8 @@ def data(plan: Plan) -> dict[str, Any]:
 
 _UNITS = {
     "condition_numbers": "of H with moments over the characteristic length; length of the path over that",
-    "max_utilization": "share of a limit",
-    "active_fraction": "share of the duration",
+    "max_utilization": "fraction of a limit",
+    "active_fraction": "fraction of the duration",
 }
 
 

@@ -11,6 +11,7 @@ from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse_kinematics import ROUNDING, leg_vectors, wrench_matrix
 from ...kinematics.pose_search import rates_per_twist
 from ...motion.interpolation import Path
+from ...motion.sample_times import time_text
 from ...robot.robot import LEGS, Robot
 from ...singularities.path_singularities import (
     LegExtreme,

@@ -164,11 +164,11 @@ class Digest:
     def rows(self, parts: Iterable[Part], progress: Progress) -> Iterator[str]:
         """Add all parts, and yield the text of their CSV file."""
         count = len(self.time)
-        progress(f"computing {count} instants", 0.0)
+        progress(f"computing {count} samples", 0.0)
         for part in parts:
             yield from csv_lines(part.columns, header=part.where.start == 0)
             self.add(part)
-            progress(f"computing {count} instants", min(1.0, part.where.stop / count))
+            progress(f"computing {count} samples", min(1.0, part.where.stop / count))
 
     def add(self, part: Part) -> None:
         """Add the next part."""
@@ -216,7 +216,7 @@ class Digest:
             columns["joint angles, degrees"] = [", ".join(both) for both in zip(*angles, strict=True)]
         first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self._worst()[0]))
         text = (
-            f"{len(self.time)} instant{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
+            f"{len(self.time)} sample{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
             f"number of H up to {self._worst()[1]:.4g} (at {when} s)\n"
             f"{leg_table('leg', columns)}"
         )

@@ -11,7 +11,7 @@ from .track import Digest, Part
 
 def view_data(view: Viewer) -> dict[str, object]:
     """Return the numbers of a view for JSON, with peaks over the samples that have finite forces."""
-    shown = view.instants
+    shown = view.history
     # NumPy warns of legs without a finite force at any sample.
     with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
         peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
@@ -31,7 +31,7 @@ def view_data(view: Viewer) -> dict[str, object]:
 
 def _legs(view: Viewer) -> object:
     """Return peaks, limits, standard deviations, and limit status of each leg, as in ``forces``."""
-    shown, found = view.instants, view.limits
+    shown, found = view.history, view.limits
     sd, there = (None, None) if shown.noise is None else (shown.noise.sd, shown.noise.there)
     status = np.zeros(len(shown.time), dtype=np.int32)
     whole = Part(slice(None), shown.time, found.F, shown.L, shown.L_dot, shown.condition, status)

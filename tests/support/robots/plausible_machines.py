@@ -333,12 +333,20 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         "limits in millimeters": (scaled(length_limits=1e3), "in millimeters"),
         "limits in centimeters": (scaled(length_limits=1e2), "in centimeters"),
         "a stroke in meters in a file of millimeters": (short_stroke, "a stroke of 0.0003 m in legs of"),
+        "limits in meters in a file of millimeters": (
+            scaled(length_limits=1e-3),
+            "limits given in m in a file",
+        ),
         "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
     },
     "home": {"home of another point": (of(home_position=np.array([0.0, 0.0, 1.7])), "home of another point")},
     "force-limit": {"force limit in kN": (scaled(force_limit=1e-3), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
     "drive-speed": {
+        "lead in meters in a file of millimeters": (
+            driven(lead=5e-6, rotor_inertia=1e-5),
+            "lead of all legs",
+        ),
         "revolutions a minute": (driven(speed_limit=5000.0), "revolutions a minute given"),
         "revolutions among degrees": (driven(0.4, speed_limit=np.radians(5000.0)), "revolutions given"),
     },

@@ -1,9 +1,9 @@
 """Kinematics of the legs, forward and inverse, in the part of Python that ``read`` reads.
 
 The search of a pose is Newton's on (2). Each step solves J d = miss by Householder's reflections, which
-leave the singular values of J as they are, so that its triangle also says how near to singular H is. If an
-estimate of second order does not accept the pose found as the nearest to the guess, a damped search and a
-search from behind the next singular pose follow, and the nearest result counts.
+leave the singular values of J as they are, so that its triangle also says how near to singular H is. If the
+steps do not shrink, or differ from the way between guess and result, a damped search follows. If the next
+singular pose is near the way, a search from behind this pose follows. The nearest result counts.
 """
 
 
@@ -67,22 +67,35 @@ def inverse_kinematics(robot: "Robot", motion: "Motion") -> "LegRates":
     return found
 
 
-def legs_at(robot: "Robot", pose: "Pose", per_size: "Real", out: "LegsAtPose") -> "Integer":
-    """Lengths and J of the legs at a pose; returns a status."""
+def legs_at(robot: "Robot", pose: "Pose", legs: "LegsAtPose") -> "Integer":
+    """Vectors and lengths of the legs at a pose; returns a status."""
     status = OK
-    out.reach = 0.0
+    legs.reach = 0.0
     for i in range(6):
         leg = vectors_of(robot.leg[i], pose)
         reach = reach_of(robot.leg[i].b, pose.t, leg.q)
         fault = fault_of(leg.L, 1.0, reach)
         status = where(status == OK, fault, status)
+        for j in range(3):
+            legs.q[i][j] = leg.q[j]
+            legs.S[i][j] = leg.S[j]
+        legs.L[i] = leg.L
+        legs.reach = larger(reach, legs.reach)
+    return status
+
+
+def rows_at(legs: "LegsAtPose", per_size: "Real") -> None:
+    """Compute J of the legs at a pose."""
+    leg = LegVectors()
+    for i in range(6):
+        for j in range(3):
+            leg.q[j] = legs.q[i][j]
+            leg.S[j] = legs.S[i][j]
+        leg.L = legs.L[i]
         row = row_of(leg)
         for j in range(3):
-            out.A[i][j] = row.H_force[j]
-            out.A[i][j + 3] = row.H_moment[j] * per_size
-        out.L[i] = leg.L
-        out.reach = larger(reach, out.reach)
-    return status
+            legs.A[i][j] = row.H_force[j]
+            legs.A[i][j + 3] = row.H_moment[j] * per_size
 
 
 def platform_size(robot: "Robot") -> "Real":
@@ -97,7 +110,8 @@ def platform_size(robot: "Robot") -> "Real":
 
 
 def reflect(A: "array(6, 7)") -> None:
-    """Makes a triangle of [J | right side] by Householder's reflections."""
+    """Makes a triangle of [J | right side] by Householder's reflections. Its diagonal holds reciprocals, or 0
+    where the entry is 0."""
     for k in range(6):
         square = 0.0
         for i in range(k, 6):
@@ -114,39 +128,47 @@ def reflect(A: "array(6, 7)") -> None:
             total = total * factor
             for i in range(k, 6):
                 A[i][j] = A[i][j] + total * A[i][k]
-        A[k][k] = diagonal
+        A[k][k] = factor * first
 
 
-def substitute(A: "array(6, 7)", x: "array(6)") -> None:
-    """x of the triangle's equations, the last first; 0 where the diagonal entry is."""
+def substitute(A: "array(6, 7)", x: "array(6)") -> "Real":
+    """Compute x of the triangle's equations, the last first, or 0 where the diagonal entry is 0. Return the
+    square of the size of x."""
+    square = 0.0
     for i in reversed(range(6)):
         total = A[i][6]
-        for j in range(i + 1, 6):
+        for j in reversed(range(i + 1, 6)):
             total = total - A[i][j] * x[j]
-        x[i] = where(size(A[i][i]) > 0.0, total / A[i][i], 0.0)
+        x[i] = total * A[i][i]
+        square = square + x[i] * x[i]
+    return square
 
 
-def is_open(legs: "LegsAtPose") -> "Integer":
+def is_open(legs: "LegsAtPose", factor: "Real") -> "Integer":
     """1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
     poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
-    rounding: lengths known to rounding leave the pose open. Stores |J^-1|^2 in ``legs``."""
-    pivot = array(6)
-    inverse = array(6)
+    rounding: lengths known to rounding leave the pose open. ``factor`` multiplies the square of the condition
+    number. Stores |J^-1|^2 in ``legs``."""
     total = 0.0
     of_inverse = 0.0
     regular = 1
     for k in range(6):
-        regular = where(size(legs.A[k][k]) > 0.0, regular, 0)
-        pivot[k] = where(size(legs.A[k][k]) > 0.0, 1.0 / legs.A[k][k], 0.0)
-        for i in reversed(range(k + 1)):
-            entry = where(i == k, 1.0, 0.0)
-            for j in range(i + 1, k + 1):
-                entry = entry - legs.A[i][j] * inverse[j]
-            inverse[i] = entry * pivot[i]
+        pivot = legs.A[k][k]
+        regular = where(size(pivot) > 0.0, regular, 0)
+        legs.A[k][6] = pivot
+        total = total + where(size(pivot) > 0.0, 1.0 / (pivot * pivot), 0.0)
+        of_inverse = of_inverse + pivot * pivot
+        for i in reversed(range(k)):
+            entry = legs.A[i][k] * pivot
+            for j in range(i + 1, k):
+                entry = entry + legs.A[i][j] * legs.A[k][j]
+            entry = -entry * legs.A[i][i]
+            legs.A[k][i] = entry
             total = total + legs.A[i][k] * legs.A[i][k]
-            of_inverse = of_inverse + inverse[i] * inverse[i]
+            of_inverse = of_inverse + entry * entry
     legs.of_inverse = of_inverse
-    return where((regular == 1) & (256.0 * EPSILON * total * of_inverse <= 1.0), 0, 1)
+    square = 256.0 * EPSILON * factor * total * of_inverse
+    return where((regular == 1) & (square <= 1.0), 0, 1)
 
 
 def polish(R: "array(9)", half: "Real") -> "Real":
@@ -155,11 +177,13 @@ def polish(R: "array(9)", half: "Real") -> "Real":
     lack = array(9)
     skew = 0.0
     for i in range(3):
-        for j in range(3):
+        for j in range(i, 3):
             product = R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]
             missing = where(i == j, 1.0, 0.0) - product
             skew = larger(size(missing), skew)
-            lack[3 * i + j] = half * missing
+            part = half * missing
+            lack[3 * i + j] = part
+            lack[3 * j + i] = part
     for k in range(3):
         x = R[3 * k]
         y = R[3 * k + 1]
@@ -226,7 +250,9 @@ def per_longest_of(L: "array(6)") -> "Real":
 def trusted(
     x: "array(6)", per_size: "Real", per_longest: "Real", along: "array(3)", turn: "array(3)"
 ) -> None:
-    """Split a step x into [along; turn], no longer than a quarter of a radian and of the longest leg."""
+    """Split a step x into [along; turn], no longer than a quarter of a radian and of the longest leg. Beyond
+    it (2) is far from the straight line that it is taken for. With it, steps need no damping: taking back
+    those that lead away loses more poses."""
     for i in range(3):
         along[i] = x[i]
         turn[i] = x[i + 3] * per_size
@@ -234,23 +260,11 @@ def trusted(
     way = 16.0 * per_longest * per_longest * square_of(along)
     angle = 16.0 * square_of(turn)
     excess = larger(larger(way, angle), 1.0)
-    shorter = 1.0 / sqrt(excess)
-    for i in range(3):
-        along[i] = along[i] * shorter
-        turn[i] = turn[i] * shorter
-
-
-def newton_step(
-    legs: "LegsAtPose", per_size: "Real", per_longest: "Real", along: "array(3)", turn: "array(3)"
-) -> None:
-    """[along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted:
-    no more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight
-    line that it is taken for. With it, steps need no damping: taking back those that lead away loses
-    more poses."""
-    x = array(6)
-    reflect(legs.A)
-    substitute(legs.A, x)
-    trusted(x, per_size, per_longest, along, turn)
+    if anywhere(excess > 1.0):
+        shorter = 1.0 / sqrt(excess)
+        for i in range(3):
+            along[i] = along[i] * shorter
+            turn[i] = turn[i] * shorter
 
 
 def advance(pose: "Pose", along: "array(3)", turn: "array(3)", going: "Integer") -> None:
@@ -272,23 +286,38 @@ def search(
     robot: "Robot", L: "array(6)", per_size: "Real", damping: "Real", pose: "Pose", legs: "LegsAtPose"
 ) -> "Integer":
     """Step from a pose, with its legs, to lengths L. The first four steps are damped. Return 1 if a pose
-    with these lengths was found, else 0."""
+    with these lengths was found, else 0. ``legs`` keeps the triangle of J before the last step, and the
+    squares of the first and of the last step."""
+    x = array(6)
     along = array(3)
     turn = array(3)
     per_longest = per_longest_of(L)
     status = OK
     worst = compare(L, legs)
     going = 1
+    legs.straight = 1
+    legs.first = 1e30
+    legs.last = 1e30
     for step in range(MAX_STEPS):
         going = where(status == OK, going, 0)
         going = where(worst > 4.0 * EPSILON * legs.reach, going, 0)
         if anywhere(going == 1):
+            rows_at(legs, per_size)
             part = where(step < 4, damping, 0.0)
             if anywhere(part > 0.0):
                 damp(legs.A, part)
-            newton_step(legs, per_size, per_longest, along, turn)
+            reflect(legs.A)
+            square = substitute(legs.A, x)
+            trusted(x, per_size, per_longest, along, turn)
             advance(pose, along, turn, going)
-            status = legs_at(robot, pose, per_size, legs)
+            # At convergence, rounding errors of the lengths determine the size of a step.
+            doubled = 4.0 * square
+            longer = where((worst > ROUNDING * legs.reach) & (doubled > legs.last), 1, 0)
+            legs.straight = where((going == 1) & (longer == 1), 0, legs.straight)
+            legs.first = where((step == 0) & (going == 1), square, legs.first)
+            # A damped step has no triangle of J. With 1e30 m^2, ``settle`` computes the triangle.
+            legs.last = where(going == 1, where(part > 0.0, 1e30, square), legs.last)
+            status = legs_at(robot, pose, legs)
             worst = compare(L, legs)
         else:
             break
@@ -321,12 +350,13 @@ def twist_of(robot: "Robot", pose: "Pose", L_dot: "array(6)") -> "Twist":
     legs = LegsAtPose()
     x = array(6)
     per_size = 1.0 / platform_size(robot)
-    status = legs_at(robot, pose, per_size, legs)
+    status = legs_at(robot, pose, legs)
+    rows_at(legs, per_size)
     for i in range(6):
         legs.A[i][6] = L_dot[i]
     reflect(legs.A)
     substitute(legs.A, x)
-    unsettled = is_open(legs)
+    unsettled = is_open(legs, 1.0)
     status = where((status == OK) & (unsettled == 1), SINGULAR, status)
     for i in range(3):
         out.v[i] = x[i]
