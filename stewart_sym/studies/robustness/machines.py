@@ -4,10 +4,10 @@ import dataclasses
 
 import numpy as np
 
-from ....io.array_types import Array
-from ....motion.motion import Motion
-from ....motion.rotation import rotation_from_vector
-from ....robot.robot import Robot
+from ...io.array_types import Array
+from ...motion.motion import Motion
+from ...motion.rotation import rotation_from_vector
+from ...robot.robot import Robot
 
 GRAVITY = 9.81
 LEGS = ("general", "axisymmetric", "slender", "nearly massless")
