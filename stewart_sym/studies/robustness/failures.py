@@ -304,7 +304,10 @@ FAMILIES = (
             "overflow, underflow",
         ),
         "status 1 if a result or a square exceeds the range of double",
-        *("radius of the base, m", _extreme, 7, False),
+        "radius of the base, m",
+        _extreme,
+        seed=7,
+        in_range=False,
     ),
 )
 """Families of cases that approach a failure, in the order of the report."""

@@ -96,12 +96,13 @@ class Cases:
 
     def __getitem__(self, where: Any) -> "Cases":
         """Return some of the cases."""
-        return Cases(*(values[where] for values in vars(self).values()))
+        return Cases(self.robots[where], self.motions[where], self.forces[where], self.distance[where])
 
     def rounded(self) -> "Cases":
         """Return the cases with all numbers rounded to float."""
-        found = [values.astype(np.float32).astype(np.float64) for values in vars(self).values()]
-        return Cases(*found[:3], self.distance)
+        given = (self.robots, self.motions, self.forces)
+        robots, motions, forces = (values.astype(np.float32).astype(np.float64) for values in given)
+        return Cases(robots, motions, forces, self.distance)
 
 
 def cases_of(robots: list[Robot], motions: list[Motion], distance: Array | None = None) -> Cases:
@@ -176,7 +177,7 @@ class Verdict:
 
     def rejected_good(self, precision: str) -> NDArray[np.bool_]:
         """Return True for good poses with a status."""
-        return (self.status != OK) & (self.truth == OK) & (self.pose < GOOD[precision])
+        return np.asarray((self.status != OK) & (self.truth == OK) & (self.pose < GOOD[precision]))
 
 
 def check(
