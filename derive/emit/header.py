@@ -121,22 +121,22 @@ THRESHOLDS = (
         "ZERO_LENGTH",
         "zero-length leg",
         "leg shorter than 16 rounding units of the vectors in its sum",
-        7,
-        "2.2e-01",
+        5,
+        "7.9e-02",
     ),
     Threshold(
         "JOINT_SINGULAR",
         "joint singularity",
         "sine between leg and fixed axis below 4096 rounding units",
-        10,
-        "5.9e-02",
+        15,
+        "4.9e-02",
     ),
     Threshold(
         "SINGULAR",
         "singular",
         "spectral radius of |1/H| times the bounds of its errors above 1/2",
         10,
-        "1.6e-10",
+        "7.1e-09",
     ),
 )
 

@@ -60,9 +60,9 @@ typedef double stewart_real;
 /* Thresholds of the statuses. Each error is the largest error of a result with STEWART_OK for
  * 10^6 random poses near a failure (`stewart-sym stability`). The unit is the
  * rounding unit times the condition number of the problem. The distance is measured from the failure.
- * STEWART_ZERO_LENGTH: leg shorter than 16 rounding units of the vectors in its sum; error 7 at the distance 2.2e-01
- * STEWART_JOINT_SINGULAR: sine between leg and fixed axis below 4096 rounding units; error 10 at the distance 5.9e-02
- * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; error 10 at the distance 1.6e-10 */
+ * STEWART_ZERO_LENGTH: leg shorter than 16 rounding units of the vectors in its sum; error 5 at the distance 7.9e-02
+ * STEWART_JOINT_SINGULAR: sine between leg and fixed axis below 4096 rounding units; error 15 at the distance 4.9e-02
+ * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; error 10 at the distance 7.1e-09 */
 
 /* One leg. The origin of frame D is the base point, and the origin of frame U the platform point. In both
  * frames x is along the leg and y along the moving axis of the universal joint. */

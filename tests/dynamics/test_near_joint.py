@@ -10,7 +10,7 @@ from fifty_digits import truth as true_forces
 from leaning_legs import leaning
 from machines import machine_in_motion, random_motion, random_robot
 from mpmath import mp
-from near_joint import BLOCKS, KINDS, Truth, blocks, excess, of_reference, random_case, truth
+from near_joint import KINDS, Truth, excess, of_reference, random_case, truth
 from reduced_machines import as_simple_as, at_rest
 from sweep_machines import outputs
 from sweeps import share, sweep
@@ -100,17 +100,6 @@ def test_what_turns_and_moves_a_heavy_leg_leaves_a_light_platform_its_digits(
 def test_what_several_pivots_of_M_lose_does_not_add_up(kind: str, index: int, backend: str) -> None:
     """Each pivot keeps more than a thirty-second of its diagonal entry, three or four of them a sixteenth."""
     assert worst(*with_truth(1, kind, index), backend) <= MOST / 4
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", KINDS)
-def test_the_truth_does_not_depend_on_the_code_paths_for_lost_digits(kind: str) -> None:
-    for given in cases(3, kind, 2, deepest=5.0):
-        own, plain = truth(*given, ENOUGH, rotation=True), truth(*given, 1, plain=True, rotation=True)
-        for name in BLOCKS:
-            apart = np.abs((own.high[name] - plain.high[name]) + (own.low[name] - plain.low[name]))
-            for error, allowed in zip(blocks(name, apart), blocks(name, own.sensitivity[name]), strict=True):
-                assert error.max() <= 1e-3 * allowed.max(), name
 
 
 @pytest.mark.parametrize("kind", KINDS)

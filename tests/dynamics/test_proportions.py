@@ -8,7 +8,7 @@ from machines import machine_in_motion
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.studies.robustness.sweep.oracle import check_poses
+from stewart_sym.studies.robustness.oracle import FORCES, cases_of, check
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("sweep_library")]
 
@@ -35,7 +35,7 @@ def proportioned(rng: np.random.Generator) -> tuple[ss.Robot, ss.Motion]:
 
 
 def far_off(
-    rng: np.random.Generator, farthest: float = 4.0
+    rng: np.random.Generator,
 ) -> tuple[ss.Robot, ss.Motion, ss.Robot, ss.Motion]:
     """A machine, and the same from a reference point up to 1e4 platform radii away."""
     robot, motion = machine_in_motion(rng)
@@ -53,22 +53,18 @@ def far_off(
     return robot, motion, dataclasses.replace(robot, p=robot.p + d, R_0=robot.R_0 + d), moved
 
 
-def checked_from_afar(precision: str, seeds: range) -> np.ndarray:
-    """The same with a far reference point; the condition number of H is that from the platform itself."""
-    cases = [far_off(np.random.default_rng(seed)) for seed in seeds]
-    robots, motions, far_robots, far_motions = zip(*cases, strict=True)
-    near, far = check_poses(robots, motions, precision), check_poses(far_robots, far_motions, precision)
-    assert (far["truth"] == 0).all()
-    return np.asarray(far["error"] / np.maximum(far["own"], near["scaled"])[:, None])
+def checked(precision: str, seeds: range, afar: bool = False) -> np.ndarray:
+    """Largest error of each kernel over the condition number, (kernels, cases).
 
-
-def checked(precision: str, seeds: range) -> np.ndarray:
-    """Largest error of each kernel over the condition number, (cases, kernels)."""
-    robots, motions = zip(*(proportioned(np.random.default_rng(seed)) for seed in seeds), strict=True)
-    found = check_poses(robots, motions, precision)
-    assert (found["truth"] == 0).all()
-    condition = np.maximum(found["own"], found["scaled"])
-    return np.asarray(found["error"] / condition[:, None])
+    afar: from a far reference point; the condition number of H is the one from the platform itself.
+    """
+    draw = far_off if afar else proportioned
+    parts = list(zip(*(draw(np.random.default_rng(seed)) for seed in seeds), strict=True))
+    found = check(cases_of(*map(list, parts[-2:])), FORCES, precision)
+    near = check(cases_of(*map(list, parts[:2])), FORCES[2:], precision)[FORCES[2]]
+    assert all((each.truth == 0).all() for each in found.values())
+    least = np.fmax(near.condition, 1.0) if afar else 1.0
+    return np.array([each.error / np.fmax(each.condition, least) for each in found.values()])
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
@@ -80,7 +76,7 @@ def test_no_kernel_loses_digits_with_the_proportions(precision: str) -> None:
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_nor_with_the_distance_of_the_reference_point(precision: str) -> None:
-    error = checked_from_afar(precision, range(share(10_000, 250)))
+    error = checked(precision, range(share(10_000, 250)), afar=True)
     assert np.isfinite(error).all()
     assert error.max() <= UNITS
 
@@ -88,6 +84,6 @@ def test_nor_with_the_distance_of_the_reference_point(precision: str) -> None:
 def test_bounds_are_no_wider_from_a_far_reference_point() -> None:
     for seed in range(12):
         robot, motion, far_robot, far_motion = far_off(np.random.default_rng(seed))
-        near, far = check_poses([robot, far_robot], [motion, far_motion])
-        unit = np.finfo(float).eps * far["size"] * max(far["own"], near["scaled"])
+        found = check(cases_of([robot, far_robot], [motion, far_motion]), FORCES[2:])[FORCES[2]]
+        unit = np.finfo(float).eps * found.size[1] * found.condition.max()
         assert ss.force_error_bounds(far_robot, far_motion).bound.max() <= WIDEST * unit

@@ -17,25 +17,21 @@ from sweeps import FULL
 
 from stewart_sym.kit import Choice
 from stewart_sym.precision import quad
-from stewart_sym.studies.robustness.sweep import oracle
+from stewart_sym.studies.robustness import oracle
 
 REPOSITORY = Path(__file__).parents[2]
 STRICT = ("-std=gnu99", "-fsyntax-only", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror")
 LONGEST = 20
 """Lines of another language that may stand in a Python string."""
 
-SWEEP = oracle.sources()
-OWN = sorted(name for name in SWEEP if not name.startswith("stewart_") and name.endswith(".c"))
 
-
-@pytest.mark.parametrize("name", OWN)
-def test_the_c_of_the_sweep_compiles_without_a_warning(name: str, tmp_path: Path) -> None:
-    if "QUAD" in SWEEP[name] and not shutil.which("gcc"):
-        pytest.skip("needs gcc: __float128")
-    folder = written(SWEEP, tmp_path)
+@pytest.mark.parametrize("precision", ["double", "float", "wide"])
+def test_the_c_of_the_stability_study_compiles_without_a_warning(precision: str, tmp_path: Path) -> None:
+    folder = written(oracle.sources(), tmp_path)
+    macros = [f"-D{name}={value}" for name, value in oracle._DEFINES[precision].items()]
     compiler = "gcc" if shutil.which("gcc") else "cc"
-    command = [compiler, *STRICT, "-Wno-float-conversion", name]
-    assert run(*command, cwd=folder) == ""
+    flags = [*STRICT, *oracle._FLAGS[precision], *macros]
+    assert run(compiler, *flags, "kernels.c", cwd=folder) == ""
 
 
 def test_the_c_of_quadruple_precision_compiles_without_a_warning(tmp_path: Path) -> None:

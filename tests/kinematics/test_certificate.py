@@ -16,14 +16,15 @@ from machines import (
     random_motion,
     random_robot,
 )
+from sweep_machines import exact
 from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.kinematics.pose_search import distance, newton
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
-from stewart_sym.studies.robustness.poses import _exact_pose
-from stewart_sym.studies.robustness.singular import path_III
+from stewart_sym.precision.truth import digits
+from stewart_sym.studies.robustness.failures import path_III
 
 
 def turn_between(exact: mpmath.matrix, R: Array) -> float:
@@ -42,7 +43,7 @@ def test_the_exact_pose_lies_within_what_is_proven(off: float) -> None:
     proof = ss.certify_pose(robot, L, (R, t))
     assert proof.proven.all()
     for i in range(3):
-        turn, place = _exact_pose(robot, L[i], R[i], t[i])
+        turn, place = exact_pose(robot, L[i], R[i], t[i])
         distance = mpmath.sqrt(sum((place[j] - float(t[i, j])) ** 2 for j in range(3)))
         assert float(distance) <= proof.position_bound[i]
         assert turn_between(turn, R[i]) <= proof.angle_bound[i] + 1e-15
@@ -231,3 +232,21 @@ def test_what_was_tried_or_why_there_is_no_pose_is_said() -> None:
     rejects(open_.format("100 starts"), ss.forward_kinematics, robot, short)
     with pytest.raises(ValueError, match=open_.format("the guess and about it")):
         ss.forward_kinematics(robot, short, (np.eye(3), np.array([0.0, 0.0, 0.5])))
+
+
+def exact_pose(robot: ss.Robot, L: Array, R: Array, t: Array) -> tuple[Array, Array]:
+    """The pose with exactly these lengths near a found one, in 50-digit arithmetic."""
+    turn, place, p, b, lengths = map(exact, (R, t, robot.p, robot.b, L))
+    unit = exact(np.eye(3))
+    for _ in range(4):
+        turn = turn @ (3 * unit - turn.T @ turn) / 2
+    for _ in range(60):
+        q = p @ turn.T
+        S = q + place - b
+        J, miss = np.hstack([S, np.cross(q, S)]), (lengths**2 - (S * S).sum(axis=-1)) / 2
+        step = np.array(list(digits.lu_solve(digits.matrix(J.tolist()), digits.matrix(miss.tolist()))))
+        place = place + step[:3]
+        turn = np.array(digits.expm(digits.matrix(np.cross(step[3:], unit).T.tolist())).tolist()) @ turn
+        if np.abs(step).max() < digits.mpf(10) ** -35:
+            break
+    return turn, place

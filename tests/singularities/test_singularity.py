@@ -16,8 +16,8 @@ from stewart_sym.kinematics.conditioning import characteristic_length, scaled_co
 from stewart_sym.kinematics.inverse_kinematics import wrench_matrix
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.singularities.singular_poses import screw
-from stewart_sym.studies.robustness.sweep.machines import random_machine, random_motion
-from stewart_sym.studies.robustness.sweep.singular_machines import FAMILIES, NEARLY, singular_machine
+from stewart_sym.studies.robustness.machines import random_machine, random_motion
+from stewart_sym.studies.robustness.singular_machines import FAMILIES, NEARLY, singular_machine
 
 ROUNDING = 1e-14
 

@@ -1,181 +1,270 @@
-"""Stability study: all families, their verdicts, the report, and the JSON data for the table of the
-documentation.
-"""
+"""Stability study: families of failures and random cases times kernels, with report, data, and tables."""
 
-from collections.abc import Mapping, Sequence
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
+from ...results import OK, STATUS_TEXT
 from ..common.output import Figures, aligned, paragraph, table
 from ..common.report import Picture, Report
-from . import attitude, legs, poses, runs, scales, singular
-from .family import WRONG, Family, verdict
-from .poses import OUTCOMES, Basins, basins
-from .sweep.sweep import Sweep
-from .sweep.sweep import report as sweep_report
+from .failures import FAMILIES, KINDS, MACHINE, UNLIKE, Family, random_cases
+from .oracle import EPSILON, FORCES, GOOD, Verdict, check
 
-PARTS = {
-    "H singular": singular.families,
-    "the universal joint's singularity": legs.axis_families,
-    "lengths": legs.length_families,
-    "orientation": attitude.families,
-    "forward kinematics": poses.families,
-    "simulation": runs.families,
-    "scales": scales.families,
-}
-"""Functions that create the families, by subject."""
+WRONG = 1000.0
+"""Rounding units relative to the condition number of the problem above which a result is wrong."""
+CLOSED = ("forward_dynamics", "joint_inertia", "derivatives")
+"""Kernels of the closed form in the study; machines that are singular at every pose omit the first one."""
+PER_MACHINE = 500
+"""Number of random cases of each machine."""
+CHUNK = 2_000
+"""Number of random cases that are computed at once."""
+SHARE = 10
+"""Number of cases in double for each case in float, and of the forces for each case of the closed form."""
 
 
-def study(progress: Progress = silent) -> tuple[list[Family], Basins]:
-    """Compute every family in about a minute; raise native.CompilerError without ``__float128``."""
-    found: list[Family] = []
-    for _, families in tracked(progress, PARTS.items(), lambda part: f"approaching {part[0]}"):
-        found += families()
-    progress("looking for the basins of Newton's steps")
-    return found, basins()
+@dataclass(frozen=True, eq=False)
+class Course:
+    """Verdicts on all kernels, by name, over the distances of a family, shape (n,)."""
+
+    family: Family
+    distance: Array
+    verdicts: dict[str, Verdict]
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Return the columns (n,) of its CSV file."""
+        found: dict[str, NDArray[Any]] = {"distance": self.distance}
+        for name, each in self.verdicts.items():
+            found |= {f"{name}: error": each.error * EPSILON["double"], f"{name}: status": each.status}
+            found |= {f"{name}: condition": each.condition}
+        return found
 
 
-def full_report(
-    families: Sequence[Family], starts: Basins, swept: Sweep, figures: Mapping[str, Picture]
-) -> Report:
-    """Create the report: verdicts of all methods, errors of the families, and random cases, with the given
-    plots.
-    """
-    data = as_json(families, starts, swept)
-    text = "\n\n".join([report(data["families"]), basins_report(starts), sweep_report(swept)])
-    return Report(text, {family.name: family.columns() for family in families}, data, figures)
-
-
-def methods(family: Family) -> list[Figures]:
-    """Return the verdict of each method, and whether its statuses are correct."""
+def courses(progress: Progress = silent) -> list[Course]:
+    """Compute all families in a few seconds."""
     found = []
-    for curve in family.curves:
-        each = verdict(curve, family.distance)
-        # Beyond the range of double, a status is valid for any pose.
-        right = each["undetected"] == 0 and (family.beyond_range or each["false_alarms"] == 0)
-        known = {"method": curve.method, "shipped": curve.shipped, "status": curve.status is not None}
-        found.append({**known, "right": right, **each})
+    for family in tracked(progress, FAMILIES, lambda family: f"approaching {family.name}"):
+        cases = family.make(np.random.default_rng(family.seed))
+        with np.errstate(all="ignore"):
+            verdicts = check(cases, (*FORCES, *CLOSED), floor=True)
+        found.append(Course(family, cases.distance, {_named(k): each for k, each in verdicts.items()}))
     return found
 
 
-def report(families: Sequence[Figures]) -> str:
-    """Format the verdicts of all families as text."""
-    parts = [
-        "Errors against 50 digits along families of poses that approach a degenerate configuration.\n"
-        "worst: largest error in rounding units over the problem's own condition number, with status ok.\n"
-        "digits: left at the worst answer with status ok. rejected at: condition number of first status.\n"
-        f"undetected: poses with a wrong answer (above {WRONG:g}) and status ok; * shipped, else a candidate."
-    ]
-    for family in families:
-        rows = [
-            (
-                f"{'*' if each['shipped'] else ' '} {each['method']}",
-                _number(each["worst"]),
-                _number(each["where"]),
-                f"{each['digits']:.1f}",
-                _number(each["last"]),
-                "-" if each["rejected_at"] is None else _number(each["rejected_at"]),
-                f"{each['undetected']}",
-                "right" if each["right"] else "WRONG",
-            )
-            for each in family["methods"]
-        ]
-        header = ("method", "worst", "at", "digits", "last answer at", "rejected at", "undetected", "status")
-        lines = [f"{family['title']}\n({family['axis']})", aligned(header, rows), *family["notes"]]
-        parts.append("\n".join(lines))
-    return "\n\n".join(parts)
+def sweep(
+    cases: int, seed: int = 0, progress: Progress = silent, kinds: tuple[str, ...] = tuple(KINDS)
+) -> Figures:
+    """Check random cases near failure in double, and a tenth as many in float, in equal parts for each kind.
 
-
-def basins_report(found: Basins) -> str:
-    """Format the outcomes of forward kinematics as fractions of the starts."""
-    rows = [
-        (method, *(f"{100 * found.share(method, outcome):.1f} %" for outcome in range(len(OUTCOMES))))
-        for method in found.outcome
-    ]
-    return (
-        f"Forward kinematics from {found.roll.size * found.yaw.size} starts turned all round: "
-        f"{found.poses} poses found; `certify_pose` proves {100 * found.proven:.0f} % of a sample.\n"
-        + aligned(("Newton's steps", *OUTCOMES), rows)
-    )
-
-
-def as_json(families: Sequence[Family], starts: Basins, swept: Sweep) -> Figures:
-    """Return the numbers of the report."""
-    named = ("name", "title", "fails", "remedy", "axis", "notes")
-    shares = {
-        method: [starts.share(method, outcome) for outcome in range(len(OUTCOMES))]
-        for method in starts.outcome
-    }
+    Returns the counts of ``_summary`` for each kernel, kind, and precision, and their sums. Raises ValueError
+    for less than one case of each kind, and native.CompilerError as ``check``.
+    """
+    if cases < len(kinds) * SHARE:
+        raise ValueError(f"cases: expected at least {len(kinds) * SHARE}, got {cases}")
+    counts: list[Figures] = []
+    done = 0.0
+    for precision, share in (("double", 1), ("float", SHARE)):
+        for kind in kinds:
+            progress(f"computing {kind}, {precision}", done / (len(kinds) * (1.0 + 1.0 / SHARE)))
+            done += 1.0 / share
+            counts += _counts(kind, precision, -(-cases // (share * len(kinds))), seed)
     return {
-        "families": [
-            {name: getattr(family, name) for name in named} | {"methods": methods(family)}
-            for family in families
-        ],
-        "basins": {"shares": shares, "poses": starts.poses, "proven": starts.proven},
-        "sweep": swept.figures,
-        "units": {
-            "worst": "rounding units over the condition number of the problem",
-            "where": "distance from the degenerate configuration, as of the family's axis",
-            "rejected_at": "condition number",
-            "last": "distance, as of the family's axis",
-            "shares": "of the starts",
-            "wrong_above": "rounding units over the condition number of the problem",
-            "good_below": "condition number",
-        },
+        "cases": sum(count["cases"] for count in counts if count["kernel"] == _named(FORCES[0])),
+        "wrong": sum(count["wrong"] for count in counts),
+        "rejected_good": sum(count["rejected_good"] for count in counts),
+        "wrong_above": WRONG,
+        "good_below": GOOD,
+        "counts": counts,
     }
 
 
-def _number(value: float) -> str:
-    return "-" if np.isnan(value) else f"{value:.2g}"
+def _counts(kind: str, precision: str, wanted: int, seed: int) -> Iterator[Figures]:
+    """Yield the count of each kernel for a kind of cases; chunks are computed in parallel."""
+    starts = range(0, wanted, CHUNK)
+
+    def chunk(start: int) -> dict[str, Figures]:
+        rng = np.random.default_rng([seed, start, list(KINDS).index(kind)])
+        return _chunk(kind, precision, min(CHUNK, wanted - start), rng)
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        chunks = list(pool.map(chunk, starts))
+    for kernel in chunks[0]:
+        parts = [chunk[kernel] for chunk in chunks if kernel in chunk]
+        worst = max(parts, key=lambda part: part["worst"])
+        sums = {name: sum(part[name] for part in parts) for name in _SUMS}
+        shown = next((part["shown"] for part in parts if part["shown"]), "")
+        least = min(part["rejected_at"] for part in parts)
+        known = {"kind": kind, "precision": precision, "kernel": kernel}
+        yield {**known, **worst, **sums, "rejected_at": least, "shown": shown}
+
+
+def _chunk(kind: str, precision: str, count: int, rng: np.random.Generator) -> dict[str, Figures]:
+    """Return the summary of each kernel for some random cases."""
+    each = min(PER_MACHINE, max(1, count // 20))
+    cases = random_cases(kind, rng, count, each, 1.0 - np.log10(EPSILON[precision]))
+    closed, few = (CLOSED[1:], cases) if kind == MACHINE else (CLOSED, cases[::SHARE])
+    found = {}
+    for kernels, given in ((FORCES, cases), (closed, few)):
+        with np.errstate(all="ignore"):
+            verdicts = check(given, kernels, precision, floor=kind in UNLIKE, solvable=kind != MACHINE)
+        for kernel, verdict in verdicts.items():
+            found[_named(kernel)] = summary(verdict, given.distance, precision)
+    return found
+
+
+_SUMS = ("cases", "answered", "wrong", "rejected_good")
+
+
+def summary(found: Verdict, distance: Array, precision: str = "double", in_range: bool = True) -> Figures:
+    """Summarize the results of one kernel.
+
+    The numbers are those of ``cases``, of results with status OK (``answered``), of these with an error above
+    ``WRONG`` units times the condition number (``wrong``), and of good poses with a status
+    (``rejected_good``). ``worst`` is the largest error over the condition number with status OK, -1 without
+    any, at distance ``where``. ``rejected_at`` is the smallest condition number of a pose with a status, inf
+    without one. ``digits`` are the decimal digits of the worst result. ``shown`` describes a failed case.
+    """
+    ratio, good = found.ratio, found.rejected_good(precision) & in_range
+    rejected = (found.status != OK) & (found.truth == OK)
+    wrong, worst = int(np.sum(ratio > WRONG)), int(np.argmax(ratio))
+    i = int(np.argmax(good)) if good.any() and not wrong else worst
+    shown = (
+        f"{STATUS_TEXT[int(found.status[i])]}, error {found.error[i]:.3g} units at condition "
+        f"{found.condition[i]:.3g}, distance {distance[i]:.3g}"
+    )
+    largest = EPSILON[precision] * float(np.max(found.error, initial=0.5, where=ratio >= 0.0))
+    return {
+        "cases": len(ratio),
+        "answered": int(np.sum(found.status == OK)),
+        "worst": float(ratio[worst]),
+        "where": float(distance[worst]),
+        "wrong": wrong,
+        "rejected_at": float(found.pose[rejected].min(initial=np.inf)),
+        "rejected_good": int(good.sum()),
+        "digits": max(0.0, float(-np.log10(largest))),
+        "shown": shown if wrong or good.any() else "",
+    }
+
+
+def _named(kernel: str) -> str:
+    return kernel.replace("_", " ")
+
+
+# --- report, data, and tables of the documentation ------------------------------------------------
+
+
+def full_report(found: Iterable[Course], swept: Figures, figures: Mapping[str, Picture]) -> Report:
+    """Create the report on the families and the random cases, with the given plots."""
+    families, columns = [], {}
+    for course in found:
+        family, distance = course.family, course.distance
+        named = {name: getattr(family, name) for name in ("name", "title", "fails", "remedy", "axis")}
+        counts = [
+            {"kernel": kernel, **summary(each, distance, in_range=family.in_range)}
+            for kernel, each in course.verdicts.items()
+        ]
+        families.append({**named, "counts": counts})
+        columns[family.name] = course.columns()
+    data = {"families": families, "sweep": swept, "units": _UNITS}
+    head = "Errors of every kernel along families of poses that approach a failure."
+    parts = [f"{each['title']}\n({each['axis']})\n{_listed(each['counts'])}" for each in families]
+    text = "\n\n".join([head, *parts, sweep_report(swept)])
+    return Report(text, columns, data, figures)
+
+
+def sweep_report(swept: Figures) -> str:
+    """Format the counts of the random cases as a table, and each notable case as one line."""
+    limits = ", ".join(f"{limit:.0e} in {precision}" for precision, limit in GOOD.items())
+    lines = [
+        f"{swept['cases']} random cases near failure, each for {len(FORCES)} kernels, a part for "
+        f"{len(CLOSED)} more: {swept['wrong']} wrong answers with status ok, "
+        f"{swept['rejected_good']} statuses on good poses.",
+        "worst: error in rounding units over the condition number of the problem.",
+        f"wrong: worst above {WRONG:g}, or any answer for a singular machine.",
+        f"rejected at: least condition number of a case with a status; good: below {limits}.",
+    ]
+    return "\n".join(lines) + "\n\n" + _listed(swept["counts"])
+
+
+def _listed(counts: list[Figures]) -> str:
+    header = (
+        "kernel",
+        "cases",
+        "ok",
+        "worst",
+        "at distance",
+        "digits",
+        "wrong",
+        "rejected at",
+        "good rejected",
+    )
+    rows = [
+        (
+            ", ".join(count[name] for name in ("kind", "precision", "kernel") if name in count),
+            f"{count['cases']}",
+            f"{count['answered']}",
+            *(f"{count['worst']:.3g}" if count["worst"] >= 0.0 else "-", f"{count['where']:.1e}"),
+            f"{count['digits']:.1f}",
+            *(f"{count['wrong']}", f"{count['rejected_at']:.1e}", f"{count['rejected_good']}"),
+        )
+        for count in counts
+    ]
+    return "\n".join([aligned(header, rows), *(count["shown"] for count in counts if count["shown"])])
+
+
+_UNITS = {
+    "worst": "rounding units over the condition number of the problem",
+    "where": "distance from the failure, as of the family's axis",
+    "rejected_at": "condition number",
+    "wrong_above": "rounding units over the condition number of the problem",
+    "good_below": "condition number",
+}
 
 
 def tables(found: Figures) -> dict[str, str]:
     """Return the Markdown tables of the documentation from ``stability.json`` by name."""
-    shown = [family for family in found["families"] if family["remedy"]]
+    rows = [_row(family, family["counts"]) for family in found["families"]]
     return {
-        "stability_families": paragraph(_COLUMNS) + table(_HEADER, [_row(family) for family in shown]),
+        "stability_families": paragraph(_COLUMNS) + table(_HEADER, rows),
         "stability_cases": _cases(found["sweep"]),
     }
 
 
 _HEADER = ("failure", "sweep", "remedy", "worst", "status from", "digits left", "undetected")
 _COLUMNS = (
-    "`stewart-sym stability` approaches each degenerate configuration, from a distance of 1 to 1e-16, "
-    "with every kernel, and measures errors against 50 digits. Worst: the largest error of any kernel "
-    "with status 0, in rounding units times the condition number of the problem itself. Status from: the "
-    "condition number of the first pose with a status. Digits left: of the worst answer with status 0. "
-    "Undetected: the kernels that give a wrong answer (worst above 1000) with status 0."
+    "`stewart-sym stability` approaches each failure with every kernel, and measures errors against `long "
+    "double`, which is tested against 50 digits. Worst: the largest error of any kernel with status 0, in "
+    "rounding units times the condition number of the problem itself. Status from: the condition number of "
+    "the first pose with a status. Digits left: of the worst answer with status 0. Undetected: the kernels "
+    "that give a wrong answer (worst above 1000) with status 0."
 )
 
 
-def _row(family: Figures) -> tuple[str, ...]:
-    ours = [method for method in family["methods"] if method["shipped"]]
-    worst = max((each["worst"] for each in ours if each["worst"] is not None), default=None)
-    rejected = min((each["rejected_at"] for each in ours if each["rejected_at"] is not None), default=None)
-    digits = min((each["digits"] for each in ours if each["digits"] is not None), default=None)
-    undetected = [each["method"] for each in ours if each["undetected"]]
+def _row(family: Figures, counts: list[Figures]) -> tuple[str, ...]:
+    rejected = min(count["rejected_at"] or np.inf for count in counts)
     return (
-        family["fails"],
-        family["title"],
-        family["remedy"],
-        "" if worst is None else f"{worst:.2g}",
-        "never" if rejected is None else f"{rejected:.0e}",
-        "" if digits is None else f"{digits:.0f}",
-        "; ".join(undetected) or "none",
+        *(family["fails"], family["title"], family["remedy"]),
+        f"{max(count['worst'] or np.inf for count in counts):.2g}",
+        f"{rejected:.0e}" if np.isfinite(rejected) else "never",
+        f"{min(count['digits'] for count in counts):.0f}",
+        "; ".join(count["kernel"] for count in counts if count["wrong"]) or "none",
     )
 
 
-def _cases(sweep: Figures) -> str:
+def _cases(swept: Figures) -> str:
     """Format the random cases by kind and in total."""
-    kinds = dict.fromkeys(count["kind"] for count in sweep["counts"])
-    rows = [_of_kind(kind, [each for each in sweep["counts"] if each["kind"] == kind]) for kind in kinds]
-    lowest = min(
-        count["lowest"] for count in sweep["counts"] if count["precision"] == "double" and count["lowest"]
-    )
+    kinds = dict.fromkeys(count["kind"] for count in swept["counts"])
+    rows = [_of_kind(kind, [each for each in swept["counts"] if each["kind"] == kind]) for kind in kinds]
+    lowest = min(each["rejected_at"] or np.inf for each in swept["counts"] if each["precision"] == "double")
     lead = paragraph(
-        f"The sweep has {sweep['cases']:,} random cases in double and float. {sweep['wrong']:,} answers are "
-        f"wrong with status 0, and {sweep['rejected_good']:,} good poses have a status. Worst: the largest "
+        f"The sweep has {swept['cases']:,} random cases in double and float. {swept['wrong']:,} answers are "
+        f"wrong with status 0, and {swept['rejected_good']:,} good poses have a status. Worst: the largest "
         "error as above, with its precision and kernel; any answer for a singular machine is wrong. In "
         f"double no pose has a status at a condition number below {lowest:.0e}. "
         "`stewart-sym stability --cases N` generates N other cases from `--seed`."
@@ -186,18 +275,14 @@ def _cases(sweep: Figures) -> str:
 
 def _of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
     kernels = list(dict.fromkeys(count["kernel"] for count in counts))
-    worst = max(counts, key=lambda count: count["worst"] or -1.0)
-    given = (worst["worst"] or -1.0) >= 0.0
-    wrong = sum(count["wrong"] for count in counts)
+    worst = max(counts, key=lambda count: count["worst"])
     return (
         kind,
         f"{sum(count['cases'] for count in counts if count['kernel'] == kernels[0]):,}",
         ", ".join(kernels),
         f"{worst['worst']:.2g} ({worst['precision']}, {worst['kernel']})"
-        if given
-        else ""
-        if wrong
+        if worst["answered"]
         else "unsolvable",
-        f"{wrong:,}",
+        f"{sum(count['wrong'] for count in counts):,}",
         f"{sum(count['rejected_good'] for count in counts):,}",
     )

@@ -26,6 +26,8 @@ PORTABLE = ("-O2",)
 NATIVE = ("-O3", "-march=native")
 """Optimization of the libraries that ``prepare`` compiles."""
 POSES = 8192
+MOST = 37
+"""Largest size of a part of the batch."""
 _KINDS = 16
 
 
@@ -33,41 +35,47 @@ def differing(
     folder: Path, kernel: str, compiler: str, flags: Sequence[str], precision: str
 ) -> tuple[Array, Array]:
     """Differing poses of a batch, its parts, and columns, (3,), and poses by status, (8,)."""
-    library = _library(folder, kernel, compiler, flags, precision)
-    dtype = np.float64 if precision == "double" else np.float32
+    dtype = np.dtype(np.float64 if precision == "double" else np.float32)
     robot = machine(kernel)
     given = offset_numbers(robot) if robot.offsets else robot_numbers(robot, bool(defines_of(kernel)))
-    numbers = given.astype(dtype)
     with np.errstate(over="ignore", invalid="ignore"):
         rows = [np.ascontiguousarray(each, dtype=dtype) for each in motions(robot).values()]
     columns = [np.ascontiguousarray(each.reshape(POSES, -1).T) for each in rows]
-    counts, statuses = np.zeros(3, dtype=np.uintp), np.zeros(8, dtype=np.uintp)
-    arrays = (pointers(rows), pointers(columns))
-    of_robot = library.pose_bits(
-        address(numbers),
-        ctypes.c_size_t(POSES),
-        *map(ctypes.byref, arrays),
-        address(counts),
-        address(statuses),
+    poses = np.concatenate([each.reshape(POSES, -1) for each in rows], axis=1)
+    library = _library(folder, kernel, compiler, flags, precision)
+    count, numbers = ctypes.c_size_t, given.astype(dtype)
+    prepare, forces, batch, by_columns = (
+        getattr(library, f"stewart_{kernel}_{what}")
+        for what in ("prepare", "forces", "forces_batch", "forces_columns")
     )
-    assert of_robot == 0
-    return counts, statuses
+    room = np.zeros(MODELS[kernel] + 64, dtype=dtype)
+    model = ctypes.c_void_p(room.ctypes.data + -room.ctypes.data % 64)
+    assert prepare(address(numbers), model) == 0
+    out = np.full((4, 6 * POSES * dtype.itemsize), 0xA5, dtype=np.uint8).view(dtype)
+    status = np.full((4, POSES), -1, dtype=np.int32)
+    for i in range(POSES):
+        status[0, i] = forces(model, address(poses, 30 * i), address(out[0], 6 * i))
+    batch(model, count(POSES), pointers(rows), address(out[1]), address(status[1]))
+    start = 0
+    while start < POSES:
+        length = min(1 + start % MOST, POSES - start)
+        part = [np.ascontiguousarray(each[start : start + length]) for each in rows]
+        ends = address(out[2], 6 * start), address(status[2], start)
+        batch(model, count(length), pointers(part), *ends)
+        start += length
+    by_columns(model, count(POSES), count(POSES), pointers(columns), address(out[3]), address(status[3]))
+    bits = out.view(f"u{dtype.itemsize}").reshape(4, POSES, 6)
+    bits[3] = bits[3].reshape(6, POSES).T
+    apart = (bits[1:] != bits[0]).any(axis=-1) | (status[1:] != status[0])
+    return apart.sum(axis=1), np.bincount(status[0], minlength=8)
 
 
 def _library(folder: Path, kernel: str, compiler: str, flags: Sequence[str], precision: str) -> ctypes.CDLL:
-    """The kernel, and the comparison compiled apart from it so that nothing is inlined."""
-    header = f"stewart_{kernel}_forces.h"
     defines = [f"-D{each}" for each in defines_of(kernel)]
     defines += ["-DSTEWART_FLOAT"] if precision == "float" else []
-    common = [compiler, *attack_build.STRICT, "-fPIC", *defines, f"-I{GENERATED}"]
-    source = str(GENERATED / header.replace(".h", ".c"))
-    named = [f"-DKERNEL={kernel}", f'-DHEADER="{header}"', "-O1"]
-    compared = str(attack_build.ATTACK / "pose_bits.c")
-    parts = [folder / f"{kernel}_{name}.o" for name in ("kernel", "compared")]
-    attack_build.ran([*common, *flags, "-c", source, "-o", str(parts[0])], folder)
-    attack_build.ran([*common, *named, "-c", compared, "-o", str(parts[1])], folder)
-    made = folder / f"{kernel}.so"
-    attack_build.ran([compiler, "-shared", *map(str, parts), "-o", str(made), "-lm"], folder)
+    source, made = str(GENERATED / f"stewart_{kernel}_forces.c"), folder / f"{kernel}.so"
+    common = [compiler, *attack_build.STRICT, "-fPIC", "-shared", *defines, f"-I{GENERATED}", *flags]
+    attack_build.ran([*common, source, "-o", str(made), "-lm"], folder)
     return ctypes.CDLL(str(made))
 
 

@@ -1,27 +1,20 @@
 """Machines near the joint singularity of a leg, and what a rounding unit of every number does to each answer.
 
-Truth is the sweep's closed form in ``__float128``, run once more for each input number (robot, motion,
-actuator forces) with that number changed by a share of itself: the sum of the absolute changes is the
-machine's own sensitivity.
+Truth is the closed form in ``long double`` with the sensitivity that the stability study measures.
 """
 
-import ctypes
 import dataclasses
-import functools
 import math
-import re
 
 import numpy as np
 from leaning_legs import leaning
-from machines import Array, in_axes, machine_in_motion
-from sweep_machines import wider
+from machines import Array, machine_in_motion
 
 import stewart_sym as ss
-from stewart_sym.backend import native
 from stewart_sym.dynamics.closed_form import OUTPUTS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.robustness.sweep import oracle
+from stewart_sym.studies.robustness.oracle import cases_of, truth_of
 
 EPSILON = np.finfo(np.float64).eps
 KINDS = (
@@ -29,8 +22,7 @@ KINDS = (
     *("axisymmetric", "slender"),
 )
 BLOCKS = {f"{what}.{name}": shape for what, parts in OUTPUTS.items() for name, shape in parts.items()}
-"""Every output, with the shape of a pose's part, in the order in which the truth stores them."""
-_ENDS = np.cumsum([math.prod(shape) for shape in BLOCKS.values()])[:-1]
+"""Every output, with the shape of a pose's part."""
 
 
 def shortened(robot: Robot, motion: Motion, leg: int, length: float) -> Robot:
@@ -82,48 +74,30 @@ def random_case(rng: np.random.Generator, kind: str, deepest: float = 12.0) -> t
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Truth:
-    """Status of each function, and by output the value as high + low, and the sensitivity."""
+    """Status of each function, and by output the value in long double, and the sensitivity."""
 
     status: dict[str, int]
-    high: dict[str, Array]
-    low: dict[str, Array]
+    value: dict[str, Array]
     sensitivity: dict[str, Array]
 
 
-def truth(
-    robot: Robot, motion: Motion, F: Array, samples: int = 0, plain: bool = False, rotation: bool = False
-) -> Truth:
-    """Every output in quadruple precision, and what one rounding unit of each input number does to it.
+def truth(robot: Robot, motion: Motion, F: Array, samples: int = -1) -> Truth:
+    """Every output in long double, and what one rounding unit of each input number does to it.
 
-    plain: without the code paths for lost digits, so that the truth shares nothing with them; it then loses
-    digits itself, of 34, like the square of the sine's inverse and more.
-
-    rotation: with the platform's frame turned so that R is one, a rotation to all of 34 digits; the two agree
-    for no other.
-
-    samples: 0 for the sum over all numbers of absolute changes; else that many changes of all at once with
+    samples: -1 for the sum over all numbers of absolute changes; else that many changes of all at once with
     random signs, the largest of which is taken: never more than the sum, and cheaper.
     """
-    if rotation:
-        loads = {name: motion.R @ getattr(motion, name) for name in ("F_ext", "M_ext")}
-        robot = in_axes(robot, np.eye(3), motion.R)
-        motion = dataclasses.replace(motion, R=np.eye(3), **loads)
-    library = _plain_library() if plain else oracle._library()
-    *found, status = wider(robot, motion, F, samples or -1, library)
-    high, low, change = (dict(zip(BLOCKS, np.split(each, _ENDS), strict=True)) for each in found)
-    sensitivity = {name: EPSILON * each for name, each in change.items()}
-    return Truth(dict(zip(OUTPUTS, status.tolist(), strict=True)), high, low, sensitivity)
-
-
-@functools.cache
-def _plain_library() -> ctypes.CDLL:
-    """The sweep's C of quadruple precision, where the code paths for lost digits begin nowhere."""
-    sources = {
-        name: re.sub(r"(#define STEWART_(?:LEANING|KEPT)) .*", r"\1 REAL(0)", text)
-        for name, text in oracle.sources().items()
-        if not name.endswith(".c") or name.startswith("quad_")
-    }
-    return native.load("stewart_plain", sources, oracle._FLAGS)
+    cases = dataclasses.replace(cases_of([robot], [motion]), forces=F[None])
+    status, value, sensitivity = {}, {}, {}
+    for what, parts in OUTPUTS.items():
+        found = truth_of(cases, what, samples=samples)
+        status[what] = int(found.status[0])
+        ends = np.cumsum([math.prod(shape) for shape in parts.values()])[:-1]
+        for name, values, changes in zip(
+            parts, np.split(found.values[0], ends), np.split(found.change[0], ends), strict=True
+        ):
+            value[f"{what}.{name}"], sensitivity[f"{what}.{name}"] = values, EPSILON * changes
+    return Truth(status, value, sensitivity)
 
 
 def blocks(name: str, value: Array) -> list[Array]:
@@ -140,11 +114,9 @@ def excess(true: Truth, found: dict[str, Array]) -> dict[str, float]:
     """Error of each output over the sensitivity, the worst of its blocks: inf where it is not finite."""
     worst = {}
     for name, value in found.items():
-        error = np.abs((np.ravel(value) - true.high[name]) - true.low[name])
-        parts = zip(
-            *(blocks(name, each) for each in (error, true.sensitivity[name], np.abs(true.high[name]))),
-            strict=True,
-        )
+        error = np.abs(np.ravel(value) - true.value[name])
+        sizes = (error, true.sensitivity[name], np.abs(true.value[name]))
+        parts = zip(*(blocks(name, each) for each in sizes), strict=True)
         ratios = [_ratio(e, max(s.max(), EPSILON * v.max())) for e, s, v in parts]
         worst[name] = max(ratios)
     return worst

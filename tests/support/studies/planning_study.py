@@ -41,7 +41,7 @@ from stewart_sym.studies.common.drawing import (
 )
 from stewart_sym.studies.common.output import Figures, paragraph, table
 from stewart_sym.studies.common.report import SMALL, Picture, draw
-from stewart_sym.studies.robustness.sweep.machines import GRAVITY, random_machine
+from stewart_sym.studies.robustness.machines import GRAVITY, random_machine
 
 PATH_COUNT, MACHINE_COUNT, VIA_COUNT = 1000, 50, 6
 YAW = 0.3

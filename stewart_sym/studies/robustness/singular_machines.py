@@ -12,8 +12,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from ....io.array_types import Array
-from ....robot.robot import Robot
+from ...io.array_types import Array
+from ...robot.robot import Robot
 from .machines import LEGS, random_machine
 
 Whole = NDArray[np.int64]

@@ -4,10 +4,10 @@ import dataclasses
 
 import numpy as np
 
-from ....io.array_types import Array
-from ....motion.motion import Motion
-from ....motion.rotation import rotation_from_vector
-from ....robot.robot import Robot
+from ...io.array_types import Array
+from ...motion.motion import Motion
+from ...motion.rotation import rotation_from_vector
+from ...robot.robot import Robot
 
 GRAVITY = 9.81
 LEGS = ("general", "axisymmetric", "slender", "nearly massless")
@@ -24,25 +24,10 @@ _PAIRS_TURNED = (-40.0, 40.0, 80.0, 160.0, 200.0, 280.0)
 def random_machine(
     rng: np.random.Generator, size: float = 1.0, mass: float = 10.0, legs: str = "general"
 ) -> Robot:
-    """Generate a machine with random legs and points.
+    """Generate a machine with random legs and points, whose fixed axes are at least 45 degrees from the legs.
 
-    The fixed axes are at least 45 degrees from the legs at the home pose.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of random numbers.
-    size : float
-        Radius of the base (m).
-    mass : float
-        Mass of the platform (kg).
-    legs : str
-        Kind of legs, one of ``LEGS``.
-
-    Returns
-    -------
-    Robot
-        Machine.
+    ``size`` is the radius of the base (m), ``mass`` the mass of the platform (kg), and ``legs`` one of
+    ``LEGS``.
     """
     b, p = (
         radius * (_ring(angles) + 0.08 * rng.normal(size=(6, 3)))

@@ -1,0 +1,378 @@
+"""Failures: functions that bring cases near each, families at given distances, and kinds of random cases."""
+
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...io.array_types import Array, Flags
+from ...motion.motion import Motion
+from ...motion.rotation import cross, rotation_from_rpy, rotation_from_vector, rpy_from_rotation
+from ...motion.straight_line import PAPER_PATHS
+from ...robot.robot import Robot
+from ...robots import dasgupta1998
+from ...singularities.path_singularities import singularity_crossings
+from .machines import GRAVITY, LEGS, flat, meeting_one_line, random_machine, random_motion, similar_hexagons
+from .oracle import Cases, cases_of
+from .singular_machines import FAMILIES as SINGULAR_MACHINES
+from .singular_machines import singular_machine
+
+POINTS = 49
+"""Number of distances of a family."""
+FAR = "far reference point"
+UNLIKE = ("proportions", FAR)
+"""Kinds whose moments count over a length."""
+MACHINE = "singular machine"
+"""Kind whose machines are singular at every pose: a kernel with a solve of H must return a status."""
+SIZES, MASSES = (1e-4, 1e3), (1e-6, 1e6)
+"""Extremes of the size (m) and mass (kg) of a random machine."""
+
+Draw = Callable[[np.random.Generator, Cases, Array], Array]
+"""Function that changes cases, given distances (n,), and returns the distances from the failure."""
+
+
+def distances() -> Array:
+    """Return logarithmically spaced distances from 1 to 1e-16, shape (POINTS,)."""
+    return np.logspace(0.0, -16.0, POINTS)
+
+
+# --- near a failure -------------------------------------------------------------------------------
+
+
+def singular(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Move poses to a distance, as a fraction of a random way, from singular poses; NaN without one."""
+    (R, t), n = _pose(cases), len(way)
+    size = np.abs(cases.legs[:, :, :3]).max(axis=(1, 2))[:, None]
+    start = _side(cases, R, t)
+    phi, shift, found = np.zeros((n, 3)), np.zeros((n, 3)), np.zeros(n, dtype=np.bool_)
+    for _ in range(200):
+        phi[~found] = 0.8 * rng.normal(size=(n, 3))[~found]
+        shift[~found] = (0.4 * size * rng.normal(size=(n, 3)))[~found]
+        found = _side(cases, rotation_from_vector(phi) @ R, t + shift) != start
+        if found.all():
+            break
+    low, high = np.zeros(n), np.ones(n)
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        at = rotation_from_vector(middle[:, None] * phi) @ R, t + middle[:, None] * shift
+        same = _side(cases, *at) == start
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    place = (low + rng.choice([-1.0, 1.0], n) * way)[:, None]
+    cases.motions[:, :9] = (rotation_from_vector(place * phi) @ R).reshape(-1, 9)
+    cases.motions[:, 9:12] = t + place * shift
+    return np.where(found, way, np.nan)
+
+
+def _side(cases: Cases, R: Array, t: Array) -> Flags:
+    """Return the sign of det H as True or False, (n,)."""
+    q, S = _points(cases, R, t)
+    size = np.abs(S).max(axis=(1, 2), keepdims=True)
+    return np.asarray(np.linalg.det(np.concatenate([S / size, cross(q / size, S / size)], axis=-1)) > 0.0)
+
+
+def joint(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Rotate the fixed axis of a random leg to an angle from the leg."""
+    each, leg = np.arange(len(way)), rng.integers(6, size=len(way))
+    s = _unit(_points(cases, *_pose(cases))[1][each, leg])
+    across = _unit(cross(s, rng.normal(size=s.shape)))
+    cases.legs[each, leg, 6:9] = _unit(rng.choice([-1.0, 1.0], (len(way), 1)) * s + way[:, None] * across)
+    return way
+
+
+def both(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Move poses near singular ones, and an axis near its leg."""
+    found = singular(rng, cases, way)
+    joint(rng, cases, rng.permutation(way))
+    return found
+
+
+def short(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Move the base point of a random leg to a distance, relative to its terms, from the platform point."""
+    each, leg, (R, t) = np.arange(len(way)), rng.integers(6, size=len(way)), _pose(cases)
+    q = _points(cases, R, t)[0][each, leg]
+    reach = np.fmax(np.abs(q), np.abs(t)).max(axis=1)
+    aside = _unit(rng.normal(size=q.shape))
+    cases.legs[each, leg, :3] = q + t - (way * reach)[:, None] * aside
+    return way
+
+
+def heavy(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Multiply masses and inertias of a random leg by up to 1e6, with its fixed axis near the leg."""
+    light = 10.0 ** -rng.uniform(0.0, 6.0, len(way))
+    each, leg = np.arange(len(way)), rng.integers(6, size=len(way))
+    for part in (slice(9, 10), slice(13, 20), slice(23, 29)):
+        cases.legs[each, leg, part] /= light[:, None]
+    joint(rng, cases, 10.0 ** -rng.uniform(0.0, 3.0, len(way)))
+    return light
+
+
+def proportions(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Make platforms smaller by up to 1e5, with or without the body, and legs longer by up to 1e4."""
+    n, which = len(way), rng.integers(3, size=len(way))
+    small = np.where(which == 0, 1.0, 10.0 ** -rng.uniform(0.0, 5.0, n))[:, None]
+    body = np.where(rng.random((n, 1)) < 0.5, small, 1.0)
+    cases.legs[:, :, 3:6] *= small[:, None]
+    cases.robots[:, 193:196] *= body
+    cases.robots[:, 196:202] *= body**2
+    cases.motions[:, 27:] *= body
+    longer = np.where(rng.random((n, 6)) < 0.5, 10.0 ** rng.uniform(0.0, 4.0, (n, 6)), 1.0)
+    longer[which == 1] = 1.0
+    cases.legs[:, :, :3] -= (longer - 1.0)[..., None] * _points(cases, *_pose(cases))[1]
+    return np.asarray(np.minimum(small[:, 0], 1.0 / longer.max(axis=1)))
+
+
+def far(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Move the reference point by up to 1e4 radii of machines of ``proportions``.
+
+    With distances for float it is 100 radii, because rounding of R changes the inertia by the square of them.
+    """
+    distance = proportions(rng, cases, way)
+    p = cases.legs[:, :, 3:6]
+    times = 10.0 ** rng.uniform(0.0, 4.0 if way.min() < 1e-9 else 2.0, len(way))
+    d = _unit(rng.normal(size=(len(way), 3))) * (times * np.sqrt((p * p).sum(axis=(1, 2)) / 6.0))[:, None]
+    _, _, omega, v, alpha, a, F_ext, M_ext = np.split(cases.motions, np.arange(9, 30, 3), axis=1)
+    r = np.einsum("nij,nj->ni", _pose(cases)[0], d)
+    cases.robots[:, 193:196] += d
+    p += d[:, None]
+    cases.motions[:, 9:12] -= r
+    v -= cross(omega, r)
+    a -= cross(alpha, r) + cross(omega, cross(omega, r))
+    M_ext += cross(d, F_ext)
+    return np.minimum(distance, 1.0 / times)
+
+
+def turned(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Rotate singular machines by any angle, one in three not at all."""
+    phi = 0.8 * rng.normal(size=(len(way), 3)) * (rng.random((len(way), 1)) > 1.0 / 3.0)
+    cases.motions[:, :9] = rotation_from_vector(phi).reshape(-1, 9)
+    return np.zeros(len(way))
+
+
+def not_finite(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
+    """Replace one number of each motion by NaN or infinity."""
+    places = np.arange(len(way)), rng.integers(30, size=len(way))
+    cases.motions[places] = rng.choice([np.nan, np.inf, -np.inf], len(way))
+    return np.zeros(len(way))
+
+
+def _points(cases: Cases, R: Array, t: Array) -> tuple[Array, Array]:
+    """Compute q and S of all legs, (n, 6, 3) each, at poses R (n, 3, 3), t (n, 3)."""
+    q = cases.legs[:, :, 3:6] @ np.swapaxes(R, -1, -2)
+    return q, q + t[:, None] - cases.legs[:, :, :3]
+
+
+def _pose(cases: Cases) -> tuple[Array, Array]:
+    return cases.motions[:, :9].reshape(-1, 3, 3), cases.motions[:, 9:12]
+
+
+def _unit(vectors: Array) -> Array:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
+
+
+# --- families at given distances ------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Family:
+    """Cases that approach a failure, from the function ``make`` of a random generator with a ``seed``.
+
+    ``name`` is the stem of the file names, and ``axis`` the meaning of the distance. ``in_range`` is False if
+    the family exceeds the range of double, so that a status is valid for any pose.
+    """
+
+    name: str
+    title: str
+    fails: str
+    remedy: str
+    axis: str
+    make: Callable[[np.random.Generator], Cases]
+    seed: int
+    in_range: bool = True
+
+
+def path_III() -> tuple[list[Robot], list[Motion]]:
+    """Return poses of the robot of the paper near the crossing, on the tangent of Path III before it."""
+    robot, path = dasgupta1998(), PAPER_PATHS["III"].path
+    crossing = singularity_crossings(robot, path.sample, path.breakpoints())[0].time
+    moving = path.sample(crossing)
+    theta = rpy_from_rotation(moving.R)
+    # The tangent also extends beyond the ends of the path.
+    before, after = (rpy_from_rotation(path.sample(crossing + h).R) for h in (-1e-3, 1e-3))
+    theta_dot = (after - before) / 2e-3
+    motions = [
+        dataclasses.replace(moving, R=rotation_from_rpy(theta - d * theta_dot), t=moving.t - d * moving.v)
+        for d in distances()
+    ]
+    return [robot] * len(motions), motions
+
+
+def _turns(robot: Robot, motion: Motion, turns: list[Array]) -> Cases:
+    """Return one machine with each of the rotations."""
+    motions = [dataclasses.replace(motion, R=R) for R in turns]
+    return cases_of([robot] * len(turns), motions, distances())
+
+
+def _hexagons(rng: np.random.Generator) -> Cases:
+    robot = similar_hexagons(rng)
+    turns = [rotation_from_vector(np.array([0.0, 0.0, 0.5 * np.pi - d])) for d in distances()]
+    return _turns(robot, random_motion(rng, robot), turns)
+
+
+def _line(rng: np.random.Generator) -> Cases:
+    moving, axis = random_motion(rng, random_machine(rng)), np.array([0.6, 0.64, 0.48])
+    turns = [rotation_from_vector(d * axis) @ moving.R for d in distances()]
+    return _turns(meeting_one_line(rng, moving), moving, turns)
+
+
+def _flat(rng: np.random.Generator) -> Cases:
+    robot = flat(rng)
+    R = rotation_from_vector(np.array([0.0, 0.0, 0.3]))
+    cases = _turns(robot, random_motion(rng, robot), [R] * POINTS)
+    cases.motions[:, 9:11], cases.motions[:, 11] = (0.1, 0.07), distances()
+    return cases
+
+
+def _walk(draw: Draw, legs: str = LEGS[0], rest: bool = False) -> Callable[[np.random.Generator], Cases]:
+    """Return a function that brings one machine to all distances from a failure on the same way."""
+
+    def make(rng: np.random.Generator) -> Cases:
+        robot = random_machine(rng, legs=legs)
+        cases = cases_of([robot] * POINTS, [random_motion(rng, robot)] * POINTS, distances())
+        cases.motions[:, 12:24] *= not rest
+        state = rng.bit_generator.state
+        for i in range(POINTS):
+            rng.bit_generator.state = state
+            draw(rng, cases[i : i + 1], distances()[i : i + 1])
+        return cases
+
+    return make
+
+
+def _extreme(rng: np.random.Generator) -> Cases:
+    """Generate machines of one shape, with the time scale of the motion.
+
+    Larger machines are lighter, so that their inertias remain within the range of double.
+    """
+    sizes, state, robots, motions = np.logspace(200, -200, 81), rng.bit_generator.state, [], []
+    for size in sizes:
+        rng.bit_generator.state = state
+        robots.append(random_machine(rng, float(size), float(1.0 / size)))
+        motions.append(random_motion(rng, robots[-1]))
+    return cases_of(robots, motions, sizes)
+
+
+_PIVOTS = "elimination with partial pivoting; status 4 if a pivot is at the rounding level of its row"
+_ALONG, _ANGLE = "leg along its universal joint's fixed axis", "angle between a leg and its fixed axis, rad"
+FAMILIES = (
+    Family(
+        *("singular_path_III", "Path III crosses a singular pose", "H singular", _PIVOTS),
+        *("time from the crossing, s", lambda rng: cases_of(*path_III(), distances()), 6),
+    ),
+    Family(
+        *("singular_hexagons", "Similar hexagons turned by 90 degrees", "H singular", _PIVOTS),
+        *("angle from 90 degrees, rad", _hexagons, 6),
+    ),
+    Family(
+        *("singular_line", "Six legs meet one line", "H singular", _PIVOTS),
+        *("turn away from that pose, rad", _line, 6),
+    ),
+    Family(
+        *("singular_flat", "Six legs in one plane", "H singular", _PIVOTS),
+        *("height over the plane, m", _flat, 6),
+    ),
+    Family(
+        *("joint_singularity", "A leg's joint singularity, moving machine", _ALONG),
+        "sine and frame from k x s, dynamics in joint coordinates; status 3 for a sine of rounding level",
+        *(_ANGLE, _walk(joint), 2),
+    ),
+    Family(
+        "joint_singularity_at_rest",
+        "A leg's joint singularity, axisymmetric legs at rest: well conditioned",
+        *(f"{_ALONG}, at rest", "status 3 for a sine of rounding level", _ANGLE),
+        *(_walk(joint, LEGS[1], rest=True), 2),
+    ),
+    Family(
+        *("zero_length", "A leg's length approaches zero", "leg of length zero"),
+        "status 2 if the length is at the rounding level of its terms",
+        *("length over the largest term of its sum", _walk(short), 3),
+    ),
+    Family(
+        *(
+            "scale_extreme",
+            "Machines of 1e-200 to 1e200 m: overflow and subnormal numbers",
+            "overflow, underflow",
+        ),
+        "status 1 if a result or a square exceeds the range of double",
+        "radius of the base, m",
+        _extreme,
+        seed=7,
+        in_range=False,
+    ),
+)
+"""Families of cases that approach a failure, in the order of the report."""
+
+
+# --- random cases ---------------------------------------------------------------------------------
+
+KINDS: dict[str, Draw] = {
+    "singular": singular,
+    "joint singularity": joint,
+    "zero-length leg": short,
+    "scales": lambda rng, cases, way: way,
+    "joint and singular": both,
+    "heavy leg": heavy,
+    "proportions": proportions,
+    FAR: far,
+    MACHINE: turned,
+    "wrong input": not_finite,
+}
+"""Failures that random cases approach, machines of any scale, and machines singular at every pose."""
+
+
+def random_cases(kind: str, rng: np.random.Generator, count: int, each: int, decades: float) -> Cases:
+    """Generate at most ``count`` cases of a kind of ``KINDS``, ``each`` of every machine.
+
+    Distances are logarithmically uniform over the decades. A quarter of the motions is at rest.
+    """
+    numbers = random_machines(rng, -(-count // each), kind == MACHINE)
+    robots = np.repeat(numbers, each, axis=0)[:count]
+    motions = _random_motions(rng, robots)
+    motions[rng.integers(4, size=count) == 0, 12:24] = 0.0
+    forces = GRAVITY * robots[:, 192:193] * rng.normal(size=(count, 6))
+    cases = Cases(robots, motions, forces, np.zeros(count))
+    cases.distance[:] = KINDS[kind](rng, cases, 10.0 ** -rng.uniform(0.0, decades, count))
+    return cases[np.isfinite(cases.distance)]
+
+
+def random_machines(rng: np.random.Generator, count: int, are_singular: bool) -> Array:
+    """Generate machines as numbers (count, 205), half of them of about one meter, others of any size.
+
+    ``are_singular`` selects machines of the families of ``singular_machines`` in turn.
+    """
+    machines, families = [], tuple(SINGULAR_MACHINES)
+    for number in range(count):
+        legs = LEGS[number // 2 % len(LEGS)]
+        size, mass = (10.0 ** rng.uniform(*np.log10(extremes)) for extremes in (SIZES, MASSES))
+        size, mass = (size, mass) if number % 2 else (1.0, 10.0)
+        machines.append(
+            singular_machine(rng, families[number % len(families)], size, mass, legs)
+            if are_singular
+            else random_machine(rng, size, mass, legs)
+        )
+    none = Motion(R=np.eye(3), t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))
+    return cases_of(machines, [none] * count).robots
+
+
+def _random_motions(rng: np.random.Generator, robots: Array) -> Array:
+    """Generate motions (n, 30) near the home pose, with rates of the time scale of each machine."""
+    b = robots[:, :192].reshape(-1, 6, 32)[:, :, :3]
+    home = b.mean(axis=1)
+    sizes = np.sqrt(((b - home[:, None]) ** 2).sum(axis=2).mean(axis=1))
+    home[:, 2] += 1.1 * sizes
+    rate2, weight = GRAVITY / sizes, GRAVITY * robots[:, 192]
+    rate = np.sqrt(rate2)
+    spread = [0.15 * sizes, 0.5 * rate, 0.5 * rate * sizes, 0.5 * rate2, 0.5 * rate2 * sizes]
+    vectors = [scale[:, None] * rng.normal(size=home.shape) for scale in (*spread, weight, weight * sizes)]
+    R = rotation_from_vector(0.2 * rng.normal(size=home.shape)).reshape(-1, 9)
+    return np.concatenate([R, home + vectors[0], *vectors[1:]], axis=1)

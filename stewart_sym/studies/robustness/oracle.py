@@ -1,0 +1,352 @@
+"""Errors of the shipped C kernels against the same equations in ``long double``, over the condition number.
+
+The truth of the forces is the plain elimination, which shares neither regrouping nor preparation with the
+fast kernels. The condition number of an output is its change by relative changes of every input number.
+"""
+
+import ctypes
+import functools
+import math
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...backend import native
+from ...backend.c_kernel import address, c_sources
+from ...backend.kernel import robot_numbers
+from ...backend.numpy_kernel import loaded
+from ...dynamics import closed_form
+from ...generated.interface import STRUCTS
+from ...io.array_types import Array, Codes
+from ...motion.motion import Motion
+from ...results import OK, SINGULAR
+from ...robot.robot import Robot
+
+FORCES = ("one_pose", "batch", "every_output")
+"""Kernels of the actuator forces."""
+CLOSED = tuple(closed_form.OUTPUTS)
+"""Kernels of the closed form."""
+GOOD = {"double": 1e12, "float": 1e3}
+"""Condition number below which a pose must have a result."""
+DOUBTFUL = 10.0
+"""Ratio of error to condition number above which the condition number is measured again, by the sum of the
+effects of each input alone instead of random changes of all inputs.
+"""
+SAMPLES = 3
+"""Number of random changes of all inputs."""
+
+_TRUTH = "every_output"
+_TYPES: dict[str, Any] = {"double": np.float64, "float": np.float32, "wide": np.longdouble}
+EPSILON = {"double": 2.0**-52, "float": 2.0**-23}
+_DEFINES: dict[str, dict[str, str | int]] = {
+    "double": {},
+    "float": {"STEWART_FLOAT": 1},
+    "wide": {
+        "STEWART_REAL": "long double",
+        "STEWART_SQRT": "sqrtl",
+        "STEWART_FABS": "fabsl",
+        "STEWART_EPSILON": "LDBL_EPSILON",
+        "STEWART_MAX": "LDBL_MAX",
+    },
+}
+_FLAGS = {"double": (), "float": (), "wide": ("-O1", "-include", "float.h", "-include", "math.h")}
+_SHAPES = {name: {"F": (6,)} for name in FORCES[:2]} | {_TRUTH: STRUCTS["forces"], **closed_form.OUTPUTS}
+_POWERS = {
+    **dict.fromkeys(("M", "C"), (-1, -1)),
+    **dict.fromkeys(("g", "friction", "bias", "bias_and_friction", "H", "H_dot"), (-1, 0)),
+    "acceleration": (1, 0),
+    **dict.fromkeys(("inertia", "F"), (0, 0)),
+    **dict.fromkeys(("by_pose", "by_twist", "by_acceleration"), (0, -1)),
+    "A": (1, -1),
+    "B": (1, 0),
+}
+"""Powers of the platform size that make the last three of six rows and columns comparable with the first."""
+_LEG = 32
+"""Number of constants of a leg."""
+
+
+@dataclass(frozen=True, eq=False)
+class Cases:
+    """Machines with one motion each, as numbers of the C structures.
+
+    Attributes
+    ----------
+    robots : ndarray, shape (n, 205)
+        Robots in the layout of ``stewart_robot``.
+    motions : ndarray, shape (n, 30)
+        Motions in the layout of ``stewart_motion``.
+    forces : ndarray, shape (n, 6)
+        Actuator forces of the forward dynamics (N).
+    distance : ndarray, shape (n,)
+        Distance from a failure.
+    """
+
+    robots: Array
+    motions: Array
+    forces: Array
+    distance: Array
+
+    @property
+    def legs(self) -> Array:
+        """View of the constants of the legs, shape (n, 6, 32)."""
+        return self.robots[:, : 6 * _LEG].reshape(-1, 6, _LEG)
+
+    def __getitem__(self, where: Any) -> "Cases":
+        """Return some of the cases."""
+        return Cases(self.robots[where], self.motions[where], self.forces[where], self.distance[where])
+
+    def rounded(self) -> "Cases":
+        """Return the cases with all numbers rounded to float."""
+        given = (self.robots, self.motions, self.forces)
+        robots, motions, forces = (values.astype(np.float32).astype(np.float64) for values in given)
+        return Cases(robots, motions, forces, self.distance)
+
+
+def cases_of(robots: list[Robot], motions: list[Motion], distance: Array | None = None) -> Cases:
+    """Return cases from n robots and n motions of shape (); the forces are multiples of the weight."""
+    numbers = np.array([robot_numbers(robot) for robot in robots])
+    poses = [[np.ravel(getattr(loaded(motion), name)) for name in STRUCTS["motion"]] for motion in motions]
+    with np.errstate(over="ignore"):
+        forces = numbers[:, 192:193] * 9.81 * np.array([0.7, -1.1, 0.4, 1.3, -0.2, 0.9])
+    distance = np.zeros(len(numbers)) if distance is None else distance
+    return Cases(numbers, np.array([np.concatenate(pose) for pose in poses]), forces, distance)
+
+
+def _blocks(kernel: str) -> dict[str, tuple[NDArray[np.int64], NDArray[np.int64]]]:
+    """Return places and powers of the size for each part of the outputs; of forces only F counts."""
+    found, start = {}, 0
+    for name, shape in _SHAPES[kernel].items():
+        places = start + np.arange(math.prod(shape)).reshape(shape[0], -1)
+        start += places.size
+        # Only the lower half of A and B has rounding errors.
+        parts = {"A": {"A by pose": places[6:, :6], "A by twist": places[6:, 6:]}, "B": {"B": places[6:]}}
+        for part, at in parts.get(name, {name: places}).items():
+            if kernel not in FORCES or name == "F":
+                rows, columns = np.indices(at.shape) > 2
+                powers = _POWERS[name][0] * rows + _POWERS[name][1] * columns
+                found[part] = at.ravel(), powers.ravel()
+    return found
+
+
+BLOCKS = {kernel: _blocks(kernel) for kernel in (*FORCES, *CLOSED)}
+"""Parts of the outputs of each kernel with one unit, by name: places, and powers of the platform size."""
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """Outputs of a kernel in wide arithmetic.
+
+    ``values`` are the outputs, one after the other, shape (n, m), NaN for unsolvable cases, and ``change`` is
+    their change over the relative change of the inputs. ``scaled`` and ``frames`` are the condition numbers
+    of H and of the leg frames, shape (n,).
+    """
+
+    values: NDArray[np.longdouble]
+    status: Codes
+    change: Array
+    scaled: Array
+    frames: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """Errors of a kernel, shape (n,) each.
+
+    ``error`` is the largest error of a block in rounding units of its ``size``, NaN if the kernel or the
+    truth has a status, and ``condition`` is the condition number of that block. ``pose`` is the largest
+    condition number: of the block, of the scaled H, and of the leg frames. ``status`` is the status of the
+    kernel, ``truth`` the true one, and ``block`` the index in ``BLOCKS``.
+    """
+
+    error: Array
+    condition: Array
+    pose: Array
+    status: Codes
+    truth: Codes
+    block: NDArray[np.int64]
+    size: Array
+
+    @property
+    def ratio(self) -> Array:
+        """Error over condition number of cases with status OK, inf for wrong answers, else -1."""
+        ratio = np.where(self.truth == OK, self.error / self.condition, np.inf)
+        return np.where(self.status == OK, np.where(np.isnan(ratio), np.inf, ratio), -1.0)
+
+    def rejected_good(self, precision: str) -> NDArray[np.bool_]:
+        """Return True for good poses with a status."""
+        return np.asarray((self.status != OK) & (self.truth == OK) & (self.pose < GOOD[precision]))
+
+
+def check(
+    cases: Cases,
+    kernels: tuple[str, ...],
+    precision: str = "double",
+    floor: bool = False,
+    samples: int = SAMPLES,
+    solvable: bool = True,
+) -> dict[str, Verdict]:
+    """Compare some of ``FORCES`` and ``CLOSED`` with the truth; return the verdict on each kernel.
+
+    For the ``precision`` "float" the inputs are rounded to float. With ``floor`` the condition numbers of the
+    closed form are at least the scaled condition number of H. They are measured by ``samples`` random changes
+    of all inputs, and again if they seem too small. Without ``solvable`` no answer is right, as for machines
+    that are singular at every pose.
+
+    Raises native.CompilerError without a compiler, or with a ``long double`` that is not wider than double.
+    """
+    cases = cases.rounded() if precision == "float" else cases
+    truths: dict[str, Truth] = {}
+    found = {}
+    for kernel in kernels:
+        if not solvable:
+            found[kernel] = _unsolvable(run(cases, kernel, precision)[1])
+            continue
+        source = _TRUTH if kernel in FORCES else kernel
+        if source not in truths:
+            truths[source] = truth_of(cases, source, precision, samples)
+        values, status = run(cases, kernel, precision)
+        found[kernel] = judge(kernel, values, status, truths[source], cases, precision, floor)
+        again = (found[kernel].ratio > DOUBTFUL) & (found[kernel].ratio < 30.0 * DOUBTFUL)
+        again |= found[kernel].rejected_good(precision)
+        if samples and again.any():
+            separate = truth_of(cases[again], source, precision, samples=-1)
+            closer = judge(kernel, values[again], status[again], separate, cases[again], precision, floor)
+            parts = {name: np.array(each) for name, each in vars(found[kernel]).items()}
+            for name, each in vars(closer).items():
+                parts[name][again] = each
+            found[kernel] = Verdict(**parts)
+    return found
+
+
+def _unsolvable(status: Codes) -> Verdict:
+    """Return the verdict on answers for singular machines."""
+    none = np.full(len(status), np.nan)
+    truth = np.full_like(status, SINGULAR)
+    return Verdict(none, none, none, status, truth, np.zeros_like(truth), none)
+
+
+def truth_of(cases: Cases, kernel: str, precision: str = "double", samples: int = SAMPLES) -> Truth:
+    """Compute the outputs in wide arithmetic, and their changes with the inputs.
+
+    A positive number of ``samples`` takes the largest change by random signs of all relative changes, -1 the
+    sum of the changes by each input alone.
+    """
+    values, status = run(cases, kernel, "wide")
+    H = values if kernel == _TRUTH else run(cases, _TRUTH, "wide")[0]
+    amount = np.longdouble(1e-12 if precision == "float" else 2.0**-53)
+    inputs = [each.astype(np.longdouble) for each in (cases.robots, cases.motions, cases.forces)]
+    whole = np.concatenate(inputs, axis=1)
+    ends = np.cumsum([each.shape[1] for each in inputs])[:-1]
+    rng = np.random.default_rng(whole.shape[1])
+    change = np.zeros(values.shape)
+    for sample in range(whole.shape[1] if samples < 0 else samples):
+        if samples < 0:
+            step = np.zeros(whole.shape[1])
+            step[sample] = 1.0
+        else:
+            step = rng.choice([-1.0, 1.0], whole.shape)
+        parts = np.split(whole * (1 + amount * step), ends, axis=1)
+        moved = Cases(parts[0], parts[1], parts[2], cases.distance)
+        beside, codes = run(moved, kernel, "wide")
+        by = np.abs((beside - values) / amount).astype(np.float64)
+        by[(codes != OK) & (status == OK)] = np.inf
+        change = change + by if samples < 0 else np.fmax(change, by)
+    return Truth(values, status, change, _scaled(cases, H), _frames(cases))
+
+
+def judge(
+    kernel: str,
+    values: NDArray[Any],
+    status: Codes,
+    truth: Truth,
+    cases: Cases,
+    precision: str = "double",
+    floor: bool = False,
+) -> Verdict:
+    """Compare outputs (n, m) with the truth, block by block; keep the worst block of each case."""
+    count, length = len(values), _length(cases)[:, None]
+    least = truth.scaled if floor or kernel in FORCES else np.ones(count)
+    error, condition, size = np.full(count, np.nan), np.ones(count), np.ones(count)
+    block, known = np.zeros(count, dtype=np.int64), truth.status == OK
+    solved = (status == OK) & known
+    for number, (places, powers) in enumerate(BLOCKS[kernel].values()):
+        weight, true = length**powers, truth.values[:, places]
+        off = (np.abs(values[:, places] - true) * weight).max(axis=1)
+        # The forces are differences of D and x.
+        whole = np.abs(truth.values[:, :18] if kernel in FORCES else true * weight).max(axis=1)
+        whole = np.where(known & (whole > 0), whole, 1.0).astype(np.float64)
+        moved = (truth.change[:, places] * weight).max(axis=1)
+        own = np.fmax(np.fmax(moved / whole, least), 1.0)
+        units = np.where(solved, off / (EPSILON[precision] * whole), np.nan).astype(np.float64)
+        worse = np.where(solved, ~(units / own <= error / condition), known & (own > condition))
+        for kept, new in ((error, units), (condition, own), (size, whole), (block, np.full(count, number))):
+            kept[worse] = new[worse]
+    condition = np.where(known, condition, np.inf)
+    pose = np.fmax(np.fmax(condition, truth.scaled), truth.frames)
+    return Verdict(error, condition, pose, status, truth.status, block, size)
+
+
+def run(cases: Cases, kernel: str, precision: str) -> tuple[NDArray[Any], Codes]:
+    """Run a kernel in "double", "float", or "wide" arithmetic; return outputs (n, m) and statuses (n,)."""
+    kind = _TYPES[precision]
+    with np.errstate(over="ignore"):
+        given = [
+            np.ascontiguousarray(each, dtype=kind) for each in (cases.robots, cases.motions, cases.forces)
+        ]
+    count = len(given[0])
+    width = sum(math.prod(shape) for shape in _SHAPES[kernel].values())
+    out, status = np.full((count, width), np.nan, dtype=kind), np.zeros(count, dtype=np.int32)
+    arrays = map(address, (*given, out, status))
+    getattr(library(precision), kernel)(ctypes.c_size_t(count), *arrays)
+    return out, status
+
+
+def _length(cases: Cases) -> Array:
+    """Compute the root mean square distance of the platform points from the reference point, (n,)."""
+    p = cases.legs[:, :, 3:6]
+    largest = np.abs(p).max(axis=(1, 2))
+    square: Array = ((p / largest[:, None, None]) ** 2).sum(axis=(1, 2))
+    return np.asarray(largest * np.sqrt(square / 6.0))
+
+
+def _scaled(cases: Cases, values: NDArray[Any]) -> Array:
+    """Compute the condition number of H with moments over a length, from all outputs (n, 78)."""
+    H = values[:, 36:72].reshape(-1, 6, 6).astype(np.float64)
+    H = np.where(np.isfinite(H), H, 0.0)
+    H[:, 3:] /= _length(cases)[:, None, None]
+    sigma = np.linalg.svd(H, compute_uv=False)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(np.nan_to_num(sigma[:, 0] / sigma[:, -1], nan=np.inf, posinf=np.inf))
+
+
+def _frames(cases: Cases) -> Array:
+    """Compute the effect of a rounding unit on the leg frames: 1 over |k x s|, and terms of S over L."""
+    legs, motions = (each.astype(np.longdouble) for each in (cases.legs, cases.motions))
+    q = np.einsum("nij,nlj->nli", motions[:, :9].reshape(-1, 3, 3), legs[:, :, 3:6])
+    t, b = np.broadcast_to(motions[:, None, 9:12], q.shape), legs[:, :, :3]
+    S = q + t - b
+    with np.errstate(all="ignore"):
+        L = np.sqrt((S * S).sum(axis=-1))
+        normal = np.cross(legs[:, :, 6:9], S / L[..., None])
+        sine = np.sqrt((normal * normal).sum(axis=-1))
+        reach = np.max(np.abs([q, t, b]), axis=(0, -1))
+        worst = np.fmax(1 / sine, reach / L).max(axis=1)
+    return np.asarray(np.fmax(worst, 1.0).astype(np.float64))
+
+
+def sources() -> dict[str, str]:
+    """Return the C sources of the kernels, text by file name."""
+    own = (files(__package__) / "kernels.c").read_text(encoding="utf-8")
+    return c_sources("exact") | closed_form.c_sources() | {"kernels.c": own}
+
+
+@functools.cache
+def library(precision: str) -> ctypes.CDLL:
+    """Load the kernels in one arithmetic."""
+    if np.finfo(np.longdouble).nmant < 63:
+        raise native.CompilerError("long double: expected at least 64 bits; use another platform")
+    name, flags = f"stewart_stability_{precision}", _FLAGS[precision]
+    return native.load(name, sources(), flags, _DEFINES[precision])

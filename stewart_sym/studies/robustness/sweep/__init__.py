@@ -1,1 +1,0 @@
-"""Random cases near degenerate configurations, checked by arithmetic of higher precision."""
