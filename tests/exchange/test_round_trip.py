@@ -84,7 +84,7 @@ def robots() -> dict[str, ss.Robot]:
         "tool": np.array([0.0, 0.0, 0.3]),
         "length_mode": "relative",
     }
-    kept = {"euler_order": "xyz", "suppressed_warnings": ("mass", "friction")}
+    kept = {"euler_order": "xyz", "suppressed_warnings": ("mass", "home")}
     drive = ss.Drive(lead=np.linspace(0.004, 0.01, 6), rotor_inertia=2e-5, efficiency=0.9, torque_limit=3.0)
     rest = {"g": np.array([1.0, -2.0, 9.0]), "drive": drive}
     angles = {"home_position": np.array([0.0, 0.0, 0.65]), "joint_angle_limit": np.full((6, 2), 0.7)}

@@ -250,8 +250,6 @@ DOUBTFUL = {
         "density",
         "platform.body 1: density: 2.7 kg/m",
     ),
-    "tool in micrometers": ("[0, 0, 300]", "[0, 0, 3e5]", "tool", "in micrometers in a file of millimeters"),
-    "tool in meters": ("[0, 0, 300]", "[0, 0, 0.3]", "tool", "given in meters in a file of millimeters"),
     "center of mass in meters": ("[250, 0, 0]", "[0.25, 0, 0]", "center-of-mass", "part of leg 3: center_of"),
     "speed in mm/s": ("speed_limit = 600", "speed_limit = 6e5", "speed-limit", "given in mm/s"),
 }
