@@ -17,7 +17,6 @@ from pages import (
     SHAPE,
     TOP,
     blocks,
-    is_excerpt,
     pictures,
     prepared,
     prose_of,
@@ -26,7 +25,6 @@ from pages import (
     same_picture,
     text_of,
 )
-from published import PICTURES
 from sweeps import slow_but
 
 import stewart_sym as ss
@@ -48,14 +46,6 @@ DARKEST_PAPER = 0.94
 """Brightness below which a dot of a drawing is ink, 0 to 1."""
 NOT_RUN = ("sh .ci/setup ", "pip install ")
 """Beginnings of commands that change the environment: those of the README are run by ``.ci/run``."""
-
-
-def test_an_excerpt_shows_where_lines_are_left_out() -> None:
-    printed = "first\n  second\n\nthird\nfourth\n"
-    for text in ("first second third fourth", "... second ...", "first ... fourth", "... third fourth"):
-        assert is_excerpt(text.split(), printed)
-    for text in ("first fourth", "second ...", "... third", "first second", "... fourth first", "none ..."):
-        assert not is_excerpt(text.split(), printed)
 
 
 @pytest.mark.parametrize("page", slow_but(set(RUNNING) - SHELL - LONG, RUNNING))
@@ -112,11 +102,6 @@ def test_a_comment_that_says_something_else_is_found(text: str) -> None:
         run_and_compare(text, {})
 
 
-def test_every_block_has_a_language_that_is_run_or_shown() -> None:
-    known = {"python", "sh", "console", "text", "toml", "c", "cmake", "bibtex"}
-    assert {block.language for page in PAGES for block in blocks(page)} <= known
-
-
 def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> None:
     extras = tomllib.loads((TOP / "pyproject.toml").read_text(encoding="utf-8"))["project"][
         "optional-dependencies"
@@ -134,15 +119,6 @@ def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> N
     assert {name for each in named for name in each.split(",")} <= set(extras)
 
 
-def test_pictures_are_those_of_a_page_of_a_study_or_drawings() -> None:
-    # path_I_forces: tests/studies/test_reproduce.py
-    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "machine.png"}
-    made |= {Path(name).name for name in DRAWINGS}
-    made |= {"exported_mujoco.png", "slices.png", "size.png", "plan_durations.png"}
-    made |= {f"{page.stem}.png" for page in (DOCS / "gallery").glob("*.md") if page.stem != "index"}
-    assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
-
-
 @pytest.mark.parametrize("name", DRAWINGS)
 def test_drawings_are_those_of_their_scripts_and_not_cut_off(name: str, tmp_path: Path) -> None:
     save(DRAWINGS[name](), tmp_path / "drawing.png")
@@ -150,10 +126,6 @@ def test_drawings_are_those_of_their_scripts_and_not_cut_off(name: str, tmp_path
     ink = matplotlib.image.imread(DOCS / name)[..., :3].min(axis=-1) < DARKEST_PAPER
     assert ink.mean() > 0.01
     assert not any(edge.any() for edge in (ink[:4], ink[-4:], ink[:, :4], ink[:, -4:]))
-
-
-def test_a_picture_of_something_else_is_found() -> None:
-    assert not same_picture(DOCS / "bench.png", DOCS / "path_I_forces.png")
 
 
 def subcommands() -> dict[str, argparse.ArgumentParser]:

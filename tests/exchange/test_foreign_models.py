@@ -180,30 +180,10 @@ LEFT_OUT = {
         ('<motor name="leg_1" joint="leg_1"', '<motor tendon="rope"/><motor name="leg_1" joint="leg_1"'),
         "actuator of tendon 'rope', which does not drive a prismatic joint",
     ),
-    "motor of a hinge": (
-        "mjcf",
-        ('<motor name="leg_1" joint="leg_1"', '<motor joint="base_1_1"/><motor name="leg_1" joint="leg_1"'),
-        "actuator of joint 'base_1_1', which does not drive a prismatic joint",
-    ),
-    "spring and damper": (
-        "mjcf",
-        (SLIDE, f'{SLIDE} springdamper="0.1 1"'),
-        "springdamper of joint 'leg_1'",
-    ),
     "damping of the platform": (
         "mjcf",
         ('<freejoint name="free" />', '<joint name="free" type="free" damping="5"/>'),
         "damping 5 of joint 'free'",
-    ),
-    "armature of the platform": (
-        "mjcf",
-        ('<freejoint name="free" />', '<joint name="free" type="free" armature="2"/>'),
-        "armature 2 of joint 'free'",
-    ),
-    "armature of a hinge": (
-        "mjcf",
-        ('<joint name="base_1_1"', '<joint name="base_1_1" armature="0.1"'),
-        "armature 0.1 of joint 'base_1_1'",
     ),
     "no actuation": (
         "mjcf",
@@ -215,33 +195,10 @@ LEFT_OUT = {
         ("<lower>-1e+16</lower>", "<lower>-0.05</lower>"),
         "limits -0.05 to inf rad of joint 'base_1'",
     ),
-    "limits of a turn": (
-        "urdf",
-        ('"base_1_1" type="continuous">', '"base_1_1" type="revolute"><limit lower="-0.05" upper="0.1"/>'),
-        "limits -0.05 to 0.1 rad of joint 'base_1_1'",
-    ),
-    "velocity that decays": (
-        "sdf",
-        (
-            '<link name="platform">',
-            '<link name="platform"><velocity_decay><angular>0.3</angular></velocity_decay>',
-        ),
-        "velocity_decay of link 'platform'",
-    ),
     "no effort in SDF": (
         "sdf",
         ("<effort>500.0</effort>", "<effort>0</effort>"),
         "limit effort 0, taken as none, of joint 'leg_1'",
-    ),
-    "no effort in URDF": (
-        "urdf",
-        ('effort="500.0"', 'effort="0"'),
-        "limit effort 0, taken as none, of joint 'leg_1'",
-    ),
-    "damping of the platform in URDF": (
-        "urdf",
-        ('type="floating">', 'type="floating"><dynamics damping="5"/>'),
-        "damping 5 of joint 'free'",
     ),
     "for Gazebo": (
         "urdf",
@@ -262,16 +219,6 @@ LEFT_OUT = {
         "sdf",
         ("<mass>40.0</mass>", "<mass>40.0</mass><fluid_added_mass><xx>1</xx></fluid_added_mass>"),
         "fluid_added_mass of link 'platform'",
-    ),
-    "spring of a slide": (
-        "sdf",
-        ("<damping>20.0</damping>", "<damping>20.0</damping><spring_stiffness>7</spring_stiffness>"),
-        "spring_stiffness of joint 'leg_1'",
-    ),
-    "mimic in SDF": (
-        "sdf",
-        ("<dynamics>\n      <damping>20.0", '<mimic joint="leg_2"/><dynamics>\n      <damping>20.0'),
-        "mimic of joint 'leg_1'",
     ),
     "mimic": (
         "urdf",

@@ -279,13 +279,6 @@ def test_bad_poses_do_not_touch_their_neighbors() -> None:
     np.testing.assert_array_equal(F[keep], good[keep])
 
 
-def test_the_offsets_of_a_machine_scale_with_it() -> None:
-    robot, motion = offset_case(2)
-    units = ss.UnitScaling.for_robot(robot)
-    F = ss.ForceKernel(units.robot(robot)).forces(units.motion(motion))
-    np.testing.assert_allclose(units.forces(F), ss.ForceKernel(robot).forces(motion), rtol=1e-11)
-
-
 def test_offsets_are_checked() -> None:
     rng = np.random.default_rng(0)
     robot = random_robot(rng)

@@ -11,22 +11,12 @@ import pytest
 from numpy.typing import NDArray
 from scalar_kernels import prepared
 from sweep_machines import (
-    BLOCK_H,
-    NEAR_JOINT,
     PRECISIONS,
-    WITHIN,
     _given,
     _size_and_mass,
-    block_error,
-    case,
-    differentiated,
-    fifty_digits,
     joined,
-    machines_of,
-    numpy_outputs,
-    wider,
 )
-from sweeps import FULL, share
+from sweeps import share
 from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
 
@@ -35,23 +25,12 @@ from stewart_sym.backend import native
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.kernel.tree.constants import constants
 from stewart_sym.dynamics import forces as force_kernels
-from stewart_sym.precision.truth import digits
 from stewart_sym.results import OK
-from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_motion
 from stewart_sym.studies.robustness.sweep.singular_machines import FAMILIES, singular_machine
-from stewart_sym.studies.robustness.sweep.sweep import GOOD, condition_of, random_machines
-from stewart_sym.studies.robustness.sweep.sweep import sweep as random_sweep
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("sweep_library")]
 
-FAR = "far reference point"
-UNLIKE = ("proportions", FAR)
-"""Kinds whose moments count over a length."""
-KINDS = (*NEAR_JOINT, *UNLIKE)
-MACHINES = 2 * len(LEGS)
-"""Of all kinds of legs, of one meter and of any size."""
-FAR_WITHIN = 100.0
 
 # --- machines that are singular at every pose -----------------------------------------------------
 
@@ -86,14 +65,6 @@ def test_a_machine_off_its_family_is_not_singular() -> None:
         beside = dataclasses.replace(robot, b=b, p=p)
         motion = random_motion(rng, robot)
         assert exact_determinant(beside, motion.R, motion.t) != 0
-
-
-def test_no_kernel_of_the_sweep_answers_for_a_singular_machine() -> None:
-    """Every kernel, both precisions."""
-    found = random_sweep(share(100_000, 80), seed=23, kinds=(oracle.MACHINE,))
-    counts = found.figures["counts"]
-    assert {count["kernel"] for count in counts} == {*oracle.KERNELS, "joint inertia", "derivatives"}
-    assert [count for count in counts if count["answered"]] == []
 
 
 @pytest.mark.parametrize("family", FAMILIES)
@@ -172,179 +143,3 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> list[tuple[str, NDArray[Any]
             (f"scalar, {precision}", prepared(robot, precision=precision).forces_and_status(motion)[1])
         )
     return found
-
-
-# --- good poses ---------------------------------------------------------------------------------
-
-
-def test_good_poses_are_answered() -> None:
-    """Statuses by kernel and precision on poses up to the condition number where they must have an answer."""
-    cases = share(1_000_000, 1_000)
-    each = min(500, cases // 20)
-    numbers, sizes = random_machines(np.random.default_rng(25), -(-cases // each), False)
-    found: dict[tuple[str, str], int] = {}
-    for precision in PRECISIONS:
-        forces = oracle.check_random("singular", numbers, sizes, each, 26, precision, samples=0)
-        good = np.maximum(condition_of(forces), forces["frames"]) < GOOD[precision]
-        good &= (forces["made"] == 1) & (forces["truth"] == OK)
-        assert good.sum() > 0.25 * cases
-        closed = oracle.closed_form_errors(
-            "singular", numbers, sizes, max(1, each // 20), 26, precision, 0, ("joint_inertia", "derivatives")
-        )
-        fine = np.maximum(closed["scaled"], closed["frames"]) < GOOD[precision]
-        for column, name in enumerate(oracle.KERNELS):
-            found[name, precision] = int(np.sum(good & (forces["status"][:, column] != OK)))
-        for column in (3, 4):
-            of_kernel = fine & (closed["made"] == 1) & (closed["truth"][:, column] == OK)
-            status = closed["status"][:, column]
-            found[oracle.CLOSED_KERNELS[column], precision] = int(np.sum(of_kernel & (status != OK)))
-    assert {name: count for name, count in found.items() if count} == {}
-
-
-def test_random_changes_of_the_inputs_do_not_understate_a_condition_number() -> None:
-    """An error that is within the limit by the changes of every input is, whichever changes are drawn."""
-    rng = np.random.default_rng([11, oracle.KINDS.index(FAR)])
-    numbers, sizes = random_machines(rng, 3, False)
-    mine, motion = oracle.random_case(FAR, numbers, sizes, 60, 11, 131)
-    column = oracle.CLOSED_KERNELS.index("joint_inertia")
-
-    def error(seed: int, samples: int) -> float:
-        found = oracle.closed_form_errors(
-            FAR, mine[None], sizes[2:], 1, seed, "double", samples, ("joint_inertia",), motions=motion[None]
-        )
-        return float(found["error"][0, column])
-
-    assert 0.0 < error(0, -1) <= WITHIN
-    assert max(error(seed, oracle.SAMPLES) for seed in range(24)) <= WITHIN
-
-
-@pytest.mark.parametrize("backend", ["numpy", "reference"])
-def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
-    numbers, sizes, robots = machines_of(27, 12)
-    each = share(40, 8)
-    found = oracle.check_random("singular", numbers, sizes, each, 28, samples=0)
-    good = np.maximum(condition_of(found), found["frames"]) < GOOD["double"]
-    for index in np.flatnonzero(good & (found["made"] == 1)):
-        robot, motion = case("singular", numbers, sizes, robots, each, 28, int(index))
-        status = ss.inverse_dynamics(robot, motion, backend=backend, on_singular="nan").status
-        assert status == OK, (index, condition_of(found)[index])
-
-
-# --- near joint singularities, and out of proportion ----------------------------------------------
-
-
-@pytest.mark.parametrize("precision", PRECISIONS)
-@pytest.mark.parametrize("kind", KINDS)
-def test_every_kernel_is_as_good_as_its_problem_allows(kind: str, precision: str) -> None:
-    assert beyond(kind, precision, share(4_000, 250)) == []
-
-
-def within(kind: str, kernel: str) -> float:
-    """Largest error of a kernel over its condition number, rounding units.
-
-    The inertia that actuators feel is made of M about the reference point, whose entries grow with the square
-    of that point's distance.
-    """
-    return FAR_WITHIN if kind == FAR and kernel in ("joint_inertia", "derivatives") else WITHIN
-
-
-def beyond(kind: str, precision: str, cases: int) -> list[str]:
-    """Kernels that err by more than ``within``, or reject a good pose: the worst case of each in a line."""
-    seed, each = 29, cases // MACHINES
-    numbers, sizes = random_machines(np.random.default_rng(seed), MACHINES, False)
-    forces = oracle.check_random(kind, numbers, sizes, each, seed, precision, 8, WITHIN)
-    closed = oracle.closed_form_errors(
-        kind, numbers, sizes, each, seed, precision, samples=8, in_quad=True, doubtful=WITHIN
-    )
-    good = np.maximum(closed["scaled"], closed["frames"]) < GOOD[precision]
-    lines = []
-    for column, kernel in enumerate((*oracle.KERNELS, *oracle.CLOSED_KERNELS)):
-        of_forces = column < len(oracle.KERNELS)
-        place = column if of_forces else column - len(oracle.KERNELS)
-        status = (forces if of_forces else closed)["status"][:, place]
-        truth = forces["truth"] if of_forces else closed["truth"][:, place]
-        ratio = forces["error"][:, place] / condition_of(forces) if of_forces else closed["error"][:, place]
-        ratio = np.where(status == OK, np.where(ratio >= 0.0, ratio, np.inf), 0.0)
-        rejected = (closed["made"] == 1) & (status != OK) & (truth == OK) & good
-        worst = int(np.argmax(ratio))
-        block = "" if of_forces else f" ({list(oracle.BLOCKS)[closed['block'][worst, place]]})"
-        limit = within(kind, kernel)
-        if ratio[worst] > limit:
-            lines.append(
-                f"{kernel}{block}: {int(np.sum(ratio > limit))} of {len(ratio)} beyond, worst "
-                f"{ratio[worst]:.3g} at distance {closed['distance'][worst]:.2g}, case {worst}"
-            )
-        if rejected.any():
-            lines.append(
-                f"{kernel}: {rejected.sum()} good poses rejected, first {np.flatnonzero(rejected)[0]}"
-            )
-    return lines
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_numpy_is_as_good_as_its_problem_allows(kind: str) -> None:
-    numbers, sizes, robots = machines_of(31, 6 if FULL else 2)
-    worst: dict[str, float] = {}
-    limits = {name: within(kind, oracle.CLOSED_KERNELS[part[0]]) for name, part in oracle.BLOCKS.items()}
-    each = 4 if FULL else 1
-    for index in range(len(robots) * each):
-        robot, motion = case(kind, numbers, sizes, robots, each, 32, index)
-        F = robot.M * 9.81 * np.random.default_rng(index).normal(size=6)
-        high, low, change, status = wider(robot, motion, F)
-        length = ss.characteristic_length(robot)
-        scaled = ss.scaled_condition_number(high[BLOCK_H].reshape(6, 6), length) if kind in UNLIKE else 1.0
-        flat, codes = numpy_outputs(robot, motion, F)
-        for name, part in oracle.BLOCKS.items():
-            kernel = part[0]
-            if codes[kernel] == OK and status[kernel] == OK:
-                error = block_error(part, length, scaled, flat, high, low, change)
-                if error > limits[name]:
-                    change = wider(robot, motion, F, samples=-1)[2]
-                    error = block_error(part, length, scaled, flat, high, low, change)
-                worst[name] = max(worst.get(name, 0.0), error)
-    assert worst.keys() == oracle.BLOCKS.keys()
-    assert {name: ratio for name, ratio in worst.items() if ratio > limits[name]} == {}
-
-
-# --- the truth itself -----------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_wider_arithmetic_agrees_with_fifty_digits_of_the_derived_equations(kind: str) -> None:
-    numbers, sizes, robots = machines_of(33, 3)
-    for index in range(3):
-        robot, motion = case(kind, numbers, sizes, robots, 1, 34, index)
-        # Exact numbers: the derived equations take k for a unit vector and R for a rotation, which a heavy
-        # leg feels.
-        motion = dataclasses.replace(motion, R=np.eye(3)) if kind == "heavy leg" else motion
-        robot = dataclasses.replace(robot, k=np.eye(3)[[0, 1, 1, 0, 0, 1]]) if kind in UNLIKE else robot
-        F = robot.M * 9.81 * np.random.default_rng(index).normal(size=6)
-        high, low, change, status = wider(robot, motion, F)
-        if status.any():
-            continue
-        for name, truth in fifty_digits(robot, motion, F).items():
-            part = oracle.BLOCKS[name]
-            error = block_error(part, ss.characteristic_length(robot), 1.0, truth, high, low, change)
-            # In units of 2e-16, and R and k are what they should be to such a unit.
-            assert error < 2.0, (name, index)
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_wider_arithmetic_agrees_with_differences_of_the_derived_equations(kind: str) -> None:
-    numbers, sizes, robots = machines_of(35, 3)
-    answered = 0
-    for index in range(3 if FULL else 1):
-        robot, motion = case(kind, numbers, sizes, robots, 1, 36, index)
-        F = robot.M * 9.81 * np.random.default_rng(index).normal(size=6)
-        high, low, change, status = wider(robot, motion, F)
-        if status.any():
-            continue
-        answered += 1
-        # M cancels to the square of the sine, and differences need digits of their own.
-        with digits.workdps(150):
-            slopes = differentiated(robot, motion, F)
-        for name, truth in slopes.items():
-            part = oracle.BLOCKS[name]
-            error = block_error(part, ss.characteristic_length(robot), 1.0, truth, high, low, change)
-            assert error < 2.0, (name, index)
-    assert answered

