@@ -8,12 +8,10 @@ EXTRAS = {
     "casadi": ("CasADi", "casadi"),
     "dask": ("Dask", "cluster"),
     "distributed": ("Dask", "cluster"),
-    "jax": ("JAX", "bench"),
     "matplotlib": ("Matplotlib", "plot"),
     "mpl_toolkits": ("Matplotlib", "plot"),
     "mujoco": ("MuJoCo", "bench"),
     "pinocchio": ("Pinocchio", "bench"),
-    "pydrake": ("Drake", "bench"),
     "scipy": ("SciPy", "sim"),
     "textalloc": ("textalloc", "plot"),
 }

@@ -3,13 +3,10 @@
 Truth is the plain elimination in quadruple precision (``studies.quad``), itself checked against 50 digits.
 """
 
-import csv
 import ctypes
-import dataclasses
 import functools
 import re
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -33,7 +30,6 @@ from stewart_sym.dynamics import force_error_bounds
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.precision.quad import error, quad_forces
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR
-from stewart_sym.studies.accuracy.bound_plot import bounds_study, csv_rows, figure
 
 FAR = 1000.0
 """How far above the true error a bound may lie in 95 % of cases."""
@@ -240,30 +236,6 @@ def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
     bound[:] = 7.0
     assert call(address(model), address(numbers), address(F), address(bound), null) != OK
     assert (bound == 7.0).all()
-
-
-# ---------------------------------------------------------------- the study
-
-
-def test_study_finds_every_force_within_its_bound_and_draws_it(tmp_path: Path) -> None:
-    told: list[str] = []
-    data = bounds_study(lambda text, share=None: told.append(text), cases=60)
-    assert len(told) == 2
-    for found in data.values():
-        assert found.covered.all()
-        assert found.error.size >= 50
-    rows = list(csv.DictReader(csv_rows(data).splitlines()))
-    assert [float(row["bound"]) for row in rows] == [b for found in data.values() for b in found.bound]
-    assert {row["precision"] for row in rows} == set(PRECISIONS)
-    fewer = {name: dataclasses.replace(found, left_out=7) for name, found in data.items()}
-    picture = figure(fewer)
-    assert next(iter(data.values())).robot in picture.axes[0].get_title()
-    (legend,) = picture.legends
-    for text, found in zip(legend.get_texts(), fewer.values(), strict=True):
-        undrawn = 7 + np.count_nonzero(found.error == 0.0)
-        assert f"{undrawn} of {7 + found.error.size} poses left out" in text.get_text()
-    picture.savefig(tmp_path / "bounds.png")
-    assert (tmp_path / "bounds.png").stat().st_size > 0
 
 
 # ---------------------------------------------------------------- the truth, and the slopes

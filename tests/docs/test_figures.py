@@ -4,7 +4,6 @@ import copy
 import json
 import re
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,19 +11,17 @@ import published
 import pytest
 from machines import dasgupta, machine_in_motion
 from numpy.typing import NDArray
-from pages import DOCS, PAGES, TOP, blocks, prepared, prose_of, table_row
+from pages import DOCS, PAGES, TOP, prose_of, table_row
 from pinocchio_model import pinocchio_inverse_dynamics
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
 from stewart_sym.backend.kernel import module
 from stewart_sym.reference import newton_euler
-from stewart_sym.simulation.scene import Scene, read_scene
 from stewart_sym.studies.accuracy.budget import papers_motions
-from stewart_sym.studies.benchmark import published as published_bench
-from stewart_sym.studies.benchmark.baselines import Called
-from stewart_sym.studies.benchmark.equation_kernels import MotionGroup
-from stewart_sym.studies.benchmark.figures import CLOSED, Timed
+from stewart_sym.studies.benchmark.benchmark import of_group, ratios
+from stewart_sym.studies.benchmark.case import EQUATIONS, FORCES
+from stewart_sym.studies.benchmark.cases import CLOSED, FORWARD, PLAIN
 from stewart_sym.studies.common.host import DISTURBED
 from stewart_sym.studies.paper.reproduce import fault_cost, work_energy
 
@@ -139,20 +136,14 @@ def test_a_page_without_marks_is_named() -> None:
 
 def test_times_on_the_page_are_those_of_the_benchmark() -> None:
     found = figures()
-    closed = next(each["median"] for each in found["baselines"] if each["name"] == CLOSED)
-    for each in (*found["ours"], *found["baselines"]):
-        assert table_row(BENCHMARKS, each["name"]) == [
-            f"{each['median']:.0f}",
-            f"{each['median'] / closed:.2f}",
-            f"{each['ratio_to_casadi']:.2f}",
-            each.get("vectors", ""),
+    for case in of_group(found, FORCES):
+        of = ratios(found, case)
+        assert table_row(BENCHMARKS, case["name"]) == [
+            f"{case['median']:.0f}",
+            f"{of[CLOSED]:.2f}",
+            f"{of[PLAIN]:.2f}",
         ]
-    prose = prose_of(BENCHMARKS)
-    for source in found["compiling"]:
-        assert f"`{source['source']}` in {np.median(source['raw']):.2f} s" in prose
-    assert f"{sum(found['text']['functions'].values()):,} bytes" in prose
-    assert f"{found['cores']['cores']} cores over one core: {np.median(found['cores']['raw']):.2f} " in prose
-    assert f" with {found['machine']['vectors']}, " in prose
+    assert f" with {found['machine']['vectors']}, " in prose_of(BENCHMARKS)
 
 
 def test_the_committed_run_was_not_disturbed_by_others() -> None:
@@ -163,92 +154,19 @@ def test_the_committed_run_was_not_disturbed_by_others() -> None:
 
 def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
     found = figures()
-    ratio = {each["name"]: each["ratio_to_casadi"] for each in found["ours"]}
-    assert ratio["one pose"] <= 0.33
-    assert ratio["batch, one core"] <= 0.11
-    assert found["cores"]["median"] >= 0.9 * found["cores_arithmetic"]["median"]
-    assert found["calls"][0]["overhead_over_c_ns"] <= 5_000
+    medians = {case["name"]: case["median"] for case in found["cases"]}
+    assert medians["one pose"] <= 0.33 * medians[PLAIN]
+    assert medians["batch, one core"] <= 0.11 * medians[PLAIN]
     # A call from Python takes 25 us at most beside what its poses take.
-    least = min(each["median"] for each in found["sweep"])
-    first = found["sweep"][0]
-    assert first["poses"] == 1_000
-    assert first["poses"] * (first["median"] - least) <= 25_000
-    assert max(each["median"] for each in found["compiling"]) <= 5
-    assert found["text"]["total"] <= 24 * 1024
-
-
-def motion_figures() -> dict[str, Any]:
-    """The second group as ``benchmark`` writes it, from figures made up."""
-    raw: dict[Timed, tuple[float]] = {}
-
-    def timed(name: str, time: float, **more: Any) -> Timed:
-        made = Timed(len, 16, name, f"{name}, how", **more)
-        raw[made] = (time,)
-        return made
-
-    times = {"inverse dynamics": 300.0, "forward dynamics": 400.0, "derivatives": 1500.0}
-    build = {"instructions": "AVX2"}
-    ours = [timed(name, time, kind="one pose", build=build) for name, time in times.items()]
-    engines = [
-        Called(name, f"{name}, how", (timed(name, time), timed(name, 0.0)), list, opened=2e-8)
-        for name, time in (("Pinocchio", 9000.0), ("MuJoCo", 8000.0))
-    ]
-    differences = {"Pinocchio": 1e-8, "MuJoCo": 2e-6}
-    return MotionGroup(dasgupta(), tuple(ours), tuple(engines), differences).figures(raw)
-
-
-def test_motion_has_every_figure_with_its_target() -> None:
-    prose = published_bench.motion(motion_figures(), 41)
-    for line in (
-        "| inverse dynamics | 300 | 1.00 | |",
-        "| forward dynamics | 400 | 1.33 | 2 |",
-        "| derivatives | 1500 | 5.00 | 8, goal 5 |",
-        "| MuJoCo, forward dynamics | 8000 | 26.67 | |",
-        "Forward dynamics is 20.0 times as fast as the better of the two baselines, MuJoCo (target 20).",
-    ):
-        assert line in prose
-
-
-def made_up_builds() -> dict[str, Any]:
-    """Shares, compiled C and the processor as ``benchmark`` writes them."""
-    ratios = {"ratio_to_closed_form": 0.5, "ratio_to_casadi": 0.25}
-    build = {"name": "one pose", "vectors": "AVX2, 256 bit", "flags": ["-mno-avx512f"], "median": 9.0}
-    peak = {"instructions": "AVX2", "numbers_in_a_vector": 4, "vectors_in_a_cycle": 2.0}
-    share = {"name": "a share", "unit": "ratio", "values": {"AVX-512": 0.5, "AVX2": 0.75}}
-    return {
-        "shares": [{**share, "at_most": 0.2, "goal": 0.1}, {**share, "at_least": 0.6}],
-        "builds": [{**build, "cycles": 31.0, **ratios}],
-        "cycle": {"clock_GHz": 3.5},
-        "peaks": [{**peak, "limits": {"lane": 20.0}}],
-    }
+    assert 1_000 * (medians["1,000 poses"] - medians["1,000,000 poses"]) <= 25_000
+    engines = [case["median"] for case in of_group(found, EQUATIONS) if case["package"]]
+    assert min(engines) >= 20 * medians[FORWARD]
 
 
 def test_every_figure_that_changes_changes_a_table() -> None:
     found = figures()
-    each = {"name": "pass", "operations": {"without_friction": 1, "with_friction": 2}}
-    times = {"one_pose": {"median": 3.0}, "batch": {"median": 4.0, "poses": 10_000}}
-    found["passes"] = [{**each, **times}]
-    found["motion"] = motion_figures()
-    found |= made_up_builds()
-    places: list[tuple[Any, ...]] = [
-        ("machine", "vectors"),
-        ("cores", "median"),
-        ("flatness", next(iter(found["flatness"]))),
-        ("text", "total"),
-        ("passes", 0, "operations", "with_friction"),
-        *((group, -1, "median") for group in ("ours", "baselines", "sweep", "calls", "compiling", "builds")),
-        *(("builds", 0, name) for name in ("cycles", "vectors", "ratio_to_closed_form", "ratio_to_casadi")),
-        ("builds", 0, "flags", 0),
-        *(("shares", 0, "values", kind) for kind in ("AVX-512", "AVX2")),
-        *(("shares", number, name) for number, name in ((0, "at_most"), (0, "goal"), (1, "at_least"))),
-        ("cycle", "clock_GHz"),
-        *(("peaks", 0, name) for name in ("numbers_in_a_vector", "vectors_in_a_cycle")),
-        ("peaks", 0, "limits", "lane"),
-        *(("motion", name) for name in ("times_faster", "loops_open_m")),
-        ("motion", "largest_difference", "MuJoCo"),
-        *(("motion", kind, -1, "median") for kind in ("ours", "baselines")),
-        *(("passes", 0, kind, "median") for kind in ("one_pose", "batch")),
-    ]
+    cases = range(len(found["cases"]))
+    places: list[tuple[Any, ...]] = [("machine", "vectors"), *(("cases", i, "median") for i in cases)]
     changes_tables("bench", found, places)
 
 
@@ -293,16 +211,3 @@ def test_the_committed_chart_is_what_the_code_computes() -> None:
             assert off / np.abs(true).max() == pytest.approx(
                 each["errors"][path]["model"], rel=1e-6, abs=1e-12
             )
-
-
-def paper_scene(folder: Path) -> Scene:
-    """The scene of the page about energy, read from a folder that has the robot file where it says."""
-    (scene,) = (block for block in blocks(FAULTS) if block.language == "toml")
-    (prepared("README.md", folder) / "swing.toml").write_text(scene.text)
-    return read_scene(folder / "swing.toml")
-
-
-def test_scene_of_the_paper_is_a_valid_scene_of_springs(tmp_path: Path) -> None:
-    scene = paper_scene(tmp_path)
-    assert scene.robot.name == ss.robots.dasgupta1998().name
-    assert isinstance(scene.law, ss.LegSprings)

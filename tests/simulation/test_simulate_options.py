@@ -121,7 +121,7 @@ def test_peaks_of_the_summary_do_not_depend_on_the_rows() -> None:
     law = ss.LegSprings.in_equilibrium(robot, state, k)
     start = dataclasses.replace(state, v=np.array([0.3, 0.2, 0.1]))
     runs = [ss.simulate(robot, start, law, 0.2, output_step=step) for step in (None, 0.2, 2e-4)]
-    coarse, few, dense = (report(robot, run, law, {}).data for run in runs)
+    coarse, few, dense = (report(robot, run, law).data for run in runs)
     for data in (coarse, few):
         for leg, true in zip(data["legs"], dense["legs"], strict=True):
             for name in ("peak_force_N", "min_length_m", "max_length_m"):
@@ -150,7 +150,7 @@ def test_motors_of_held_forces_do_the_work_of_each_held_force(output_step: float
     L, F = run.at(samples).L, np.array([law(time, state) for time in samples[:-1]])
     heat = 2.0 * (F / drive.transmission_ratio / 0.5) ** 2 * 0.02
     expected = np.sum(F * np.diff(L, axis=0) + heat, axis=0)
-    found = [leg["motor_energy_J"] for leg in report(robot, run, law, {}).data["legs"]]
+    found = [leg["motor_energy_J"] for leg in report(robot, run, law).data["legs"]]
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6 * np.abs(expected).max())
 
 
@@ -230,7 +230,7 @@ def test_no_picture_of_empty_axes() -> None:
     limited = dataclasses.replace(robot, force_limit=np.ones(6))
     found = ss.simulate(limited, state, np.full(6, 2.0), 0.1)
     assert len(found.time) == 1
-    assert not report(limited, found, np.ones(6), {}).figures
+    assert not report(limited, found, np.ones(6)).figures
 
 
 def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_once(

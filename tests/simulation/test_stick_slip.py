@@ -197,7 +197,7 @@ def test_motors_of_a_run_do_the_work_that_its_drives_account_for(bare: ss.Robot,
     np.testing.assert_allclose(found.summary.energy, drives.done, atol=2e-3 * np.abs(drives.done).max())
     expected = np.abs(run.F).max(axis=0) * 5e-3 / (2.0 * np.pi)
     np.testing.assert_allclose(found.summary.peaks["torque"], expected, rtol=1e-12)
-    written = report(robot, run, law, {})
+    written = report(robot, run, law)
     assert "RMS torque" in written.text
     done, lost = drives.done.sum(), drives.lost.sum()
     took = f"motors     work of {done:.6g} J, friction of the drives took {lost:.6g} J"

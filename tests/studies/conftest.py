@@ -1,18 +1,15 @@
-"""Figures of the paper's machine in cost and accuracy, a scene in a folder, and what a short bench needs."""
+"""Figures of the paper's machine in cost and accuracy, and a scene in a folder."""
 
 from pathlib import Path
 
-import numpy as np
 import pytest
 from cost_figures import SCENE, hasty
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta
 from quick_compiler import compile_quickly
 from robot_files import scene_of
-from small_bench import poses_of, shorten
 
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.accuracy.cost import cost
-from stewart_sym.studies.benchmark.poses import Poses
 from stewart_sym.studies.common.output import Figures
 
 
@@ -41,16 +38,3 @@ def on_path_i(found: Figures) -> Figures:
 def quickly(monkeypatch: pytest.MonkeyPatch) -> None:
     """Kernels whose speed does not matter."""
     compile_quickly(monkeypatch)
-
-
-@pytest.fixture
-def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    shorten(monkeypatch)
-
-
-@pytest.fixture(scope="session")
-def stranger() -> Poses:
-    """Seventy moving, loaded poses of a machine that has nothing in common with the paper's."""
-    rng = np.random.default_rng(7)
-    robot = random_robot(rng)
-    return poses_of(robot, random_motion(rng, robot, (70,)))

@@ -3,7 +3,6 @@
 import dataclasses
 import json
 import math
-import re
 import sys
 import warnings
 from collections.abc import Mapping
@@ -12,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run, read, rejects
+from command_line import Run, read
 from cost_figures import (
     CHEAP,
     DEAR,
@@ -28,7 +27,6 @@ from cost_figures import (
 )
 from kits import few_vectors
 from machines import dasgupta, random_motion, random_robot, with_random_rotors
-from quick_compiler import compile_quickly
 from reduced_machines import as_simple_as
 
 import stewart_sym as ss
@@ -42,7 +40,6 @@ from stewart_sym.io.json_text import json_text
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.accuracy import bound_plot, scales
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy.advice import (
     TERMS,
@@ -50,7 +47,6 @@ from stewart_sym.studies.accuracy.advice import (
     advice,
     answer,
     as_json,
-    check_legs,
     closest,
     excess,
     report,
@@ -58,7 +54,6 @@ from stewart_sym.studies.accuracy.advice import (
     without_effect,
 )
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
-from stewart_sym.studies.accuracy.charts import full_report
 from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, entry_of, worst
 from stewart_sym.studies.common.output import Figures
 
@@ -241,12 +236,6 @@ def test_terms_of_rotors_are_what_the_derivation_says() -> None:
         assert has - {"reflected", "momentum"} == terms(Candidate("exact", plain, "double"))
 
 
-def test_a_kind_of_leg_without_terms_is_named_at_once() -> None:
-    level = Fidelity("hollow_friction", "hollow", True, True, "hollow legs, with friction")
-    expected = "_LEGS in advice.py: expected the terms of 'hollow', legs of hollow_friction, got none"
-    rejects(f"^{re.escape(expected)}$", check_legs, {level.name: level})
-
-
 def test_a_level_has_the_terms_of_its_legs_by_any_name(monkeypatch: pytest.MonkeyPatch) -> None:
     level = Fidelity("two_points", "point_masses", True, False, "two points, at rest, with friction")
     monkeypatch.setitem(FIDELITIES, level.name, level)
@@ -323,33 +312,7 @@ def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: Figures) -> None:
     monkeypatch.setattr(study, "cost", measured)
 
 
-TABLES = ["bounds.csv", "chart.csv", "chart.json", "chart.txt", "scales.csv"]
-
-
-def few(patch: pytest.MonkeyPatch) -> None:
-    """Few machines and poses in the studies beside the chart."""
-    compile_quickly(patch)
-    scales_study, bounds_study = scales.scales_study, bound_plot.bounds_study
-
-    def some_scales(progress: Any, robot: Robot) -> scales.Scales:
-        return scales_study(progress, robot, (1.0,), (1.0,), 1, 4)
-
-    def some_bounds(progress: Any, robot: Robot) -> bound_plot.Bounds:
-        return bounds_study(progress, 20, robot)
-
-    patch.setattr(scales, "scales_study", some_scales)
-    patch.setattr(bound_plot, "bounds_study", some_bounds)
-
-
-def test_pictures_that_a_machine_cannot_have_are_left_out_with_a_warning(
-    found: Figures, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    few(monkeypatch)
-    robot = random_robot(np.random.default_rng(12), "spherical")
-    with pytest.warns(UserWarning, match="^bounds: left out: "):
-        made = full_report(found, robot)
-    assert "chart" in made.tables.keys() & made.figures.keys()
-    assert "bounds" not in made.tables.keys() | made.figures.keys()
+TABLES = ["chart.csv", "chart.json", "chart.txt"]
 
 
 @pytest.mark.usefixtures("quick")
@@ -425,7 +388,6 @@ def test_advise_generates_the_kernel_that_it_chose(scene: Path, run: Run) -> Non
 def test_chart_writes_tables_without_matplotlib(
     scene: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    few(monkeypatch)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     output = scene.parent / "out"
     told = run("chart", scene, "-o", output, "--no-plots").out
@@ -443,16 +405,11 @@ def test_chart_of_the_papers_machine_needs_no_scene(
         asked.append(list(motions))
         return found
 
-    few(monkeypatch)
     monkeypatch.setattr(study, "cost", measured)
     assert main(["chart", "-o", str(tmp_path / "out")]) == 0
     assert asked == [["I", "II", "III"]]
-    pictures = [f"{name}.{kind}" for name in ("chart", "scales", "bounds") for kind in ("png", "svg")]
+    pictures = ["chart.png", "chart.svg"]
     assert sorted(path.name for path in (tmp_path / "out").glob("[!.]*")) == sorted([*TABLES, *pictures])
-    header, *rows_of_scales = (tmp_path / "out" / "scales.csv").read_text().splitlines()
-    assert header.startswith("size_m,platform_mass_kg")
-    assert len(rows_of_scales) == 1
-    assert len((tmp_path / "out" / "bounds.csv").read_text().splitlines()) > 10
     rows = read(tmp_path / "out" / "chart.csv")
     assert {row["motion"] for row in rows} == {"I", "II", "III"}
     written = json.loads((tmp_path / "out" / "chart.json").read_text())

@@ -300,11 +300,3 @@ def test_bytes_of_code_are_those_of_a_program_of_one_pose(precision: str) -> Non
     assert sizes["general"] is not None
     assert sizes["massless_static"] is not None
     assert 1_000 < sizes["massless_static"] < sizes["general"] < 50_000
-
-
-def test_one_pose_runs_the_kernel_it_is_named_after() -> None:
-    robot, motion = dasgupta(), papers_motions()["II"]
-    poses = study._poses([motion], 64)
-    for precision in ("double", "float"):
-        kernel = ss.ForceKernel(robot, "exact", precision, "slender")  # type: ignore[arg-type]
-        assert study._one_pose(kernel, poses)(2) == 0

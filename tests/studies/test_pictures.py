@@ -5,7 +5,6 @@ import functools
 import itertools
 import re
 from collections.abc import Callable
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -20,19 +19,12 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.motion.motion import at_rest
 from stewart_sym.robots import dasgupta1998
-from stewart_sym.studies.accuracy import bound_plot
 from stewart_sym.studies.common.drawing import log_numbers
 from stewart_sym.studies.design import workspace_report
-from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
+from stewart_sym.studies.reports import machine_plot, run, singularities
 
 Array = NDArray[np.float64]
-
-
-def _drift() -> Figure:
-    drift = SimpleNamespace(times=np.arange(4.0), drift=np.array([0.0, 0.2, 0.4, 0.5]), worst=0.5)
-    return energy_drift.figure({"exact": drift, "paper": drift})  # type: ignore[dict-item]
 
 
 @functools.cache
@@ -45,13 +37,11 @@ def _run() -> Figure:
 def _path() -> Figure:
     path = ss.PAPER_PATHS["I"].path
     found = singularities.examine(dasgupta1998(), "I", path.sample, path.breakpoints())
-    return singularities_plot.path_figure(found, singularities.curves(found))
+    return singularities.path_figure(found, singularities.curves(found))
 
 
 PICTURES: dict[str, Callable[[], Figure]] = {
-    "bounds": lambda: bound_plot.figure(bound_plot.bounds_study(cases=20)),
     "chart": chart,
-    "drift": _drift,
     "run": _run,
     "path": _path,
 }
@@ -119,9 +109,8 @@ def test_the_energies_of_a_run_are_all_shown_and_their_sum_is_kept() -> None:
 
 @pytest.fixture
 def as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Machines as large and with names of points where they come, which takes long to make better."""
-    for slow in ("_fit", "name_points"):
-        monkeypatch.setattr(machine_plot, slow, lambda *_, **__: None)
+    """Machines with names of points where they come, which takes long to make better."""
+    monkeypatch.setattr(machine_plot, "name_points", lambda *_, **__: None)
 
 
 @pytest.mark.usefixtures("as_it_comes")
@@ -169,19 +158,6 @@ def _at_home(robot: ss.Robot) -> Figure:
     return machine_plot.figure(robot, home_pose(robot))
 
 
-def _nearest(robot: ss.Robot) -> Figure:
-    t = home_pose(robot).t
-
-    def path(time: Array) -> ss.Motion:
-        return at_rest(np.broadcast_to(np.eye(3), (*time.shape, 3, 3)), t * (1.0 + 0.1 * time[..., None]))
-
-    found = singularities.examine(robot, "outwards", path, np.array([0.0, 1.0]))
-    at = found.along.nearest
-    return singularities_plot.pose_figure(
-        found, singularities.curves(found), at.time, at.singularity, "outwards"
-    )
-
-
 def _in_space(figure: Figure, laid_out: bool = True) -> Axes3D:
     if laid_out:
         figure.draw_without_rendering()  # type: ignore[no-untyped-call]
@@ -190,14 +166,10 @@ def _in_space(figure: Figure, laid_out: bool = True) -> Axes3D:
 
 
 @pytest.mark.usefixtures("as_it_comes")
-@pytest.mark.parametrize(
-    ("drawn", "upright", "stands"), [(_at_home, "-x", True), (_nearest, "-z", True), (_nearest, "y", False)]
-)
-def test_a_machine_stands_or_hangs_as_gravity_says(
-    drawn: Callable[[ss.Robot], Figure], upright: str, stands: bool
-) -> None:
+@pytest.mark.parametrize(("upright", "stands"), [("-x", True), ("-z", True), ("y", False)])
+def test_a_machine_stands_or_hangs_as_gravity_says(upright: str, stands: bool) -> None:
     robot = _turned("unal", TURNS[upright])
-    axes = _in_space(drawn(robot if stands else dataclasses.replace(robot, g=-robot.g)), laid_out=False)
+    axes = _in_space(_at_home(robot if stands else dataclasses.replace(robot, g=-robot.g)), laid_out=False)
     base, platform = (
         proj3d.proj_transform(*at.mean(axis=0), axes.get_proj())[1]
         for at in (robot.b, robot.p + home_pose(robot).t)
@@ -205,19 +177,13 @@ def test_a_machine_stands_or_hangs_as_gravity_says(
     assert (platform > base) == stands
 
 
+@pytest.mark.usefixtures("as_it_comes")
 @pytest.mark.parametrize(
-    ("drawn", "name", "upright"),
-    [
-        (_nearest, "unal", "-z"),
-        (_at_home, "rubin_camera", "z"),
-        (_nearest, "rubin_camera", "y"),
-        (_at_home, "dasgupta1998", "-x"),
-    ],
+    ("name", "upright"),
+    [("unal", "-z"), ("rubin_camera", "z"), ("rubin_camera", "y"), ("dasgupta1998", "-x")],
 )
-def test_numbers_and_names_of_a_machine_s_axes_are_seen_whole(
-    drawn: Callable[[ss.Robot], Figure], name: str, upright: str
-) -> None:
-    _need_whole(_in_space(drawn(_turned(name, TURNS[upright]))))
+def test_numbers_and_names_of_a_machine_s_axes_are_seen_whole(name: str, upright: str) -> None:
+    _need_whole(_in_space(_at_home(_turned(name, TURNS[upright]))))
 
 
 def _need_whole(axes: Axes3D) -> None:

@@ -18,17 +18,14 @@ from ...io.error_policy import warn
 from ...io.extras import need
 from ...simulation.scene import read_scene
 from ...studies.reports import run as runs
-from ...studies.reports.energy_drift import energy_drift
 from ...studies.reports.scene_checks import start_doubts
 from ..inputs import warn_of_doubts
-from ..options import flag, output, scene_file
+from ..options import output, scene_file
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     scene_file(parser)
-    text = "compare the energy drift of both formulations, without friction and damping (springs only)"
-    flag(parser, "energy-drift", text)
     output(parser, "DIR", "folder of the results", Path("simulation"), plots=True, html=True)
 
 
@@ -38,19 +35,12 @@ def run(arguments: argparse.Namespace) -> int:
     warn_of_doubts(scene.robot, arguments.scene)
     for doubt in start_doubts(scene):
         warn(f"{arguments.scene}: {doubt}")
-    springs = scene.law if arguments.energy_drift else None
-    if not isinstance(springs, ss.LegSprings | None):
-        raise ValueError("--energy-drift: the actuation of the scene is not springs; change the scene")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
         done = scene.run(lambda share: progress("simulating", share))
         if done.stop.reason != "completed" and done.stop.time == 0.0:
             why = f"the run stops at its start, nothing was written: {done.stop.message}"
             raise ValueError(f"{arguments.scene}: {why}; start within the limits")
-        drifts = {}
-        if springs is not None:
-            progress("comparing the formulations")
-            drifts = energy_drift(springs, scene.state, scene.duration, scene.rtol, scene.stop_conditions)
-        report = runs.report(scene.robot, done, scene.law, drifts)
+        report = runs.report(scene.robot, done, scene.law)
         views = {"run": lambda: ss.view(scene.robot, done)}
         take(dataclasses.replace(report, views=views))
     return 0

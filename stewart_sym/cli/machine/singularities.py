@@ -1,7 +1,7 @@
 """Find singular poses along a path and their unconstrained twists.
 
 Between samples of a trajectory, the path is the quintic through poses, rates, and accelerations.
-Output: report, tables of events and of the path, and drawings. SI units.
+Output: report, tables of events and of the path, and a plot. SI units.
 
 Example: stewart-sym singularities hexapod.toml trajectory.csv -o singularities
 """
@@ -14,7 +14,6 @@ import stewart_sym as ss
 from ...kinematics.mounting import path_for
 from ...motion.interpolation import Path as MotionPath
 from ...studies.reports import singularities
-from ...studies.reports.singularities_plot import pictures
 from ..inputs import robot_of, trajectory_of
 from ..options import formulation, log_options, output, robot_file
 from ..output import results
@@ -47,5 +46,5 @@ def run(arguments: argparse.Namespace) -> int:
             path, times = ss.interpolate(trajectory), trajectory.time
         progress("looking for singular poses")
         found = singularities.examine(robot, file.name, path, times, arguments.formulation)
-        take(singularities.full_report(found, pictures(found)))
+        take(singularities.full_report(found))
     return 0

@@ -1,4 +1,4 @@
-"""Compare kernel times with CasADi, Drake, Pinocchio, MuJoCo, JAX, and the processor limit.
+"""Compare kernel times with CasADi, Pinocchio, and MuJoCo.
 
 All results are compared before the timing.
 Packages that are not installed (extra `bench`) are omitted.
@@ -22,11 +22,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...studies.benchmark.bench import bench
-    from ...studies.benchmark.plot import full_report
+    from ...studies.benchmark.benchmark import benchmark, full_report
 
     need_drawing()
     robot = None if arguments.robot is None else robot_of(arguments.robot)
     with results(arguments, "bench") as (take, progress):
-        take(full_report(bench(robot, arguments.quick, progress)))
+        take(full_report(benchmark(robot, arguments.quick, progress)))
     return 0

@@ -1,9 +1,7 @@
 """Draw time per pose over the error of model and rounding.
 
-chart.png: all fidelity levels and implementations.
-scales.png: rounding errors over size and mass of the machine.
-bounds.png: rounding errors and their bounds.
-Each chart is also written as SVG and CSV. The study takes about a minute.
+chart.png, chart.svg, and chart.csv contain all fidelity levels and implementations.
+The study takes about a minute.
 
 Example: stewart-sym chart enough.toml -o chart
 """
@@ -26,8 +24,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     from ...studies.accuracy.budget import papers_motions, read_budget
-    from ...studies.accuracy.charts import full_report
     from ...studies.accuracy.cost import ROUNDS, cost
+    from ...studies.accuracy.cost_plot import full_report
 
     robot, motions = ss.robots.dasgupta1998(), papers_motions()
     read: tuple[Path, ...] = ()
@@ -36,6 +34,5 @@ def run(arguments: argparse.Namespace) -> int:
         robot, motions, read = scene.robot, dict(scene.motions), scene.files
         warn_of_doubts(robot, arguments.scene)
     with results(arguments, "chart", read=read) as (take, progress):
-        found = cost(robot, motions, True, ROUNDS, progress)
-        take(full_report(found, robot, progress))
+        take(full_report(cost(robot, motions, True, ROUNDS, progress)))
     return 0

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...derive.mechanics.legs.rotor import FULL, NONE
-from ...derive.mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, level_of
+from ...derive.mechanics.reduced_models import level_of
 from ...robot.fields import need_axisymmetric
 from ...robot.robot import Robot
 from ..common.output import Figures, aligned
@@ -43,16 +43,6 @@ _LEGS: Mapping[str, frozenset[str]] = {
 }
 """Terms that each kind of leg includes."""
 
-
-def check_legs(levels: Mapping[str, Fidelity]) -> None:
-    """Raise ValueError for a level whose kind of leg has no terms."""
-    for name, level in levels.items():
-        if level.legs not in _LEGS:
-            expected = f"the terms of {level.legs!r}, legs of {name}"
-            raise ValueError(f"_LEGS in advice.py: expected {expected}, got none")
-
-
-check_legs(FIDELITIES | DRIVE_FIDELITIES)
 
 _INERTIA = frozenset({"axial", "rods", "reflected", "momentum"})
 """Terms without effect at rest."""

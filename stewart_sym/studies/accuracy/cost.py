@@ -5,7 +5,6 @@ equations of the kernel in 50-digit arithmetic. All errors are fractions of the 
 their motion.
 """
 
-import ctypes
 import functools
 import itertools
 import statistics
@@ -17,8 +16,7 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from ...backend import fidelity, native
-from ...backend.c_kernel import address
+from ...backend import fidelity
 from ...backend.kernel import FORMULATIONS, MOTION
 from ...backend.numpy_kernel import loaded
 from ...dynamics.forces import CORES, ForceKernel, Precision
@@ -30,11 +28,11 @@ from ...kinematics.inverse_kinematics import wrench_matrix
 from ...motion.motion import Motion
 from ...precision.truth import Truth, deviation
 from ...robot.robot import Robot
-from ..benchmark.compile_times import text_size
 from ..common import host
-from ..common.loops import own_source
+from ..common.kernel_loop import kernel_loop
 from ..common.output import Figures
 from ..common.timing import Task, measured, repeated
+from .code_size import code_size
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
 """Precisions, the cheaper first."""
@@ -164,7 +162,8 @@ def cost(
     }
     tasks = _tasks(tuple(motions.values()), kernels, ways)
     others = host.Others()
-    raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
+    times = measured(list(tasks.values()), rounds, progress)
+    raw = {key: times[task] for key, task in tasks.items()}
     taken, load = others.share(), host.load_average()
     entries = [
         {
@@ -250,8 +249,7 @@ def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
 
 def _text(robot: Robot, candidate: Candidate) -> int | None:
     name = fidelity.force_kernel_name(robot, candidate.formulation, candidate.fidelity)
-    size = text_size(name, ("STEWART_FLOAT",) if candidate.precision == "float" else ())
-    return None if size is None else int(size["total"])
+    return code_size(name, candidate.precision)
 
 
 # --- errors -----------------------------------------------------------------------------------
@@ -338,7 +336,10 @@ def _tasks(
     few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))
     tasks: dict[tuple[Candidate | str, str], Task] = {}
     for candidate, kernel in kernels.items():
-        tasks[candidate, "one pose"] = Task(_one_pose(kernel, few), FEW)
+        rows = np.concatenate([array.reshape(FEW, -1) for array in few], axis=1).astype(kernel.dtype)
+        forces_of_rows = np.zeros((FEW, 6), dtype=kernel.dtype)
+        one_pose = kernel_loop(kernel.c_function("forces"), kernel.model, rows, forces_of_rows)
+        tasks[candidate, "one pose"] = Task(one_pose, FEW)
         arrays = [np.ascontiguousarray(array, dtype=kernel.dtype) for array in many]
         F, status = np.zeros((MANY, 6), dtype=kernel.dtype), np.zeros(MANY, dtype=np.int32)
         batch = functools.partial(kernel.forces, arrays, out=(F, status))
@@ -356,25 +357,3 @@ def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
     # If fewer poses are required, they are spread evenly along the motions.
     every = np.linspace(0, len(arrays[0]) - 1, min(count, len(arrays[0]))).round().astype(int)
     return [np.resize(array[every], (count, *array.shape[1:])) for array in arrays]
-
-
-def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], object]:
-    loop = native.load("cost_loop", {"loop.c": own_source("kernel_loop.c")})
-    count = len(poses[0])
-    rows = np.concatenate([array.reshape(count, -1) for array in poses], axis=1).astype(kernel.dtype)
-    F = np.zeros(6, dtype=kernel.dtype)
-    function = ctypes.cast(kernel.c_function("forces"), ctypes.c_void_p)
-    row_bytes = ctypes.c_size_t(rows.strides[0])
-
-    def run(repeats: int) -> object:
-        return loop.drive(
-            function,
-            address(kernel.model),
-            ctypes.c_size_t(count),
-            ctypes.c_size_t(repeats),
-            address(rows),
-            row_bytes,
-            address(F),
-        )
-
-    return run

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...motion.straight_line import PAPER_PATHS
+from ..common import host
 from ..common.drawing import (
     BLUE,
     RED,
@@ -18,8 +19,9 @@ from ..common.drawing import (
     name_points,
     new_figure,
 )
-from ..common.host import DISTURBED
 from ..common.output import Figures, csv_text
+from ..common.report import SMALL, Picture, Report
+from .advice import table
 from .cost import candidate_of
 
 _EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = BLUE, RED, "#2e7d32", "#5a5a5a", "#9a9a9a"
@@ -48,6 +50,13 @@ class Point:
     def worst(self) -> float:
         """Largest error of all motions."""
         return max(self.errors.values())
+
+
+def full_report(found: Figures) -> Report:
+    """Create the report of ``chart``: the table of all candidates, their data, and the plot."""
+    data = {**found, "machine": host.machine(), "software": host.software()}
+    picture = Picture(lambda: figure(found), SMALL, ("png", "svg"))
+    return Report(table(found), {"chart": csv_rows(found)}, data, {"chart": picture})
 
 
 def points(found: Figures) -> list[Point]:
@@ -137,7 +146,7 @@ def figure(found: Figures) -> Figure:
 def _disturbance(found: Figures) -> list[str]:
     """Return a line about the disturbance of the times; nothing if it is small or unknown."""
     taken, busy = found["taken_by_others"], found["load"]
-    if taken is None or taken <= DISTURBED:
+    if taken is None or taken <= host.DISTURBED:
         return []
     load = "" if busy is None else f", load {busy:.1f}"
     return [f"times disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"]

@@ -3,13 +3,11 @@
 import contextlib
 import gc
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any
 
 from ...io.progress import Progress
-
-Key = TypeVar("Key")
 
 SHORTEST = 2e-3
 """Shortest duration of one sample (s)."""
@@ -28,12 +26,7 @@ class Task:
 
 def repeated(call: Callable[[], object]) -> Callable[[int], None]:
     """Return a function that makes a call n times."""
-
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            call()
-
-    return run
+    return over(call, [()])
 
 
 def over(call: Callable[..., object], arguments: Iterable[tuple[Any, ...]]) -> Callable[[int], None]:
@@ -48,33 +41,29 @@ def over(call: Callable[..., object], arguments: Iterable[tuple[Any, ...]]) -> C
     return run
 
 
-def measured(
-    tasks: Mapping[Key, Task], rounds: Mapping[Key, int], progress: Progress
-) -> dict[Key, tuple[float, ...]]:
+def measured(tasks: Sequence[Task], rounds: int, progress: Progress) -> dict[Task, tuple[float, ...]]:
     """Measure the time per unit (ns) of every task in every round; each round begins with another task."""
     progress("warming up")
-    repeats = {key: _enough(task) for key, task in tasks.items()}
-    raw: dict[Key, list[float]] = {key: [] for key in tasks}
-    keys, most = list(tasks), max(rounds.values())
+    repeats = {task: _enough(task) for task in tasks}
+    raw: dict[Task, list[float]] = {task: [] for task in tasks}
     with _no_collection():
-        for number in range(most):
-            progress(f"round {number + 1} of {most}", number / most)
-            first = number % len(keys)
-            for key in keys[first:] + keys[:first]:
-                if number < rounds[key]:
-                    raw[key].append(_sample(tasks[key], repeats, key))
-    return {key: tuple(values) for key, values in raw.items()}
+        for number in range(rounds):
+            progress(f"round {number + 1} of {rounds}", number / rounds)
+            first = number % len(tasks)
+            for task in (*tasks[first:], *tasks[:first]):
+                raw[task].append(_sample(task, repeats))
+    return {task: tuple(values) for task, values in raw.items()}
 
 
-def _sample(task: Task, repeats: dict[Key, int], key: Key) -> float:
+def _sample(task: Task, repeats: dict[Task, int]) -> float:
     """Measure the time per unit (ns) after an untimed run that loads the caches and wakes the threads."""
     if task.units < ENORMOUS:
         task.run(1)
     while True:
-        seconds = _seconds(task, repeats[key])
+        seconds = _seconds(task, repeats[task])
         if seconds >= SHORTEST:
-            return 1e9 * seconds / (repeats[key] * task.units)
-        repeats[key] *= 2
+            return 1e9 * seconds / (repeats[task] * task.units)
+        repeats[task] *= 2
 
 
 def _enough(task: Task) -> int:
@@ -102,24 +91,3 @@ def _no_collection() -> Iterator[None]:
     finally:
         if was:
             gc.enable()
-
-
-def time_source() -> dict[str, Any]:
-    """Describe the time source; raise ValueError if a sample has fewer than 1000 of its steps."""
-    info = time.get_clock_info("perf_counter")
-    step = min(_step() for _ in range(100))
-    if not info.monotonic or step > 1e-3 * SHORTEST:
-        raise ValueError(f"the clock is too coarse: steps of {step:.1e} s, samples of {SHORTEST:g} s")
-    return {
-        "name": "perf_counter",
-        "implementation": info.implementation,
-        "resolution_s": info.resolution,
-        "shortest_step_s": step,
-    }
-
-
-def _step() -> float:
-    start = time.perf_counter_ns()
-    while (end := time.perf_counter_ns()) == start:
-        pass
-    return 1e-9 * (end - start)

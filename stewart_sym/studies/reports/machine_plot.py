@@ -29,11 +29,6 @@ BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 
 # Length of axes and arrows, and distance below which points coincide, relative to the size of the machine.
 _AXIS, _SAME = 0.12, 1e-3
-# Distances of tick labels and axis labels from the edges of a cube (points), and number of ticks on the
-# longest edge.
-_NUMBER, _NAME, _STEPS = 8.0, 29.0, 12.0
-# Candidate sizes of the box, and free fraction of the page height below it.
-_ZOOMS, _EDGE = np.linspace(1.0, 0.5, 21), 0.015
 
 
 def picture(robot: Robot, home: HomePose) -> Picture:
@@ -47,18 +42,18 @@ def figure(robot: Robot, home: HomePose) -> Figure:
     drawn.set_layout_engine("constrained", w_pad=0.2, h_pad=0.1, wspace=0.08)
     tips = home.t + robot.p
     in_space: Any = drawn.add_subplot(1, 2, 1, projection="3d")
-    extent = draw_legs(in_space, robot, tips) + _marks_in_space(in_space, robot, home, tips)
+    extent = _draw_legs(in_space, robot, tips) + _marks_in_space(in_space, robot, home, tips)
     above = drawn.add_subplot(1, 2, 2)
     along = "z" if vertical(robot) == Z_DOWN else "-z"
     above.set_title(
         f"{as_written(robot.name)}: home pose, seen along {along}\nbase black, platform blue", fontsize=9.0
     )
     _from_above(above, robot, tips)
-    frame(in_space, robot, np.concatenate(extent))
+    _frame(in_space, robot, np.concatenate(extent))
     return drawn
 
 
-def draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:
+def _draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:
     """Draw the base and platform polygons (6, 3) and the numbered legs; return the drawn points."""
     base, (axis, down) = robot.b, vertical(robot)
     size = float(np.max(np.ptp(np.concatenate([base, tips]), axis=0)))
@@ -77,15 +72,16 @@ def _ring(corners: Array) -> Array:
     return np.asarray(corners[[*order, order[0]]])
 
 
-def frame(axes: Any, robot: Robot, extent: Array) -> None:
-    """Set the axes for the drawn points, shape (n, 3), after the titles; the layout is fixed from now on."""
+def _frame(axes: Any, robot: Robot, extent: Array) -> None:
+    """Set equal scales for the drawn points, shape (n, 3), and the vertical axis."""
     low, high = extent.min(axis=0), extent.max(axis=0)
-    pad = 0.04 * float(np.max(high - low))
-    for name, a, b in zip("xyz", low - pad, high + pad, strict=True):
-        getattr(axes, f"set_{name}lim")(a, b)
+    half = 0.54 * float(np.max(high - low))
+    for name, middle in zip("xyz", 0.5 * (low + high), strict=True):
+        getattr(axes, f"set_{name}lim")(middle - half, middle + half)
         getattr(axes, f"set_{name}label")(f"{name}, m", fontsize=8.0)
-    sides = high - low + 2.0 * pad
-    _space(axes, sides)
+        axes.locator_params(name, nbins=4)
+        axes.tick_params(name, labelsize=7.0)
+    axes.set_box_aspect((1.0, 1.0, 1.0), zoom=0.9)
     axis, down = vertical(robot)
     axes.view_init(elev=18.0, azim=-60.0, vertical_axis="xyz"[axis])
     up, left, right = (getattr(axes, f"{'xyz'[(axis + i) % 3]}axis") for i in range(3))
@@ -96,38 +92,6 @@ def frame(axes: Any, robot: Robot, extent: Array) -> None:
     for each, side in ((left, "right"), (right, "left")):
         for label in each.get_ticklabels():
             label.set_horizontalalignment(side)
-    _fit(axes, sides)
-
-
-def _space(axes: Any, sides: Array) -> None:
-    """Set few ticks on short edges, and the label distances of a cube."""
-    for i, name in enumerate("xyz"):
-        axes.locator_params(name, nbins=int(np.clip(_STEPS * sides[i] / sides.max(), 2, 4)))
-        # Matplotlib's distances are relative to the sides that meet the edge.
-        longer = max(1.0, float(np.linalg.norm(sides) / np.sqrt(3.0) / np.delete(sides, i).mean()))
-        axes.tick_params(name, labelsize=7.0, pad=_NUMBER * (longer - 1.0))
-        getattr(axes, f"{name}axis").labelpad = 8.0 + _NAME * (longer - 1.0)
-
-
-def _fit(axes: Any, sides: Array) -> None:
-    """Set the largest box size for which the box, its tick labels, and its axis labels fit into the page."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.transforms import Bbox
-
-    pane, figure = axes.figure, axes.figure.canvas.figure
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
-    canvas: Any = FigureCanvasAgg(figure)
-    renderer = canvas.get_renderer()
-    room = axes.get_position(original=True).transformed(pane.transSubfigure)
-    # The page also has room below the axes.
-    floor = pane.bbox.y0 + _EDGE * pane.bbox.height
-    for zoom in _ZOOMS:
-        axes.set_box_aspect(sides, zoom=zoom)
-        axes.draw(renderer)
-        drawn = Bbox.union([edge.get_tightbbox(None) for edge in (axes.xaxis, axes.yaxis, axes.zaxis)])
-        if room.x0 <= drawn.x0 and drawn.x1 <= room.x1 and floor <= drawn.y0 and drawn.y1 <= room.y1:
-            break
 
 
 def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> list[Array]:

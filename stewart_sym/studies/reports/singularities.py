@@ -1,7 +1,5 @@
 """Report of ``singularities``: singular poses that a path crosses, and the degrees of freedom lost there."""
 
-import textwrap
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +12,6 @@ from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse_kinematics import ROUNDING, leg_vectors, wrench_matrix
 from ...kinematics.pose_search import rates_per_twist
 from ...motion.interpolation import Path
-from ...results import OK
 from ...robot.robot import LEGS, Robot
 from ...singularities.path_singularities import (
     LegExtreme,
@@ -25,11 +22,9 @@ from ...singularities.path_singularities import (
 )
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import SingularityResult
+from ..common.drawing import BLUE, DARK, RED, Figure, as_written, log_numbers, new_figure
 from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
-
-DISTANCES = tuple(10.0**-n for n in range(1, 8))
-"""Time differences from a crossing at which the forces before and after it are computed (s)."""
 
 NEAREST = ("least held", "dearest wrench", "idlest forces")
 """Titles in place of unconstrained twist, lost wrench, and idle forces if a pose is not singular."""
@@ -40,33 +35,18 @@ _MARKS = 50
 
 
 @dataclass(frozen=True, eq=False)
-class Sides:
-    """Forces (N), shape (n, 6), before and after a crossing, at time differences (s), shape (n,).
-
-    ``residue`` is A in F = A / (t - t_0) (N s), shape (6,).
-    """
-
-    residue: Array
-    distances: Array
-    before: Array
-    after: Array
-
-    @property
-    def leg(self) -> int:
-        """Index of the leg with the largest force residue."""
-        return int(np.argmax(np.abs(self.residue)))
-
-
-@dataclass(frozen=True, eq=False)
 class Examination:
-    """Results for a path: its singular poses, and the forces near each crossing."""
+    """Results for a path: its singular poses, and the force residue A (N s) at each crossing.
+
+    Near a crossing at time t_0, the forces are F = A / (t - t_0).
+    """
 
     robot: Robot
     name: str
     path: Path
     formulation: Formulation
     along: PathSingularitiesResult
-    sides: tuple[Sides, ...]
+    residues: tuple[Array, ...]
 
 
 def examine(
@@ -74,8 +54,9 @@ def examine(
 ) -> Examination:
     """Find the singular poses of a path; ``path`` and ``times`` as in ``singularity_crossings``."""
     along = path_singularities(robot, path, times)
-    sides = tuple(_sides(robot, path, along, found, formulation) for found in along.crossings)
-    return Examination(robot, name, path, formulation, along, sides)
+    poses = [path(np.array([crossing.time])) for crossing in along.crossings]
+    residues = tuple(singular_force_residue(robot, pose, formulation)[0] for pose in poses)
+    return Examination(robot, name, path, formulation, along, residues)
 
 
 def report(found: Examination) -> str:
@@ -90,9 +71,9 @@ def report(found: Examination) -> str:
     if found.robot.tool.any():
         lines.append("point      reference point for twists and wrenches, not the tool of the robot file")
     lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in along.spans]
-    for number, (crossing, sides) in enumerate(zip(along.crossings, found.sides, strict=True), 1):
+    for number, (crossing, A) in enumerate(zip(along.crossings, found.residues, strict=True), 1):
         at = f"{crossing.time:.12f} s (rounding leaves {crossing.time_error:.1e} s open)"
-        lines += ["", f"Crossing {number} at {at}", *_crossing_lines(found, crossing, sides)]
+        lines += ["", f"Crossing {number} at {at}", *_crossing_lines(found, crossing, A)]
     if not along.crossings:
         lines += ["", f"Nearest approach at {along.nearest.time:.9f} s"]
         lines += _pose_lines(along.nearest.singularity)
@@ -103,9 +84,11 @@ def report(found: Examination) -> str:
     return "\n".join([*lines, "", _legs_table(found)])
 
 
-def full_report(found: Examination, figures: Mapping[str, Picture]) -> Report:
-    """Create the report with text, events, and curves over time, and the given plots."""
-    return Report(report(found), {"events": events(found), "path": curves(found)}, _data(found), figures)
+def full_report(found: Examination) -> Report:
+    """Create the report with text, events, and curves over time, and their plot."""
+    columns = curves(found)
+    tables = {"events": events(found), "path": columns}
+    return Report(report(found), tables, _data(found), {"path": Picture(lambda: path_figure(found, columns))})
 
 
 def _data(found: Examination) -> dict[str, Any]:
@@ -122,10 +105,10 @@ def _data(found: Examination) -> dict[str, Any]:
                 "uncertainty_s": crossing.time_error,
                 "side_before": crossing.sign_before,
                 "side_after": crossing.sign_after,
-                "residue_N_s": sides.residue,
+                "residue_N_s": A,
                 **_pose_data(crossing.singularity),
             }
-            for crossing, sides in zip(along.crossings, found.sides, strict=True)
+            for crossing, A in zip(along.crossings, found.residues, strict=True)
         ],
         "nearest": {"time_s": along.nearest.time, **_pose_data(along.nearest.singularity)},
         "minima": [{"time_s": each.time, **_pose_data(each.singularity)} for each in along.approaches],
@@ -163,8 +146,8 @@ def events(found: Examination) -> Columns:
     """Return columns (n,) with a row for each crossing (1) and each local minimum (0), sorted by time."""
     along, none = found.along, np.full(LEGS, np.nan)
     rows = [
-        (item.time, 1, item.time_error, item.sign_before, item.sign_after, item.singularity, sides.residue)
-        for item, sides in zip(along.crossings, found.sides, strict=True)
+        (item.time, 1, item.time_error, item.sign_before, item.sign_after, item.singularity, A)
+        for item, A in zip(along.crossings, found.residues, strict=True)
     ]
     minima = [*along.approaches, *([] if along.crossings else [along.nearest])]
     for approach in {item.time: item for item in minima}.values():
@@ -216,46 +199,22 @@ def curves(found: Examination) -> Columns:
     return columns | of_legs("L", L)
 
 
-def _sides(
-    robot: Robot,
-    path: Path,
-    along: PathSingularitiesResult,
-    crossing: SingularityCrossing,
-    formulation: Formulation,
-) -> Sides:
-    room = min(crossing.time - along.start, along.end - crossing.time)
-    distances = np.array([d for d in DISTANCES if d <= room and d > 10.0 * crossing.time_error])
-    solved = inverse_dynamics(
-        robot, path(crossing.time + np.concatenate([-distances, distances])), formulation, on_singular="nan"
-    )
-    F = np.where((solved.status == OK)[:, None], solved.F, np.nan)
-    residue = singular_force_residue(robot, path(np.array([crossing.time])), formulation)[0]
-    return Sides(residue, distances, F[: len(distances)], F[len(distances) :])
-
-
-def _crossing_lines(found: Examination, crossing: SingularityCrossing, sides: Sides) -> list[str]:
-    robot, leg = found.robot, sides.leg
+def _crossing_lines(found: Examination, crossing: SingularityCrossing, A: Array) -> list[str]:
+    robot, leg = found.robot, int(np.argmax(np.abs(A)))
     rates = wrench_matrix(robot, found.path(np.array([crossing.time])))[0].T @ crossing.singularity.twist
     lines = [
         f"  det H          {sign_text(crossing.sign_before)} before, {sign_text(crossing.sign_after)} after",
         *_pose_lines(crossing.singularity),
         f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
     ]
-    if not np.isfinite(sides.residue).all():
+    if not np.isfinite(A).all():
         return [*lines, "  force residue  no simple one: the path rests there or runs along singular poses"]
-    A = ", ".join(f"{value:.6g}" for value in sides.residue)
-    ends = ["-inf", "+inf"] if sides.residue[leg] > 0.0 else ["+inf", "-inf"]
+    values = ", ".join(f"{value:.6g}" for value in A)
+    ends = ["-inf", "+inf"] if A[leg] > 0.0 else ["+inf", "-inf"]
     lines += [
-        f"  force residue  F = A / (t - t_0), A = ({A}) N s",
+        f"  force residue  F = A / (t - t_0), A = ({values}) N s",
         f"  most affected  leg {leg + 1}: {ends[0]} before, {ends[1]} after",
     ]
-    rows = [
-        (f"{d:.0e}", f"{before[leg]:+.6e}", f"{after[leg]:+.6e}", f"{sides.residue[leg] / d:+.6e}")
-        for d, before, after in zip(sides.distances, sides.before, sides.after, strict=True)
-    ]
-    if rows:
-        header = ("|t - t_0|, s", f"F_{leg + 1} before, N", f"F_{leg + 1} after, N", "A / |t - t_0|, N")
-        lines += ["", textwrap.indent(aligned(header, rows), "  ")]
     return lines
 
 
@@ -301,3 +260,31 @@ def _near(time: float, at: SingularityResult) -> str:
         f"{time:.9f} s: smallest singular value {float(at.smallest_singular_value):.6g}, "
         f"scaled condition number {float(at.condition_number):.6g}"
     )
+
+
+def path_figure(found: Examination, columns: Columns) -> Figure:
+    """Plot condition number, signed smallest singular value, and the largest force over the whole path."""
+    figure = new_figure(9.0, 7.2)
+    panels = figure.subplots(3, 1, sharex=True)
+    time, condition = columns["time"], columns["scaled_condition"]
+    largest = np.max(np.abs([columns[f"F_{leg}"] for leg in range(1, LEGS + 1)]), axis=0)
+    panels[1].axhline(0.0, color=DARK, linewidth=0.7)
+    for axes, values, label in (
+        (panels[0], condition, "scaled condition\nnumber of H"),
+        (panels[1], columns["smallest_singular_value"], "smallest singular value,\nsign of det H"),
+        (panels[2], largest, "largest leg force, N"),
+    ):
+        axes.plot(time, values, color=BLUE, linewidth=1.2)
+        axes.set_ylabel(label)
+        if axes is not panels[1] and np.isfinite(values).any():
+            axes.set_yscale("log")
+            log_numbers(axes.yaxis)
+        for crossing in found.along.crossings:
+            axes.axvline(crossing.time, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
+    panels[2].set(xlabel="time, s", xlim=(time[0], time[-1]))
+    count = len(found.along.crossings)
+    where = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
+    if found.along.spans:
+        where += ", and a way along singular poses"
+    figure.suptitle(as_written(f"{found.robot.name}, path {found.name}: {where}"), fontsize=11.0)
+    return figure

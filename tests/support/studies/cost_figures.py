@@ -37,7 +37,7 @@ def hasty(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(study, "ROUNDS", 1)
     patch.setattr(study, "MANY", 64)
     patch.setattr(study, "SAMPLED", 2)
-    patch.setattr(study, "text_size", lambda *_: None)
+    patch.setattr(study, "code_size", lambda *_: None)
 
 
 def budget(tolerance: float, margin: float = MARGIN, rate: float | None = None) -> Budget:

@@ -13,11 +13,11 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import benchmark_tables as benchmark
+import chart_tables as charts
 import microcontroller_tables as microcontroller
 import planning_study as planning
 
-from stewart_sym.studies.accuracy import charts
-from stewart_sym.studies.benchmark import published as benchmark
 from stewart_sym.studies.common.output import Figures
 from stewart_sym.studies.robustness import study as robustness
 
@@ -34,7 +34,7 @@ STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
 PICTURES = (
     *("bench.png", "bench_motion.png"),
     *("plan_claim.png", "plan_path_III.png", "plan_durations.png"),
-    *("chart.png", "scales.png", "bounds.png", "singular_path_III.png"),
+    *("chart.png", "singular_path_III.png"),
 )
 COMMAND = "python tests/support/studies/published.py"
 

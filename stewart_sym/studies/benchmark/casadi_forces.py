@@ -13,7 +13,6 @@ from types import SimpleNamespace
 from typing import Any
 
 from ...io.extras import needed_for
-from ..common.loops import loop_source
 
 with needed_for("the comparison with CasADi"):
     import casadi
@@ -42,9 +41,7 @@ _FREE = ("INPUT", "OUTPUT", "PARAMETER", "CONST", "ASSIGN", "NEG")
 
 @dataclass(frozen=True)
 class Program:
-    """C files by name, with a loop ``drive`` over many poses, and the operations per pose counted by
-    CasADi.
-    """
+    """C files by name, with the function ``one_pose``, and the operations per pose counted by CasADi."""
 
     sources: Mapping[str, str]
     operations: int
@@ -68,21 +65,17 @@ def program(equations: LegEquations) -> Program:
     robot, motion = casadi.SX.sym("robot", ROBOT_NUMBERS), casadi.SX.sym("motion", MOTION_NUMBERS)
     F = casadi.cse(_forces(robot, motion, equations))
     function = casadi.Function("casadi_forces", [robot, motion], [F])
-    body = (
-        f"const double *arg[{function.sz_arg()}] = {{machine, motion->numbers}}; "
-        f"double *res[{function.sz_res()}] = {{F}}; "
-        f"long long int iw[{function.sz_iw()} + 1]; double w[{function.sz_w()} + 1]; "
-        "return casadi_forces(arg, res, iw, w, 0);"
+    one_pose = (
+        "\nint one_pose(const double *machine, const double *motion, double *F)\n{\n"
+        f"    const double *arg[{function.sz_arg()}] = {{machine, motion}};\n"
+        f"    double *res[{function.sz_res()}] = {{F}};\n"
+        f"    long long int iw[{function.sz_iw()} + 1];\n"
+        f"    double w[{function.sz_w()} + 1];\n"
+        "    return casadi_forces(arg, res, iw, w, 0);\n}\n"
     )
-    header = (
-        "#include <stddef.h>\n"
-        f"typedef struct {{ double numbers[{MOTION_NUMBERS}]; }} pose_numbers;\n"
-        "int casadi_forces(const double **arg, double **res, long long int *iw, double *w, int mem);\n"
-    )
-    loop = loop_source("casadi.h", body, "pose_numbers", "double")
     free = {getattr(casadi, f"OP_{name}") for name in _FREE}
     operations = sum(function.instruction_id(i) not in free for i in range(function.n_instructions()))
-    return Program({"casadi_forces.c": _emitted(function), "casadi.h": header, **loop}, operations)
+    return Program({"casadi_forces.c": _emitted(function) + one_pose}, operations)
 
 
 def _emitted(function: Any) -> str:

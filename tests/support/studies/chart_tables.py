@@ -1,50 +1,12 @@
-"""Report of ``chart``: cost and accuracy, and the plots with their data."""
+"""Tables of the documentation from the figures of ``chart``: cost and error of each level, and the choice."""
 
-import functools
-import warnings
-from collections.abc import Callable
-from typing import Any
-
-from ...backend import fidelity
-from ...backend.native import CompilerError
-from ...io.progress import Progress, silent
-from ...robot.robot import Robot
-from ..common import host
-from ..common.output import Figures, paragraph, table
-from ..common.report import SMALL, Picture, Report
-from . import bound_plot, cost_plot, scales
-from .advice import table as advice_table
-from .budget import MARGIN
-from .cost import candidate_of, entry_of
+from stewart_sym.backend import fidelity
+from stewart_sym.studies.accuracy.budget import MARGIN
+from stewart_sym.studies.accuracy.cost import candidate_of, entry_of
+from stewart_sym.studies.common.output import Figures, paragraph, table
 
 _TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))
 _README_LEVELS = ("massless", "slender", "frictionless", "paper", "general")
-
-_KINDS = ("png", "svg")
-
-
-def full_report(found: Figures, robot: Robot, progress: Progress = silent) -> Report:
-    """Create the report: speed and accuracy, rounding errors over machine size, and rounding errors with
-    bounds.
-
-    The last two are omitted with a warning for machines and compilers that they do not support.
-    """
-    rows = {"chart": cost_plot.csv_rows(found)}
-    pictures = {"chart": Picture(lambda: cost_plot.figure(found), SMALL, _KINDS)}
-    studies: dict[str, tuple[Any, Callable[..., Any]]] = {
-        "scales": (scales, scales.scales_study),
-        "bounds": (bound_plot, bound_plot.bounds_study),
-    }
-    for name, (module, study) in studies.items():
-        try:
-            made = study(progress, robot=robot)
-        except (ValueError, CompilerError) as error:
-            warnings.warn(f"{name}: left out: {error}", stacklevel=2)
-        else:
-            rows[name] = module.csv_rows(made)
-            pictures[name] = Picture(functools.partial(module.figure, made), kinds=_KINDS)
-    data = {**found, "machine": host.machine(), "software": host.software()}
-    return Report(advice_table(found), rows, data, pictures)
 
 
 def tables(found: Figures) -> dict[str, str]:

@@ -1,0 +1,289 @@
+"""Table of the code that ``benchmark`` times: our kernels, CasADi's C, and the vector reference."""
+
+import ctypes
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...backend import c_kernel, kernel, native
+from ...dynamics import closed_form, equations
+from ...dynamics.forces import CORES, ForceKernel, Precision
+from ...dynamics.inverse_dynamics import inverse_dynamics, prepared_kernel
+from ...exchange.model_from_robot import robot_of_bodies
+from ...io.array_types import Array
+from ...io.extras import absent
+from ...io.progress import Progress
+from ...motion.motion import Motion
+from ...reference import newton_euler
+from ...reference.equations_of_motion import regressor
+from ...robot.robot import Robot
+from ..common.kernel_loop import kernel_loop
+from ..common.timing import Task, over, repeated
+from .case import CALLS, EQUATIONS, FORCES, PASSES, SIZES, Case
+from .engines import forward_engines, inverse_engines
+from .poses import Poses
+
+NAME = "exact"
+"""Measured formulation."""
+
+FEW, SLOW, MANY, LARGE = 64, 1_000, 10_000, 200_000
+"""Number of poses of a loop in C (within the first cache), of a NumPy batch, of the reference, and of a C
+batch.
+"""
+
+_EQUATION_POSES = 16
+"""Number of poses for which all outputs except the largest, the regressor, remain in the first cache."""
+
+BATCHES, QUICK_BATCHES = (10**3, 10**4, 10**5, 10**6), (10**3, 10**4, 10**5)
+
+CLOSED, PLAIN = "CasADi, closed form", "CasADi"
+"""Reference cases, by whose times the times of forces are divided."""
+
+INVERSE, FORWARD = "inverse dynamics", "forward dynamics"
+
+_FUSED = ("-ffp-contract=fast",)
+"""Flag for CasADi's C, which is faster with fused products and sums."""
+
+_FORCES = f"stewart_{NAME}_forces"
+
+
+def all_cases(poses: Poses, quick: bool, progress: Progress) -> list[Case]:
+    """Build all cases; packages that are not installed are omitted.
+
+    Raises CompilerError without a C compiler.
+    """
+    progress("compiling the kernels")
+    truth = newton_euler.inverse_dynamics(poses.robot, poses.motion).F
+    cases = [*_forces(poses, truth), *_compared(poses, truth)]
+    progress("compiling the equations of motion")
+    cases += _equations(poses.resized(_EQUATION_POSES))
+    cases += [*_calls(poses.resized(FEW), truth), *_batches(poses, truth, quick)]
+    progress("deriving the passes")
+    return [*cases, *_passes(poses, truth)]
+
+
+# --- forces -----------------------------------------------------------------------------------
+
+
+def _operations(counts: str) -> int:
+    return int(sum(getattr(kernel.module(NAME), counts)["friction"]["total"]))
+
+
+def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
+    few, robot = poses.resized(FEW), poses.robot
+    count = _operations("FORCE_OPERATIONS")
+    function = getattr(c_kernel.library(f"{NAME}_forces"), _FORCES)
+    model = ForceKernel(robot, NAME).model
+    yield _one_pose(FORCES, "one pose", "C, F alone", function, model, few, 6, truth, operations=count)
+    large = poses.resized(LARGE)
+    rows: tuple[tuple[str, Precision, int], ...] = (
+        ("batch, one core", "double", 1),
+        (f"batch, {CORES} cores", "double", CORES),
+        ("batch, float", "float", 1),
+    )
+    for name, precision, threads in rows:
+        yield _batch(FORCES, name, large, truth, count, precision, threads)
+    yield _columns(large, truth, count)
+    function = getattr(c_kernel.library(NAME), f"stewart_{NAME}_inverse_dynamics")
+    every, what = _operations("OPERATIONS"), "C, D K H c x F"
+    numbers = kernel.robot_numbers(robot)
+    yield _one_pose(FORCES, "every output", what, function, numbers, few, 78, truth, operations=every)
+    slow = poses.resized(SLOW)
+    for name, backend, what, operations in (
+        ("NumPy kernel", "numpy", "vectorized", every),
+        ("vector reference", "reference", "NumPy, base frame", None),
+    ):
+        prepared = prepared_kernel(robot, NAME, backend)
+        call = _forces_of(prepared, slow.motion)
+        yield Case(FORCES, name, what, Task(repeated(call), SLOW), call, truth, operations)
+
+
+def _forces_of(prepared: Any, motion: Motion) -> Callable[[], Array]:
+    return lambda: np.asarray(prepared.forces(motion).F)
+
+
+def _one_pose(
+    group: str,
+    name: str,
+    what: str,
+    function: Any,
+    machine: NDArray[Any],
+    poses: Poses,
+    numbers: int,
+    expected: Array,
+    F: Array | None = None,
+    **more: Any,
+) -> Case:
+    """Return the case of a C function for one pose, called from a loop in C.
+
+    ``numbers`` is the number of results of each pose, the first of which are compared, and ``F`` are input
+    forces.
+    """
+    out, columns = np.zeros((len(poses), numbers)), more.pop("all_columns", False)
+    run = kernel_loop(function, machine, poses.rows, out, F, columns)
+    compared = expected.shape[-1]
+    return Case(group, name, what, Task(run, len(poses)), lambda: out[:, :compared], expected, **more)
+
+
+def _batch(
+    group: str,
+    name: str,
+    poses: Poses,
+    truth: Array,
+    operations: int | None = None,
+    precision: Precision = "double",
+    threads: int = 1,
+) -> Case:
+    """Return the case of ``ForceKernel.forces`` with given arrays."""
+    prepared = ForceKernel(poses.robot, NAME, precision)
+    arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
+    F, status = np.zeros((len(poses), 6), dtype=prepared.dtype), np.zeros(len(poses), dtype=np.int32)
+    run = repeated(lambda: prepared.forces(arrays, threads, out=(F, status)))
+    tolerance = {} if precision == "double" else {"tolerance": 1e-3}
+    task = Task(run, len(poses))
+    return Case(group, name, "C, F alone", task, lambda: F, truth, operations, **tolerance)
+
+
+def _columns(poses: Poses, truth: Array, operations: int) -> Case:
+    """Return the case of ``ForceKernel.forces_soa``, for poses stored in columns."""
+    prepared = ForceKernel(poses.robot, NAME)
+    arrays: list[Any] = [_in_columns(array.reshape(len(poses), -1).T) for array in poses.arrays]
+    F, status = _in_columns(np.zeros((6, len(poses)))), np.zeros(len(poses), dtype=np.int32)
+    task = Task(repeated(lambda: prepared.forces_soa(*arrays, out=(F, status))), len(poses))
+    return Case(FORCES, "batch, columns", "C, F alone", task, lambda: F.T, truth, operations)
+
+
+def _in_columns(array: Array) -> Array:
+    """Copy rows to an array with rows aligned to cache lines at different positions within pages."""
+    width, count = array.shape
+    stride = 8 * (-(-count // 8) | 1)
+    room = np.zeros(width * stride + 7)
+    first = -room.ctypes.data // 8 % 8
+    rows = room[first : first + width * stride].reshape(width, stride)[:, :count]
+    rows[...] = array
+    return rows
+
+
+def _compared(poses: Poses, truth: Array) -> Iterator[Case]:
+    """Yield the installed packages that compute forces."""
+    few = poses.resized(FEW)
+    if not absent("casadi"):
+        from . import casadi_forces
+
+        programs = ((CLOSED, "leg", casadi_forces.leg_frame), (PLAIN, "base", casadi_forces.base_frame))
+        for name, frame, legs in programs:
+            made = casadi_forces.program(legs)
+            function = native.load("bench_casadi", made.sources, _FUSED).one_pose
+            numbers, what = kernel.robot_numbers(few.robot), f"C, {frame} frame"
+            more = {"operations": made.operations, "package": "CasADi"}
+            yield _one_pose(FORCES, name, what, function, numbers, few, 6, truth, **more)
+    yield from inverse_engines(few, truth)
+
+
+# --- equations of motion ----------------------------------------------------------------------
+
+
+def _equations(poses: Poses) -> Iterator[Case]:
+    """Yield functions of the closed form in C for tensors of rigid bodies, which MuJoCo requires."""
+    robot, motion = robot_of_bodies(poses.robot), poses.motion
+    few = Poses(robot, poses.arrays)
+    F = np.ascontiguousarray(newton_euler.inverse_dynamics(robot, motion).F)
+    model, numbers = ForceKernel(robot, NAME).model, kernel.robot_numbers(robot)
+    acceleration = np.concatenate([few.arrays[5], few.arrays[4]], axis=-1)
+    terms = equations.equations_of_motion(robot, motion, backend="reference")
+    slopes = equations.force_derivatives(robot, motion, backend="numpy")
+    linear = equations.linearize(robot, motion, F, backend="numpy")
+    inertia = equations.joint_space_inertia(robot, motion, backend="reference")
+    columns = _flat(regressor(robot, motion)[0])
+    solved: Any = {"F": F, "tolerance": 1e-8}
+    forces, motions = c_kernel.library(f"{NAME}_forces"), closed_form.library(NAME)
+    of_columns = c_kernel.library(f"{NAME}_regressor")
+    rows: tuple[tuple[str, Any, str, int, Array, dict[str, Any]], ...] = (
+        (INVERSE, forces, "forces", 6, F, {}),
+        ("bias", motions, "bias_and_friction", 6, terms.bias_and_friction, {}),
+        ("equations", motions, "equations", 168, _numbers(terms), {}),
+        (FORWARD, motions, "forward_dynamics", 6, acceleration, solved),
+        ("joint-space inertia", motions, "joint_inertia", 36, _flat(inertia), {}),
+        ("derivatives", motions, "derivatives", 114, _numbers(slopes), {}),
+        ("linearization", motions, "linearization", 222, _numbers(linear), solved),
+        ("regressor", of_columns, "regressor", columns.shape[-1], columns, {"all_columns": True}),
+    )
+    for name, library, function, size, expected, more in rows:
+        what = f"stewart_{NAME}_{function}"
+        compiled, machine = getattr(library, what), numbers if more.get("all_columns") else model
+        yield _one_pose(EQUATIONS, name, what, compiled, machine, few, size, expected, **more)
+    yield from forward_engines(few, F, acceleration)
+
+
+def _numbers(result: Any) -> Array:
+    """Return all quantities of a result except the status."""
+    return _flat(*(values for name, values in vars(result).items() if name != "status"))
+
+
+def _flat(*parts: Array) -> Array:
+    """Return the numbers of arrays of shape (n, ...) as rows, shape (n, k)."""
+    return np.concatenate([part.reshape(len(part), -1) for part in parts], axis=-1)
+
+
+# --- calls, batch sizes, and passes -----------------------------------------------------------
+
+
+def _calls(poses: Poses, truth: Array) -> Iterator[Case]:
+    """Yield calls of one pose from Python."""
+    slot = ForceKernel(poses.robot, NAME).single_pose()
+
+    def solved() -> Array:
+        F = []
+        for row in poses.rows:
+            slot.numbers[...] = row
+            slot.solve()
+            F.append(slot.F.copy())
+        return np.array(F)
+
+    slot.numbers[...] = poses.rows[0]
+    yield Case(CALLS, "OnePose.solve()", "Python", Task(repeated(slot.solve), 1), solved, truth)
+    given: list[tuple[Robot, Motion]] = [(poses.robot, poses.motion[i]) for i in range(len(poses))]
+    task = Task(over(inverse_dynamics, given), len(poses))
+
+    def called() -> Array:
+        return np.array([inverse_dynamics(*each).F for each in given])
+
+    yield Case(CALLS, "inverse_dynamics()", "Python", task, called, truth)
+
+
+def _batches(poses: Poses, truth: Array, quick: bool) -> Iterator[Case]:
+    for size in QUICK_BATCHES if quick else BATCHES:
+        yield _batch(SIZES, f"{size:,} poses", poses.resized(size), truth)
+
+
+def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
+    """Yield the kernel after every pass of the derivation, for one pose and for a batch."""
+    from ...derive.passes import passes
+
+    numbers, few = kernel.robot_numbers(poses.robot), poses.resized(FEW)
+    for number, made in enumerate(passes(), 1):
+        library = native.load(f"bench_pass_{number}", made.sources)
+        model = np.zeros(made.model_numbers)
+        pointer = c_kernel.address
+        if getattr(library, f"stewart_{NAME}_prepare")(pointer(numbers), pointer(model)):
+            raise ValueError(f"{made.name}: the constants of the robot cannot be prepared")
+        function, counted = getattr(library, _FORCES), {"operations": made.operations[1]}
+        name = f"{made.name}, one pose"
+        yield _one_pose(PASSES, name, made.meaning, function, model, few, 6, truth, **counted)
+        yield _batch_of_pass(poses, truth, made.name, made.meaning, library, model, made.operations[1])
+
+
+def _batch_of_pass(
+    poses: Poses, truth: Array, name: str, what: str, library: Any, model: Array, operations: int
+) -> Case:
+    F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
+    function, address = getattr(library, f"{_FORCES}_batch"), c_kernel.address
+    motions = c_kernel.pointers(poses.arrays)
+
+    def call() -> None:
+        function(address(model), ctypes.c_size_t(len(poses)), motions, address(F), address(status))
+
+    task = Task(repeated(call), len(poses))
+    return Case(PASSES, f"{name}, batch", what, task, lambda: F, truth, operations)

@@ -1,0 +1,218 @@
+"""`benchmark`: all cases compute the same results, wrong ones stop the run, and the figures are right."""
+
+import dataclasses
+import gc
+import itertools
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import benchmark_tables
+import numpy as np
+import pytest
+from command_line import rejects
+from machines import dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
+from quick_compiler import compile_quickly
+from robot_files import PAPERS
+
+import stewart_sym as ss
+from stewart_sym.backend.c_kernel import c_sources
+from stewart_sym.cli.main import main
+from stewart_sym.derive.passes import Pass
+from stewart_sym.dynamics import forces
+from stewart_sym.generated.interface import MODELS
+from stewart_sym.io.extras import install
+from stewart_sym.io.progress import silent
+from stewart_sym.studies.benchmark import benchmark, cases
+from stewart_sym.studies.benchmark.benchmark import of_group, picture, ratios, report
+from stewart_sym.studies.benchmark.case import EQUATIONS, FORCES, PASSES, SIZES
+from stewart_sym.studies.benchmark.poses import Poses, bench_poses
+from stewart_sym.studies.common import host, timing
+from stewart_sym.studies.common.output import Figures
+
+
+def shorten(patch: pytest.MonkeyPatch) -> None:
+    """Samples so short that the figures mean nothing, and one pass; deriving all takes too long here."""
+    compile_quickly(patch)
+    one = Pass("folded", "constants prepared", (10, 20), c_sources("exact_forces"), MODELS["exact"])
+    derived = ModuleType("stewart_sym.derive.passes")
+    derived.passes = lambda: (one,)  # type: ignore[attr-defined]
+    patch.setitem(sys.modules, derived.__name__, derived)
+    patch.setattr(cases, "LARGE", 2 * forces.LEAST_SHARE)
+    patch.setattr(cases, "QUICK_BATCHES", (8, 64))
+    patch.setattr(timing, "SHORTEST", 1e-5)
+    patch.setattr(gc, "collect", lambda: 0)
+    patch.setattr(benchmark, "QUICK_ROUNDS", 3)
+
+
+@pytest.fixture(scope="module", params=[pytest.param("robot", marks=pytest.mark.slow)])
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the command wrote of a robot file."""
+    folder = tmp_path_factory.mktemp("bench")
+    file = folder / "mine.toml"
+    file.write_text(PAPERS.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
+    with pytest.MonkeyPatch.context() as patch:
+        shorten(patch)
+        assert main(["benchmark", "--quick", "--robot", str(file), "-o", str(folder / "new")]) == 0
+    return folder / "new"
+
+
+@pytest.fixture(scope="module")
+def figures(written: Path) -> dict[str, Any]:
+    """The JSON."""
+    found: dict[str, Any] = json.loads((written / "bench.json").read_text())
+    return found
+
+
+# what is compared
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("friction", [False, True])
+def test_all_cases_agree_on_any_machine(friction: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    shorten(monkeypatch)
+    rng = np.random.default_rng(7 + friction)
+    robot = random_robot(rng, friction=friction)
+    motion = random_motion(rng, robot, (70,))
+    poses = Poses(robot, tuple(np.ascontiguousarray(getattr(motion, name)) for name in FIELDS))
+    made = cases.all_cases(poses, True, silent)
+    assert {case.package for case in made} == {None, "CasADi", "Pinocchio", "MuJoCo"}
+    for case in made:
+        assert case.difference() <= case.tolerance
+        wrong = dataclasses.replace(case, expected=case.expected * (1 + 3 * case.tolerance))
+        rejects(f"^{re.escape(case.name)}: results differ", wrong.difference)
+        for task in case.tasks:
+            task.run(1)
+
+
+def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
+    rows, again = (bench_poses(None, 500).rows for _ in range(2))
+    np.testing.assert_array_equal(rows, again)
+    assert all(len(np.unique(column)) == 500 for column in rows.T)
+
+
+def test_machines_without_poses_or_universal_joints_are_rejected() -> None:
+    robot = random_robot(np.random.default_rng(3), "spherical")
+    rejects("expected universal base joints", bench_poses, robot, 10)
+    none = dataclasses.replace(dasgupta(), p=np.tile(dasgupta().p[:1], (6, 1)))
+    rejects("no regular poses", bench_poses, none, 10)
+
+
+def test_a_robot_with_rotors_is_timed_without_them() -> None:
+    driven = dataclasses.replace(ss.robots.rubin_m2(), drive=ss.Drive(lead=0.005, rotor_inertia=1e-5))
+    with pytest.warns(UserWarning, match="timed without its rotors"):
+        assert not bench_poses(driven, 10).robot.has_rotors
+
+
+def test_fewer_poses_are_the_first_without_a_copy_and_more_come_round_again() -> None:
+    poses = bench_poses(None, 10)
+    fewer, more = poses.resized(4), poses.resized(25)
+    assert all(map(np.shares_memory, fewer.arrays, poses.arrays))
+    np.testing.assert_array_equal(more.rows, poses.rows[np.arange(25) % 10])
+
+
+# what is said
+
+
+def test_every_case_has_positive_figures_and_its_row(figures: dict[str, Any], written: Path) -> None:
+    text = (written / "bench.txt").read_text()
+    assert figures["robot"] == "mine"
+    for case in figures["cases"]:
+        low, high = case["quartiles"]
+        assert low <= case["median"] <= high
+        assert case["median"] > 0
+        assert len(case["raw"]) == figures["rounds"] == 3
+        assert case["name"] in text
+    assert [each["poses"] for each in of_group(figures, SIZES)] == [8, 64]
+    assert [each["operations"] for each in of_group(figures, PASSES)] == [20, 20]
+    assert {"-O3", "-ffp-contract=off"} <= set(figures["software"]["flags"])
+    assert "nan" not in text
+
+
+def test_ratios_are_of_the_medians_of_casadi_and_of_inverse_dynamics(figures: dict[str, Any]) -> None:
+    medians = {case["name"]: case["median"] for case in figures["cases"]}
+    for group, bases in ((FORCES, [cases.CLOSED, cases.PLAIN]), (EQUATIONS, [cases.INVERSE])):
+        for case in of_group(figures, group):
+            expected = {name: medians[case["name"]] / medians[name] for name in bases}
+            assert ratios(figures, case) == pytest.approx(expected)
+
+
+def test_labels_in_the_pictures_do_not_overlap(figures: Figures) -> None:
+    for group in (FORCES, EQUATIONS):
+        canvas = picture(figures, group)
+        canvas.draw_without_rendering()
+        (axes,) = canvas.axes
+        boxes = [text.get_window_extent() for text in (*axes.texts, *axes.get_yticklabels())]
+        assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+
+
+@pytest.mark.slow
+def test_missing_packages_are_left_out_and_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    shorten(monkeypatch)
+    for name in ("casadi", "pinocchio", "mujoco"):
+        monkeypatch.setitem(sys.modules, name, None)
+    at = itertools.count(0.0, 1e6)
+    monkeypatch.setattr(host, "_work_of_others", lambda: next(at))
+    found = benchmark.benchmark(quick=True)
+    text = report(found)
+    assert f"left out: CasADi, Pinocchio, MuJoCo; {install('bench')}" in text
+    assert "other processes took 100 % of the cores' time" in text
+    assert {case["package"] for case in found["cases"]} == {None}
+    picture(found, FORCES).draw_without_rendering()
+    rejects(r"^bench\.json: expected .*, got none of CasADi", benchmark_tables.tables, found)
+
+
+def test_a_partial_run_replaces_no_published_one(tmp_path: Path) -> None:
+    (tmp_path / "bench.json").write_text(json.dumps({"left_out": ["CasADi"]}))
+    committed = Path(__file__).parents[2] / ".docs" / "bench.json"
+    before = committed.read_bytes()
+    command = [sys.executable, "tests/support/studies/published.py", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=committed.parents[1])
+    assert done.returncode == 1
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("bench.json: expected ")
+    assert committed.read_bytes() == before
+
+
+# how it is measured
+
+
+class Clock:
+    """A clock that stands still but for what tasks take."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 0
+        self.calls: list[tuple[str, int]] = []
+        monkeypatch.setattr("time.perf_counter_ns", lambda: self.now)
+        monkeypatch.setattr("gc.collect", lambda: 0)
+
+    def task(self, name: str, units: int, ns: int) -> timing.Task:
+        def run(repeats: int) -> None:
+            self.calls.append((name, repeats))
+            self.now += repeats * units * ns
+
+        return timing.Task(run, units)
+
+
+def test_a_figure_is_the_time_of_one_unit(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    short, long = clock.task("short", 64, 100), clock.task("long", 10**6, 750)
+    raw = timing.measured([short, long], 3, silent)
+    assert raw[short] == pytest.approx(3 * (100.0,))
+    assert raw[long] == pytest.approx(3 * (750.0,))
+
+
+def test_tasks_take_turns_and_every_sample_is_long_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    timing.measured([clock.task(name, 64, 100) for name in "abc"], 4, silent)
+    samples = [(name, repeats) for name, repeats in clock.calls[-2 * 3 * 4 :] if repeats > 1]
+    assert len(samples) == 3 * 4
+    assert all(repeats * 64 * 100 >= 1e9 * timing.SHORTEST for _, repeats in samples)
+    rounds = [tuple(name for name, _ in samples[i : i + 3]) for i in range(0, 12, 3)]
+    assert [sorted(turn) for turn in rounds] == 4 * [["a", "b", "c"]]
+    assert len(set(rounds)) == 3
