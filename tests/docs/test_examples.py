@@ -34,7 +34,6 @@ from stewart_sym.simulation import scene
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
 
-FAULTS = ".docs/explanation/faults.md"
 RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for block in blocks(page))]
 SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blocks(page))}
 LONG = {

@@ -238,15 +238,6 @@ def test_motors_have_the_times_of_the_log_in_warnings_views_and_pictures(
     np.testing.assert_allclose(digest.summary.energy, effort.energy, rtol=1e-12)
 
 
-def test_forces_without_a_drive_has_no_motors(robot: ss.Robot, tmp_path: Path, run: Run) -> None:
-    command = forces(tmp_path, robot, np.linspace(0.0, 2.0, 81))
-    told = run(*command, "--plot", tmp_path / "motors.png", code=2).err
-    assert "the robot has no drive" in told
-    assert not (tmp_path / "F.csv").exists()
-    run(*command)
-    assert "torque" not in (tmp_path / "F.csv").read_text()
-
-
 def test_dry_friction_is_as_unsure_as_the_direction_of_the_leg(robot: ss.Robot) -> None:
     """Rates have a deviation each; torques else depend on them by viscous friction alone."""
     n, rate = 3, 1e-3

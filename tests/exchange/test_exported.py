@@ -254,21 +254,6 @@ def test_rotors_resist_in_mujoco_as_their_reflected_mass(seed: int) -> None:
     assert off(found, truth) < MUJOCO
 
 
-@pytest.mark.parametrize("name", ["mass", "center", "inertia", "axis", "damping"])
-def test_another_machine_is_found_out(name: str) -> None:
-    robot, motion, F, truth = case(1, C_s=NONE)
-    change = {
-        "mass": {"m_u": 1.001 * robot.m_u},
-        "center": {"r_d0": robot.r_d0 + 1e-3},
-        "inertia": {"I_p": 1.001 * robot.I_p},
-        "axis": {"k": robot.k + 1e-3},
-        "damping": {"C_u": 1.001 * robot.C_u},
-    }[name]
-    other = dataclasses.replace(robot, **change)
-    assert off(Exported(other).accelerations(motion, F), truth) > MUJOCO
-    assert off(accelerations(other, motion, F), truth) > PINOCCHIO
-
-
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:mjcf")
 def test_a_machine_that_its_forces_hold_does_not_drift_in_ten_seconds() -> None:

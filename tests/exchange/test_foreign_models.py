@@ -285,22 +285,6 @@ def test_an_inertia_that_no_body_has_is_warned_of(tmp_path: Path) -> None:
     assert caught[0].filename == __file__
 
 
-def test_shapes_outside_the_groups_that_count_have_no_mass(tmp_path: Path) -> None:
-    geoms = '<geom size="0.1" mass="4" group="1"/><geom size="0.2" mass="9" group="3"/>'
-    counting = '<compiler inertiagrouprange="0 1" inertiafromgeom="true" '
-    text = exported().text.replace("<compiler ", counting).replace("<inertial ", f"{geoms}<inertial ")
-    robot = ss.import_model(written(ss.ExportedModel(text, None), tmp_path / "model")).robot
-    np.testing.assert_allclose([robot.M, *robot.m_d, *robot.m_u], 4.0)
-
-
-def test_the_same_of_several_joints_is_left_out_in_one_line(tmp_path: Path) -> None:
-    found = imported(model().replace('axis="0 1 0"', 'axis="0 1 0" range="-90 45"'), tmp_path).assumptions
-    joints = ", ".join(f"'second{i}'" for i in range(6))
-    assert [f"left out: limits -1.571 to 0.7854 rad of joints {joints}"] == [
-        line for line in found if line.startswith("left out: ")
-    ]
-
-
 ALL = {"stiffness", "springdamper", "frictionloss"}
 SPRINGS = 'axis="0 1 0" stiffness="0 9" springdamper="1 1" frictionloss="2"'
 
@@ -326,11 +310,6 @@ def test_what_a_flag_switches_off_is_not_read(
         field = getattr(found.robot, name)
         np.testing.assert_array_equal(field, np.broadcast_to(value, field.shape))
     assert set(re.findall(r"left out: (\w+)", "\n".join(found.assumptions))) == left_out
-
-
-def test_gravity_that_is_switched_off_is_none(tmp_path: Path) -> None:
-    change = "<option ", '<option><flag gravity="disable"/></option><option '
-    assert not altered(tmp_path, "mjcf", *change).robot.g.any()
 
 
 MODEL, JOINT = (f"<use_parent_model_frame>{flag}</use_parent_model_frame>" for flag in ("true", "0"))

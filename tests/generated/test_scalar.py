@@ -15,8 +15,7 @@ from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.c_kernel import c_sources
-from stewart_sym.backend.kernel import MOTION, robot_numbers
-from stewart_sym.backend.numpy_kernel import loaded
+from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.derive.kernel.elimination import BY_POINTERS
 from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.written import scalar as written_scalar
@@ -36,11 +35,6 @@ LEVELS = slow_but(PLAIN, [*PLAIN, *OTHERS])
 
 def baked_kernel(robot: Robot, level: str, precision: str = "double") -> Kernel:
     return Kernel(*compiled(robot, precision, bake=True, fidelity=level), precision, None)
-
-
-def joined(motions: list[Motion]) -> Motion:
-    poses = [loaded(motion) for motion in motions]
-    return Motion(**{name: np.stack([getattr(pose, name) for pose in poses]) for name in MOTION})
 
 
 def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level: str) -> None:

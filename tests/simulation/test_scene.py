@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import Fails, Run, folder_state, read
-from robot_files import scene_of, written
+from robot_files import scene_of
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -84,18 +84,6 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
 
 
-def test_a_run_is_shown_on_its_own_machine_alone(scene: Path, run: Run) -> None:
-    folder, robot = scene.parent, ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
-    other = written(dataclasses.replace(robot, p=1.01 * robot.p), folder / "other.toml")
-    assert main(["simulate", str(scene), "-o", str(folder / "out"), "--no-plots"]) == 0
-    run("view", folder / "robots" / "robot.toml", folder / "out", "-o", folder / "own.html")
-    assert (
-        "got one of another machine: at 0 s leg 1 is "
-        in run("view", other, folder / "out", "-o", folder / "other.html", code=2).err
-    )
-    assert not (folder / "other.html").exists()
-
-
 def test_tables_need_no_matplotlib(scene: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
     monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
@@ -163,14 +151,6 @@ def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> Non
     heavier = read_scene(scene).run()
     np.testing.assert_allclose(heavier.F[0], needed[0], rtol=1e-12)
     assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4
-
-
-def test_a_run_is_no_log(scene: Path, run: Run, fails: Fails) -> None:
-    out = scene.parent / "out"
-    run("simulate", scene, "-o", out, "--no-plots")
-    robot = str(scene.parent / "robots" / "robot.toml")
-    line = fails("forces", robot, str(out / "run.csv"), "-o", str(out / "f.csv"))
-    assert "run.csv: expected a log, got a run of simulate (reference point" in line
 
 
 def test_constant_forces_and_a_load(scene: Path) -> None:

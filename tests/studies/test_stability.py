@@ -16,7 +16,6 @@ import stewart_sym as ss
 from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.cli.main import main
 from stewart_sym.derive.emit.header import CASES, THRESHOLDS
-from stewart_sym.precision.quad import quad_forces
 from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.results import NOT_FINITE, OK
 from stewart_sym.studies.common.report import Picture
@@ -47,8 +46,6 @@ def test_the_check_agrees_with_fifty_digits() -> None:
     motion = random_motion(rng, robot, (3,))
     motion = dataclasses.replace(motion, R=np.broadcast_to(np.eye(3), (3, 3, 3)))
     truth = Truth(robot).forces(motion)
-    high, low = quad_forces(robot, motion, as_given=True)
-    assert np.abs(deviation(high, truth) + low).max() < 1e-26 * np.abs(high).max()
     checked = oracle.check_poses([robot] * 3, [motion[i] for i in range(3)])
     for i in range(3):
         F, status = ss.ForceKernel(robot).forces_and_status(motion[i])

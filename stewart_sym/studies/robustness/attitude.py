@@ -19,9 +19,7 @@ from ...motion.rotation import (
     vector_rate,
     vector_second_rate,
 )
-from ...precision.quad import error as quad_error
-from ...precision.quad import quad_forces
-from ...precision.truth import digits
+from ...precision.truth import Truth, deviation, digits
 from .family import Curve, Family, distances
 from .sweep.machines import random_machine, random_motion
 from .sweep.oracle import check_poses
@@ -45,14 +43,15 @@ def families(seed: int = 4) -> list[Family]:
     # Rounding of the angle rates changes alpha, and thus the forces, by more than rounding of alpha.
     fastest = np.array([np.abs(second).max() + np.abs(first).max() ** 2 for first, second in rates])
     lost = 1.0 + fastest / np.abs(loaded(moving).alpha).max()
-    truths = [quad_forces(robot, pose, as_given=True) for pose in poses]
+    exact = Truth(robot)
+    truths = [exact.forces(pose) for pose in poses]
     curves = []
     for name in INPUTS:
         error = []
         for pose, theta, rate, truth in zip(poses, angles, rates, truths, strict=True):
             given = _rewritten(name, pose, theta, *rate)
             found = inverse_dynamics(robot, given, on_singular="nan").F
-            error.append(float(np.abs(quad_error(found, truth)).max()))
+            error.append(float(np.abs(deviation(found, truth)).max()))
         condition = condition_of(checked) * (lost if name == INPUTS[0] else 1.0)
         curves.append(Curve(name, np.array(error) / checked["size"], condition, shipped=True))
     second_rate = np.array([np.abs(second).max() for _, second in rates])
