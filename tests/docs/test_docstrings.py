@@ -75,17 +75,6 @@ def test_examples_of_a_docstring_run(name: str) -> None:
     assert run_examples(name, EXAMPLES[name]) == ""
 
 
-def test_an_example_with_another_result_is_found() -> None:
-    def wrong() -> None:
-        """Show a wrong result.
-
-        >>> 1 + 1
-        3
-        """
-
-    assert "Expected:\n    3\nGot:\n    2" in run_examples("wrong", wrong)
-
-
 @pytest.mark.parametrize("name", [name for name, of in METHODS.items() if isinstance(of, classmethod)])
 def test_what_a_class_method_returns_is_described(name: str) -> None:
     # ``validate`` looks for results of functions alone.

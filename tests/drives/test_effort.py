@@ -215,7 +215,7 @@ def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     assert "motors: 6 rows" in page
     assert f'data-value="{leg["motor_rms_torque_N_m"]!r}"' in page.split("motors: 6 rows")[-1]
     assert 'alt="motor torque"' in page
-    assert "exists; use --force" in run(*command, code=2).err
+    assert "use --force" in run(*command, code=2).err
     run(*command, "--force")
 
 

@@ -262,18 +262,3 @@ def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
         return bits
 
     assert hammered([call(k, m, n) for k in kernels for m in (SOUND, POISONED) for n in (1, 3)])
-
-
-def test_each_thread_has_its_own_buffers_of_one_pose() -> None:
-    kernel = ss.ForceKernel(ROBOT)
-    numbers = [np.concatenate([np.ravel(getattr(SOUND[i], name)) for name in FIELDS]) for i in range(8)]
-
-    def call(i: int) -> Callable[[], bytes]:
-        def bits() -> bytes:
-            slot = kernel.single_pose()
-            slot.numbers[...] = numbers[i]
-            return bytes([slot.solve()]) + slot.F.tobytes()
-
-        return bits
-
-    assert hammered([call(i) for i in range(8)], rounds=50)

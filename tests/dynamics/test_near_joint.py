@@ -13,7 +13,7 @@ from mpmath import mp
 from near_joint import KINDS, Truth, excess, of_reference, random_case, truth
 from reduced_machines import as_simple_as, at_rest
 from sweep_machines import outputs
-from sweeps import share, sweep
+from sweeps import share, slow_but, sweep
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
@@ -66,7 +66,7 @@ def worst(given: tuple, true: Truth, backend: str) -> float:
 
 
 @sweep
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", slow_but(("short",), KINDS))
 def test_every_output_is_as_good_as_the_machine_allows(kind: str) -> None:
     """Each case on C and NumPy, one in ten on the reference, which takes 50 digits."""
     found = []

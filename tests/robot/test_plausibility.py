@@ -205,12 +205,6 @@ def test_check_names_no_side_where_gravity_is_not_across_the_base(gravity: list[
     assert "side of the base stands" not in check(dataclasses.replace(unlimited(), g=gravity)).out
 
 
-def test_every_name_that_a_file_may_accept_is_one_of_an_absurd_machine() -> None:
-    on_loading = {"platform-inertia", "lower-inertia", "upper-inertia", "density"}
-    named = {name for _, name, _ in ABSURD.values()}
-    assert set(WARNING_NAMES) - on_loading == named - {""}
-
-
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:
     def names(**numbers: float) -> list[str]:
         drive = ss.Drive(lead=0.005, torque_limit=2.0, rated_torque=1e-4, **numbers)
