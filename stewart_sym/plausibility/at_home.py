@@ -27,6 +27,8 @@ LEAST_OFFSET = (1e-6, 1e-3)
 
 Such values are meters in a file of millimeters. Values below the bounds are zero except for rounding.
 """
+IN_METERS = 0.05
+"""Ratio of the limits to the legs below which limits are in meters in a file of another length_unit."""
 LEAST_STROKE = 5e-4
 """Smallest plausible stroke, relative to the leg length.
 
@@ -69,19 +71,24 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
     short = np.flatnonzero(high - low < LEAST_STROKE * np.where(np.isfinite(high), high, 0.0)).tolist()
     limits = f"length_limits {low.min():.4g} to {high.max():.4g} m"
     legs = f"legs {L.min():.4g} to {L.max():.4g} m long at the home pose"
+    in_meters = longest < IN_METERS * np.mean(L)
+    unit = "limits given in m in a file of another length_unit" if in_meters else ""
     if robot.home_position is not None and beyond:
+        of_home = (
+            "home of another point than the platform frame's origin, a stroke without 0 in it, or limits "
+            "between other points than the joints"
+        )
         i = max(beyond, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
         yield Finding(
             "home",
             f"{legs_text(beyond)} beyond length_limits at the home pose: {L[i]:.4g} m, limits {low[i]:.4g} "
-            f"to {high[i]:.4g} m; likely cause: home of another point than the platform frame's origin, a "
-            "stroke without 0 in it, or limits between other points than the joints",
+            f"to {high[i]:.4g} m; likely cause: {unit or of_home}",
         )
     elif OUTSIDE * np.mean(low) > min(np.mean(L), OUTSIDE * MOST_LEGS * size):
         cause = "limits in millimeters, centimeters, or inches, or points of another machine"
         yield Finding("length-limits", f"{limits}: {legs}; likely cause: {cause}")
     elif longest < OUTSIDE * np.mean(L):
-        cause = "the stroke given, expected the length from joint to joint"
+        cause = unit or "the stroke given, expected the length from joint to joint"
         yield Finding("length-limits", f"{limits}: {legs}; likely cause: {cause}")
     elif short:
         i = short[0]

@@ -48,6 +48,8 @@ Telescopes have 60 s. An entry in m/s instead of mm/s changes 0.5 s to 500 s.
 """
 MOST_MOTOR_SPEED = 3200.0
 """Largest plausible motor speed (rad/s), 30,000 revolutions per minute."""
+LEAST_LEAD = 6e-5
+"""Smallest plausible lead (m). A lead of 50 mm in meters is as small in a file in millimeters."""
 SLOW, FASTER = 0.3, 100.0
 """Range of plausible leg speeds at the motor speed limit, relative to the leg speed limit."""
 
@@ -196,6 +198,14 @@ def _of_speeds(robot: Robot) -> Iterator[Finding]:
         yield Finding(
             "speed-limit",
             f"speed_limit of {legs_text(legs)}: {limit[i]:.4g} m/s{seen}; likely cause: {cause}",
+        )
+    elif robot.drive is not None and np.any(np.abs(robot.drive.lead) < LEAST_LEAD):
+        lead = np.abs(robot.drive.lead)
+        small = np.flatnonzero(lead < LEAST_LEAD).tolist()
+        yield Finding(
+            "drive-speed",
+            f"lead of {legs_text(small)}: {lead[small].min():.4g} m per turn; likely cause: given in m in a "
+            "file of another length_unit",
         )
     elif robot.drive is not None:
         motor = robot.drive.speed_limit

@@ -272,6 +272,10 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         "limits in millimeters": (scaled(length_limits=1e3), OTHER_UNIT),
         "limits in centimeters": (scaled(length_limits=1e2), OTHER_UNIT),
         "a stroke in meters in a file of millimeters": (short_stroke, "a stroke of 0.0003 m in legs of"),
+        "limits in meters in a file of millimeters": (
+            scaled(length_limits=1e-3),
+            "limits given in m in a file",
+        ),
         "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
     },
     "home": {"home of another point": (of(home_position=np.array([0.0, 0.0, 1.7])), "home of another point")},
@@ -280,7 +284,10 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "drive-speed": {
         "revolutions a minute": (driven(speed_limit=5000.0), "5000 rad/s"),
         "revolutions among degrees": (driven(0.4, speed_limit=np.radians(5000.0)), "revolutions given"),
-        "lead in meters in a file of millimeters": (driven(lead=5e-6, speed_limit=600.0), "lead or"),
+        "lead in meters in a file of millimeters": (
+            driven(lead=5e-6),
+            "m per turn; likely cause: given in m in",
+        ),
     },
     "speed-limit": {
         "speed limit in mm/s": (scaled(speed_limit=1e3), "given in mm/s"),
