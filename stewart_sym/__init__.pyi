@@ -105,7 +105,6 @@ from .robot.drive import Drive as Drive
 from .robot.offsets import JointOffsets as JointOffsets
 from .robot.robot import Robot as Robot
 from .robot.robot import RobotWarning as RobotWarning
-from .robot.units import UnitScaling as UnitScaling
 from .simulation.actuator_models import ComputedTorque as ComputedTorque
 from .simulation.actuator_models import LegSprings as LegSprings
 from .simulation.simulation import simulate as simulate

@@ -46,14 +46,14 @@ SHARING = (
 """Modules that share what takes seconds and is made once a worker."""
 GROUPS = {module: group[0] for group in SHARING for module in group}
 LONG = (
-    *("test_generated", "test_degenerate_families", "test_cost_accuracy", "test_cost_plot", "test_bench"),
+    *("test_generated", "test_degenerate_families", "test_cost_accuracy", "test_cost_plot"),
     *("test_float", "test_rotor", "test_wrong_constants", "test_drive_terms", "test_controls", "test_fmu"),
     *("test_figures", "test_near_joint", "test_joint_space", "test_log_faults", "test_noise"),
     *("test_least_time", "test_bounds", "test_plan_command", "test_plausibility", "test_scalar"),
-    *("test_controller", "test_native", "test_kinematics_c", "test_cli", "test_design_commands"),
+    *("test_native", "test_kinematics_c", "test_cli", "test_design_commands"),
     *("test_plan_path", "test_scene", "test_cli_forces", "test_publish", "test_forces"),
-    *("test_identification_noise", "test_control", "test_motion_kernels", "test_hostile_files"),
-    *("test_static_c", "test_attack_c", "test_portability", "test_round_trip", "test_bench_figures"),
+    *("test_identification_noise", "test_motion_kernels", "test_hostile_files"),
+    *("test_static_c", "test_attack_c", "test_portability", "test_round_trip"),
     *("test_compilers", "test_build", "test_torque_kits", "test_singularity", "test_along_path"),
     *("test_workspace", "test_regressor_c", "test_written_logs", "test_simulation", "test_cpp"),
     *("test_extras", "test_rate_doubts", "test_mounting", "test_logs", "test_misra", "test_hidden_marks"),

@@ -9,7 +9,7 @@
 import argparse
 import inspect
 import re
-from importlib import import_module
+from pathlib import Path
 from typing import ClassVar
 
 from docutils import nodes
@@ -100,10 +100,16 @@ def _code(text: str) -> nodes.literal_block:
     return nodes.literal_block(text.strip(), text.strip(), language="text")
 
 
+def places() -> dict[str, str]:
+    """Module of each public name, below the package, as its stub states."""
+    stub = Path(ss.__file__).with_suffix(".pyi").read_text(encoding="utf-8")
+    named = re.findall(r"^from \.(\S*) import (\w+) as", stub, re.MULTILINE)
+    return {name: module or name for module, name in named}
+
+
 def public_names(folder: str) -> list[str]:
     """Public names of one folder: functions first, then classes, then data."""
-    places = {name: place.lstrip(".") for name, place in ss._public().items()}
-    found = [name for name, place in places.items() if place.split(".")[0] == folder]
+    found = [name for name, place in places().items() if place.split(".")[0] == folder]
     return sorted(found, key=lambda name: (inspect.isclass(getattr(ss, name)), name.lower()))
 
 
@@ -134,8 +140,7 @@ class Public(SphinxDirective):
             return f".. autoclass:: stewart_sym.{name}\n   :members:\n\n"
         if callable(value):
             return f".. autofunction:: stewart_sym.{name}\n\n"
-        module = import_module(ss._public()[name], "stewart_sym").__name__
-        lines = ModuleAnalyzer.for_module(module).find_attr_docs()["", name]
+        lines = ModuleAnalyzer.for_module(f"stewart_sym.{places()[name]}").find_attr_docs()["", name]
         text = "".join(f"   {line}\n" for line in lines)
         return f".. py:data:: {name}\n   :module: stewart_sym\n\n{text}\n"
 

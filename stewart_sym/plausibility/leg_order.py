@@ -1,4 +1,4 @@
-"""Detection of legs in a wrong order: exchanged, shifted, or reversed points, so that legs cross."""
+"""Arrangement of the legs: legs that cross, legs in a wrong order, and machines singular at any height."""
 
 import itertools
 from collections.abc import Iterator
@@ -6,31 +6,24 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ..dynamics.home_pose import radius
 from ..io.array_types import Array
 from ..kinematics.mounting import level_positions
-from ..motion.rotation import cross
 from ..robot.robot import LEGS, Robot
-from .level_poses import (
-    GOOD_CONDITION,
-    HEIGHTS,
-    MISPAIRED,
-    MOST_CONDITION,
-    TWISTED,
-    Finding,
-    level_conditions,
-)
+from .level_poses import GOOD_CONDITION, HEIGHTS, MISPAIRED, Finding, level_conditions
 
+TWISTED = np.radians(75.0)
+"""Smallest twist of the platform against the base (rad) of legs in a wrong order, which have 120 degrees."""
 EXCHANGED = -0.5
 """Threshold of the scalar product of the base point difference and the platform point difference of two legs.
 
 The differences are projected along the machine axis and divided by both radii. The product is negative if the
 legs cross. In sound machines it is not below this value.
 """
+MOST_CONDITION = 1e3
 
 
 def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
-    """Yield findings about the assignment of platform points to base points.
+    """Yield a finding about the assignment of platform points to base points.
 
     Legs are sorted by the angle of their base points. The platform points are assigned in their own order,
     shifted or reversed, which gives twelve assignments.
@@ -40,38 +33,35 @@ def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
     around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
     crossed = _crossed(around_b, around_p)
     if crossed is not None and crossed[1]:
-        yield _crossing(*crossed[0])
+        yield _crossing(*crossed[0], "their platform points exchanged")
         return
     order = np.argsort(np.angle(around_b), kind="stable")
     b, p, heights = robot.b[order], robot.p[order], level_positions(robot, axis, HEIGHTS)
-    given = float(level_conditions(b, p, heights).min())
     turned = np.sum(around_p * np.conj(around_b))
     clear = abs(turned) > 0.5 * np.sum(np.abs(around_p) * np.abs(around_b))
-    twisted = bool(clear and abs(np.angle(turned)) > TWISTED)
-    better = _better_order(b, p, heights, given, twisted) if twisted or given > GOOD_CONDITION else None
-    if better is not None:
+    given = float(level_conditions(b, p, heights).min())
+    better = _better_order(b, p, heights, bool(clear and abs(np.angle(turned)) > TWISTED))
+    if better is not None and given < MOST_CONDITION:
         yield better
-        return
-    if given > MOST_CONDITION:
+    elif given > MOST_CONDITION:
+        found = f"scaled condition number {given:.2g}" if np.isfinite(given) else "H is singular"
         yield Finding(
             "condition",
-            f"{_level(given)} with the platform parallel to the base, at any height; likely cause: points of "
-            f"wrong legs, or nearly parallel or concurrent legs",
+            f"{found} with the platform parallel to the base, at any height; likely cause: platform points "
+            "of wrong legs or mirrored, points in one place, nearly parallel or concurrent legs, or similar "
+            "hexagons (expected pairs of base points above gaps of the platform points)",
         )
-    for i, j in _meeting(robot, t):
-        yield _crossing(i, j)
-        return
-    if crossed is not None:
-        yield _crossing(*crossed[0], cause="platform points in another order than base points, or mirrored")
+    elif crossed is not None:
+        yield _crossing(*crossed[0], "platform points in another order than base points, or mirrored")
 
 
-def _better_order(b: Array, p: Array, heights: Array, given: float, twisted: bool) -> Finding | None:
-    """Return a finding if another of the twelve orders has better level poses than ``given``, else None."""
+def _better_order(b: Array, p: Array, heights: Array, twisted: bool) -> Finding | None:
+    """Return a finding if another of the twelve orders has much better level poses, else None."""
     ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
     conditions = level_conditions(b, np.array(list(ways.values()))[:, None], heights).min(axis=-1)
-    least = int(np.argmin(conditions))
+    given, least = float(conditions[0]), int(np.argmin(conditions))
     turn, k = list(ways)[least]
-    ratio = given / conditions[least] if np.isfinite(given) else np.inf
+    ratio = given / conditions[least]
     mispaired = given > GOOD_CONDITION and ratio > MISPAIRED and (turn, k) != (1, 0)
     if not mispaired and not (twisted and ratio > 2.0):
         return None
@@ -79,13 +69,13 @@ def _better_order(b: Array, p: Array, heights: Array, given: float, twisted: boo
     cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
     return Finding(
         "leg-order",
-        f"{_level(given)} with the platform parallel to the base, {conditions[least]:.2g} with its points in "
-        f"another order; likely cause: platform points {cause} against the base points, or a platform "
-        "frame turned about its normal",
+        f"scaled condition number {given:.2g} with the platform parallel to the base, "
+        f"{conditions[least]:.2g} with its points in another order; likely cause: platform points {cause} "
+        "against the base points, or a platform frame turned about its normal",
     )
 
 
-def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Finding:
+def _crossing(i: int, j: int, cause: str) -> Finding:
     return Finding("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
 
 
@@ -118,32 +108,9 @@ def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[tupl
     return pairs[int(np.argmin(given))], False
 
 
-def _level(condition: float) -> str:
-    return f"scaled condition number {condition:.2g}" if np.isfinite(condition) else "H is singular"
-
-
 def _around(points: Array, axis: Array) -> NDArray[np.complex128]:
     """Return points relative to their mean as complex numbers in the plane normal to an axis."""
     plane = np.linalg.svd(axis[None])[2][1:]
     plane = plane if np.linalg.det(np.vstack([axis, plane])) > 0.0 else plane[::-1]
     x, y = plane @ (points - points.mean(axis=0)).T
     return np.asarray(x + 1j * y)
-
-
-def _meeting(robot: Robot, t: Array) -> list[tuple[int, int]]:
-    """Return pairs of legs of a level pose that intersect away from their joints."""
-    pairs = np.array(list(itertools.combinations(range(LEGS), 2)))
-    (a, b), S = robot.b[pairs.T], t + robot.p - robot.b
-    u, v = S[pairs.T]
-    normal = cross(u, v)
-    square = _dot(normal, normal)
-    apart = _dot(b - a, normal)
-    along = np.array([_dot(cross(b - a, other), normal) for other in (v, u)])
-    inner = np.all((along > 0.02 * square) & (along < 0.98 * square), axis=0)
-    near = np.abs(apart) < 1e-4 * (radius(robot.b) + radius(robot.p)) * np.sqrt(square)
-    found = pairs[(square >= 1e-6 * _dot(u, u) * _dot(v, v)) & inner & near]
-    return [(int(i), int(j)) for i, j in found]
-
-
-def _dot(x: Array, y: Array) -> Array:
-    return np.asarray((x * y).sum(axis=-1))

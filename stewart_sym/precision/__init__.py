@@ -1,1 +1,1 @@
-"""Actuator forces with 113 bits and with 50 digits, as references for rounding errors."""
+"""Actuator forces with 50 digits, as a reference for rounding errors."""

@@ -21,12 +21,9 @@ Check = Callable[[object, str], Any]
 
 WARNING_NAMES = (
     *("platform-inertia", "lower-inertia", "upper-inertia", "density"),
-    *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size"),
-    *("center-of-mass", "friction", "rotor-inertia", "tool"),
-    *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity"),
-    *("overlap", "coincident"),
-    *("home", "length-limits", "part-length", "force-limit", "speed-limit"),
-    *("drive-limit", "drive-speed", "torque-constant", "joint-angle"),
+    *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size", "center-of-mass"),
+    *("leg-order", "condition", "crossing", "joint-singularity"),
+    *("home", "length-limits", "force-limit", "speed-limit", "drive-limit", "drive-speed"),
 )
 """Names of all warnings about the numbers of a robot, as in ``suppress_warnings``.
 

@@ -1,11 +1,11 @@
 """What a reader of help(ss), dir(ss) and of a result at the prompt sees."""
 
-import importlib
 import importlib.metadata
 import signal
 import subprocess
 import sys
 import types
+from pathlib import Path
 
 import pytest
 
@@ -21,14 +21,14 @@ def test_dir_shows_what_is_public_and_nothing_else() -> None:
 
 def test_the_version_is_that_of_the_package() -> None:
     assert ss.__version__ == importlib.metadata.version("stewart-sym")
-    with pytest.raises(AttributeError, match="module 'stewart_sym' has no attribute 'version'"):
+    with pytest.raises(AttributeError, match="attribute version"):
         _ = ss.version  # type: ignore[attr-defined]
 
 
-def test_every_public_name_is_what_its_module_defines() -> None:
-    for name, module in ss._public().items():
-        found = importlib.import_module(module, "stewart_sym")
-        assert getattr(ss, name) is (found if module == f".{name}" else getattr(found, name)), name
+def test_no_public_name_is_hidden_by_the_module_of_that_name() -> None:
+    """Importing a submodule sets it as an attribute of the package, whatever was there."""
+    modules = {path.stem for path in Path(ss.__file__).parent.iterdir()} - {"results", "robots"}
+    assert not modules & set(dir(ss))
 
 
 def interruptible() -> None:
@@ -47,14 +47,6 @@ def test_importing_the_package_imports_none_of_its_modules_and_no_numpy() -> Non
         "print(sorted(m for m in sys.modules if m == 'numpy' or m.startswith('stewart_sym.')))"
     )
     assert done.stdout == "[]\n", done.stderr
-
-
-def test_the_command_line_imports_nothing_before_it_can_be_interrupted() -> None:
-    done = run(
-        "import os, sys; before = set(sys.modules)\n"
-        "import stewart_sym.__main__; print(sorted(set(sys.modules) - before))"
-    )
-    assert done.stdout == "['stewart_sym', 'stewart_sym.__main__']\n", done.stderr
 
 
 @pytest.mark.parametrize("error", ["ImportError", "MemoryError"])

@@ -24,7 +24,6 @@ from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
-from stewart_sym.robot.units import rescaled
 
 PLAIN = """static stewart_forces forces;
     counts = Counts();
@@ -134,7 +133,7 @@ def test_count_with_folded_numbers_is_what_the_c_executes_where_moments_are_scal
     scalar: bool, tmp_path: Path
 ) -> None:
     rng = np.random.default_rng(9)
-    robot = rescaled(random_robot(rng), 1 / 64, 1.0)
+    robot = random_robot(rng, scale=1 / 64)
     made = parts(robot, Choice(bake=True, scalar=scalar))
     (forces,) = (each for each in made.functions if each.stem == "forces")
     call = FOLDED_POSE if scalar else FOLDED_BLOCK

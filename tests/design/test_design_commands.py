@@ -143,12 +143,6 @@ def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, r
     assert ("--position" in errors) == (words.startswith("its legs"))
 
 
-def test_shares_given_in_per_cent_are_named(run: Run) -> None:
-    size = ("size-actuators", "hexapod.toml", "trajectory.csv", "--no-plots")
-    assert "--margin: 25 means 2500 %; use 0.25 for 25 %" in run(*size, "--margin", 25).err
-    assert "quantiles: expected fractions > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
-
-
 def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
     volumes = []
     for ignored in ((), ("--ignore", "joint_angles")):
@@ -299,10 +293,3 @@ def test_a_joint_angle_limit_that_is_none_is_named_with_its_line(
     line = fails("workspace", "hanging.toml")
     assert message in line
     assert "(at line " in line
-
-
-def test_joint_angle_limits_survive_a_round_trip() -> None:
-    robot = ss.Robot.from_toml("hanging.toml")
-    np.testing.assert_allclose(np.degrees(robot.joint_angle_limit), np.tile([30.0, 22.0], (6, 1)))
-    back = ss.Robot.from_dict(robot.to_dict())
-    assert back.joint_angle_limit.tobytes() == robot.joint_angle_limit.tobytes()

@@ -75,15 +75,6 @@ def test_without_a_home_pose_joint_angles_do_not_depend_on_how_dense_the_rows_ar
         np.testing.assert_allclose(getattr(other, name), getattr(even, name), rtol=5e-3)
 
 
-def test_motions_count_together() -> None:
-    robot, time, motion = along(3)
-    one, other = (time[:90], motion[:90]), (time[90:], motion[90:])
-    both = ss.actuator_requirements(robot, [one, other])
-    apart = [ss.actuator_requirements(robot, [each]) for each in (one, other)]
-    np.testing.assert_array_equal(both.force[-1], np.maximum(*(each.force[-1] for each in apart)))
-    np.testing.assert_array_equal(both.length[:, 0], np.minimum(*(each.length[:, 0] for each in apart)))
-
-
 def test_joint_angles_are_from_the_home_pose() -> None:
     robot, time, motion = along(4)
     robot = dataclasses.replace(robot, home_position=motion.t[0] + 0.05)
@@ -345,8 +336,10 @@ def test_no_limit_suffices_for_a_motion_through_a_singular_pose(in_log: bool) ->
         ss.drive_effort(strong, motion, time)
 
 
-def test_a_robot_without_limits_is_told_of_none() -> None:
-    time = np.linspace(0.0, 1.0, 5)
-    robot, motion = ss.robots.dasgupta1998(), ss.PAPER_PATHS["I"].path.sample(time)
-    text = report(robot, ["I"], ss.actuator_requirements(robot, [(time, motion)])).text
-    assert text.endswith("The robot file states no limit.")
+def test_motions_count_together() -> None:
+    robot, time, motion = along(3)
+    one, other = (time[:90], motion[:90]), (time[90:], motion[90:])
+    both = ss.actuator_requirements(robot, [one, other])
+    apart = [ss.actuator_requirements(robot, [each]) for each in (one, other)]
+    np.testing.assert_array_equal(both.force[-1], np.maximum(*(each.force[-1] for each in apart)))
+    np.testing.assert_array_equal(both.length[:, 0], np.minimum(*(each.length[:, 0] for each in apart)))

@@ -283,15 +283,6 @@ def test_a_cluster_of_workers_gives_the_same_bits() -> None:
             assert one == other, field.name
 
 
-def test_more_poses_than_cells_are_shared_out_evenly(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(stratified_sampling, "MOST_KEPT", 1 << 12)
-    robot = limited(np.random.default_rng(1))
-    coarse, fine = (ss.workspace(robot, samples=poses) for poses in (8_000, 400_000))
-    assert fine.samples > 20 * coarse.samples
-    assert fine.error < 0.3 * coarse.error
-    assert abs(fine.volume - coarse.volume) < coarse.error + fine.error
-
-
 def test_where_nothing_is_in_reach_that_is_said() -> None:
     robot = limited(np.random.default_rng(1))
     far = [[5.0, 5.1], [5.0, 5.1], [5.0, 5.1]]

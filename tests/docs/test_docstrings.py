@@ -1,21 +1,15 @@
 """Docstrings of public names are complete, their examples run, and calls name their arguments."""
 
-import ast
 import dataclasses
 import doctest
 import functools
 import inspect
-import json
-import re
-from collections.abc import Iterator
-from pathlib import Path
 from types import FunctionType
 from typing import Any
 
 import pytest
 from numpydoc.docscrape import ClassDoc, FunctionDoc
 from numpydoc.validate import validate
-from pages import PAGES, TOP
 
 import stewart_sym as ss
 
@@ -81,17 +75,6 @@ def test_examples_of_a_docstring_run(name: str) -> None:
     assert run_examples(name, EXAMPLES[name]) == ""
 
 
-def test_an_example_with_another_result_is_found() -> None:
-    def wrong() -> None:
-        """Show a wrong result.
-
-        >>> 1 + 1
-        3
-        """
-
-    assert "Expected:\n    3\nGot:\n    2" in run_examples("wrong", wrong)
-
-
 @pytest.mark.parametrize("name", [name for name, of in METHODS.items() if isinstance(of, classmethod)])
 def test_what_a_class_method_returns_is_described(name: str) -> None:
     # ``validate`` looks for results of functions alone.
@@ -113,80 +96,3 @@ def test_every_field_of_a_record_is_described(name: str) -> None:
     names = {part.strip() for each in described for part in each.name.split(",")}
     assert names == fields(of)
     assert all(each.type and "".join(each.desc).strip() for each in described)
-
-
-def test_a_docstring_without_sections_is_found() -> None:
-    codes = {code for code, _ in validate("textwrap.indent")["errors"]}
-    assert {"PR01", "RT01"} <= codes & CHECKED
-
-
-CONSTRUCTORS = ("from_rpy", "from_quaternion", "from_rotation_vector")
-# A robot and what is asked of it differ by their types; a third argument is not.
-MOST = 2
-MODULES = sorted(path.relative_to(TOP).as_posix() for path in TOP.glob("stewart_sym/**/*.py"))
-
-
-def parsed(text: str) -> ast.AST | None:
-    """Code of a text, None of what is no Python."""
-    try:
-        return ast.parse(text)
-    except SyntaxError:
-        return None
-
-
-def pieces(text: str) -> Iterator[str]:
-    """Code in a page or docstring: its blocks of Python and what stands in backticks."""
-    yield from re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-    without = re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
-    yield from re.findall(r"``?([^`\n]+)``?", without)
-
-
-def swappable(code: str) -> list[str]:
-    """Calls of this library in a piece of code with more positional arguments than types tell apart."""
-    tree = parsed(code) if "(" in code else None
-    found = []
-    for call in ast.walk(tree) if tree else ():
-        if isinstance(call, ast.Call):
-            owner, _, name = ast.unparse(call.func).rpartition(".")
-            ours = name in CONSTRUCTORS or (name in ss.__all__ and owner in ("", "ss"))
-            most = 0 if name in (*CONSTRUCTORS, "Motion") else MOST
-            if ours and len(call.args) > most:
-                found.append(ast.unparse(call))
-    return found
-
-
-def docstrings(path: Path) -> Iterator[str]:
-    """Docstrings of a module; lines of one that are a program count as code."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
-            text = ast.get_docstring(node) or ""
-            yield text
-            yield from (f"`{line.strip()}`" for line in text.splitlines() if "(" in line)
-
-
-def test_a_call_that_may_be_swapped_is_found() -> None:
-    assert swappable("m = ss.Motion(R, t, omega, v)") == ["ss.Motion(R, t, omega, v)"]
-    assert swappable("ss.linearize(robot, motion, F)") == ["ss.linearize(robot, motion, F)"]
-    assert not swappable(
-        "ss.linearize(robot, motion, F=F), ss.Motion(R=R, t=t, omega=w, v=v), print(1, 2, 3)"
-    )
-
-
-@pytest.mark.parametrize("page", PAGES)
-def test_pages_name_arguments(page: str) -> None:
-    text = (TOP / page).read_text(encoding="utf-8")
-    assert [call for piece in pieces(text) for call in swappable(piece)] == []
-
-
-@pytest.mark.parametrize("notebook", sorted(TOP.glob("derive/*.ipynb"), key=str))
-def test_the_notebooks_name_arguments(notebook: Path) -> None:
-    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
-    sources = [("".join(cell["source"]), cell["cell_type"]) for cell in cells]
-    code = [piece for text, kind in sources for piece in ([text] if kind == "code" else pieces(text))]
-    assert len(code) > len(cells)
-    assert [call for piece in code for call in swappable(piece)] == []
-
-
-def test_docstrings_name_arguments() -> None:
-    texts = [(path, text) for path in MODULES for text in docstrings(TOP / path)]
-    assert [(path, call) for path, text in texts for piece in pieces(text) for call in swappable(piece)] == []

@@ -2,7 +2,6 @@
 
 import ast
 import re
-import tomllib
 from collections.abc import Iterator
 
 import pytest
@@ -13,14 +12,6 @@ from stewart_sym.results import STATUS_TEXT
 
 TROUBLES = (DOCS / "troubleshooting.md").read_text(encoding="utf-8")
 ROW = re.compile(r"^\| `([^`]+)` \|", re.MULTILINE)
-TERMS = """Gough-Stewart platform; parallel robot; 6-UPS; 6-SPS; end-effector; degree of freedom; inverse
-kinematics; direct kinematics; forward kinematics; assembly mode; Jacobian; inverse Jacobian;
-wrench; twist; mass matrix; bias; Coriolis matrix; gravity wrench; inverse dynamics; forward
-dynamics; constant-orientation workspace; orientation workspace; total orientation workspace;
-reachable workspace; dextrous workspace; isotropy; dexterity; condition number; manipulability;
-singularity; base parameters; calibration; excitation trajectory; computed torque; feedforward;
-reference trajectory; via point; path parameterization; continuous torque; peak torque; backlash;
-kit; block; kernel; schedule; fidelity level; formulation; reference point; tool; bake; status"""
 
 
 def section(title: str) -> str:
@@ -61,17 +52,3 @@ def test_messages_are_those_of_the_program(title: str, count: int) -> None:
     assert len(found) == count
     pieces = [piece for message in found for piece in message.split("...") if piece]
     assert [piece for piece in pieces if piece not in program] == []
-
-
-def test_every_extra_is_explained() -> None:
-    page = (DOCS / "installation.md").read_text(encoding="utf-8")
-    project = tomllib.loads((TOP / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    (table,) = re.findall(r"^\| extra \|.*?\n\n", page, re.MULTILINE | re.DOTALL)
-    assert set(ROW.findall(table)) == set(project["optional-dependencies"])
-
-
-def test_the_glossary_has_every_term_of_the_field() -> None:
-    page = (DOCS / "glossary.md").read_text(encoding="utf-8")
-    blocks = re.findall(r"^```\{glossary\}\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
-    terms = {line for block in blocks for line in block.splitlines() if line and not line.startswith(" ")}
-    assert {" ".join(term.split()) for term in TERMS.split(";")} - terms == set()

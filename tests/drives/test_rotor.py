@@ -8,16 +8,13 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 from machines import Array, random_motion, random_robot, rotation, with_random_rotors
-from motion_fields import motion_of, waves
 from numpy.typing import NDArray
-from pages import DOCS
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
 from reduced_machines import as_simple_as
 
 import stewart_sym as ss
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
 from stewart_sym.derive.mechanics.reduced_models import DRIVE_FIDELITIES as DERIVED
-from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.reference import equations_of_motion as oracle
 from stewart_sym.reference import newton_euler
 
@@ -231,46 +228,3 @@ def test_the_regressor_of_rotors_stands_beside_that_of_the_bodies() -> None:
         )
         assert np.abs(bodies + rotors - needed).max() < RELATIVE * np.abs(needed).max()
         assert np.abs(rotors).max() > 1e-3 * np.abs(needed).max()
-
-
-PRICES = {
-    ("dasgupta1998", 0.004): (5.4e-4, 0.13),
-    ("dasgupta1998", 0.02): (1.1e-4, 5.1e-3),
-    ("unal", 0.004): (3.5e-4, 0.97),
-    ("unal", 0.02): (3.1e-4, 0.17),
-    ("rubin_m2", 0.004): (5.2e-5, 0.12),
-    ("rubin_m2", 0.02): (1.1e-5, 5.2e-3),
-}
-"""What leaving out the momentum, and the rotor, costs: the table of docs: limits."""
-
-
-@pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
-@pytest.mark.parametrize(("name", "lead"), PRICES)
-def test_what_the_momentum_of_rotors_costs_and_what_their_mass(name: str, lead: float) -> None:
-    """Shares of the peak force, of rotors of 5e-5 kg m^2 in a brisk motion; docs: limits."""
-    plain = ss.robots.load(name)
-    robot = dataclasses.replace(plain, drive=ss.Drive(lead=lead, rotor_inertia=5e-5))
-    motion = brisk_motion(robot)
-    F = ss.ForceKernel(robot).forces(motion)
-    shares = [
-        np.abs(ss.ForceKernel(robot, fidelity=level).forces(motion) - F).max() / np.abs(F).max()
-        for level in ("reflected", "no_rotor")
-    ]
-    print(name, lead, shares)
-    assert shares == pytest.approx(PRICES[name, lead], rel=0.04)
-
-
-def test_the_prices_of_rotors_are_those_of_the_documentation() -> None:
-    text = (DOCS / "reference" / "limits.md").read_text(encoding="utf-8")
-    for column, level in enumerate(("`reflected`", "`no_rotor`")):
-        (row,) = (line for line in text.splitlines() if line.startswith(f"| {level} | 2"))
-        written = [float(cell) for cell in row.strip("| ").split("|")[2:]]
-        assert written == [price[column] for price in PRICES.values()]
-
-
-def brisk_motion(robot: ss.Robot) -> ss.Motion:
-    """About a hertz, a twentieth of the platform's radius and a tenth of a radian to each side of home."""
-    radius = np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=1).mean()
-    rate = 2 * np.pi * np.array([1.0, 1.3, 0.7, 0.9, 1.1, 1.4])
-    size, middle = np.repeat([0.05 * radius, 0.1], 3), np.append(home_pose(robot).t, np.zeros(3))
-    return motion_of(waves(np.linspace(0, 1, 400), middle, size, rate, np.arange(6.0)))

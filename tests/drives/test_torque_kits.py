@@ -3,7 +3,6 @@
 import ctypes
 import dataclasses
 import re
-import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -169,40 +168,6 @@ def test_axial_forces_are_those_of_the_reference(joint: str) -> None:
         np.testing.assert_allclose(values(found["axial"]), expected[i], atol=1e-12 * np.abs(F).max())
         rates = ss.inverse_kinematics(robot, motion[i]).L_dot
         np.testing.assert_allclose(values(found["L_dot"]), rates, atol=1e-13 * np.abs(rates).max())
-
-
-CPP = """
-#include "stewart_robot.h"
-#include "stewart.hpp"
-int main()
-{{
-    const stewart::torque_kernel drives({symbol}_drives);
-    const std::array<stewart::real, 6> F{{100, 100, 100, 100, 100, 100}}, L_dot{{}};
-    std::array<stewart::real, 6> torque{{}}, current{{}};
-    const auto found = drives.motor_torques(F, F, L_dot, torque, current);
-    return found == stewart::status::ok && torque[3] != 0 ? 0 : 1;
-}}
-"""
-
-
-def test_torques_are_called_from_cpp(tmp_path: Path) -> None:
-    robot = robot_named(machine(False))
-    write_kit(robot, tmp_path / "kit", Choice(("torque",)))
-    user = tmp_path / "user.cpp"
-    user.write_text(CPP.format(symbol="stewart_robot_turned"), encoding="utf-8")
-    sources = [str(tmp_path / "kit" / f"stewart_{name}.c") for name in ("torque", "robot")]
-    command = ["g++", "-std=c++17", "-O0", f"-I{tmp_path / 'kit'}", str(user), "-x", "c++", *sources]
-    subprocess.run([*command, "-o", str(tmp_path / "user")], check=True)
-    subprocess.run([str(tmp_path / "user")], check=True)
-
-
-def test_the_readme_says_what_torques_take() -> None:
-    robot = robot_named(machine(True))
-    text = kit(robot, Choice(("torque",))).files["README.md"].decode()
-    assert "and constants `stewart_robot_turned_drives` of its drives" in text
-    assert "| `F` | in | [6] | N | actuator forces, positive when they extend the leg, (37) |" in text
-    assert "| `torque` | out | [6] | N m |" in text
-    assert "| `stewart_motor_torques` | 352 | " in text
 
 
 def test_kits_of_rotors_are_exact_whatever_they_hold() -> None:

@@ -92,20 +92,6 @@ def test_copies_and_pickles_have_the_same_numbers() -> None:
         np.testing.assert_array_equal(other.forces(**poses).F, kernel.forces(**poses).F)
 
 
-def test_numbers_in_another_order_of_bytes_are_the_same() -> None:
-    motion, found = random_motion(np.random.default_rng(33), dasgupta(), (4,)), []
-    for order in "<>":
-        R, t, a = (getattr(motion, name).astype(f"{order}f8") for name in ("R", "t", "a"))
-        found.append(ss.ArrayKernel(dasgupta(), np).forces(R, t, a=a).F)
-    np.testing.assert_array_equal(*found)
-
-
-@pytest.mark.parametrize("dtype", [np.int64, np.complex128])
-def test_a_type_of_no_real_numbers_is_named(dtype: type) -> None:
-    with pytest.raises(ValueError, match=r"^dtype: expected a type of real numbers, got <class 'numpy"):
-        ss.ArrayKernel(dasgupta(), np, dtype=dtype)
-
-
 @pytest.mark.parametrize(
     ("given", "line"),
     [

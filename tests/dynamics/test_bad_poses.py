@@ -18,7 +18,6 @@ from unsolvable_poses import BACKENDS, CASES, at_rest, semiregular
 import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.backend.c_kernel import CKernel
-from stewart_sym.backend.fidelity import available
 from stewart_sym.backend.numpy_kernel import NumpyKernel
 from stewart_sym.dynamics import forces
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
@@ -189,19 +188,6 @@ def test_forces_of_sound_poses_keep_every_bit(
     check(run, codes=precision == "double")
 
 
-@pytest.mark.parametrize("fidelity", [name for name in available(ROBOT) if name != "general"])
-def test_reduced_kernels_keep_every_bit(fidelity: str) -> None:
-    kernel = ss.ForceKernel(ROBOT, fidelity=fidelity)
-    clean, none = kernel.forces_and_status(SOUND)
-    spoilt, status = kernel.forces_and_status(POISONED)
-    assert not none.any()
-    # What a level does not read, such as rates at rest, can't poison it.
-    assert not status[GOOD].any()
-    assert (status[~GOOD] != 0).sum() >= 8
-    assert same_bits(spoilt[GOOD], clean[GOOD])
-    assert np.isnan(spoilt[status != 0]).all()
-
-
 @pytest.mark.parametrize("kind", [CKernel, NumpyKernel])
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 def test_every_output_of_sound_poses_keeps_every_bit(kind: Any, formulation: str) -> None:
@@ -258,16 +244,6 @@ def hammered(calls: list[Callable[[], bytes]], threads: int = 6, rounds: int = 1
     return not wrong
 
 
-def test_threads_share_a_closed_form_and_get_the_bits_of_one() -> None:
-    kernel, F = CClosedForm(ROBOT), np.ones((POSES, 6))
-
-    def call(what: Any, motion: ss.Motion) -> Callable[[], bytes]:
-        forced = F if what in FORCED else None
-        return lambda: b"".join(v.tobytes() for v in kernel.run(what, motion, forced).values())
-
-    assert hammered([call(what, motion) for what in OUTPUTS for motion in (SOUND, POISONED)], rounds=1)
-
-
 def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -286,18 +262,3 @@ def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
         return bits
 
     assert hammered([call(k, m, n) for k in kernels for m in (SOUND, POISONED) for n in (1, 3)])
-
-
-def test_each_thread_has_its_own_buffers_of_one_pose() -> None:
-    kernel = ss.ForceKernel(ROBOT)
-    numbers = [np.concatenate([np.ravel(getattr(SOUND[i], name)) for name in FIELDS]) for i in range(8)]
-
-    def call(i: int) -> Callable[[], bytes]:
-        def bits() -> bytes:
-            slot = kernel.single_pose()
-            slot.numbers[...] = numbers[i]
-            return bytes([slot.solve()]) + slot.F.tobytes()
-
-        return bits
-
-    assert hammered([call(i) for i in range(8)], rounds=50)

@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import rejects
 from machines import Array, machine_in_motion, machine_size, random_motion, random_robot, rotation
 from motion_fields import acceleration
 
@@ -179,17 +178,6 @@ def test_forward_dynamics_inverts_inverse_dynamics(backend: Any, formulation: An
             in_one_unit(robot, times(e.M, acceleration(motion)))
         ).max(axis=-1)
         assert (error < 1e-12 * condition * large).all()
-
-
-def test_the_reference_has_equations_where_H_is_singular() -> None:
-    """Parallel legs: nothing holds the platform sideways, yet forces and masses have their accelerations."""
-    robot = random_robot(np.random.default_rng(7), scale=1.0)
-    robot = dataclasses.replace(robot, p=robot.b, k=np.tile([1.0, 0.0, 0.0], (6, 1)))
-    motion = ss.Motion(R=np.eye(3), t=[0.0, 0.0, 1.5], omega=np.zeros(3), v=np.zeros(3))
-    a, _ = ss.forward_dynamics(robot, motion, np.zeros(6), backend="reference")
-    assert np.isfinite(a).all()
-    rejects(r"^motion: H is singular", ss.joint_space_inertia, robot, motion, backend="reference")
-    assert np.isnan(ss.joint_space_inertia(robot, motion, backend="reference", on_singular="nan")).all()
 
 
 @pytest.mark.parametrize("backend", BACKENDS)

@@ -62,33 +62,6 @@ def test_results_are_bit_identical_whatever_batch_position_and_threads(
         assert (kernel.forces(motion, threads=threads) == whole).all()
 
 
-@pytest.mark.parametrize(
-    ("count", "threads", "expected"),
-    [(0, 2, 0), (1, 2, 1), (7_999, 2, 1), (8_000, 2, 2), (8_001, 2, 2), (8_000, 64, 2), (50_001, 3, 12)],
-)
-def test_a_batch_is_shared_in_parts_of_thousands_four_a_thread_at_most(
-    count: int, threads: int, expected: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    robot, some = machine_in_motion(30, (50,))
-    kernel = ss.ForceKernel(robot)
-    arrays = [np.resize(getattr(some, name), (count, *getattr(some, name).shape[1:])) for name in FIELDS]
-    run = forces.ForceKernel._run
-    parts: list[tuple[int, int]] = []
-
-    def noted(self, arrays, F, status, start: int, count: int) -> None:
-        parts.append((start, count))
-        run(self, arrays, F, status, start, count)
-
-    monkeypatch.setattr(forces.ForceKernel, "_run", noted)
-    alone, shared = np.zeros((2, count, 6))
-    kernel.forces(arrays, out=(alone, np.zeros(count, dtype=np.int32)))
-    parts.clear()
-    kernel.forces(arrays, threads, out=(shared, np.zeros(count, dtype=np.int32)))
-    assert len(parts) == expected
-    assert sum(size for _, size in parts) == count
-    assert (shared == alone).all()
-
-
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_one_pose_is_bit_identical_to_the_batch(precision) -> None:
     robot, motion = machine_in_motion(23, (20,))
@@ -179,17 +152,6 @@ def test_buffers_live_as_long_as_the_bound_call_and_copies_have_their_own() -> N
     assert solve() == 0
 
 
-def test_a_changed_copy_of_a_kernel_is_prepared_anew() -> None:
-    rng = np.random.default_rng(28)
-    robot, other = random_robot(rng), random_robot(rng)
-    motion = random_motion(rng, robot, (3,))
-    kernel = ss.ForceKernel(robot)
-    changed = dataclasses.replace(kernel, formulation="paper")
-    assert (changed.forces(motion) == ss.ForceKernel(robot, "paper").forces(motion)).all()
-    moved = dataclasses.replace(kernel, robot=other)
-    assert (moved.forces(motion, on_singular="nan") == ss.ForceKernel(other).forces(motion)).all()
-
-
 def test_given_arrays_that_do_not_fit_are_named() -> None:
     robot, motion = machine_in_motion(29, (4,))
     kernel = ss.ForceKernel(robot)
@@ -212,16 +174,6 @@ def test_given_arrays_that_do_not_fit_are_named() -> None:
     ]
     for name, (given, *out) in bad:
         rejects(rf"^{name}: expected", kernel.forces, given, out=tuple(out))
-
-
-def test_a_warning_points_at_the_line_of_the_caller() -> None:
-    robot, bad = CASES["short"][0]()
-    kernel = ss.ForceKernel(robot)
-    with pytest.warns(ss.SingularPoseWarning) as fast:
-        kernel.forces(bad, on_singular="warn")
-    with pytest.warns(ss.SingularPoseWarning) as full:
-        ss.inverse_dynamics(robot, bad, on_singular="warn")
-    assert [warning.filename for warning in (*fast, *full)] == [__file__, __file__]
 
 
 def test_constants_that_overflow_the_precision_are_rejected() -> None:

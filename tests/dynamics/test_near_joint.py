@@ -13,7 +13,7 @@ from mpmath import mp
 from near_joint import KINDS, Truth, excess, of_reference, random_case, truth
 from reduced_machines import as_simple_as, at_rest
 from sweep_machines import outputs
-from sweeps import share, sweep
+from sweeps import share, slow_but, sweep
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
@@ -66,7 +66,7 @@ def worst(given: tuple, true: Truth, backend: str) -> float:
 
 
 @sweep
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", slow_but(("short",), KINDS))
 def test_every_output_is_as_good_as_the_machine_allows(kind: str) -> None:
     """Each case on C and NumPy, one in ten on the reference, which takes 50 digits."""
     found = []
@@ -93,13 +93,6 @@ def test_what_turns_and_moves_a_heavy_leg_leaves_a_light_platform_its_digits(
 ) -> None:
     """Lost where the leg's force is taken as a wrench, or as its own inertia times its accelerations."""
     assert worst(*with_truth(seed, kind, index), backend) <= MOST
-
-
-@pytest.mark.parametrize(("kind", "index"), [("heavy", 295), ("two lean", 411), ("two lean", 1035)])
-@pytest.mark.parametrize("backend", FORMS)
-def test_what_several_pivots_of_M_lose_does_not_add_up(kind: str, index: int, backend: str) -> None:
-    """Each pivot keeps more than a thirty-second of its diagonal entry, three or four of them a sixteenth."""
-    assert worst(*with_truth(1, kind, index), backend) <= MOST / 4
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -153,22 +146,6 @@ def test_a_machine_that_does_not_feel_the_joint_singularity_keeps_its_digits(sin
         assert np.abs(F - expected).max() <= bound
 
 
-@pytest.mark.parametrize("sine", SINES)
-def test_moving_legs_without_axial_inertia_do_not_feel_the_joint_singularity_either(sine: float) -> None:
-    rng = np.random.default_rng(1)
-    robot = as_simple_as(random_robot(rng), FIDELITIES["slender"])
-    motion = random_motion(rng, robot)
-    calm, near = leaning(robot, motion, 0.9), leaning(robot, motion, sine)
-    F = ss.ForceKernel(calm).forces(motion)
-    bound = UNITS * EPSILON * ss.condition_number(ss.wrench_matrix(robot, motion))
-    paths = [ss.ForceKernel(near).forces(motion)]
-    paths += [ss.inverse_dynamics(near, motion, backend=backend).F for backend in ("c", "numpy")]
-    for path in paths:
-        assert np.abs(path - F).max() <= bound * np.abs(F).max()
-    expected, found = (np.concatenate(ss.forward_dynamics(each, motion, F)) for each in (calm, near))
-    assert np.abs(found - expected).max() <= bound * np.abs(expected).max()
-
-
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 @pytest.mark.parametrize("sine", [1e-2, 1e-4, 1e-6, 1e-8])
 def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: str, sine: float) -> None:
@@ -181,16 +158,6 @@ def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: s
     kernel = ss.ForceKernel(robot, formulation)
     error = np.abs(kernel.forces(motion) - expected).max() / np.abs(expected).max()
     assert error <= UNITS * EPSILON * 60 / sine
-
-
-def test_one_pose_and_batch_take_the_same_code_path_near_the_joint_singularity() -> None:
-    robot, motion = machine_in_motion(5, (9,))
-    robot = leaning(robot, motion[4], 1e-3)
-    for formulation in ("exact", "paper"):
-        kernel = ss.ForceKernel(robot, formulation)
-        batch = kernel.forces(motion)
-        for i in range(9):
-            np.testing.assert_array_equal(kernel.forces(motion[i]), batch[i])
 
 
 def test_the_joint_singularity_itself_is_said_by_every_kernel() -> None:

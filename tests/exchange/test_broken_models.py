@@ -14,11 +14,9 @@ from exported_models import HEXAPOD
 import stewart_sym as ss
 
 BOMB = '<!DOCTYPE mujoco [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><mujoco>&b;</mujoco>'
-FILE = '<!DOCTYPE mujoco [<!ENTITY a SYSTEM "file:///etc/passwd">]><mujoco>&a;</mujoco>'
 BARGE = '<body name="barge"><freejoint/><inertial mass="1" pos="0 0 0" diaginertia="1 1 1"/>'
 BOB = '<body name="bob"><joint name="swing"/><inertial mass="1" pos="0 0 1" diaginertia="1 1 1"/></body>'
 
-STILL = '<worldbody><body name="shelf"/></worldbody>'
 SVG = '<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>'
 INCLUDE = '<include><uri>model://x</uri></include><link name="base">'
 LEG_7 = (
@@ -94,17 +92,13 @@ BALL_AT_1 = both(
 )
 OF_MJCF: dict[str, tuple[Change, str]] = {
     "empty": (instead(""), "the file is empty"),
-    "no XML": (instead("hello"), "not valid XML: expected an element, got 'hello'"),
     "entities": (instead(BOMB), "line 1: expected XML without a document type"),
-    "file of another": (instead(FILE), "declaration, got one of 'mujoco'"),
     "depth": (instead("<a>" * 5000), "line 1: element 'a': nested too deeply"),
     "SVG": (instead(SVG), "got 'svg' at line 2"),
     "include": (
         to("<worldbody>", "<worldbody><include file='x.xml'/>"),
         "line 20: expected a flat model, as",
     ),
-    "nothing": (instead("<mujoco/>"), "a base that is fixed to the world, got no body"),
-    "nothing moves": (instead(f"<mujoco>{STILL}</mujoco>"), "body 'shelf': expected legs on a base"),
     "one pendulum": (
         instead(f"<mujoco><worldbody>{BOB}</worldbody></mujoco>"),
         "got 1: joint 'swing' to body 'bob', where it ends (at line 1)",
@@ -114,38 +108,27 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         both(to("</worldbody>", LEG_7), to("</equality>", TIP_7)),
         "got 7, which begin with 'lower_1', 'lower_2', 'lower_3', 'lower_4', 'lower_5', 'lower_6', 'lower_7'",
     ),
-    "a leg over": (to("</worldbody>", LEG_7), "leg 7: expected joints and closures"),
-    "leg without an end": (without('<connect name="tip_3"', "/>"), "to body 'upper_3', where it ends"),
     "leg to the base": (
         to(TIP_3, UPPER_3 + "anchor='0 0 0'"),
         "to joint 'tip_3', which leads back to the base",
     ),
-    "legs of one another": (to('site2="tip_3_b"', 'site2="tip_4_a"'), "to body 'upper_4', which"),
     "loop to nothing": (
         to(TIP_3, UPPER_3 + "body2='x' anchor='0 0 0'"),
         "connect 'tip_3': body 'x': missing",
     ),
     "welded end": (to('<connect name="tip_3"', '<weld name="tip_3"'), "by way of 'lower_3', 'platform'"),
-    "welded slide": (without('<joint name="leg_3"', "/>"), "revolute 'base_3_2', spherical 'tip_3'"),
     "mesh": (
         to('<inertial mass="40', '<geom name="hull" type="mesh" mass="1" mesh="m"/><site name="40'),
         "body 'platform': geom 'hull': expected an inertial of its body, got a mesh",
     ),
-    "joint's type": (to('"leg_2" type="slide"', '"leg_2" type="screw"'), "'upper_2': joint 'leg_2'"),
     "order of angles": (instead('<mujoco><compiler eulerseq="abc"/></mujoco>'), "got 'abc'"),
-    "no turn": (
-        to('<body name="platform"', '<body name="platform" axisangle="0 0 0 9"'),
-        "body 'platform': axisangle",
-    ),
     "zero quaternion": (
         to('"lower_2" pos="[^"]*"( quat="[^"]*")?', '"lower_2" quat="0 0 0 0"'),
         "'lower_2': quat",
     ),
-    "gear": (to('<motor name="leg_2"', '<motor name="leg_2" gear="x"'), "actuator 'leg_2': gear"),
     "no closures": (without("<equality>", "</equality>"), "'base_6_1' to body 'upper_6', where"),
     "open loop": (to('"platform" pos="-0.0', '"platform" pos="0.1'), "joints 'tip_1', 'tip_2'"),
     "no slide": (to('"leg_2" type="slide"', '"leg_2" type="hinge"'), "revolute 'leg_2'"),
-    "two slides": (to('<joint name="base_1_1"', '<joint type="slide"/><joint name="b"'), "'leg_1'"),
     "oblique slide": (
         to('"leg_2" type="slide" axis="1.0 0.0', '"leg_2" type="slide" axis="1.0 0.1'),
         "leg 2: joint 'leg_2': expected sliding along the line between the ends, got 5.71 deg off",
@@ -167,8 +150,6 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         for flag in ("equality", "constraint")
     },
     "one ball": (BALL_AT_1, "leg 1: joint 'base_1_2': expected a universal joint at"),
-    "number": (to('mass="3.0"', 'mass="3.0 kg"'), "'lower_1': inertial: mass: expected a number"),
-    "not finite": (to('mass="3.0"', 'mass="nan"'), "body 'lower_1': inertial"),
     "negative": (to('mass="3.0"', 'mass="-3.0"'), "leg 1: body 'lower_1': expected a mass > 0"),
     "no mass": (without('<inertial mass="40', "/>"), "the platform: body 'platform'"),
     "no site": (to('"tip_4_a" site2', '"tip_9" site2'), "connect 'tip_4': site 'tip_9': missing"),
@@ -176,12 +157,8 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         both(to("<worldbody>", f"<worldbody>{BARGE}"), to("</worldbody>", "</body></worldbody>")),
         "got one between 'barge' and 'platform'",
     ),
-    "pendulum": (to('<freejoint name="free" />', f"<freejoint />{BOB}"), "joint 'swing'"),
     "names": (to('name="lower_2"', 'name="lower_1"'), "body 'lower_1': expected one body of that"),
     "limits": (to('range="0.55 0.95"', 'range="0.9 0.5"'), "leg 1: joint 'leg_1': expected"),
-    "class": (to('<joint name="base_1_1"', '<joint class="x" name="b"'), "joint 'b': class 'x': missing"),
-    "notes": (to("{&quot;", "[&quot;"), "custom: text 'stewart_sym': expected JSON"),
-    "unknown note": (to("{&quot;k", "{&quot;spring"), "notes: 'spring'"),
 }
 OF_URDF: dict[str, tuple[Change, str]] = {
     "tool of nan kg": (with_tool("urdf", "nan"), "'tool': inertial: mass: expected a number, got 'nan'"),
@@ -189,23 +166,16 @@ OF_URDF: dict[str, tuple[Change, str]] = {
         to('<link name="base_1_cross_1" />', f'<link name="base_1_cross_1">{HEAVY.format(-1)}</link>'),
         "leg 1: body 'base_1_cross_1': expected a mass >= 0, got -1",
     ),
-    "two slides of a leg": (
-        to(r'name="base_1_1" type="\w+"', 'name="base_1_1" type="prismatic"'),
-        "leg 1: expected a universal or spherical joint",
-    ),
     "not expanded": (
         to('<link name="lower_1"', '<xacro:include filename="x"/><link name="lower_1"'),
         "xacro:include at line",
     ),
     "carried by none": (without('<joint name="leg_3"', "</joint>"), "got 'world', 'upper_3'"),
-    "carried by two": (to('<child link="upper_3"', '<child link="upper_2"'), "'leg_2' and 'leg_3'"),
-    "no child": (without('<child link="upper_3"', "/>"), "joint 'leg_3': child: its link: missing"),
     "two roots": (to('<link name="base">', '<link name="x"/><link name="base">'), "got 'world', 'x'"),
     "no axis": (to('xyz="1.0 0.0 0.0" />\n  <dyn', 'xyz="0 0 0" />\n  <dyn'), "joint 'leg_1': axis"),
 }
 OF_SDF: dict[str, tuple[Change, str]] = {
     "screw": (to('type="prismatic"', 'type="screw"'), "joint 'leg_1': expected type"),
-    "no link": (to("<parent>lower_1<", "<parent>lower_9<"), "joint 'leg_1': link 'lower_9': missing"),
     "two models": (to("</world>", "<model name='m'/></world>"), "expected one model, got 2: 'hexapod', 'm'"),
     "no frame": (to('expressed_in="__model__"', 'expressed_in="x"'), "joint 'base_1': xyz: frame 'x'"),
     "circle": (
@@ -215,7 +185,6 @@ OF_SDF: dict[str, tuple[Change, str]] = {
     "static": (to('<link name="base">', '<static>1</static><link name="base">'), "'hexapod': static"),
     "no ball": (without('<joint name="tip_3"', "</joint>"), "joint 'base_3' to body 'upper_3', where"),
     "another's include": (to('<link name="base">', INCLUDE), "include at line 10: expected a model"),
-    "no name": (to('<link name="lower_2">', "<link>"), "model: link at line"),
     "inertia not computed": (
         both(to("<inertial>", '<inertial auto="true">'), without("<mass>", "</mass>")),
         "link 'lower_1': inertial: expected mass and inertia, got auto, which is not computed",

@@ -1,8 +1,6 @@
 """``export`` and ``import`` write what they say, replace nothing of others, and need no extra."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -49,12 +47,6 @@ def test_nothing_of_others_is_replaced(folder: Path, fails: Fails) -> None:
         assert said in fails("import", "m.urdf", "-o", place)
 
 
-def test_two_files_do_not_go_to_standard_output(folder: Path, run: Run, fails: Fails) -> None:
-    export = ["export", "hexapod.toml", "--format"]
-    assert "-o -: a URDF model consists of two files; name a file" in fails(*export, "urdf", "-o", "-")
-    assert run(*export, "usd", "-o", "-").out.startswith("#usda 1.0\n")
-
-
 def test_a_part_that_simulators_reject_is_named_with_the_file(folder: Path, run: Run) -> None:
     text, possible = (folder / "hexapod.toml").read_text(encoding="utf-8"), "inertia = [0.9, 0.9, 1.6]"
     assert possible in text
@@ -64,16 +56,3 @@ def test_a_part_that_simulators_reject_is_named_with_the_file(folder: Path, run:
     assert err[-1].startswith("stewart-sym: error: bad.toml: platform: inertia: physically impossible")
     assert 'add "platform-inertia" to suppress_warnings' in err[-1]
     assert not (folder / "m.xml").exists()
-
-
-def test_no_extra_is_needed(folder: Path) -> None:
-    for command in (
-        ["export", "hexapod.toml", "--format", "mjcf", "-o", "m.xml"],
-        ["import", "m.xml", "-o", "r.toml"],
-    ):
-        code = "import sys; from stewart_sym.cli.main import main; main(sys.argv[1:]); print(*sys.modules)"
-        done = subprocess.run(
-            [sys.executable, "-c", code, *command], capture_output=True, text=True, check=True
-        )
-        extras = {"scipy", "matplotlib", "mujoco", "pinocchio", "pxr", "sympy", "pydrake"}
-        assert not extras & set(done.stdout.split())

@@ -254,21 +254,6 @@ def test_rotors_resist_in_mujoco_as_their_reflected_mass(seed: int) -> None:
     assert off(found, truth) < MUJOCO
 
 
-@pytest.mark.parametrize("name", ["mass", "center", "inertia", "axis", "damping"])
-def test_another_machine_is_found_out(name: str) -> None:
-    robot, motion, F, truth = case(1, C_s=NONE)
-    change = {
-        "mass": {"m_u": 1.001 * robot.m_u},
-        "center": {"r_d0": robot.r_d0 + 1e-3},
-        "inertia": {"I_p": 1.001 * robot.I_p},
-        "axis": {"k": robot.k + 1e-3},
-        "damping": {"C_u": 1.001 * robot.C_u},
-    }[name]
-    other = dataclasses.replace(robot, **change)
-    assert off(Exported(other).accelerations(motion, F), truth) > MUJOCO
-    assert off(accelerations(other, motion, F), truth) > PINOCCHIO
-
-
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:mjcf")
 def test_a_machine_that_its_forces_hold_does_not_drift_in_ten_seconds() -> None:
@@ -301,30 +286,3 @@ def test_the_exported_machine_stands_assembled_at_its_home_pose() -> None:
     np.testing.assert_allclose(
         lengths, np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1), rtol=1e-12
     )
-
-
-@pytest.mark.parametrize(("rise", "widest"), [(0.0, (4, 7)), (0.04, (30, 70)), (0.1, (200, 320))])
-def test_closures_in_mujoco_open_as_far_as_the_page_states(rise: float, widest: tuple[int, int]) -> None:
-    """Openings (nm) at rest, and on sine paths of 2 Hz with accelerations of 3 and 8 m/s^2."""
-    robot = ss.Robot.from_toml(".docs/examples/hexapod.toml")
-    model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
-    data, kernel, rate = mujoco.MjData(model), ss.ForceKernel(robot), 4.0 * np.pi
-    mujoco.mj_forward(model, data)
-    platform, most, V = data.body("platform"), 0.0, np.zeros(6)
-    start = platform.xpos.copy()
-    while data.time < 0.5:
-        R, phase = platform.xmat.reshape(3, 3).copy(), rate * data.time
-        mujoco.mj_objectVelocity(model, data, mujoco.mjtObj.mjOBJ_XBODY, platform.id, V, 0)
-        path = 0.5 * rise * np.array([1.0 - np.cos(phase), rate * np.sin(phase), rate**2 * np.cos(phase)])
-        reference = np.outer(path, [0.0, 0.0, 1.0])
-        a = reference[2] + 40.0 * (reference[1] - V[3:]) + 400.0 * (start + reference[0] - platform.xpos)
-        turn = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-        alpha = -40.0 * V[:3] - 400.0 * turn
-        data.ctrl[:] = kernel.forces(
-            ss.Motion(R=R, t=platform.xpos.copy(), omega=V[:3].copy(), v=V[3:].copy(), alpha=alpha, a=a)
-        )
-        mujoco.mj_step(model, data)
-        of_loops = data.efc_type[: data.nefc] == mujoco.mjtConstraint.mjCNSTR_EQUALITY
-        open_by = np.linalg.norm(data.efc_pos[: data.nefc][of_loops].reshape(-1, 3), axis=1)
-        most = max(most, 1e9 * float(open_by.max()))
-    assert widest[0] < most < widest[1]

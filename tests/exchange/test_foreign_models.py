@@ -180,30 +180,10 @@ LEFT_OUT = {
         ('<motor name="leg_1" joint="leg_1"', '<motor tendon="rope"/><motor name="leg_1" joint="leg_1"'),
         "actuator of tendon 'rope', which does not drive a prismatic joint",
     ),
-    "motor of a hinge": (
-        "mjcf",
-        ('<motor name="leg_1" joint="leg_1"', '<motor joint="base_1_1"/><motor name="leg_1" joint="leg_1"'),
-        "actuator of joint 'base_1_1', which does not drive a prismatic joint",
-    ),
-    "spring and damper": (
-        "mjcf",
-        (SLIDE, f'{SLIDE} springdamper="0.1 1"'),
-        "springdamper of joint 'leg_1'",
-    ),
     "damping of the platform": (
         "mjcf",
         ('<freejoint name="free" />', '<joint name="free" type="free" damping="5"/>'),
         "damping 5 of joint 'free'",
-    ),
-    "armature of the platform": (
-        "mjcf",
-        ('<freejoint name="free" />', '<joint name="free" type="free" armature="2"/>'),
-        "armature 2 of joint 'free'",
-    ),
-    "armature of a hinge": (
-        "mjcf",
-        ('<joint name="base_1_1"', '<joint name="base_1_1" armature="0.1"'),
-        "armature 0.1 of joint 'base_1_1'",
     ),
     "no actuation": (
         "mjcf",
@@ -215,33 +195,10 @@ LEFT_OUT = {
         ("<lower>-1e+16</lower>", "<lower>-0.05</lower>"),
         "limits -0.05 to inf rad of joint 'base_1'",
     ),
-    "limits of a turn": (
-        "urdf",
-        ('"base_1_1" type="continuous">', '"base_1_1" type="revolute"><limit lower="-0.05" upper="0.1"/>'),
-        "limits -0.05 to 0.1 rad of joint 'base_1_1'",
-    ),
-    "velocity that decays": (
-        "sdf",
-        (
-            '<link name="platform">',
-            '<link name="platform"><velocity_decay><angular>0.3</angular></velocity_decay>',
-        ),
-        "velocity_decay of link 'platform'",
-    ),
     "no effort in SDF": (
         "sdf",
         ("<effort>500.0</effort>", "<effort>0</effort>"),
         "limit effort 0, taken as none, of joint 'leg_1'",
-    ),
-    "no effort in URDF": (
-        "urdf",
-        ('effort="500.0"', 'effort="0"'),
-        "limit effort 0, taken as none, of joint 'leg_1'",
-    ),
-    "damping of the platform in URDF": (
-        "urdf",
-        ('type="floating">', 'type="floating"><dynamics damping="5"/>'),
-        "damping 5 of joint 'free'",
     ),
     "for Gazebo": (
         "urdf",
@@ -262,16 +219,6 @@ LEFT_OUT = {
         "sdf",
         ("<mass>40.0</mass>", "<mass>40.0</mass><fluid_added_mass><xx>1</xx></fluid_added_mass>"),
         "fluid_added_mass of link 'platform'",
-    ),
-    "spring of a slide": (
-        "sdf",
-        ("<damping>20.0</damping>", "<damping>20.0</damping><spring_stiffness>7</spring_stiffness>"),
-        "spring_stiffness of joint 'leg_1'",
-    ),
-    "mimic in SDF": (
-        "sdf",
-        ("<dynamics>\n      <damping>20.0", '<mimic joint="leg_2"/><dynamics>\n      <damping>20.0'),
-        "mimic of joint 'leg_1'",
     ),
     "mimic": (
         "urdf",
@@ -338,22 +285,6 @@ def test_an_inertia_that_no_body_has_is_warned_of(tmp_path: Path) -> None:
     assert caught[0].filename == __file__
 
 
-def test_shapes_outside_the_groups_that_count_have_no_mass(tmp_path: Path) -> None:
-    geoms = '<geom size="0.1" mass="4" group="1"/><geom size="0.2" mass="9" group="3"/>'
-    counting = '<compiler inertiagrouprange="0 1" inertiafromgeom="true" '
-    text = exported().text.replace("<compiler ", counting).replace("<inertial ", f"{geoms}<inertial ")
-    robot = ss.import_model(written(ss.ExportedModel(text, None), tmp_path / "model")).robot
-    np.testing.assert_allclose([robot.M, *robot.m_d, *robot.m_u], 4.0)
-
-
-def test_the_same_of_several_joints_is_left_out_in_one_line(tmp_path: Path) -> None:
-    found = imported(model().replace('axis="0 1 0"', 'axis="0 1 0" range="-90 45"'), tmp_path).assumptions
-    joints = ", ".join(f"'second{i}'" for i in range(6))
-    assert [f"left out: limits -1.571 to 0.7854 rad of joints {joints}"] == [
-        line for line in found if line.startswith("left out: ")
-    ]
-
-
 ALL = {"stiffness", "springdamper", "frictionloss"}
 SPRINGS = 'axis="0 1 0" stiffness="0 9" springdamper="1 1" frictionloss="2"'
 
@@ -379,11 +310,6 @@ def test_what_a_flag_switches_off_is_not_read(
         field = getattr(found.robot, name)
         np.testing.assert_array_equal(field, np.broadcast_to(value, field.shape))
     assert set(re.findall(r"left out: (\w+)", "\n".join(found.assumptions))) == left_out
-
-
-def test_gravity_that_is_switched_off_is_none(tmp_path: Path) -> None:
-    change = "<option ", '<option><flag gravity="disable"/></option><option '
-    assert not altered(tmp_path, "mjcf", *change).robot.g.any()
 
 
 MODEL, JOINT = (f"<use_parent_model_frame>{flag}</use_parent_model_frame>" for flag in ("true", "0"))

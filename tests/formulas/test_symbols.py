@@ -104,30 +104,6 @@ def test_a_derivative_by_its_steps_is_that_of_the_values() -> None:
         np.testing.assert_allclose(slope, expected, rtol=0, atol=1e-7 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize("what", ["c", "H", "bias"])
-def test_latex_defines_no_name_twice(what: str) -> None:
-    text = ss.symbolic(dasgupta(), what).latex()
-    steps = text.split("\\par}")[0]
-    names = re.findall(r"^\$(.+?) = ", steps, re.MULTILINE)
-    assert names
-    assert len(set(names)) == len(names)
-
-
-def test_latex_of_the_paper_machines_m_fits_a_page() -> None:
-    """A page in the size of footnotes has some 90 lines of 130 letters."""
-    text = ss.symbolic(dasgupta(), "M").latex()
-    steps, _, numbers = text.partition(r"\[")
-    assert steps.count(" = ") < 130
-    plain = re.sub(r"\\(mathrm|left|right|quad|raggedright|noindent)|[{}$_^\\,]", "", steps)
-    lines = len(plain) / 130 + numbers.count(r"\\")
-    assert 30 < lines < 90
-    assert "M_{vv,xx} = M_{P} + \\sum_{i=1}^{6} m_{xx,i}" in text
-    assert "L_{i} = \\sqrt{S_{x,i}^{2} + S_{y,i}^{2} + S_{z,i}^{2}}" in text
-    assert text.count("{") == text.count("}")
-    assert text.count("$") % 2 == 0
-    assert "_v" not in text.replace("_{v", "")
-
-
 @pytest.mark.parametrize("what", ["F", "M"])
 def test_every_constant_has_a_unit_and_a_meaning_in_the_text_as_well(what: str) -> None:
     formulas = ss.symbolic(dasgupta(), what)

@@ -13,9 +13,7 @@ import pytest
 import scalar_kernels
 from attack_build import GENERATED, SOME, SOME_WITH_ROTORS
 from builds import run
-from command_line import rejects
-from machines import dasgupta, machine_in_motion, random_motion, random_robot, with_random_drives
-from motion_fields import FIELDS
+from machines import random_motion, random_robot, with_random_drives
 from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
 from sweeps import slow_but
@@ -33,7 +31,6 @@ from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot
-from stewart_sym.robot.units import UnitScaling
 
 SOURCES = sorted(path.name for path in GENERATED.glob("*.c"))
 # Of legs with rotors, whose printers and passes are those of the others, one kernel is in the fast tests.
@@ -114,19 +111,6 @@ def test_float_object_code_holds_no_double(build: str, tmp_path: Path) -> None:
     assert {*listed.split()} <= own | copies | {"U", "sqrtf", "_GLOBAL_OFFSET_TABLE_"}
 
 
-@on_x86
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_the_reading_of_object_code_finds_double_arithmetic_and_a_single_promotion(
-    compiler: str, tmp_path: Path
-) -> None:
-    target = compiled(compiler, ["-O2"], "stewart_kinematics.c", tmp_path / "kernel.o")
-    assert {"mulsd", "addsd", "sqrtsd"} & double_instructions(disassembled(target))
-    slip = tmp_path / "slip.c"
-    slip.write_text("float slip(float x) { return (float)(0.1 * x); }\n")
-    target = compiled(compiler, ["-O2"], str(slip), tmp_path / "slip.o")
-    assert {"cvtss2sd", "mulsd", "cvtsd2ss"} <= double_instructions(disassembled(target))
-
-
 @pytest.mark.parametrize("source", ANY_FORCES)
 def test_float_compiles_without_a_silent_conversion(source: str) -> None:
     """In double, and by other compilers, some of them: ``test_generated``."""
@@ -183,52 +167,6 @@ def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
         assert (np.abs(found - expected).max(axis=-1) <= BOUND * EPSILON * condition * largest).all()
 
 
-# --- units ------------------------------------------------------------------------------------
-
-
-def same_bits(left: NDArray[np.float64], right: NDArray[np.float64]) -> bool:
-    return left.dtype == right.dtype and left.tobytes() == right.tobytes()
-
-
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-def test_units_are_powers_of_two_near_the_machine_and_change_back_to_the_bit(base_joint: str) -> None:
-    rng = np.random.default_rng(62)
-    for scale in (1e-4, 1e-3, 0.1, 1.0, 10.0, 1e3):
-        robot, motion = machine_in_motion(rng, (4,), base_joint, scale=scale)
-        own = UnitScaling.for_robot(robot)
-        assert all(math.frexp(unit)[0] == 0.5 for unit in dataclasses.astuple(own))
-        small, moved = own.robot(robot), own.motion(motion)
-        for number in (np.abs(small.p).max(), max(small.M, small.m_d.max(), small.m_u.max())):
-            assert 0.5 < number <= 1.0
-        assert 0.25 <= np.abs(small.g).max() <= 4.0
-        back, there = own.inverse.robot(small), own.inverse.motion(moved)
-        for field in dataclasses.fields(robot):
-            if field.name not in ("name", "base_joint"):
-                assert same_bits(*(np.asarray(getattr(each, field.name)) for each in (robot, back))), (
-                    field.name
-                )
-        for name in FIELDS:
-            assert same_bits(getattr(motion, name), getattr(there, name)), name
-        F = rng.normal(size=(3, 6))
-        assert same_bits(own.inverse.forces(own.forces(F)), F)
-
-
-@pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-def test_no_unit_changes_a_bit_of_the_forces(base_joint: str, precision: Any) -> None:
-    rng = np.random.default_rng(63)
-    for scale, other in ((1e-3, 2.0**-20), (1e-3, 2.0**20), (1e3, 2.0**-8), (1.0, 2.0**10)):
-        robot, motion = machine_in_motion(rng, (20,), base_joint, scale=scale)
-        # Both outside the sizes at which moments stay in meters, but for the last.
-        unit = UnitScaling(other, 2.0**-20, 2.0**5)
-        given = [(robot, motion), (unit.robot(robot), unit.motion(motion))]
-        found, there = (ss.ForceKernel(each, precision=precision).forces(moving) for each, moving in given)
-        if scale != 1.0:
-            assert same_bits(unit.forces(there), found)
-        else:
-            np.testing.assert_allclose(unit.forces(there), found, rtol=0, atol=1e-3 * np.abs(found).max())
-
-
 def scale_of(size: float) -> float:
     """By what the NumPy kernel multiplies moments whose longest arm is ``size``."""
     with np.errstate(all="ignore"):
@@ -272,19 +210,3 @@ def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a
 def plain(robot: Robot) -> dict[str, Any]:
     """The robot's numbers by name."""
     return {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}
-
-
-def test_a_machine_without_gravity_or_load_has_units() -> None:
-    robot = dataclasses.replace(dasgupta(), g=np.zeros(3))
-    own = UnitScaling.for_robot(robot)
-    assert own.time == 1.0
-    motion = Motion(R=np.eye(3), t=np.array([0.1, 0.0, 0.5]), omega=np.zeros(3), v=np.zeros(3))
-    changed = own.motion(motion)
-    assert changed.a is None
-    assert changed.F_ext is None
-
-
-@pytest.mark.parametrize("bad", [0.0, -2.0, 3.0, math.inf, math.nan, 2, 2.0**200])
-@pytest.mark.parametrize("name", ["length", "mass", "time"])
-def test_a_unit_that_is_no_power_of_two_is_named(name: str, bad: float) -> None:
-    rejects(rf"^{name}: expected a power of two", UnitScaling, **{name: bad})

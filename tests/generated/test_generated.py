@@ -18,7 +18,6 @@ from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.generated.interface import HEADERS
 
 KERNELS = [form.kernel_name for form in FORMULATIONS]
-REPOSITORY = Path(__file__).parents[2]
 
 
 LANGUAGES = {"c99": ["-x", "c", "-std=c99"], "c++": ["-x", "c++", "-std=c++11"]}
@@ -104,17 +103,6 @@ def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str
 
 
 @pytest.mark.parametrize("kernel", KERNELS)
-def test_headers_tell_what_they_are(kernel: str) -> None:
-    header = (GENERATED / f"stewart_{kernel}.h").read_text()
-    formulation, _, joint = kernel.removesuffix("_drive").partition("_")
-    assert f"`{formulation}`" in header
-    assert f"Base joint: {joint or 'universal'}" in header
-    assert re.search(r"total +\d+ \(\d+ mul, \d+ add, \d+ div, \d+ sqrt\)", header)
-    assert "Written by stewart-sym" in header
-    assert ("STEWART_ROTORS" in header) == kernel.endswith("_drive")
-
-
-@pytest.mark.parametrize("kernel", KERNELS)
 def test_lines_of_code_cite_the_equations(kernel: str) -> None:
     # The platform is the same for all, in a header.
     source = "".join((GENERATED / f"stewart_{name}").read_text() for name in (f"{kernel}.c", "outputs.h"))
@@ -123,10 +111,3 @@ def test_lines_of_code_cite_the_equations(kernel: str) -> None:
     if "spherical" not in kernel:
         expected |= {"5", "6", "8", "9", "10", "12", "13", "14", "17", "18", "19", "20", "23", "25"}
     assert expected <= cited
-
-
-def test_generated_files_hold_no_date_and_no_path() -> None:
-    written = [path for path in (REPOSITORY / "generated").rglob("*.*") if path.suffix in (".c", ".h", ".py")]
-    for path in written:
-        text = path.read_text(encoding="utf-8")
-        assert not re.search(r"\b20\d\d-\d\d|\d\d:\d\d|/(home|root|tmp|usr|work)/", text), path

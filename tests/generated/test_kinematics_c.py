@@ -25,7 +25,6 @@ import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.backend.c_kernel import address, c_sources
 from stewart_sym.backend.kernel import robot_numbers
-from stewart_sym.derive.emit.kinematics import STEPS
 from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kernel.kinematics import search_operations
 from stewart_sym.derive.program.block import Operations
@@ -35,7 +34,6 @@ from stewart_sym.motion.rotation import rotation_from_vector
 
 # By how much exact lengths of what is found may miss, in rounding units of the terms of S: 16 and their own.
 FOUND = 20.0
-GUESSES = (0.001, 0.05, 0.3)
 
 
 def misses(robot: ss.Robot, R: AnyArray, t: AnyArray, L: Array) -> Array:
@@ -178,35 +176,6 @@ def test_nothing_is_silent_far_from_the_guess_and_among_singular_poses(precision
         assert np.count_nonzero(status == results.NOT_CONVERGED) <= lost * len(L)
 
 
-@pytest.mark.parametrize("precision", PRECISIONS)
-def test_steps_are_those_of_the_header(precision: str) -> None:
-    done: dict[float, list[NDArray[np.bool_]]] = {width: [] for width in GUESSES}
-    for rng, robot in machines(10):
-        motion = random_motion(rng, robot, (50,))
-        L = ss.inverse_kinematics(robot, motion).L
-        for width, most in zip(GUESSES, STEPS[precision], strict=True):
-            guess = nudged(rng, motion.R, motion.t, width, width * float(L.max()))
-            # Few steps leave some unfinished, which must not pass for found.
-            R, t, status = forward(robot, L, *guess, precision, most)
-            assert_nothing_is_silent(robot, R, t, L, status)
-            unfinished = forward(robot, L, *guess, precision, most - 1)
-            assert_nothing_is_silent(robot, *unfinished[:2], L, unfinished[2])
-            done[width].append(status == results.OK)
-    for width, found in done.items():
-        assert np.mean(found) >= 0.99, width
-    words = " ".join(c_sources("kinematics")["stewart_kinematics.h"].replace("\n *", " ").split())
-    before = {"double": "", "float": "In float they "}
-    assert before[precision] + "require at most {}, {}, and {} steps".format(*STEPS[precision]) in words
-
-
-def test_guess_is_found_again_without_a_step() -> None:
-    _, robot, motion, L = one_machine(10)
-    R, t, status = forward(robot, L, motion.R, motion.t)
-    assert (status == results.OK).all()
-    np.testing.assert_allclose(R, motion.R, rtol=0.0, atol=4 * np.finfo(np.float64).eps)
-    assert (t == motion.t).all()
-
-
 def test_a_guess_that_drifted_from_a_rotation_serves_and_another_does_not() -> None:
     rng, robot, motion, L = one_machine(10)
     drifted = motion.R + 0.01 * rng.uniform(-1.0, 1.0, motion.R.shape)
@@ -251,13 +220,6 @@ def test_numbers_that_are_not_finite_are_told(value: float) -> None:
     L[0, 3] = value
     assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.NOT_FINITE]
     assert velocity(robot, motion.R, motion.t, L)[1].tolist() == [results.NOT_FINITE]
-
-
-@pytest.mark.parametrize("length", [0.0, -1.0])
-def test_lengths_that_are_not_positive_are_told(length: float) -> None:
-    _, robot, motion, L = one_machine(1)
-    L[0, 5] = length
-    assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.ZERO_LENGTH]
 
 
 def test_null_pointers_are_rejected_and_nothing_is_written() -> None:

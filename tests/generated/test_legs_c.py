@@ -14,7 +14,6 @@ from stewart_sym.backend import native
 from stewart_sym.backend.c_kernel import address, contiguous, library
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.kinematics import inverse_kinematics
-from stewart_sym.motion import rotation
 
 HUGE = [1.7e308, -1.7e308, 1.7e308]
 MANY = inverse_kinematics.BLOCK + 3
@@ -122,22 +121,6 @@ def test_from_rpy_takes_rotations_made_of_angles_as_rotations(monkeypatch: pytes
     )
     ss.Motion.from_rpy(*np.zeros((6, 5, 3)))
     assert sorted(seen) == ["a", "t", "theta", "theta_ddot", "theta_dot", "v"]
-
-
-def test_from_rpy_is_made_of_the_functions_of_angles() -> None:
-    rng = np.random.default_rng(7)
-    theta, theta_dot = rng.normal(size=(2, 5, rotation.BLOCK // 2, 3))
-    t, v, a, theta_ddot, F, M = rng.normal(size=(6, 3))
-    motion = ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, F_ext=F, M_ext=M)
-    assert motion.shape == theta.shape[:-1]
-    for name, given in {"t": t, "v": v, "a": a, "F_ext": F, "M_ext": M}.items():
-        np.testing.assert_array_equal(getattr(motion, name), np.broadcast_to(given, theta.shape))
-    assert not motion.R.flags.writeable
-    np.testing.assert_array_equal(motion.R, rotation.rotation_from_rpy(theta))
-    for i in np.ndindex(motion.shape):
-        _, omega, alpha = rotation.rpy_motion(theta[i], theta_dot[i], theta_ddot)
-        np.testing.assert_array_equal(motion.omega[i], omega)
-        np.testing.assert_array_equal(motion.alpha[i], alpha)
 
 
 @pytest.mark.filterwarnings("ignore:overflow")

@@ -19,7 +19,7 @@ from sweeps import FULL, slow_but
 
 from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.generate import motion_files
-from stewart_sym.derive.package.misra_deviations import DEVIATIONS, KINDS, deviations
+from stewart_sym.derive.package.misra_deviations import deviations
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice
 
@@ -116,38 +116,6 @@ def test_float_departs_from_no_other_rule(written, kind: str) -> None:
     assert rules_found(written(kind), PRECISIONS[1]) == {each.rule for each in deviations([kind])}
 
 
-@pytest.mark.slow
-def test_sources_side_by_side_depart_from_one_rule_more(tmp_path: Path) -> None:
-    needed("cppcheck")
-    choice = Choice(("forces", "reactions", "kinematics"), fidelity="massless_static", scalar=True)
-    written_to(c_of(kit_of(choice=choice), r"stewart\w*\.[ch]"), tmp_path)
-    sources = sorted(path.name for path in tmp_path.glob("*.c"))
-    found = rules_found(tmp_path / sources[0], PRECISIONS[0], sources[1:])
-    listed = {each.rule for each in deviations(["forces scalar", "reactions", "kinematics"])}
-    # Types that one source does not use another does.
-    assert found | {"2.3", "2.4"} == listed
-
-
-def test_the_checker_finds_what_is_there(tmp_path: Path) -> None:
-    needed("cppcheck")
-    source = tmp_path / "wrong.c"
-    source.write_text(
-        "#include <stdlib.h>\n"
-        "double f(double x, int n)\n{\n"
-        "    if (n)\n        goto end;\n"
-        "    x = 2 * x;\n"
-        "    free(0);\n"
-        "end:\n    return f(x, n);\n}\n"
-    )
-    assert rules_found(source) >= {"8.4", "10.3", "14.4", "15.1", "17.2", "21.3"}
-
-
-def test_every_deviation_is_of_a_kind_that_is_checked() -> None:
-    assert set(KINDS) == set(SOURCES)
-    assert all(each.kinds and set(each.kinds) <= set(KINDS) for each in DEVIATIONS)
-    assert len({each.rule for each in DEVIATIONS}) == len(DEVIATIONS)
-
-
 # ---------------------------------------------------------------- beyond the addon
 
 
@@ -197,10 +165,3 @@ def test_every_loop_counts_to_a_bound_and_nothing_jumps(written, name: str) -> N
         assert counter in stepped
         assert re.search(rf"\b{counter} (<|<=|>=) [\w(]", end)
     assert text.count("for (") == len(re.findall(r"for \((.*)\) {", text))
-
-
-@pytest.mark.parametrize("name", EVERY)
-def test_no_comma_operator(written, name: str) -> None:
-    needed("clang")
-    source = written(name)
-    attack_build.ran(["clang", "-std=c99", "-fsyntax-only", "-Wcomma", "-Werror", source.name], source.parent)

@@ -5,7 +5,6 @@ keeps more digits than the type in registers. s390x has its bytes the other way 
 two doubles and fuses; both run in an emulator.
 """
 
-import itertools
 import shutil
 import subprocess
 from collections.abc import Iterable
@@ -24,7 +23,6 @@ from stewart_sym.kit.kit_options import FUNCTIONS, TORQUE
 
 WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Wundef"]
 WARNINGS += ["-Wstrict-prototypes", "-Wold-style-definition", "-Wmissing-prototypes", "-Wvla", "-Werror"]
-LAYOUTS = ("lanes", "scalar")
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*physically impossible")
 
@@ -65,9 +63,6 @@ TARGETS = {
     "s390x": Target(CROSS, ("-static",), evaluation=1, big_endian=True, runner=("qemu-s390x",)),
     "aarch64": Target(ARM, ("-static",), runner=("qemu-aarch64",)),
 }
-STANDARDS = ("-std=c99", "-std=c11")
-LEVELS = ("-O0", "-O1", "-O2", "-O3")
-PRECISIONS = ("double", "float")
 
 COVERING = [
     ("gcc", "lanes", "-std=c11", "-O3", "double"),
@@ -139,16 +134,6 @@ def test_a_kit_checks_itself(
     checked(tmp_path / "kit", TARGETS[name], (standard, level), tmp_path)
 
 
-def test_the_selection_has_every_pair() -> None:
-    choices = (LAYOUTS, STANDARDS, LEVELS, PRECISIONS)
-    for i, j in itertools.combinations(range(4), 2):
-        pairs = {(each[i + 1], each[j + 1]) for each in COVERING}
-        assert pairs == set(itertools.product(choices[i], choices[j]))
-    for part, halves in ((3, ("-O0", "-O1")), (4, ("float",))):
-        of_target = {(each[0], each[part] in halves) for each in COVERING}
-        assert of_target == set(itertools.product(TARGETS, (False, True)))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "precision", "flag"),
@@ -159,19 +144,3 @@ def test_a_kit_of_everything_checks_itself(tmp_path: Path, name: str, precision:
     need(TARGETS[name], tmp_path)
     put(made("all", precision), tmp_path / "kit")
     checked(tmp_path / "kit", TARGETS[name], ("-std=c99", "-O2", flag), tmp_path)
-
-
-@pytest.mark.parametrize("name", TARGETS)
-def test_a_target_is_what_it_is_named_for(tmp_path: Path, name: str) -> None:
-    target = TARGETS[name]
-    need(target, tmp_path)
-    (tmp_path / "what.c").write_text(
-        "#include <float.h>\n#include <stdio.h>\n"
-        "int main(void)\n{\n    const unsigned one = 1;\n"
-        '    printf("%d %d %d\\n", 8 * (int)sizeof(void *), (int)FLT_EVAL_METHOD,\n'
-        "        *(const unsigned char *)&one == 0);\n    return 0;\n}\n"
-    )
-    command = [target.compiler, "-std=c99", *target.flags, "what.c", "-o", "what"]
-    attack_build.ran(command, tmp_path)
-    said = attack_build.ran([*target.runner, "./what"], tmp_path).split()
-    assert [int(word) for word in said] == [target.bits, target.evaluation, target.big_endian]

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from leaning_legs import leaning
 from machines import machine_in_motion, random_motion, random_robot
-from near_singular import near_singular_motion
 from scalar_kernels import BOUND, UNTOUCHED, Array, Kernel, compiled, numbers, prepared
 from sweeps import FULL, slow_but
 from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
@@ -16,14 +15,11 @@ from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.c_kernel import c_sources
-from stewart_sym.backend.kernel import MOTION, robot_numbers
-from stewart_sym.backend.numpy_kernel import loaded
+from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.derive.kernel.elimination import BY_POINTERS
 from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.written import scalar as written_scalar
 from stewart_sym.derive.print.c import C
-from stewart_sym.kit import Choice
-from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot
@@ -39,11 +35,6 @@ LEVELS = slow_but(PLAIN, [*PLAIN, *OTHERS])
 
 def baked_kernel(robot: Robot, level: str, precision: str = "double") -> Kernel:
     return Kernel(*compiled(robot, precision, bake=True, fidelity=level), precision, None)
-
-
-def joined(motions: list[Motion]) -> Motion:
-    poses = [loaded(motion) for motion in motions]
-    return Motion(**{name: np.stack([getattr(pose, name) for pose in poses]) for name in MOTION})
 
 
 def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level: str) -> None:
@@ -111,21 +102,6 @@ def test_near_a_joint_singularity_status_and_code_path_are_those_of_the_lanes(
             # The leg's spin grows like the inverse sine, and with it what the rounding of a number does.
             assert np.abs(F - expected).max() <= 1e5 * EPSILON[precision] / sine * np.abs(expected).max()
     assert seen == {OK, JOINT_SINGULAR}
-
-
-@pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize(
-    ("joint", "level"),
-    [("universal", "general"), *slow_but((), [("spherical", "general"), ("universal", "massless")])],
-)
-def test_near_singular_poses_have_the_status_of_the_lanes(joint: str, level: str, precision: str) -> None:
-    rng = np.random.default_rng(10)
-    for _ in range(4):
-        robot = random_robot(rng, joint, scale=float(10 ** rng.uniform(-3, 1)))  # type: ignore[arg-type]
-        # With universal axes, whose singularities are kept away from.
-        axes = dataclasses.replace(robot, k=random_robot(rng).k, base_joint="universal")
-        motion = joined([near_singular_motion(rng, axes) for _ in range(2)])
-        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level)
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
@@ -228,19 +204,6 @@ def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: 
     assert rejected > 50
     for pointers in ((0, model.ctypes.data), (numbers.ctypes.data, 0)):
         assert call(*map(ctypes.c_void_p, pointers)) == BAD_ARGUMENT
-
-
-@pytest.mark.slow
-def test_kernels_with_and_without_lanes_stand_side_by_side() -> None:
-    """No name of the one is a name of the other."""
-    sources = {
-        **c_sources("exact_forces"),
-        **parts(random_robot(np.random.default_rng(0)), Choice(scalar=True)).files,
-        "both.c": '#include "stewart_exact_forces.h"\n#include "stewart_exact_pose.h"\n',
-    }
-    both = native.load("both", sources, ["-O0"])
-    assert both.stewart_exact_forces
-    assert both.stewart_exact_pose_forces
 
 
 DRIVER = """#include "stewart_lanes.h"

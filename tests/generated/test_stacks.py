@@ -16,7 +16,6 @@ import machines
 import numpy as np
 import pytest
 import toolchain
-from kits import kit_of
 from toolchain import CORES, Core
 
 from stewart_sym.backend import fidelity, native
@@ -72,15 +71,6 @@ def test_every_function_of_a_kit_has_a_stack_in_the_table(every: bool) -> None:
         for choice in choices:
             for function in parts(robot, choice).functions:
                 assert stack_key(function, choice) in table
-
-
-def test_readme_of_a_kit_quotes_it() -> None:
-    table = json.loads(TABLE.read_text(encoding="utf-8"))
-    made = kit_of(choice=Choice(scalar=True))
-    text = made.files["README.md"].decode()
-    size = table["bytes"]["stewart_exact_pose_forces double"]
-    assert f"| `stewart_exact_pose_forces` | {made.operations:,} | {size:,} |" in text
-    assert table["by"] in " ".join(text.split())
 
 
 def stacks(wishes: Iterable[tuple[Robot, Choice]], progress: Progress = silent) -> dict[str, Any]:

@@ -3,10 +3,8 @@
 What is suppressed stands in SUPPRESSED, with the reason.
 """
 
-import ast
 import re
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 
 import attack_build
@@ -16,7 +14,6 @@ from kits import c_of, kit_of
 from sweeps import FULL
 
 from stewart_sym.kit import Choice
-from stewart_sym.precision import quad
 from stewart_sym.studies.robustness import oracle
 
 REPOSITORY = Path(__file__).parents[2]
@@ -32,13 +29,6 @@ def test_the_c_of_the_stability_study_compiles_without_a_warning(precision: str,
     compiler = "gcc" if shutil.which("gcc") else "cc"
     flags = [*STRICT, *oracle._FLAGS[precision], *macros]
     assert run(compiler, *flags, "kernels.c", cwd=folder) == ""
-
-
-def test_the_c_of_quadruple_precision_compiles_without_a_warning(tmp_path: Path) -> None:
-    folder = written(quad.sources("exact"), tmp_path)
-    macros = [f"-D{name}={value}" for name, value in quad._MACROS.items()]
-    command = ["gcc", *STRICT, "-include", "quadmath.h", *macros, "quad.c"]
-    assert run(*command, cwd=folder) == ""
 
 
 def static_c() -> list[Path]:
@@ -58,42 +48,6 @@ def test_cppcheck_finds_nothing_in_static_c(path: Path) -> None:
     lint = ("--enable=warning,performance,portability", "--error-exitcode=1", "--language=c", "--std=c99")
     lint += ("--max-configs=64",)
     assert run("cppcheck", "-q", *lint, path) == ""
-
-
-@pytest.mark.parametrize("folder", sorted((REPOSITORY / "derive").rglob("templates")), ids=str)
-def test_every_template_is_filled_somewhere(folder: Path) -> None:
-    users = "".join(path.read_text(encoding="utf-8") for path in (REPOSITORY / "derive").rglob("*.py"))
-    unused = []
-    for path in folder.rglob("*.in"):
-        name = path.name.removesuffix(".in")
-        # The names of some are put together: of a language, or of a list.
-        known = (name, name.partition("_")[2].partition(".")[0], name.partition(".")[0])
-        if not any(re.search(rf"[\"/]{re.escape(each)}\b", users) for each in known if each):
-            unused.append(str(path))
-    assert unused == []
-
-
-def literals(path: Path) -> Iterator[tuple[int, int]]:
-    """Line and height of each string over several lines that is no docstring."""
-    nodes = list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
-    joined = [node for node in nodes if isinstance(node, ast.JoinedStr)]
-    left_out = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
-    left_out |= {id(part) for node in joined for part in ast.walk(node) if part is not node}
-    texts = [node for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)]
-    for node in (*joined, *texts):
-        if id(node) not in left_out:
-            yield node.lineno, (node.end_lineno or node.lineno) - node.lineno + 1
-
-
-@pytest.mark.parametrize("folder", ["derive/package", "derive/kernel", "derive/print", "stewart_sym"])
-def test_no_long_text_of_another_language_stands_in_python(folder: str) -> None:
-    long = [
-        f"{path.relative_to(REPOSITORY)}:{line}: {height} lines"
-        for path in sorted((REPOSITORY / folder).rglob("*.py"))
-        for line, height in literals(path)
-        if height > LONGEST
-    ]
-    assert long == []
 
 
 SUPPRESSED = {
@@ -172,25 +126,3 @@ def test_clang_tidy_finds_nothing(source: str, precision: list[str], folder: Pat
     command = ["clang-tidy", "--quiet", f"--checks={','.join(checks)}", "--warnings-as-errors=*"]
     found = attack_build.ran([*command, f"{source}.c", "--", "-std=c99", *precision], folder)
     assert "warning:" not in found
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("tool", "command", "told"),
-    [
-        ("cppcheck", ["--enable=warning", "--error-exitcode=3"], "arrayIndexOutOfBounds"),
-        ("gcc", ["-std=c99", "-O2", "-fanalyzer", "-Werror", "-S", "-o", "/dev/null"], "analyzer-"),
-        ("clang-tidy", ["--checks=-*,bugprone-*,cert-*", "--warnings-as-errors=*"], "cert-flp30-c"),
-    ],
-)
-def test_the_tools_find_what_is_there(tool: str, command: list[str], told: str, tmp_path) -> None:
-    needed(tool)
-    (tmp_path / "wrong.c").write_text(
-        "#include <stdlib.h>\n"
-        "float f(int n) { float a[3] = {0}, x; for (x = 0; x < 1; x += 0.1f) { a[0] += x; } return a[n]; }\n"
-        "int g(void) { int a[2] = {1, 2}; return a[2]; }\n"
-        "int h(int *p) { free(p); return *p; }\n"
-    )
-    tail = ["--", "-std=c99"] if tool == "clang-tidy" else []
-    with pytest.raises(AssertionError, match=told):
-        attack_build.ran([tool, *command, "wrong.c", *tail], tmp_path)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from command_line import rejects
 from machines import dasgupta, machine_in_motion, random_motion, random_robot
-from pages import table_row
 
 import stewart_sym as ss
 from stewart_sym.derive.mechanics.regressor import dependencies
@@ -86,11 +85,6 @@ def test_formulas_of_the_robot_are_the_rows_of_the_matrix() -> None:
         for formula, row_of_matrix in zip(base.formulas, base.matrix, strict=True):
             terms = np.abs(row_of_matrix) @ np.abs(pi.values)
             assert formula_value(formula, pi) == pytest.approx(row_of_matrix @ pi.values, abs=1e-5 * terms)
-
-
-def test_formulas_on_the_page_are_those_of_every_machine() -> None:
-    for name, formula in MERGED.items():
-        assert table_row(".docs/reference/benchmarks.md", name) == [formula]
 
 
 def test_machines_whose_forces_tell_less_lose_what_is_not_felt() -> None:

@@ -7,11 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Run, rejects
+from command_line import Run
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.identification.drive_terms import need_terms
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.studies.reports.identify import from_measurement, measured_report, simulated_report
@@ -116,19 +115,6 @@ def test_what_does_the_same_is_said(robot: ss.Robot, excited: ss.Excitation) -> 
     assert one.drive.identifiable.all()
 
 
-def test_a_leg_that_goes_one_way_does_not_tell_coulomb_from_offset(
-    robot: ss.Robot, excited: ss.Excitation
-) -> None:
-    L_dot = ss.inverse_kinematics(robot, excited.motion).L_dot
-    one_way = excited.motion[L_dot[:, 2] > 0.0]
-    base = ss.base_parameters(robot, one_way)
-    found = ss.identify(robot, one_way, motor_forces(robot, one_way), SIGMA, base, drive_terms=TERMS)
-    assert [
-        name for name, told in zip(found.drive.names, found.drive.identifiable, strict=True) if not told
-    ] == ["offset3"]
-    assert found.drive.unidentifiable == ("offset3: not identifiable along this motion, acts as coulomb3",)
-
-
 def test_legs_built_alike_share_their_terms(robot: ss.Robot, excited: ss.Excitation) -> None:
     alike = dataclasses.replace(
         robot, **{name: np.tile(getattr(robot, name)[:1], (6, *[1] * (getattr(robot, name).ndim - 1)))
@@ -182,12 +168,6 @@ def test_forces_of_motors_identify_the_bodies_beside_the_rotors_of_the_robot_fil
     other = dataclasses.replace(machine, drive=ss.Drive(lead=5e-3, rotor_inertia=6e-5))
     wrong = ss.identify(other, excited.motion, F, 1e-6, excited.base)
     assert any(line.startswith("rotors: ") for line in wrong.warnings)
-
-
-def test_measured_poses_identify_bodies_beside_the_rotors(robot: ss.Robot, excited: ss.Excitation) -> None:
-    found = ss.simulate_experiment(with_rotors(robot), excited, 5.0, 0, 1e-4, 1e-4)
-    assert found.estimate.verdict == "consistent"
-    assert math.sqrt(np.mean(found.z_scores**2)) == pytest.approx(1.0, abs=0.25)
 
 
 def test_a_rejected_fit_states_no_errors(robot: ss.Robot, excited: ss.Excitation, tmp_path: Path) -> None:
@@ -278,17 +258,6 @@ def test_terms_of_the_robot_file_are_compared_as_bodies_are(robot: ss.Robot, exc
     assert "coulomb1, coulomb2" in said[1]
 
 
-@pytest.mark.parametrize("rows", [4, 6, 9])
-def test_few_noisy_poses_are_one_line(robot: ss.Robot, excited: ss.Excitation, rows: int) -> None:
-    measured, _ = noisy(excited, 1e-4, 0)
-    noise = ss.PoseNoise(excited.time[:rows], 1e-4, 1e-4)
-    F = motor_forces(robot, excited.motion)[:rows]
-    base = ss.base_parameters(robot, excited.motion)
-    for drive in (None, ("coulomb",)):
-        with pytest.raises(ValueError, match=r"\A(pose_noise|motion): expected|\Amotion: excites"):
-            ss.identify(robot, measured[:rows], F, SIGMA, base, noise, drive_terms=drive)
-
-
 def test_coulomb_friction_of_legs_at_rest_is_told_by_no_pose(robot: ss.Robot, excited: ss.Excitation) -> None:
     n = len(excited.time)
     still = ss.Motion(
@@ -363,7 +332,3 @@ def test_the_command_seeks_terms_of_measured_forces(
     assert not found["viscous3"]["identifiable"]
     told = run(*command, "--drive-terms", "coulomb,stiction", code=2).err
     assert "--drive-terms: TERM: expected some of reflected_mass" in told
-
-
-def test_a_term_that_is_no_name_is_one_line() -> None:
-    rejects(r"^drive_terms: expected some of .*, got \[\]$", need_terms, [[]])

@@ -9,7 +9,6 @@ import pytest
 from command_line import rejects
 from machines import dasgupta, path_period, random_path
 from noisy_experiments import NOISE, SAMPLES, Array, change, excited, experiment, robot, truth
-from pages import prose_of
 from scipy.interpolate import make_interp_spline
 from sweeps import share
 
@@ -68,16 +67,6 @@ def test_motion_without_period_or_stated_noise_is_identified_as_well() -> None:
         seen = ss.identify(robot(0), motion, found.F, 1.0, pose_noise=noise)
         assert seen.verdict == "consistent"
         assert np.max(np.abs(seen.values - found.true_values) / seen.std) < 4.0
-
-
-def test_the_basis_of_a_motion_does_not_grow_with_a_noise_that_is_stated_too_small() -> None:
-    """The largest, of three quarters of the samples, takes minutes."""
-    found = experiment(0)
-    right = dataclasses.replace(found.pose_noise, period=None, harmonics=None)
-    small = dataclasses.replace(right, position=right.position / 6, angle=right.angle / 6)
-    q = smooth_motion.coordinates(found.measured_motion, right)
-    sizes = [next(smooth_motion.from_best(noise, q)).size for noise in (right, small)]
-    assert sizes[0] == sizes[1]
 
 
 def test_load_is_taken_off_along_the_smooth_motion() -> None:
@@ -226,22 +215,7 @@ def test_joint_fit_has_the_slopes_of_its_residual() -> None:
         )
 
 
-def test_tail_is_that_of_the_distributions() -> None:
-    from scipy import stats
-
-    for freedom, other in ((30, np.inf), (120, 500.0), (1000, np.inf)):
-        law = stats.chi2(freedom, scale=1 / freedom) if np.isinf(other) else stats.f(freedom, other)
-        for p in (0.5, 0.05, 1e-3, 1e-4):
-            assert estimates.tail(law.isf(p), freedom, other) == pytest.approx(p, rel=0.1)
-
-
 # Bodies
-
-
-def test_page_states_the_least_move_of_a_payload_that_is_always_named() -> None:
-    told = prose_of(".docs/reference/limits.md")
-    assert f"by {LEAST:g} of the base's radius along each axis" in told
-    assert f"the same by {BARELY:g} | detected in nine of ten" in told
 
 
 # Arguments and the command
@@ -262,15 +236,6 @@ def test_page_states_the_least_move_of_a_payload_that_is_always_named() -> None:
 def test_bad_pose_noise_is_named(arguments: dict[str, object], words: str) -> None:
     good = {"time": np.arange(4.0), "position": NOISE, "angle": NOISE}
     rejects(f"^{words}", ss.PoseNoise, **{**good, **arguments})
-
-
-def test_bases_are_tried_beyond_those_that_poses_tell() -> None:
-    """Forces may tell more of the motion than they do: the search goes on to the largest basis."""
-    way = excited(0)
-    noise = ss.PoseNoise(way.time, 0.01, 0.01)
-    q = smooth_motion.coordinates(way.motion, noise)
-    tried = [basis.size for basis in smooth_motion.from_best(noise, q)]
-    assert tried == [basis.size for basis in smooth_motion.bases(noise)][-len(tried) :]
 
 
 def test_poses_that_no_noise_fits_are_named() -> None:
@@ -349,28 +314,3 @@ def test_forces_that_lag_the_poses_are_named_with_their_lag(seed: int) -> None:
         off = np.abs(seen.values - found.estimate.values) / found.estimate.std
         assert np.sqrt(np.mean(off**2)) < seen.inflation_factor
     assert ss.identify(machine, found.excitation.motion, found.F, 1.0, base).force_lag is None
-
-
-def test_a_lag_that_explains_a_part_is_named_after_what_is_missing() -> None:
-    found, machine = experiment(0), robot(0)
-    lag = 60.0 * found.estimate.force_lag[1]
-    late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.pose_noise.time - lag)).F
-    F = found.F + late - ss.inverse_dynamics(machine, found.excitation.motion).F
-    missing = np.zeros_like(F)
-    missing[:, 2] = 8.0 * np.cos(17.0 * np.pi * np.arange(len(F)) / len(F))
-    for off, place, words in ((0.0, 0, "by this amount"), (missing, -1, "part of the residual")):
-        doubts = ss.identify(
-            machine, found.measured_motion, F + off, 1.0, found.estimate.base, found.pose_noise
-        ).warnings
-        assert doubts[place].startswith("times: ")
-        assert words in doubts[place]
-
-
-def test_a_fit_that_misses_the_forces_by_far_ends_where_steps_are_small_beside_its_residual() -> None:
-    found, machine = experiment(0), robot(0)
-    assert found.pose_noise is not None
-    late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.pose_noise.time - 0.0423)).F
-    F = found.F + late - ss.inverse_dynamics(machine, found.excitation.motion).F
-    seen = ss.identify(machine, found.measured_motion, F, 1.0, found.estimate.base, found.pose_noise)
-    assert seen.verdict == "rejected"
-    assert not any(line.startswith("fit: did not converge") for line in seen.warnings)

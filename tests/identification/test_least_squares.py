@@ -43,14 +43,3 @@ def test_columns_that_nearly_depend_on_others_are_solved_by_the_whole_matrix() -
     assert isinstance(found, DenseFactors)
     x = np.arange(found.unknowns, dtype=float)
     np.testing.assert_allclose(found.solve(J @ x), x, rtol=1e-6, atol=1e-4)
-
-
-def test_shares_are_those_of_bands_wider_than_what_is_solved_together(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    from stewart_sym.identification import least_squares
-
-    J = arrow()
-    at_once = factors(J).shares(6 * INSTANTS)
-    monkeypatch.setattr(least_squares, "_TOGETHER", 7)
-    np.testing.assert_allclose(factors(J).shares(6 * INSTANTS), at_once)

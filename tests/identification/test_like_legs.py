@@ -59,13 +59,6 @@ def test_they_give_the_wrench_of_any_motion(seed: int) -> None:
     np.testing.assert_allclose(base.matrix @ base.expansion, np.eye(25), atol=1e-15)
 
 
-def test_what_every_leg_has_of_its_own_is_as_before() -> None:
-    base = ss.base_parameters(robot(0))
-    assert not base.identical_legs
-    np.testing.assert_array_equal(base.required_columns(), base.independent_columns)
-    np.testing.assert_array_equal(base.expansion, np.eye(148)[:, base.independent_columns])
-
-
 def test_noisy_forces_give_them_within_what_the_covariance_says() -> None:
     runs = [ss.simulate_experiment(robot(1), excited(1), SIGMA, noise) for noise in range(40)]
     off = [run.estimate.values - run.true_values for run in runs]
@@ -85,12 +78,6 @@ def test_sharing_makes_deviations_smaller() -> None:
             assert all(sigma < apart.std[place[leg_name(name, leg)]] for leg in range(1, 7)), name
 
 
-def test_noisy_poses_are_taken_into_account() -> None:
-    found = ss.simulate_experiment(robot(0), excited(0), 1.0, 3, 1e-4, 1e-4)
-    assert found.estimate.verdict == "consistent"
-    assert np.max(np.abs(found.z_scores)) < 4.0
-
-
 def test_a_leg_that_differs_is_seen_in_the_residual() -> None:
     machine, way = robot(0), excited(0)
     odd = dataclasses.replace(machine, m_u=machine.m_u * [1, 1, 1.5, 1, 1, 1])
@@ -108,17 +95,6 @@ def test_possible_bodies_are_the_same_in_every_leg() -> None:
     np.testing.assert_allclose(alike(found.parameters.values), found.parameters.values, rtol=1e-12)
     np.testing.assert_allclose(found.base.matrix @ found.parameters.values, found.values, rtol=1e-9)
     assert with_parameters(other, found.parameters.values).find_invalid_inertias() == []
-
-
-def test_values_below_zero_are_named_once_for_all_legs() -> None:
-    machine, way = robot(0), excited(0)
-    F = ss.inverse_dynamics(machine, way.motion).F
-    friction = ss.regressor(machine, way.motion) @ ss.base_parameters(machine, identical_legs=True).expansion
-    place = ss.base_parameters(machine, identical_legs=True).names.index("C_p")
-    H = ss.inverse_dynamics(machine, way.motion).H
-    F = F - 2.0 * machine.C_p[0] * np.linalg.solve(H, friction[..., place, None])[..., 0]
-    found = ss.identify(machine, way.motion, F, 1e-3, identical_legs=True)
-    assert [line.partition(":")[0] for line in found.nonphysical] == ["C_p"]
 
 
 def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:

@@ -5,7 +5,6 @@ from functools import cache
 
 import numpy as np
 import pytest
-from command_line import rejects
 from least_time_oracles import extrapolated
 from smooth_oracles import peak_force, smooth_optimum
 from sweeps import share
@@ -185,19 +184,6 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     assert certify_plan(plan).is_valid
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("longer", [2.0, 4.0])
-def test_least_peak_force_is_below_that_at_rest_where_the_machine_moves_on(longer: float) -> None:
-    robot, path, quick = case(3)
-    duration = longer * quick.duration
-    plan = parameterize_path(robot, path, grid_size=100, minimize="peak_force", duration=duration)
-    at_rest = np.abs(inverse_dynamics(robot, traveled(path(np.linspace(0.0, 1.0, 801)), 0.0, 0.0)).F)
-    assert peak(plan) < 0.99 * at_rest.max()
-    assert plan.duration == pytest.approx(duration, rel=1e-12)
-    assert peak(plan) == pytest.approx(extrapolated(lambda cells: peak_force(plan, cells), 100), rel=1e-3)
-    assert certify_plan(plan).is_valid
-
-
 def test_the_least_time_is_named_where_a_duration_is_shorter() -> None:
     robot, path, quick = case(0)
     with pytest.raises(ValueError, match=f"duration: expected at least the least time, {quick.duration:.3g}"):
@@ -209,12 +195,3 @@ def test_in_the_least_time_there_is_one_motion() -> None:
     robot, path, quick = case(0)
     plan = parameterize_path(robot, path, minimize="energy", duration=quick.duration, grid_size=100)
     assert work(plan) == pytest.approx(work(quick), rel=1e-6)
-
-
-def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
-    robot, path = limited_case(0, friction=False)
-    with pytest.raises(ValueError, match="expected viscous friction, a winding resistance, or an efficie"):
-        parameterize_path(robot, path, minimize="energy", duration=1e3, grid_size=50)
-    rejects('minimize: expected a duration for "energy"', parameterize_path, robot, path, minimize="energy")
-    with pytest.raises(ValueError, match='duration: applies to minimize "energy" or "peak_force"'):
-        parameterize_path(robot, path, duration=4.0)

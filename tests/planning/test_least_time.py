@@ -7,20 +7,16 @@ import pytest
 from command_line import rejects
 from least_time_oracles import collocation_duration, extrapolated
 from machines import machine_size
-from motor_cases import QUANTITIES, motor_case
+from motor_cases import motor_case
 from smooth_oracles import motor_duration
 from sweeps import share
 from via_cases import limited_case, planned_case, straight, via_case
 
 import stewart_sym as ss
 from stewart_sym.drives.effort import drive_effort
-from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
-from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
 from stewart_sym.planning.path_parameterization import parameterize_path
 from stewart_sym.planning.plan_certificate import certify_plan
-from stewart_sym.planning.timing.grid import Grid
 from stewart_sym.planning.timing.path_terms import PathLimits, terms_along
-from stewart_sym.planning.timing.phase_plane import highest, lowest
 
 
 @pytest.mark.parametrize(
@@ -47,30 +43,6 @@ def test_limits_hold_between_the_nodes_and_one_is_active() -> None:
     assert found.active_fraction >= 0.99
     assert found.is_valid
     assert found.crossings == ()
-
-
-@pytest.mark.slow
-def test_all_kinds_of_limits_are_kept_in_time() -> None:
-    robot, path = limited_case(4)
-    free = parameterize_path(robot, path, grid_size=100)
-    legs = inverse_kinematics(robot, free.sample(np.linspace(0.0, free.duration, 2001)))
-    motion = free.sample(np.linspace(0.0, free.duration, 2001))
-    limits = PathLimits(
-        speed=0.8 * np.abs(legs.L_dot).max(),
-        acceleration=0.7 * np.abs(legs.L_ddot).max(),
-        platform_speed=0.8 * float(np.linalg.norm(motion.v, axis=-1).max()),
-        platform_turn_rate=0.8 * float(np.linalg.norm(motion.omega, axis=-1).max()),
-    )
-    plan = parameterize_path(robot, path, limits=limits, grid_size=100)
-    assert plan.duration > free.duration
-    assert certify_plan(plan).max_utilization <= 1.0 + 1e-6
-    motion = plan.sample(np.linspace(0.0, plan.duration, 20_001))
-    legs = inverse_kinematics(robot, motion)
-    assert np.abs(inverse_dynamics(robot, motion).F / robot.force_limit).max() <= 1.0 + 1e-6
-    assert np.abs(legs.L_dot).max() <= limits.speed[0] * (1.0 + 1e-6)
-    assert np.abs(legs.L_ddot).max() <= limits.acceleration[0] * (1.0 + 1e-6)
-    assert np.linalg.norm(motion.v, axis=-1).max() <= limits.platform_speed * (1.0 + 1e-6)
-    assert np.linalg.norm(motion.omega, axis=-1).max() <= limits.platform_turn_rate * (1.0 + 1e-6)
 
 
 @pytest.mark.slow
@@ -181,37 +153,6 @@ def test_motors_that_hold_the_machine_with_nearly_all_their_torque_move_it_as_fa
             break
         slow *= 0.9
     assert plan.duration < played.duration
-
-
-@pytest.mark.slow
-def test_bounds_where_a_leg_turns_back_are_those_of_either_side() -> None:
-    robot, path = motor_case(1, ("torque",))
-
-    def source(s: np.ndarray):
-        return terms_along(robot, path, s, PathLimits(), "exact")
-
-    def room(low: np.ndarray, high: np.ndarray, x: float) -> np.ndarray:
-        return np.array([lowest(low, x), highest(high, x)])
-
-    grid = Grid.of(source, np.linspace(0.0, 1.0, 101))
-    bounds = grid.bounds()
-    nodes = np.flatnonzero(bounds.before != np.arange(len(grid.s)))
-    assert len(nodes) > 5
-    jumps = []
-    for i in nodes:
-        x = 0.5 * bounds.cap[i]
-        at_node = [room(bounds.low[k], bounds.high[k], x) for k in (bounds.before[i], i)]
-        for shifts, k, found in zip(([-2e-7, -1e-7], [1e-7, 2e-7]), (1, 0), at_node, strict=True):
-            near = Grid.at(source, grid.s[i] + np.array(shifts)).bounds()
-            np.testing.assert_allclose(found, room(near.low[k], near.high[k], x), rtol=1e-3)
-        jumps.append(np.abs(at_node[0] - at_node[1]).max() / np.abs(at_node).max())
-    assert max(jumps) > 0.01
-
-
-def free(robot):
-    """The drive without limits."""
-    none = {f"{name}_limit": np.inf for name in QUANTITIES}
-    return dataclasses.replace(robot.drive, **none)
 
 
 @pytest.mark.slow

@@ -186,11 +186,6 @@ def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, run: Run) -> N
     )
 
 
-def test_a_free_pose_may_be_given_out_of_reach(folder: Path) -> None:
-    text = HEAD + FIRST + SECOND.replace("0.1", "1.0") + "tolerance.x = [-0.95, 0.0]\n"
-    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-plots"]) == 0
-
-
 def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> None:
     text = VIA.replace("theta = [0.10, -0.10, 0.20]", "theta = [5.7, -5.7, 11.5]")
     warning, error = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
@@ -256,8 +251,6 @@ def limited(limit: str) -> str:
     ("text", "words"),
     [
         (HEAD + FIRST, "via: expected at least 2 via poses, got 1 (at line 3)"),
-        (HEAD + "via = []\n", "via: expected at least 2 via poses, got 0 (at line 3)"),
-        (HEAD, "via: expected either via poses or via_file"),
         (HEAD + FIRST + SECOND.replace("0.1", "nan"), "via 2: t: expected 3 finite numbers"),
         (PLAN.replace("0.1", "9.0"), "via 2: out of reach, the pose exceeds the limit of leg length of leg"),
         (
@@ -276,27 +269,11 @@ def limited(limit: str) -> str:
         ),
         (PLAN + FIRST, "via 2: the path turns back at the pose"),
         ('minimize = "energy"\n' + PLAN, 'via.toml: minimize: expected a duration for "energy" (at line 1)'),
-        (
-            'minimize = "energy"\nduration = 1e9\n' + PLAN,
-            "via.toml: duration: expected at most 10,000,000 samples, got 1e+09 s at a rate of",
-        ),
         ("rate = 1e9\n" + PLAN, "via.toml: rate: expected at most 10,000,000 samples, got "),
-        (
-            "duration = 2.0\n" + PLAN,
-            'via.toml: duration: applies to minimize "energy" or "peak_force", got "time" (at line 1)',
-        ),
         (HEAD + FIRST + FIRST, "via 2: expected another pose than via pose 1 (at line 6)"),
         (limited("force = 10.0"), "at rest at s ="),
-        (limited("force = -1.0"), "limits.force: expected a number > 0, got -1 (at line 4)"),
         (limited("max_condition = 1.1"), "via 1: expected a condition number of at most 1.1"),
-        (
-            limited("min_clearance = 60.0"),
-            "limits.min_clearance: expected less than 0.1039 m, the distance of joints of legs 1, 2, got 60",
-        ),
         (limited("forces = 1.0"), 'did you mean "force"?'),
-        (PLAN + "tolerance.yaw = [0.1, 0.3]\n", "tolerance.yaw: expected [low, high] with low <= 0 <= high"),
-        (PLAN.replace("hexapod", "nothing"), "via.toml: robot: expected a file, there is no "),
-        (HEAD + 'via_file = "none.csv"\n', "via.toml: via_file: expected a file, there is no "),
         ("", "the file is empty"),
     ],
 )
@@ -340,16 +317,6 @@ def test_the_motion_is_written_with_rates_and_load_in_every_euler_order(tmp_path
         np.testing.assert_allclose(getattr(found, name), getattr(waving(time), name), atol=1e-12)
 
 
-def test_near_gimbal_lock_poses_and_load_are_written_without_rates(tmp_path: Path) -> None:
-    robot, time = Robot.from_toml(HEXAPOD), np.linspace(0.0, 2.0, 41)
-    upright = waving(time, 0.5 * np.pi - 0.04)
-    names, found = read_back(robot, upright, time, tmp_path)
-    assert {"q_w", "F_ext_x", "M_ext_x"} <= names
-    assert not {"theta_x", "v_x"} & names
-    for name in ("R", "t", "F_ext", "M_ext"):
-        np.testing.assert_allclose(getattr(found, name), getattr(upright, name), atol=1e-12)
-
-
 def test_forces_of_the_written_trajectory_are_the_plans_own(tmp_path: Path) -> None:
     shutil.copy(HEXAPOD, tmp_path)
     file = tmp_path / "hexapod.toml"
@@ -365,3 +332,18 @@ def test_forces_of_the_written_trajectory_are_the_plans_own(tmp_path: Path) -> N
     )
     for leg in range(1, 7):
         np.testing.assert_allclose(found[f"F_{leg}"], expected[f"F_{leg}"], rtol=0.0, atol=1e-9)
+
+
+def test_a_free_pose_may_be_given_out_of_reach(folder: Path) -> None:
+    text = HEAD + FIRST + SECOND.replace("0.1", "1.0") + "tolerance.x = [-0.95, 0.0]\n"
+    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-plots"]) == 0
+
+
+def test_near_gimbal_lock_poses_and_load_are_written_without_rates(tmp_path: Path) -> None:
+    robot, time = Robot.from_toml(HEXAPOD), np.linspace(0.0, 2.0, 41)
+    upright = waving(time, 0.5 * np.pi - 0.04)
+    names, found = read_back(robot, upright, time, tmp_path)
+    assert {"q_w", "F_ext_x", "M_ext_x"} <= names
+    assert not {"theta_x", "v_x"} & names
+    for name in ("R", "t", "F_ext", "M_ext"):
+        np.testing.assert_allclose(getattr(found, name), getattr(upright, name), atol=1e-12)

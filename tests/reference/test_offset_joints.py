@@ -19,10 +19,8 @@ from motion_fields import balance_of
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel import OFFSET_KERNEL
 from stewart_sym.dynamics.equations import ForwardDynamics
 from stewart_sym.dynamics.forward_from_inverse import ForwardFromInverse
-from stewart_sym.generated import exact_offset_operations
 from stewart_sym.reference import newton_euler, offset_joints
 from stewart_sym.results import JOINT_SINGULAR, OK, SINGULAR, UNREACHABLE, ZERO_LENGTH
 
@@ -185,16 +183,6 @@ def test_float_has_the_digits_of_float() -> None:
     assert _error(F, ss.ForceKernel(robot).forces(motion)) < 1e-3
 
 
-def test_operations_are_stated() -> None:
-    robot, _ = offset_case(0)
-    counts = exact_offset_operations.OPERATIONS
-    assert counts == {"forces": 2890}
-    from stewart_sym.backend import fidelity
-
-    assert fidelity.operations(robot) == counts["forces"]
-    assert fidelity.force_kernel_name(robot, "exact", "general") == OFFSET_KERNEL
-
-
 # ---------------------------------------------------------------- statuses
 
 
@@ -277,13 +265,6 @@ def test_bad_poses_do_not_touch_their_neighbors() -> None:
     assert status[6] != OK
     keep = np.arange(20) != 6
     np.testing.assert_array_equal(F[keep], good[keep])
-
-
-def test_the_offsets_of_a_machine_scale_with_it() -> None:
-    robot, motion = offset_case(2)
-    units = ss.UnitScaling.for_robot(robot)
-    F = ss.ForceKernel(units.robot(robot)).forces(units.motion(motion))
-    np.testing.assert_allclose(units.forces(F), ss.ForceKernel(robot).forces(motion), rtol=1e-11)
 
 
 def test_offsets_are_checked() -> None:

@@ -102,13 +102,10 @@ def test_what_is_not_given_is_absent(tmp_path: Path) -> None:
             np.testing.assert_array_equal(getattr(found, name), np.full(6, key.default))
 
 
-def test_a_drive_goes_through_tables_files_and_units_to_the_bit(tmp_path: Path) -> None:
+def test_a_drive_goes_through_tables_and_files_to_the_bit(tmp_path: Path) -> None:
     robot = read(SHARED + OWN, tmp_path)
     assert ss.Robot.from_dict(json.loads(json.dumps(robot.to_dict()))).drive == robot.drive
     assert ss.Robot.from_toml(written(robot, tmp_path / "again.toml")).drive == robot.drive
-    units = ss.UnitScaling.for_robot(robot)
-    assert units.robot(robot).drive != robot.drive
-    assert units.inverse.robot(units.robot(robot)).drive == robot.drive
     for other in (copy.deepcopy(robot), pickle.loads(pickle.dumps(robot)), dataclasses.replace(robot, M=9.0)):
         assert other.drive == robot.drive
         assert not other.drive.lead.flags.writeable
@@ -118,14 +115,8 @@ BAD = {
     # what is written, and the message without the file: key, what was expected, line
     "[legs.drive]\nefficiency = 0.9\n": ("legs.drive.lead: missing, and radius as well (at line 18)"),
     "[legs.drive]\nlead = 0\n": "legs.drive.lead: expected a number other than 0, got 0 (at line 19)",
-    "[legs.drive]\nlead = 5e-324\n": "legs.drive.lead: expected a number other than 0, got 0 (at line 19)",
-    "[legs.drive]\nlead = '5'\n": "legs.drive.lead: expected a finite number, got '5' (at line 19)",
     "[legs.drive]\nlead = 5\nradius = 9\n": (
         "legs.drive.radius: expected lead or radius, got both (at line 20)"
-    ),
-    "[legs.drive]\nradius = -9\n": "legs.drive.radius: expected a number > 0, got -9 (at line 19)",
-    "[legs.drive]\nlead = 5\ngear_ratio = 0\n": (
-        "legs.drive.gear_ratio: expected a number > 0, got 0 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\nefficiency = 90\n": (
         "legs.drive.efficiency: expected a number > 0 and <= 1, got 90 (at line 20)"
@@ -136,7 +127,6 @@ BAD = {
     "[legs.drive]\nlead = 5\n[leg.2.drive]\nrotor_inertia = -1e-5\n": (
         "leg.2.drive.rotor_inertia: expected a number >= 0, got -1e-05 (at line 21)"
     ),
-    "[legs.drive]\nlead = 5\nfriction = 3\n": "legs.drive.friction: unknown key, ",
     "[legs.drive]\nlead = 5\ninertia = 3\n": (
         'legs.drive.inertia: unknown key, did you mean "rotor_inertia"? (at line 20)'
     ),
@@ -155,20 +145,11 @@ BAD = {
     "[legs.drive]\nlead = 1e-120\n": (
         "legs.drive.lead: expected a lead with which the rotor's inertia is a finite mass (at line 19)"
     ),
-    "[legs.drive]\nlead = 1e400\n": (
-        "legs.drive.lead: expected a finite number (no limit: omit the key), got inf (at line 19)"
-    ),
     "[leg.2]\ndrive = []\n": "leg.2.drive: expected a table, got [] (at line 19)",
-    "[[legs.drive]]\nlead = 5\n": "legs.drive: expected a table, got [{'lead': 5}] (at line 18)",
     "[leg.3.drive]\nlead = 5\n": (
         "leg.3.drive: expected a drive of every leg, or a table legs.drive with keys; missing for legs "
         "1, 2, 4, 5, 6 (at line 18)"
     ),
-    "[legs.drive]\n": (
-        "legs.drive: expected a drive of every leg, or a table legs.drive with keys; missing for all legs "
-        "(at line 18)"
-    ),
-    "[leg.7.drive]\nlead = 5\n": "leg.7: unknown key, expected one of 1, 2, 3, 4, 5, 6 (at line 18)",
 }
 
 

@@ -1,6 +1,5 @@
 """Former names: they are no names of the package, no attributes of its classes, and no keys of its files."""
 
-import dataclasses
 import json
 from pathlib import Path
 from typing import Any
@@ -12,281 +11,61 @@ import stewart_sym as ss
 from stewart_sym.planning.plan_file import read_plan
 from stewart_sym.simulation.scene import read_scene
 
-PUBLIC = [
-    "Approach",
-    "BaseParameters",
-    "Capability",
-    "Certificate",
-    "Course",
-    "Crossing",
-    "DampedSolution",
-    "DriveEffort",
-    "DriveEstimate",
-    "EquationsByParameter",
-    "EquationsOfMotion",
-    "Estimate",
-    "ForceBounds",
-    "ForceDerivatives",
-    "Forces",
-    "JointAngles",
-    "LegKinematics",
-    "Limits",
-    "Linearisation",
-    "LogFormat",
-    "LogWarning",
-    "ModelFile",
-    "MotorMotion",
-    "Needs",
-    "Offsets",
-    "PATHS",
-    "Parameters",
-    "PathSingularities",
-    "PhysicalityWarning",
-    "PlatformPose",
-    "Reactions",
-    "Saturation",
-    "Simulation",
-    "Singularity",
-    "Smooth",
-    "Smoothing",
-    "Stop",
-    "Symbolic",
-    "Thresholds",
-    "Trace",
-    "Units",
-    "View",
-    "Workspace",
-    "array_kernel",
-    "between",
-    "capability",
-    "crossings",
-    "damped_solution",
-    "dynamic_fraction",
-    "estimated_noise",
-    "force_deviations",
-    "force_residue",
-    "forces_with_bounds",
-    "linearise",
-    "pose_of_motors",
-    "prepare",
-    "resampled",
-    "simulated_experiment",
-    "singularities_along",
-    "size",
-    "smooth",
-    "time_path",
-]
+PUBLIC = """
+Approach BaseParameters Capability Certificate Course Crossing DampedSolution DriveEffort DriveEstimate
+EquationsByParameter EquationsOfMotion Estimate ForceBounds ForceDerivatives Forces JointAngles
+LegKinematics Limits Linearisation LogFormat LogWarning ModelFile MotorMotion Needs Offsets PATHS Parameters
+PathSingularities PhysicalityWarning PlatformPose Reactions Saturation Simulation Singularity Smooth
+Smoothing Stop Symbolic Thresholds Trace Units View Workspace array_kernel between capability crossings
+damped_solution dynamic_fraction estimated_noise force_deviations force_residue forces_with_bounds linearise
+pose_of_motors prepare resampled simulated_experiment singularities_along size smooth time_path UnitScaling
+"""
 """Functions, classes, and constants that have another name or are constructors now."""
 
 ATTRIBUTES = {
-    "Robot": (
-        "accept",
-        "home",
-        "lengths",
-        "limits_joint_angles",
-        "m_r",
-        "j_r",
-        "physicality",
-    ),
-    "TrajectoryFormat": (
-        "lengths",
-        "metres",
-        "radians",
-        "order",
-    ),
-    "Motion": (
-        "about_point",
-        "in_axes",
-        "unchecked",
-    ),
-    "Drive": (
-        "gear",
-        "turns",
-        "momentum",
-        "stribeck",
-        "smoothing",
-        "back_efficiency",
-    ),
-    "JointOffsets": (
-        "cross",
-        "along",
-        "across",
-        "wrist",
-        "nothing",
-        "spins",
-    ),
-    "DriveEffortResult": (
-        "electrical",
-        "exceeded",
-        "deviations",
-    ),
-    "ActuatorRequirementsResult": (
-        "push",
-        "pull",
-        "driving",
-        "braking",
-        "course",
-        "deviations",
-    ),
-    "ActuatorHistory": (
-        "base",
-        "platform",
-        "weight",
-        "deviations",
-    ),
-    "PoseLimits": (
-        "condition",
-        "clearance",
-    ),
-    "WorkspaceResult": (
-        "clear",
-        "reasons",
-        "box",
-        "angles",
-        "poses",
-    ),
-    "Polytope": (
-        "what",
-        "largest",
-        "guaranteed",
-    ),
-    "PoseCertificate": (
-        "position",
-        "angle",
-        "alone",
-    ),
-    "PlanCertificate": (
-        "holds",
-        "used",
-        "active",
-        "instants",
-        "lengths_kept",
-        "angles_kept",
-    ),
-    "PlannedPath": (
-        "given",
-        "poses",
-        "straight",
-        "conditions",
-        "straight_conditions",
-    ),
-    "ViaPose": (
-        "low",
-        "high",
-        "free",
-        "moved",
-    ),
-    "TimedPath": (
-        "instants",
-        "times",
-    ),
-    "FourierPath": ("times",),
-    "StraightLinePath": (
-        "times",
-        "breaks",
-    ),
-    "SingularityCrossing": (
-        "before",
-        "after",
-        "at",
-        "uncertainty",
-    ),
-    "SingularityApproach": ("at",),
-    "SingularityResult": (
-        "length",
-        "condition",
-        "smallest",
-        "lost",
-        "forces",
-        "pitch",
-        "axis",
-        "point",
-    ),
-    "PathSingularitiesResult": (
-        "shortest",
-        "longest",
-        "joint_sine",
-    ),
-    "IdentificationResult": (
-        "doubts",
-        "impossible",
-        "free",
-        "misfit",
-        "inflation",
-        "lag",
-        "departure",
-        "sigma",
-    ),
-    "DriveIdentificationResult": (
-        "confused",
-        "sigma",
-        "departure",
-    ),
-    "BaseParametersResult": (
-        "kept",
-        "lift",
-        "gap",
-        "columns",
-        "reduced",
-        "shared",
-    ),
-    "Experiment": (
-        "measured",
-        "sigma",
-        "noise",
-        "truth",
-        "deviation",
-    ),
-    "ForceKernel": (
-        "columns_into",
-        "forces_into",
-        "forces_of_columns",
-        "one_pose",
-        "function",
-    ),
-    "SmoothSamplesResult": (
-        "rates",
-        "second_rates",
-        "sigma",
-        "grid",
-    ),
-    "SmoothingOptions": (
-        "position",
-        "angle",
-        "cutoff",
-        "on",
-    ),
-    "Viewer": ("instants",),
-    "LegSprings": ("balanced",),
-    "ComputedTorque": ("wanted",),
-    "StateHistory": (
-        "times",
-        "kinetic",
-        "potential",
-    ),
-    "SimulationResult": (
-        "steps",
-        "loaded",
-        "drives",
-        "within_steps",
-        "weights_within_steps",
-    ),
-    "StopEvent": (
-        "kind",
-        "text",
-    ),
-    "ForceSaturation": (
-        "time",
-        "excess",
-    ),
-    "SymbolicResult": ("whole",),
-    "ExportedModel": ("loops",),
-    "UnitScaling": ("of",),
+    "Robot": "accept home lengths limits_joint_angles m_r j_r physicality",
+    "TrajectoryFormat": "lengths metres radians order",
+    "Motion": "about_point in_axes unchecked",
+    "Drive": "gear turns momentum stribeck smoothing back_efficiency",
+    "JointOffsets": "cross along across wrist nothing spins",
+    "DriveEffortResult": "electrical exceeded deviations",
+    "ActuatorRequirementsResult": "push pull driving braking course deviations",
+    "ActuatorHistory": "base platform weight deviations",
+    "PoseLimits": "condition clearance",
+    "WorkspaceResult": "clear reasons box angles poses",
+    "Polytope": "what largest guaranteed",
+    "PoseCertificate": "position angle alone",
+    "PlanCertificate": "holds used active instants lengths_kept angles_kept",
+    "PlannedPath": "given poses straight conditions straight_conditions",
+    "ViaPose": "low high free moved",
+    "TimedPath": "instants times",
+    "FourierPath": "times",
+    "StraightLinePath": "times breaks",
+    "SingularityCrossing": "before after at uncertainty",
+    "SingularityApproach": "at",
+    "SingularityResult": "length condition smallest lost forces pitch axis point",
+    "PathSingularitiesResult": "shortest longest joint_sine",
+    "IdentificationResult": "doubts impossible free misfit inflation lag departure sigma",
+    "DriveIdentificationResult": "confused sigma departure",
+    "BaseParametersResult": "kept lift gap columns reduced shared",
+    "Experiment": "measured sigma noise truth deviation",
+    "ForceKernel": "columns_into forces_into forces_of_columns one_pose function",
+    "SmoothSamplesResult": "rates second_rates sigma grid",
+    "SmoothingOptions": "position angle cutoff on",
+    "Viewer": "instants",
+    "LegSprings": "balanced",
+    "ComputedTorque": "wanted",
+    "StateHistory": "times kinetic potential",
+    "SimulationResult": "steps loaded drives within_steps weights_within_steps",
+    "StopEvent": "kind text",
+    "ForceSaturation": "time excess",
+    "SymbolicResult": "whole",
+    "ExportedModel": "loops",
 }
 """Former attributes and methods by class."""
 
 
-@pytest.mark.parametrize("name", PUBLIC)
+@pytest.mark.parametrize("name", PUBLIC.split())
 def test_a_former_name_is_no_name_of_the_package(name: str) -> None:
     assert name not in dir(ss)
     assert not hasattr(ss, name)
@@ -296,7 +75,7 @@ def test_a_former_name_is_no_name_of_the_package(name: str) -> None:
 def test_a_former_attribute_is_none_of_its_class(name: str) -> None:
     kind = find_class(name)
     known = {*dir(kind), *(field.name for field in getattr(kind, "__dataclass_fields__", {}).values())}
-    assert not known & {*ATTRIBUTES[name]}
+    assert not known & {*ATTRIBUTES[name].split()}
 
 
 def find_class(name: str) -> Any:
@@ -384,20 +163,3 @@ def test_a_robot_file_of_schema_1_is_rejected_in_one_line_that_names_the_remedy(
 def test_a_motion_takes_keywords_alone() -> None:
     with pytest.raises(TypeError):
         ss.Motion([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 1], [0, 0, 0], [0, 0, 0])  # type: ignore[misc, arg-type]
-
-
-def test_readable_names_of_a_robot_are_the_symbols() -> None:
-    robot = ss.robots.dasgupta1998()
-    symbols = {
-        "platform_mass": "M",
-        "platform_com": "R_0",
-        "platform_inertia": "I_p",
-        "base_points": "b",
-        "platform_points": "p",
-        "universal_axes": "k",
-        "lower_mass": "m_d",
-        "upper_mass": "m_u",
-        "gravity": "g",
-    }
-    assert all(getattr(robot, name) is getattr(robot, symbol) for name, symbol in symbols.items())
-    assert {field.name for field in dataclasses.fields(robot)} >= {*symbols.values()}

@@ -1,7 +1,6 @@
 """Absurd robots are doubted with their likely cause, sound ones and published ones are not."""
 
 import dataclasses
-import itertools
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -13,7 +12,6 @@ from plausible_machines import (
     ABSURD,
     BASE,
     PLATFORM,
-    driven,
     machine_of,
     published,
     ring,
@@ -25,10 +23,8 @@ from robot_files import written
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.plausibility import plausibility
 from stewart_sym.plausibility.plausibility import find_implausible
 from stewart_sym.robot.robot import WARNING_NAMES
-from stewart_sym.robots import dasgupta1998
 
 Check = Callable[[ss.Robot], Told]
 
@@ -64,7 +60,11 @@ def test_published_machines_are_not_doubted(name: str, limited: bool) -> None:
 
 
 # Without limits nothing says where the machine stands and what it carries.
-BY_LIMITS = {"parts that overlap", "universal axis along the leg", "home of another point"}
+BY_LIMITS = {
+    "universal axis along the leg",
+    "home of another point",
+    "lead in meters in a file of millimeters",
+}
 BY_LIMITS |= {wrong for wrong, (_, name, _) in ABSURD.items() if name.endswith("-limit") or "limits" in name}
 
 
@@ -78,23 +78,6 @@ def test_absurd_machines_are_doubted_with_their_likely_cause_most_without_limits
         assert cause in said.text
         assert "; likely cause: " in said.text
         assert "\n" not in said.text
-
-
-def test_any_two_platform_points_exchanged_are_doubted_unless_they_are_close() -> None:
-    rng, named, count = np.random.default_rng(9), 0, 0
-    for _ in range(4):
-        robot = sound_machine(rng)
-        size = np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=-1).max()
-        for i, j in itertools.combinations(range(6), 2):
-            apart = (robot.b[i] - robot.b[j]) @ (robot.p[i] - robot.p[j])
-            if apart > 0.9 * size * np.linalg.norm(robot.b - robot.b.mean(axis=0), axis=-1).max():
-                p = robot.p.copy()
-                p[[i, j]] = p[[j, i]]
-                (said,) = find_implausible(dataclasses.replace(robot, p=p))
-                named += f"legs {i + 1}, {j + 1} cross" in said.text
-                count += 1
-    assert count > 20
-    assert named > 0.8 * count
 
 
 @pytest.mark.parametrize("limited", [True, False])
@@ -113,25 +96,6 @@ def test_numbers_near_the_ends_of_double_are_doubted_and_nothing_else_happens(si
         robot = dataclasses.replace(unlimited(), **{name: float(changed) if name == "M" else changed})
         for said in find_implausible(robot):
             assert said.name in WARNING_NAMES
-
-
-def test_the_rank_of_singular_machines_is_told_by_the_bound_of_rounding() -> None:
-    """Exactly singular families at scales from 1 mm to 1 km and far from the origin: within the bound; sound
-    machines: a hundred thousand times above it."""
-    rng = np.random.default_rng(3)
-    families = [change for change, name, _ in ABSURD.values() if name == "singular-everywhere"]
-    digits = ABSURD["similar hexagons to four digits"][0]
-    for change, scale in itertools.product(families, (1e-3, 1.0, 1e3)):
-        robot = change(unlimited())
-        shift = 10 * scale * rng.normal(size=3)
-        robot = dataclasses.replace(robot, b=scale * robot.b + shift, p=scale * robot.p - shift)
-        shares, rounding = plausibility._singular_shares(robot)
-        assert (shares <= rounding).all() == (change is not digits)
-        assert shares.max() < plausibility.SINGULAR_SHARE
-    for _ in range(50):
-        shares, rounding = plausibility._singular_shares(sound_machine(rng))
-        assert shares.max() > 1e5 * rounding.max()
-        assert shares.max() > 5 * plausibility.SINGULAR_SHARE
 
 
 def test_check_warns_in_one_line_and_the_file_may_accept_it(tmp_path: Path, run: Run) -> None:
@@ -179,13 +143,6 @@ def test_every_subcommand_warns_of_a_doubtful_robot(command: str, tmp_path: Path
             if "[speed-limit]" in line
         ]
         assert len(told) == count
-
-
-def test_check_writes_a_range_below_zero_in_words(check: Check) -> None:
-    for lead, told in ((-5e-3, "-0.005 to -0.0025 m"), (5e-3, "0.0025-0.005 m")):
-        drive = ss.Drive(lead=lead * np.linspace(0.5, 1.0, 6))
-        shown = check(dataclasses.replace(sound(), drive=drive)).out
-        assert f"{told} per turn of the motor, reflected mass 0 kg" in shown
 
 
 def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run) -> None:
@@ -248,17 +205,6 @@ def test_check_names_no_side_where_gravity_is_not_across_the_base(gravity: list[
     assert "side of the base stands" not in check(dataclasses.replace(unlimited(), g=gravity)).out
 
 
-def test_every_name_that_a_file_may_accept_is_one_of_an_absurd_machine() -> None:
-    on_loading = {"platform-inertia", "lower-inertia", "upper-inertia", "density"}
-    named = {name for _, name, _ in ABSURD.values()}
-    assert set(WARNING_NAMES) - on_loading - named == {"condition"}
-
-
-def test_motors_too_slow_and_too_weak_are_said_to_be_both() -> None:
-    robot = driven(0.4, speed_limit=np.radians(5000.0), torque_limit=1e-4)(sound())
-    assert [doubt.name for doubt in find_implausible(robot)] == ["drive-speed", "drive-limit"]
-
-
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:
     def names(**numbers: float) -> list[str]:
         drive = ss.Drive(lead=0.005, torque_limit=2.0, rated_torque=1e-4, **numbers)
@@ -282,33 +228,3 @@ def test_an_accepted_doubt_hides_no_other() -> None:
     assert [
         doubt.name for doubt in find_implausible(dataclasses.replace(weak, suppressed_warnings=("gravity",)))
     ] == ["force-limit"]
-
-
-@pytest.mark.parametrize(
-    ("height", "words"),
-    [
-        (0.0, "home_position: all legs are within"),
-        (0.01, "home_position: all legs are within"),
-        (1e3, "home_position: legs 1000 to 10"),
-    ],
-)
-def test_a_stated_home_where_no_machine_is_stands_for_what_follows_from_it(height: float, words: str) -> None:
-    robot = dasgupta1998()
-    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
-    flat = dataclasses.replace(
-        robot,
-        b=robot.b * [1.0, 1.0, 0.1],
-        p=robot.p * [1.0, 1.0, 0.1],
-        home_position=middle * [1.0, 1.0, 0.1] + np.array([0.0, 0.0, height]),
-    )
-    (found,) = find_implausible(flat)
-    assert found.name == "home"
-    assert found.text.startswith(words)
-
-
-@pytest.mark.parametrize("height", [0.3, 0.6, 1.0, 3.0])
-def test_a_stated_home_of_a_machine_is_not_doubted_for_its_height(height: float) -> None:
-    robot = dasgupta1998()
-    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
-    stated = dataclasses.replace(robot, home_position=middle + np.array([0.0, 0.0, height]))
-    assert not [doubt for doubt in find_implausible(stated) if doubt.text.startswith("home:")]

@@ -203,31 +203,6 @@ def test_results_follow_the_order_of_the_legs(seed: int, order: list[int]) -> No
     close(found, expected, robot, motion, SCALARS + VECTORS + of_platform)
 
 
-@FEW
-@given(seed=seeds)
-def test_a_mirrored_machine_has_mirrored_results(seed: int) -> None:
-    """Of a leg's frame x and z are mirrored as vectors are, y = k x s turns round."""
-    robot, motion = machine(seed)
-    mirror, in_leg = np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0])
-    vectors = ("b", "p", "k", "g", "R_0")
-    other = dataclasses.replace(
-        robot,
-        **{name: getattr(robot, name) @ mirror for name in vectors},
-        I_p=mirror @ robot.I_p @ mirror,
-        **{name: getattr(robot, name) @ in_leg for name in ("r_d0", "r_u0")},
-        **{name: in_leg @ getattr(robot, name) @ in_leg for name in ("I_d0", "I_u0")},
-    )
-    axial = {name: -mirror @ getattr(motion, name) for name in ("omega", "alpha", "M_ext")}
-    polar = {name: mirror @ getattr(motion, name) for name in ("t", "v", "a", "F_ext")}
-    found = results(other, Motion(R=mirror @ motion.R @ mirror, **polar, **axial))
-    expected = results(robot, motion)
-    for name in VECTORS:
-        expected[name] = expected[name] @ (-mirror if name in ("alpha", "M_p") else mirror)
-    # The normal n = k x y of the joint's axes is mirrored as a vector, a moment the other way.
-    expected["M_u"] = -expected["M_u"]
-    close(found, expected, robot, motion, SCALARS + VECTORS)
-
-
 # --- there and back
 
 

@@ -174,17 +174,13 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (("schema",), 3, "schema: expected 2, got 3"),
     (("schema",), 1, "schema: schema 1 is no longer read; write schema = 2, "),
     (("name",), 5, "name: expected one line of text, got 5"),
-    (("name",), "", "name: expected one line of text, got ''"),
     (("name",), "two\nlines", "name: expected one line of text"),
     (("name",), "a\u0000b", "name: expected one line of text, got 'a\\x00b', which has U+0000"),
-    (("name",), "a\u2028b", "name: expected one line of text, got 'a\\u2028b', which has U+2028"),
     (("base_joint",), "cardan", 'base_joint: expected "universal" or "spherical"'),
     (("gravity",), [0.0, -9.81], "gravity: expected 3 finite numbers"),
-    (("gravity",), [0.0, 0.0, math.inf], "gravity: expected 3 finite numbers, got inf"),
     (("platform",), 40.0, "platform: expected a table, got 40.0"),
     (("platform", "body", "mass"), 0.0, "platform.body.mass: expected a number > 0, got 0"),
     (("platform", "body", "mass"), "40", "platform.body.mass: expected a finite number, got '40'"),
-    (("platform", "body", "mass"), math.nan, "platform.body.mass: expected a finite number, got nan"),
     (("platform", "body", "mass"), 10**400, "platform.body.mass: expected a finite number"),
     (
         ("platform", "body", "center_of_mass"),
@@ -193,33 +189,15 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     ),
     (
         ("platform", "body", "inertia"),
-        [[1, 0, 0], [0, 1, 0]],
-        "platform.body.inertia: expected 3 x 3 finite numbers",
-    ),
-    (
-        ("platform", "body", "inertia"),
         [[1, 0.2, 0], [0.1, 1, 0], [0, 0, 1]],
         "platform.body.inertia: expected a symmetric tensor, got 0.2 at (1, 2) and 0.1 at (2, 1)",
     ),
-    (
-        ("platform", "body", "inertia", 1, 1),
-        math.nan,
-        "platform.body.inertia: expected 3 x 3 finite numbers, got nan",
-    ),
-    (("legs",), 1, "legs: expected a table"),
-    (("legs", "lower", "inertia", 0, 1), 0.5, "legs.lower.inertia: expected a symmetric"),
     (
         ("legs", "damping", "universal"),
         -1e-9,
         "legs.damping.universal: expected a number >= 0",
     ),
-    (
-        ("legs", "damping", "spherical"),
-        math.inf,
-        "legs.damping.spherical: expected a finite",
-    ),
     (("leg",), [], "leg: expected tables [leg.1] to [leg.6], got []"),
-    (("leg", "4"), "x", "leg.4: expected a table, got 'x'"),
     (
         ("leg", "3", "universal_axis"),
         [0, 0, 0],
@@ -227,51 +205,34 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     ),
     (("leg", "1", "base_point"), [0, 0], "leg.1.base_point: expected 3 finite numbers, got [0, 0]"),
     (("platform", "points", 5, 2), False, "platform.points 6: expected 3 finite numbers, got False"),
-    (("leg", "3", "lower", "mass"), -2.5, "leg.3.lower.mass: expected a number > 0, got -2.5"),
-    (("leg", "3", "damping", "prismatic"), "high", "leg.3.damping.prismatic: expected a finite number"),
     (
         ("leg", "3", "length_limits"),
         [2.0, 0.5],
         "leg.3.length_limits: expected [min, max] with 0 <= min < max",
     ),
-    (("leg", "3", "length_limits"), [-0.1, 0.5], "leg.3.length_limits: expected [min, max]"),
-    (("leg", "3", "length_limits"), [0.5], "leg.3.length_limits: expected 2 finite numbers"),
     (("leg", "3", "force_limit"), 0, "leg.3.force_limit: expected a number > 0"),
 ]
 
 
 MISSING: list[tuple[tuple[str | int, ...], str]] = [
     (("schema",), "schema: missing"),
-    (("name",), "name: missing"),
     (("platform",), "platform: missing"),
-    (("base",), "base: missing"),
     (("base", "points"), "base.points: missing, and leg.1.base_point as well"),
-    (("platform", "points"), "platform.points: missing, and leg.1.platform_point as well"),
     (("platform", "body", "mass"), "platform.body.mass: missing"),
-    (("platform", "body", "center_of_mass"), "platform.body.center_of_mass: missing"),
-    (("platform", "body", "inertia"), "platform.body.inertia: missing"),
     (("legs",), "legs.lower: missing"),
     (("legs", "upper"), "legs.upper: missing"),
-    (("legs", "lower", "inertia"), "legs.lower.inertia: missing"),
     (("leg", "6", "universal_axis"), "legs.universal_axis: missing"),
 ]
 
 
 MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
     (("gravitation",), 'gravitation: unknown key, did you mean "gravity"?'),
-    (("leg_defaults",), 'leg_defaults: unknown key, did you mean "legs"?'),
     (
         ("platform", "body", "centre_of_mass"),
         'platform.body.centre_of_mass: unknown key, did you mean "center_of_mass"?',
     ),
-    (("legs", "lowr"), 'legs.lowr: unknown key, did you mean "lower"?'),
     (("legs", "base_point"), "legs.base_point: unknown key"),
-    (
-        ("legs", "damping", "prism"),
-        'legs.damping.prism: unknown key, did you mean "prismatic"?',
-    ),
     (("leg", "3", "universal_axes"), 'leg.3.universal_axes: unknown key, did you mean "universal_axis"?'),
-    (("leg", "3", "lower", "mas"), 'leg.3.lower.mas: unknown key, did you mean "mass"?'),
     (("platform", "qqq"), "platform.qqq: unknown key, expected one of points, radius"),
     (("two\nlines",), "'two\\nlines': unknown key"),
 ]

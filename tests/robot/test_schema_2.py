@@ -70,14 +70,6 @@ def robot(tmp_path: Path) -> ss.Robot:
     return robot_of(TEXT, tmp_path)
 
 
-def test_home_and_tool_are_lengths_in_other_units(robot: ss.Robot) -> None:
-    units = ss.UnitScaling.for_robot(robot)
-    small = units.robot(robot)
-    np.testing.assert_array_equal(small.home_position, robot.home_position / units.length)
-    np.testing.assert_array_equal(small.tool, robot.tool / units.length)
-    assert same(units.inverse.robot(small), robot)
-
-
 def test_points_stand_on_their_circle_in_meters(robot: ss.Robot) -> None:
     turn = np.radians([10, 110, 130, 230, 250, 350])
     expected = np.stack([0.6 * np.cos(turn), 0.6 * np.sin(turn), 0 * turn], axis=-1)
@@ -250,8 +242,6 @@ DOUBTFUL = {
         "density",
         "platform.body 1: density: 2.7 kg/m",
     ),
-    "tool in micrometers": ("[0, 0, 300]", "[0, 0, 3e5]", "tool", "in micrometers in a file of millimeters"),
-    "tool in meters": ("[0, 0, 300]", "[0, 0, 0.3]", "tool", "given in meters in a file of millimeters"),
     "center of mass in meters": ("[250, 0, 0]", "[0.25, 0, 0]", "center-of-mass", "part of leg 3: center_of"),
     "speed in mm/s": ("speed_limit = 600", "speed_limit = 6e5", "speed-limit", "given in mm/s"),
 }
@@ -295,8 +285,6 @@ def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) 
 
 # Every mistake: what is replaced by what, the message, and words of the line that it names.
 MISTAKES: list[tuple[str, str, str, str]] = [
-    ("schema = 2", "schema = 3", "schema: expected 2, got 3", "schema = 3"),
-    ('name = "press"\n', "", "name: missing", "schema"),
     ('"mm"', '"ft"', 'length_unit: expected "m", "cm", "mm" or "in", got ', "length_unit"),
     ('"deg"', '"grad"', 'angle_unit: expected "rad" or "deg", got ', "angle_unit"),
     (
@@ -306,22 +294,15 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "units",
     ),
     ('angle_unit = "deg"\n', "", "base.angles: expected at most 2 turns, got 350 rad: is angle_unit", "350]"),
-    ("[0, 0, 700]", "[0, 700]", "home_position: expected 3 finite numbers, got [0, 700]", "home"),
-    ("[base]", "[bas]", 'bas: unknown key, did you mean "base"?', "[bas]"),
     ("radius = 600", "radius = 0", "base.radius: expected a number > 0, got 0", "radius = 0"),
-    ("radius = 600\n", "", "base.radius: missing", "[base]"),
     ("radius = 600", "points = []\nradius = 600", "base.radius: expected points or radius and angles", "600"),
     ("250, 350]", "250]", "base.angles: expected 6 finite numbers, got [10, 110", "250]"),
-    ("z = -50", "height = -50", "platform.height: unknown key, expected one of points, radius,", "height"),
-    ("body = [", "bodies = [", 'platform.bodies: unknown key, did you mean "body"?', "bodies"),
     ("density = 2700", "mass = -1", "platform.body 1: mass: expected a number > 0, got -1", "mass = -1"),
-    ("mass = 20.0", "mas = 20.0", 'platform.body 2: mas: unknown key, did you mean "mass"?', "mas = 20.0"),
     ("mass = 20.0, ", "", "platform.body 2: mass: missing, expected mass or density", "[100, 100, 80]"),
     ("[100, 100, 80]", "[100, 100]", "platform.body 2: size: expected 3 finite numbers", "[100, 100]"),
     ('"plate"', '"disc"', 'platform.body 1: shape: expected "rod", "tube", "plate" or "box"', '"disc"'),
     ("thickness = 20, ", "", "platform.body 1: thickness: missing", '"plate"'),
     ('"tangential"', '"radiall"', "legs.universal_axis: expected ", "universal_axis"),
-    ('universal_axis = "tangential"\n', "", "legs.universal_axis: missing", "[legs]"),
     ("inner_radius = 25", "inner_radius = 30", "legs.lower.inner_radius: expected a radius smaller", "tube"),
     (
         "density = 7800",
@@ -330,7 +311,6 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "tube",
     ),
     ('shape = "rod", ', "", "legs.upper.shape: missing", "upper ="),
-    ("prismatic = 20.0", "prismatic = -20.0", "legs.damping.prismatic: expected a number >= 0", "-20.0"),
     ("[-150, 150]", "[150, -150]", "legs.stroke: expected [least, most] with least < most", "stroke"),
     (
         "[-150, 150]",
@@ -359,10 +339,6 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("[leg.3]", "[leg.7]", "leg.7: unknown key, expected one of 1, 2, 3, 4, 5, 6", "[leg.7]"),
     ("[leg.3]", "[[leg]]", "leg: expected tables [leg.1] to [leg.6], got ", "[[leg]]"),
     ("mass = 9.0, ", "", "leg.3.lower.mass: missing, since legs.lower is by shape", "= [250"),
-    ("schema = 2", "schema = 1", "schema: schema 1 is no longer read; write schema = 2", "schema = 1"),
-    ("[250, 0, 0]", "[250, 0]", "leg.3.lower.center_of_mass: expected 3 finite numbers", "[250, 0]"),
-    ("[0.005, 0.2, 0.2]", "[[1, 2, 0], [0, 1, 0], [0, 0, 1]]", "leg.3.lower.inertia: expected a sym", "9.0"),
-    ("damping.universal = 0.1", "damping.universal = true", "leg.3.damping.universal: expected a", "true"),
     ('"xyz"', '"zz"', "trajectory.euler_order: expected ", "euler_order"),
     (
         "tool =",

@@ -3,7 +3,6 @@
 import dataclasses
 
 import numpy as np
-import pytest
 from machines import home_position, machine_size, random_robot
 
 import stewart_sym as ss
@@ -73,9 +72,3 @@ def test_a_state_without_accelerations_has_a_status_and_leaves_the_others_alone(
     assert status.tolist() == [results.OK, results.NOT_FINITE]
     assert np.isnan(end.t[1]).all()
     np.testing.assert_array_equal(end.t[0], alone.t[0])
-
-
-def test_no_steps_are_rejected() -> None:
-    robot = machine()
-    with pytest.raises(ValueError, match=r"^steps: expected at least 1, got 0"):
-        advance(ForwardDynamics(robot), swinging(robot), np.zeros((1, 6)), 0.01, 0)

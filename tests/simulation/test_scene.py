@@ -1,14 +1,13 @@
 """Scenes: what a file says is what is run; what is wrong with one is one line and leaves nothing behind."""
 
 import dataclasses
-import re
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from command_line import Fails, Run, folder_state, read
-from robot_files import scene_of, written
+from robot_files import scene_of
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -16,7 +15,6 @@ from stewart_sym.io.extras import install
 from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
-from stewart_sym.simulation import scene as scenes
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
@@ -84,18 +82,6 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
         assert [float(row[name]) for row in rows] == values.tolist()
     theta = [[float(row[f"theta_{axis}"]) for axis in "xyz"] for row in rows]
     np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
-
-
-def test_a_run_is_shown_on_its_own_machine_alone(scene: Path, run: Run) -> None:
-    folder, robot = scene.parent, ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
-    other = written(dataclasses.replace(robot, p=1.01 * robot.p), folder / "other.toml")
-    assert main(["simulate", str(scene), "-o", str(folder / "out"), "--no-plots"]) == 0
-    run("view", folder / "robots" / "robot.toml", folder / "out", "-o", folder / "own.html")
-    assert (
-        "got one of another machine: at 0 s leg 1 is "
-        in run("view", other, folder / "out", "-o", folder / "other.html", code=2).err
-    )
-    assert not (folder / "other.html").exists()
 
 
 def test_tables_need_no_matplotlib(scene: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -167,14 +153,6 @@ def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> Non
     assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4
 
 
-def test_a_run_is_no_log(scene: Path, run: Run, fails: Fails) -> None:
-    out = scene.parent / "out"
-    run("simulate", scene, "-o", out, "--no-plots")
-    robot = str(scene.parent / "robots" / "robot.toml")
-    line = fails("forces", robot, str(out / "run.csv"), "-o", str(out / "f.csv"))
-    assert "run.csv: expected a log, got a run of simulate (reference point" in line
-
-
 def test_constant_forces_and_a_load(scene: Path) -> None:
     legs = (
         '[actuation]\ntype = "constant_force"\nforces = [1, 2, 3, 4, 5, 6]\n[load]\nF_ext = [0.0, 0.0, 392.4]'
@@ -230,40 +208,23 @@ def test_a_start_that_is_no_machines_is_warned_of(
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("schema = 1", "schema = 2", "schema: expected 1, got 2"),
         ("schema = 1", "schema = ", "not valid TOML"),
         ("duration = 0.1", "", "duration: missing"),
-        ("duration = 0.1", "duration = -1", "duration: expected a number > 0, got -1"),
         ("duration = 0.1", "duration = 1e9", "duration: expected at most 86400 s, a day, got 1000000000.0"),
-        ("duration = 0.1", "duration = nan", "duration: expected a finite number, got nan"),
         ("duration = 0.1", "duraton = 0.1", 'duraton: unknown key, did you mean "duration"?'),
         ("output_step = 0.01", 'method = "Euler"', 'method: expected "DOP853" or "Radau", got \'Euler\''),
-        ("output_step = 0.01", 'formulation = "right"', "formulation: expected"),
-        ("t = [0.2, 0.0, 0.8]", "t = [0.2, 0.0]", "state.t: expected 3 finite numbers, got [0.2, 0.0]"),
-        ("t = [0.2, 0.0, 0.8]", "", "state.t: missing"),
-        ("theta = [0.1, 0.0, 0.2]", "theta = [0.1, 0.0, inf]", "state.theta: expected 3 finite numbers"),
-        ("v = [", "w = [", "state.w: unknown key"),
-        (
-            'type = "spring"',
-            'type = "springs"',
-            'actuation.type: expected "constant_force", "spring" or "computed_torque"',
-        ),
-        ('type = "spring"', "", "actuation.type: missing"),
         (
             "stiffness = 4e4",
             "stiffness = [1, 2]",
             "actuation.stiffness: expected 6 finite numbers, got [1, 2]",
         ),
-        ("stiffness = 4e4", "stiffness = 0", "actuation: stiffness: expected numbers > 0"),
         ("stiffness = 4e4", "stiffness = -1", "actuation.stiffness: expected numbers >= 0, got -1"),
         (
             "stiffness = 4e4",
             "stiffness = 4e4\ndamping = -2",
             "actuation.damping: expected numbers >= 0, got -2",
         ),
-        ("output_step = 0.01", "output_step = 1e-12", "output_step: expected at least 1e-08 s"),
         ("output_step = 0.01", "rtol = 0.5", "rtol: expected a number in [1e-13, 0.01], got 0.5"),
-        ("stiffness = 4e4", "", "actuation.stiffness: missing"),
         ("stiffness = 4e4", "stiffness = 4e4\nrate = 9", "actuation.rate: unknown key"),
         (
             "[actuation]",
@@ -271,7 +232,6 @@ def test_a_start_that_is_no_machines_is_warned_of(
             "stop_conditions.max_condition: expected",
         ),
         ("[actuation]", "[load]\nF_ext = 3\n[actuation]", "load.F_ext: expected 3 finite numbers, got 3"),
-        ("robots/robot.toml", "robots/none.toml", "robot: expected a file, there is no "),
         ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
     ],
 )
@@ -316,10 +276,3 @@ def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, fails: Fails) ->
     line = fails("simulate", scene, "-o", scene.parent / "out")
     assert "initial_state: no accelerations: a leg has length zero" in line
     assert folder_state(scene.parent).keys() == before.keys()
-
-
-def test_the_page_about_files_names_every_key_of_a_scene() -> None:
-    page = (Path(__file__).parents[2] / ".docs" / "reference" / "files.md").read_text(encoding="utf-8")
-    laws = [key for keys in scenes._LAW_KEYS.values() for key in keys]
-    keys = (*scenes._TOP_KEYS, *scenes._STATE_KEYS, *scenes._LOAD_KEYS, *scenes._THRESHOLD_KEYS, *laws)
-    assert [key for key in keys if not re.search(rf"\b{key}\b", page)] == []

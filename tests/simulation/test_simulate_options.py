@@ -14,8 +14,6 @@ from pages import DOCS
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.dynamics.closed_form import CClosedForm
-from stewart_sym.motion.rotation import one_vector_rate, rotation_from_vector, turned_by, vector_rate
 from stewart_sym.simulation.actuator_models import along
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.reports.run import report, summary
@@ -53,16 +51,6 @@ def limit_forces(scene: Path, limit: float) -> None:
 def machine() -> tuple[ss.Robot, ss.Motion]:
     robot = random_robot(np.random.default_rng(3), scale=1.0)
     return robot, ss.Motion(R=np.eye(3), t=home_position(robot.b, machine_size(robot)), omega=ZERO, v=ZERO)
-
-
-@pytest.mark.parametrize("size", [0.0, 1e-12, 1e-5, 0.04, 0.06, 0.9, 3.0])
-def test_plain_numbers_turn_as_arrays_do(size: float) -> None:
-    rng = np.random.default_rng(1)
-    phi, omega = rng.normal(size=(2, 3))
-    phi *= size / np.linalg.norm(phi)
-    R = rotation_from_vector(rng.normal(size=3))
-    np.testing.assert_allclose(turned_by(phi, R), rotation_from_vector(phi) @ R, rtol=0.0, atol=1e-15)
-    np.testing.assert_allclose(one_vector_rate(phi, omega), vector_rate(phi, omega), rtol=0.0, atol=5e-15)
 
 
 def test_springs_so_stiff_that_trial_states_are_infinite_stop_at_the_force_limit() -> None:
@@ -222,41 +210,3 @@ def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Pat
     assert line.startswith(f"stewart-sym: error: {scene}: ")
     assert "reaches its limit 0.001 N at 0 s" in line
     assert not (scene.parent / "out").exists()
-
-
-def test_no_picture_of_empty_axes() -> None:
-    pytest.importorskip("matplotlib")
-    robot, state = machine()
-    limited = dataclasses.replace(robot, force_limit=np.ones(6))
-    found = ss.simulate(limited, state, np.full(6, 2.0), 0.1)
-    assert len(found.time) == 1
-    assert not report(limited, found, np.ones(6)).figures
-
-
-def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_once(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """The cost of a sampled law: evaluations a sample, and instants looked up once whatever their number."""
-    robot, state = machine()
-    asked = 0
-    one_state = CClosedForm.one_state
-
-    def counted(closed: CClosedForm) -> object:
-        inner = one_state(closed)
-
-        def count(motion: ss.Motion, F: np.ndarray) -> object:
-            nonlocal asked
-            asked += 1
-            return inner(motion, F)
-
-        return count
-
-    monkeypatch.setattr(CClosedForm, "one_state", counted)
-    run = ss.simulate(robot, state, np.zeros(6), 0.02, control_rate=1000.0)
-    # A first step is found from nothing; the others are a sample long.
-    assert run.step_count <= 20 + 2
-    assert asked <= 17 * run.step_count
-    order = np.random.default_rng(0).permutation(50)
-    times = np.linspace(0.0, 0.02, 50)
-    np.testing.assert_array_equal(run.at(times[order]).t, run.at(times).t[order])
-    assert run.at([]).t.shape == (0, 3)

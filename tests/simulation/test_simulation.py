@@ -10,7 +10,7 @@ from machines import dasgupta, home_position, machine_size, offset_case, random_
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation, vector_rate
+from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.actuator_models import along
 from stewart_sym.studies.reports.run import springs_drift
@@ -83,17 +83,6 @@ def test_friction_and_dampers_take_the_energy_they_should() -> None:
     assert run_summary(pushed, pushed.dense_history, springs).endswith(", by dampers, friction and the load")
 
 
-def test_a_still_machine_stays_still_under_the_forces_that_hold_it() -> None:
-    robot = machine()
-    rest = home(robot)
-    F = ss.inverse_dynamics(robot, ss.Motion(R=rest.R, t=rest.t, omega=ZERO, v=ZERO, alpha=ZERO, a=ZERO)).F
-    run = ss.simulate(robot, rest, F, 0.2)
-    np.testing.assert_allclose(run.t[-1], rest.t, atol=1e-10)
-    np.testing.assert_allclose(run.R[-1], rest.R, atol=1e-10)
-    assert run.stop.reason == "completed"
-    np.testing.assert_array_equal(run.F, np.broadcast_to(F, run.F.shape))
-
-
 def test_start_and_accelerations_are_those_asked_for() -> None:
     robot = machine()
     state = home(robot, v=[0.1, -0.2, 0.3], omega=[0.3, 0.2, -0.1])
@@ -152,19 +141,6 @@ def test_orientation_passes_gimbal_lock_of_roll_pitch_yaw() -> None:
     assert np.ptp(energy) < 1e-9 * run.kinetic_energy.max()
 
 
-@pytest.mark.parametrize("size", [1e-8, 0.01, 0.049, 0.051, 1.0, 3.0])
-def test_rate_of_the_rotation_vector_turns_the_rotation_with_omega(size: float) -> None:
-    rng = np.random.default_rng(1)
-    phi, omega = rng.normal(size=(2, 3))
-    phi *= size / np.linalg.norm(phi)
-    h = 1e-4
-    rate = vector_rate(phi, omega)
-    ends = [rotation_from_vector(phi + x * rate) for x in (-2 * h, -h, h, 2 * h)]
-    R_dot = (8 * (ends[2] - ends[1]) - (ends[3] - ends[0])) / (12 * h)
-    turned = R_dot @ rotation_from_vector(phi).T
-    np.testing.assert_allclose([turned[2, 1], turned[0, 2], turned[1, 0]], omega, rtol=1e-9, atol=1e-9)
-
-
 # Limits
 
 
@@ -185,16 +161,6 @@ def test_a_leg_at_its_shortest_stops_the_run_at_the_root() -> None:
     assert (run.L[:-1, 2] > low[2]).all()
     assert run.stop.message.startswith(f"leg 3: length {low[2]:.6g} m reaches its lower limit")
     assert f"{run.stop.time:.9g} s" in run.stop.message
-
-
-def test_a_leg_at_its_longest_stops_the_run() -> None:
-    robot = dataclasses.replace(machine(), g=np.array([0.0, 0.0, 9.81]))
-    L = ss.inverse_kinematics(robot, home(robot)).L
-    run = falling(robot, length_limits=np.stack([0 * L, L + 0.05], axis=-1))
-    assert run.stop.reason == "length_limits"
-    assert run.stop.leg is not None
-    assert run.L[-1, run.stop.leg - 1] == pytest.approx(L[run.stop.leg - 1] + 0.05, abs=1e-13)
-    assert "upper limit" in run.stop.message
 
 
 def test_a_leg_at_its_speed_limit_stops_the_run() -> None:
@@ -233,13 +199,6 @@ def test_a_law_at_its_force_limit_stops_the_run() -> None:
     assert (run.stop.reason, run.stop.leg) == ("force_limit", 5)
     assert run.stop.time == pytest.approx(0.025, abs=1e-12)
     assert "leg 5: force -1000 N reaches its limit 1000 N at 0.025 s" in run.stop.message
-
-
-def test_held_forces_above_the_limit_stop_the_run_when_they_are_given() -> None:
-    robot = dataclasses.replace(machine(), force_limit=np.full(6, 1e3))
-    run = ss.simulate(robot, home(robot), lambda time, _: np.full(6, 2e4 * time), 1.0, control_rate=100.0)
-    assert run.stop.reason == "force_limit"
-    assert run.stop.time == pytest.approx(0.05, abs=1e-15)
 
 
 def test_a_singular_pose_stops_the_run() -> None:
@@ -329,21 +288,6 @@ def test_computed_torque_follows_a_path_and_takes_an_error_away() -> None:
     np.testing.assert_allclose(run.R, wanted.R, atol=1e-6)
 
 
-def test_computed_torque_turns_back_about_the_axis_of_the_error() -> None:
-    """The error is a turn about an axis of the base, while the platform stands askew."""
-    robot = machine()
-    wanted = ss.Motion(
-        R=rotation_from_vector([0.0, 0.0, 0.4]), t=home(robot).t, omega=ZERO, v=ZERO, alpha=ZERO, a=ZERO
-    )
-    off = np.array([0.2, 0.0, 0.0])
-    state = ss.Motion(R=rotation_from_vector(off) @ wanted.R, t=wanted.t, omega=ZERO, v=ZERO)
-    law = ss.ComputedTorque(robot, lambda _: wanted, k_p=400.0, k_d=40.0)
-    run = ss.simulate(robot, state, law, 0.2, rtol=1e-8)
-    turn = vector_from_rotation(run.R @ wanted.R.T)
-    decay = (1 + 20 * run.time) * np.exp(-20 * run.time)
-    np.testing.assert_allclose(turn, decay[:, None] * off, atol=1e-7)
-
-
 def test_a_sampled_law_is_asked_once_a_period_and_held_between() -> None:
     robot = machine()
     asked: list[float] = []
@@ -420,12 +364,6 @@ def test_forces_and_loads_that_are_no_numbers_at_the_start_are_named(name: str) 
     odd = {name: lambda time, state: np.full(6, np.nan)}
     with pytest.raises(ValueError, match=f"^{name}: expected six finite numbers at 0 s, got"):
         ss.simulate(robot, home(robot), **{"forces": np.zeros(6), "duration": 0.1} | odd)
-
-
-def test_forces_that_are_no_numbers_after_the_start_leave_no_run() -> None:
-    robot = machine()
-    with pytest.raises(ValueError, match=r"^forces: expected six finite numbers at \S+ s, got"):
-        ss.simulate(robot, home(robot), lambda time, _: np.full(6, np.nan if time > 0.0 else 0.0), 1.0)
 
 
 def test_times_outside_a_run_are_rejected() -> None:

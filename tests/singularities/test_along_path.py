@@ -133,22 +133,6 @@ def test_two_crossings_between_two_samples_are_both_found(root: float, half: flo
     assert [(item.sign_before, item.sign_after) for item in found] == [(1, -1), (-1, 1)]
 
 
-def test_many_crossings_between_two_samples_are_all_found(root: float) -> None:
-    w = 40.0
-
-    def path(times: Array) -> ss.Motion:
-        motion, zero = III.sample(root + 0.3 * np.sin(w * times)), np.zeros((len(times), 3))
-        pace = 0.3 * w * np.cos(w * times)[:, None]
-        return ss.Motion(
-            R=motion.R, t=motion.t, omega=motion.omega * pace, v=motion.v * pace, alpha=zero, a=zero
-        )
-
-    expected = np.pi * np.arange(1, 13) / w
-    for times in ([0.01, 1.0], np.linspace(0.01, 1.0, 17), np.linspace(0.01, 1.0, 401)):
-        found = ss.singularity_crossings(dasgupta(), path, times)
-        np.testing.assert_allclose([item.time for item in found], expected, atol=1e-12)
-
-
 def test_a_sample_on_the_singular_pose_is_one_crossing(root: float) -> None:
     for times in ([3.0, root, 4.0], [3.0, np.nextafter(root, 4.0), 4.0]):
         (found,) = ss.singularity_crossings(dasgupta(), III.sample, times)
@@ -167,13 +151,6 @@ def test_a_path_that_only_comes_near_reports_its_nearest_approach(root: float, d
         least = float(ss.singularity(robot, path(np.zeros(1))[0]).smallest_singular_value)
         assert float(approach.singularity.smallest_singular_value) == pytest.approx(least, rel=1e-6)
         assert float(approach.singularity.determinant) > 0.0
-
-
-def test_a_path_nearest_at_its_end_says_so() -> None:
-    found = ss.path_singularities(
-        dasgupta(), ss.PAPER_PATHS["I"].path.sample, ss.PAPER_PATHS["I"].path.breakpoints()
-    )
-    assert (found.crossings, found.approaches, found.nearest.time) == ((), (), 6.0)
 
 
 def test_minima_of_random_paths_are_those_of_dense_samples() -> None:

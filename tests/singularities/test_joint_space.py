@@ -66,30 +66,6 @@ def outcome(seed: int, most: int, rates: str) -> str:
     return "followed" if same else "another motion"
 
 
-def rounded_outcome(seed: int, most: int, rates: str, folder: Path) -> str:
-    """What becomes of a random path's lengths rounded to 0.01 mm, by themselves in a log or with rates.
-
-    Right are also paths that are named as undecided where the lengths are as near to those of a singular pose
-    as rounding by five times its deviation, and healthy ones are nowhere as near as that twice.
-    """
-    robot, crossing, time, motion, (exact, *true_rates) = drawn(seed, most)
-    L, first = np.round(exact, 5), (motion.R[0], motion.t[0])
-    near = lengths_to_singular(robot, motion) < 2.0 * 5.0 * 1e-5 / np.sqrt(12.0)
-    try:
-        if rates == "log":
-            found = on_platform(robot, logged(time, L, folder), first).motion
-        else:
-            found = ss.motion_from_lengths(robot, L, *true_rates, first, time=time)
-    except ValueError as error:
-        sample = sample_of(error) - (2 if rates == "log" else 0)
-        passed = np.isfinite(crossing) and abs(sample - int(np.searchsorted(time, crossing))) <= 1
-        undecided = "inconclusive at this noise" in str(error) and near[sample]
-        return "named" if passed else "undecided" if undecided else f"rejected: {error}"
-    if np.isfinite(crossing):
-        return "missed"
-    return "followed" if np.abs(found.t - motion.t).max() < 0.02 * machine_size(robot) else "another motion"
-
-
 def logged(time: Array, L: Array, folder: Path) -> JointTrajectory:
     """Lengths as read from a log."""
     header = "time," + ",".join(f"L_{leg}" for leg in range(1, 7))
@@ -133,15 +109,6 @@ def test_every_crossing_of_many_random_paths_is_named_and_no_other_path(rates: s
     """2,000 paths of 60 to 2,000 samples: random, across singular poses, and grazing them."""
     count, start = share(1000, 60), 1000 if rates == "time" else 2000
     print(tally(range(start, start + count), 2000, rates))
-
-
-@sweep
-@pytest.mark.parametrize("rates", ["log", "given"])
-def test_of_rounded_lengths_no_crossing_is_missed_and_no_healthy_path_rejected(
-    rates: str, tmp_path: Path
-) -> None:
-    found = {seed: rounded_outcome(seed, 100, rates, tmp_path) for seed in range(share(200))}
-    assert set(found.values()) == {"named", "undecided", "followed"}, found
 
 
 def test_noise_of_lengths_is_that_stated_and_its_bad_values_are_named() -> None:
@@ -195,14 +162,6 @@ def test_legs_in_reverse_order_from_a_sample_on_are_named(samples: int) -> None:
                 ss.motion_from_lengths(robot, L, *rates, (motion.R[0], motion.t[0]), time=times)
 
 
-def test_rates_in_another_unit_are_named() -> None:
-    robot, time, motion, (L, L_dot, L_ddot) = wave(60)
-    with pytest.raises(
-        ValueError, match=r"^L\[\d+\]: the step in lengths from the previous sample contradicts"
-    ):
-        ss.motion_from_lengths(robot, L, 1e3 * L_dot, 1e3 * L_ddot, (motion.R[0], motion.t[0]), time=time)
-
-
 @pytest.mark.parametrize("timed", [True, False], ids=["timed", ""])
 @pytest.mark.parametrize("samples", [30, 600])
 def test_rates_of_another_motion_are_named(samples: int, timed: bool) -> None:
@@ -224,15 +183,6 @@ def test_rates_of_another_motion_are_named(samples: int, timed: bool) -> None:
         with pytest.raises(ValueError, match=r"L_dot: L_3 do not change as L_dot_3 say"):
             follow(L_dot + wrong * np.sin(faster), L_ddot + w * wrong * np.cos(faster))
         rejects("L_dot: L_1 to L_6 change by 2 times what L_dot_1 to", follow, 0.5 * L_dot, L_ddot)
-
-
-@pytest.mark.parametrize(("decimals", "given"), [(3, True), (3, False), (5, True), (4, False)])
-def test_rounded_lengths_are_no_jumps(decimals: int, given: bool) -> None:
-    robot, time, motion, legs = wave(100)
-    L = np.round(legs[0], decimals)
-    rates = legs[1:] if given else spline_rates(time, L)
-    found = ss.motion_from_lengths(robot, L, *rates, (motion.R[0], motion.t[0]), time=time)
-    np.testing.assert_allclose(found.t, motion.t, atol=20 * 10.0**-decimals)
 
 
 def test_a_machine_at_rest_stays_where_it_is() -> None:
@@ -295,3 +245,44 @@ def test_a_motion_found_in_parts_is_that_of_the_whole(monkeypatch: pytest.Monkey
         found.append(ss.motion_from_lengths(machine, L=legs.L, L_dot=legs.L_dot, L_ddot=legs.L_ddot))
     for name in UNLOADED:
         assert np.array_equal(getattr(found[0], name), getattr(found[1], name)), name
+
+
+def rounded_outcome(seed: int, most: int, rates: str, folder: Path) -> str:
+    """What becomes of a random path's lengths rounded to 0.01 mm, by themselves in a log or with rates.
+
+    Right are also paths that are named as undecided where the lengths are as near to those of a singular pose
+    as rounding by five times its deviation, and healthy ones are nowhere as near as that twice.
+    """
+    robot, crossing, time, motion, (exact, *true_rates) = drawn(seed, most)
+    L, first = np.round(exact, 5), (motion.R[0], motion.t[0])
+    near = lengths_to_singular(robot, motion) < 2.0 * 5.0 * 1e-5 / np.sqrt(12.0)
+    try:
+        if rates == "log":
+            found = on_platform(robot, logged(time, L, folder), first).motion
+        else:
+            found = ss.motion_from_lengths(robot, L, *true_rates, first, time=time)
+    except ValueError as error:
+        sample = sample_of(error) - (2 if rates == "log" else 0)
+        passed = np.isfinite(crossing) and abs(sample - int(np.searchsorted(time, crossing))) <= 1
+        undecided = "inconclusive at this noise" in str(error) and near[sample]
+        return "named" if passed else "undecided" if undecided else f"rejected: {error}"
+    if np.isfinite(crossing):
+        return "missed"
+    return "followed" if np.abs(found.t - motion.t).max() < 0.02 * machine_size(robot) else "another motion"
+
+
+@sweep
+@pytest.mark.parametrize("rates", ["log", "given"])
+def test_of_rounded_lengths_no_crossing_is_missed_and_no_healthy_path_rejected(
+    rates: str, tmp_path: Path
+) -> None:
+    found = {seed: rounded_outcome(seed, 100, rates, tmp_path) for seed in range(share(200))}
+    assert set(found.values()) == {"named", "undecided", "followed"}, found
+
+
+def test_rates_in_another_unit_are_named() -> None:
+    robot, time, motion, (L, L_dot, L_ddot) = wave(60)
+    with pytest.raises(
+        ValueError, match=r"^L\[\d+\]: the step in lengths from the previous sample contradicts"
+    ):
+        ss.motion_from_lengths(robot, L, 1e3 * L_dot, 1e3 * L_ddot, (motion.R[0], motion.t[0]), time=time)

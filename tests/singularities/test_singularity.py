@@ -144,7 +144,7 @@ LOST = [family for family in FAMILIES if family not in NEARLY]
 
 
 def machine(
-    rng: np.random.Generator, family: str, apart: float = 0.0, count: int = 40
+    rng: np.random.Generator, family: str, apart: float = 0.0, count: int = 10
 ) -> tuple[ss.Robot, ss.Motion]:
     """A machine of a family, its points moved by ``apart`` of their size, and poses."""
     robot = singular_machine(rng, family, size=10.0 ** rng.uniform(-1.0, 1.0))
@@ -213,7 +213,7 @@ def test_good_poses_are_not_singular_from_far_away() -> None:
 
 @pytest.mark.parametrize("family", LOST)
 def test_no_pose_of_a_moderate_condition_number_is_singular(family: str) -> None:
-    for seed, apart in enumerate(10.0 ** np.arange(-11, -1, 3)):
+    for seed, apart in enumerate((1e-11, 1e-8, 1e-2)):
         robot, motion = machine(np.random.default_rng(seed), family, apart)
         condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
         for name, status in statuses(robot, motion).items():

@@ -239,7 +239,6 @@ def calls() -> dict[str, Call]:
     along = {"path": shifted, "span": (0.0, 1.0)}
     add(ss.parameterize_path, robot=robot, **along, limits=limits, formulation="exact", grid_size=10)
     add(ss.certify_plan, plan=ss.parameterize_path(robot, shifted, limits=limits, grid_size=10))
-    add(ss.UnitScaling, length=1.0, mass=2.0, time=0.5)
     add(ss.interpolate, trajectory=trajectory)
     add(ss.resample, trajectory=trajectory, rate=20.0)
     add(ss.force_std, robot=robot, trajectory=trajectory, formulation="exact", backend="numpy")

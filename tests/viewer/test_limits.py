@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from browser import Opened
 from machines import dasgupta
 from numpy.typing import NDArray
@@ -216,15 +215,6 @@ def test_deviations_stand_beside_the_values(case: Case, opened: Opened) -> None:
     assert np.allclose([sd for _, sd in numbers], columns(case, "F_std")[i], rtol=0.06)
 
 
-def test_tables_are_seen_whole_on_a_screen_of_usual_width(opened: Opened) -> None:
-    size = opened.page.viewport_size
-    assert size is not None
-    opened.page.set_viewport_size({"width": 1300, "height": 900})
-    hidden = "[...document.querySelectorAll('.wide')].map((each) => each.scrollWidth - each.clientWidth)"
-    assert opened.do(f"return {hidden}") == [0, 0, 0, 0]
-    opened.page.set_viewport_size(size)
-
-
 def test_deviations_that_no_digit_shows_stand_nowhere_but_in_json(
     browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -269,14 +259,6 @@ def test_collars_tell_what_noise_leaves_open(case: Case, opened: Opened) -> None
             (blue < 10) & (red > 150) & (np.abs(green / np.maximum(red, 1) - 0.7) < 0.03)
         )
         assert (orange > 50) == bool(code == 2 and case.noisy), code
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_no_violation(browser: Browser, case: Case, scheme: str) -> None:
-    found = Opened(browser, case.page, color_scheme=scheme, bypass_csp=True)
-    assert [each["id"] for each in Axe().run(found.page).response["violations"]] == []
-    found.close()
 
 
 def test_a_path_and_a_machine_without_limits_say_nothing_of_limits() -> None:

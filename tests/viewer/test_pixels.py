@@ -183,6 +183,23 @@ def test_bodies_of_legs_have_the_forces_colors(
         assert on.sum() > 100, (leg, on.sum())
 
 
+@pytest.mark.parametrize("name", ["rubin_m2", "tsai2000"])
+def test_other_machines_project_too(browser: Browser, tmp_path: Path, name: str) -> None:
+    robot = ss.robots.load(name)
+    found = view(robot)
+    found.save(tmp_path / "home.html")
+    page = Opened(browser, tmp_path / "home.html")
+    page.do(STILL + LINES)
+    picture = page.drawn()
+    lines = projected(page, robot, found.instants, 0)
+    inside = (lines > 0.0).all() and (lines < np.array(picture.shape[1::-1]) / DOTS).all()
+    assert inside
+    for leg in range(6):
+        wanted = force_color(found.instants, "exact", 0, leg)
+        assert ends_off(picture, wanted, lines, leg) <= 1.0
+    page.close()
+
+
 def test_formulations_have_colors_side_by_side(
     opened: Opened, shown: tuple[Robot, MotionHistory, str]
 ) -> None:
@@ -200,20 +217,3 @@ def test_formulations_have_colors_side_by_side(
         assert np.abs(picture[y, x] - colors[which]).max() <= 2
     opened.page.select_option("#sets", "exact")
     opened.do(LINES)
-
-
-@pytest.mark.parametrize("name", ["rubin_m2", "tsai2000"])
-def test_other_machines_project_too(browser: Browser, tmp_path: Path, name: str) -> None:
-    robot = ss.robots.load(name)
-    found = view(robot)
-    found.save(tmp_path / "home.html")
-    page = Opened(browser, tmp_path / "home.html")
-    page.do(STILL + LINES)
-    picture = page.drawn()
-    lines = projected(page, robot, found.history, 0)
-    inside = (lines > 0.0).all() and (lines < np.array(picture.shape[1::-1]) / DOTS).all()
-    assert inside
-    for leg in range(6):
-        wanted = force_color(found.history, "exact", 0, leg)
-        assert ends_off(picture, wanted, lines, leg) <= 1.0
-    page.close()

@@ -17,7 +17,7 @@ from playwright.sync_api import Browser
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.studies.common.html_page import MOST_ROWS, html_page
+from stewart_sym.studies.common.html_page import html_page
 from stewart_sym.studies.common.report import Picture, Report
 
 
@@ -98,31 +98,6 @@ def test_the_run_that_simulate_wrote_is_shown_with_its_own_forces(folder: Path) 
     text = (folder / "swing.html").read_text(encoding="utf-8")
     assert '"forces":["run"]' in text
     assert "F_exact" not in text
-
-
-def test_long_tables_are_thinned_and_say_so() -> None:
-    rows = 4 * MOST_ROWS
-    text = html_page(
-        "t", Report("<b>", {"path": {"time": np.arange(float(rows))}}, {"list": [{"a": 1, "b": "<i>"}]})
-    )
-    assert f"path.csv: {MOST_ROWS} of {rows} rows" in text
-    assert f">{rows - 1}</td>" in text
-    assert "&lt;b&gt;" in text
-    assert "&lt;i&gt;" in text
-    assert "<i>" not in text
-
-
-def test_lists_within_rows_are_tables_of_their_own() -> None:
-    data = {"families": [{"name": "scale", "methods": [{"method": "no pivoting", "worst": [1.0] * 9}]}]}
-    text = html_page("t", Report("", data=data))
-    assert text.count('<table class="sorts">') == 2
-    assert "<h2>Families scale methods</h2>" in text
-    assert "9 numbers, 1 to 1" in text
-
-
-def test_figures_are_drawn_as_svg() -> None:
-    text = html_page("t", Report("", figures={"one": Picture(lambda: Figure(figsize=(2.0, 1.0)))}))
-    assert 'src="data:image/svg+xml;base64,' in text
 
 
 def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fails) -> None:

@@ -1,5 +1,6 @@
 """Blocks, kernels and generated functions at 50 digits."""
 
+import dataclasses
 import functools
 from typing import Any
 
@@ -8,6 +9,7 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 from stewart_sym.backend.kernel import MOTION
+from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.mechanics.actuator_forces import ForceKernel
 from stewart_sym.derive.mechanics.formulation import Formulation
 from stewart_sym.derive.mechanics.inverse_dynamics import kernel
@@ -16,7 +18,7 @@ from stewart_sym.derive.mechanics.regressor import regressor
 from stewart_sym.derive.program.block import Block
 from stewart_sym.kit.parts import fields
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import digits
+from stewart_sym.precision.truth import Truth, deviation, digits
 from stewart_sym.robot.robot import Robot, of_symbol
 
 DIGITS = 50
@@ -64,6 +66,23 @@ def truth(
             H[j, i], H[j + 3, i] = leg["H_force"][j], leg["H_moment"][j]
     x = mp.lu_solve(H, c)
     return {"D": D, "K": K, "H": H, "c": c, "x": x, "F": D - x}
+
+
+def errors(found: NDArray[Any], robot: Robot, motion: Motion, dtype: Any = np.float64) -> NDArray[np.float64]:
+    """Errors (N) of the forces of one pose; inputs are rounded to ``dtype``, R to the nearest rotation."""
+    numbers = {
+        name: value.astype(dtype).astype(np.float64)
+        for name, value in vars(robot).items()
+        if isinstance(value, np.ndarray) and name not in ("k", "offsets", "drive")
+    }
+    own = dataclasses.replace(robot, M=float(dtype(robot.M)), **numbers)
+    given = {
+        name: np.asarray(value, dtype).astype(np.float64) for name, value in vars(loaded(motion)).items()
+    }
+    R = np.vectorize(digits.mpf, otypes=[object])(given["R"])
+    for _ in range(6):
+        R = R @ (3 * np.eye(3, dtype=object) - R.T @ R) / 2
+    return deviation(found, np.array(Truth(own).of_pose(given | {"R": R}), dtype=object))
 
 
 def by_name(block: Block, outputs: dict[str, tuple[Any, ...]]) -> dict[str, mp.mpf]:

@@ -19,7 +19,6 @@ from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
-from stewart_sym.robot import units
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -102,7 +101,7 @@ def any_machine(rng: np.random.Generator) -> tuple[Robot, Motion]:
     joint = "universal" if rng.random() < 0.7 else "spherical"
     robot = random_robot(rng, joint, friction=rng.random() < 0.7, scale=float(10 ** rng.uniform(-3, 1)))
     platform, legs = 10 ** rng.uniform(-6, 6, 2) / (robot.M, max(robot.m_d.max(), robot.m_u.max()))
-    similar = units.rescaled(robot, 1.0, float(platform))
+    heavier = {name: getattr(robot, name) * platform for name in ("M", "I_p", "C_u", "C_p", "C_s")}
     parts = {name: getattr(robot, name) * legs for name in ("m_d", "m_u", "I_d0", "I_u0")}
-    robot = dataclasses.replace(similar, **parts)
+    robot = dataclasses.replace(robot, **heavier, **parts)
     return robot, random_motion(rng, robot)

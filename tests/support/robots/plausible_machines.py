@@ -197,14 +197,9 @@ def same(*legs: int, of_base: bool = True, of_platform: bool = True) -> Change:
 MIRROR, SECOND, OPPOSITE = [0, 5, 4, 3, 2, 1], [1, 0, 2, 3, 4, 5], [0, 4, 2, 3, 1, 5]
 STROKE = np.tile([0.5, 0.9], (6, 1))
 FLAT = np.array([[0.6, 0.2, 0.1], [0.0, 0.4, -0.1], [0.0, 0.0, 0.0]])
+OTHER_UNIT = "limits in millimeters, centimeters, or inches"
 OF_MILLIMETERS = "given in meters in a file of millimeters"
 TWICE = "converted from kg mm^2 twice"
-
-
-def along_base(robot: Robot) -> Robot:
-    """Base and platform exchanged, with fixed axes along the base."""
-    k = np.cross([0.0, 0.0, 1.0], robot.b - robot.b.mean(axis=0))
-    return replace(robot, b=robot.p, p=1.3 * robot.b, k=k)
 
 
 def like_base(robot: Robot) -> Robot:
@@ -216,24 +211,8 @@ def along_legs(robot: Robot) -> Robot:
     return replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b)
 
 
-def few_degrees(robot: Robot) -> Robot:
-    """Joint angles in radians in a file of degrees."""
-    limits = {"length_limits": STROKE, "joint_angle_limit": np.full((6, 2), np.radians(0.6))}
-    return replace(robot, home_position=np.array([0.0, 0.0, 0.6]), **limits)
-
-
-def from_one_end(robot: Robot) -> Robot:
-    """Centers of mass of both parts measured from one end of the leg."""
-    return replace(robot, r_d0=np.tile([0.55, 0, 0], (6, 1)), r_u0=np.tile([-0.65, 0, 0], (6, 1)))
-
-
 def in_two_places(robot: Robot) -> Robot:
     return replace(robot, b=np.tile([0.6, 0.2, 0.0], (6, 1)), p=np.tile([0.3, 0.0, 0.1], (6, 1)))
-
-
-def slow_by_friction(robot: Robot) -> Robot:
-    limits = {"speed_limit": np.full(6, 0.5), "force_limit": np.full(6, 5e3)}
-    return replace(robot, C_p=np.full(6, 2e4), **limits)
 
 
 BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
@@ -249,13 +228,11 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
             lambda robot: replace(robot, b=0.6 * robot.p, p=robot.b),
             "base_point and platform_point exchanged",
         ),
-        "exchanged, body": (like_base, "which fits the base points; likely cause: base_point and platform"),
-        "exchanged, axes": (along_base, "fixed axes along or across the ring of the platform points"),
+        "all platform points in one place": (same(*[0] * 6, of_base=False), "in one place"),
+        "all points in one place each": (in_two_places, "in one place"),
+        "exchanged, body": (like_base, "of the platform; likely cause: base_point and platform"),
     },
     "stray-point": {"one point in millimeters": (one_leg("b", 2, 1e3), "base_point of leg 3")},
-    "coincident": {
-        "point copied": (same(0, 1, 1, 3, 4, 5, of_platform=False), "base_point of legs 2, 3 in one place")
-    },
     "gravity": {"gravity in mm/s^2": (scaled(g=1e3), "given in mm/s^2")},
     "": {
         "mass in grams": (scaled(M=1e3, m_d=1e3, m_u=1e3), "grams"),
@@ -276,44 +253,6 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         "lower one in m in a file of mm": (one_leg("r_d0", 1, 1e-3), OF_MILLIMETERS),
         "upper ones of the wrong sign": (scaled(r_u0=-1.0), "wrong sign, expected a negative"),
         "lower ones of the wrong sign": (scaled(r_d0=-0.5), "wrong sign, expected a positive"),
-        "lower one beside the leg": (
-            of(r_d0=lambda r: r + 0.6 * np.outer(np.eye(6)[2], [0.0, 1.0, 0.0])),
-            "lower part of leg 3: center_of_mass 0.6 m off the leg's axis",
-        ),
-        "upper ones along the third axis": (
-            of(r_u0=lambda r: r[:, [2, 1, 0]]),
-            "expected the first along the leg",
-        ),
-    },
-    "tool": {
-        "tool in millimeters": (of(tool=[150.0, 0.0, -600.0]), "given in millimeters"),
-        "tool in meters in a file of millimeters": (of(tool=[1.5e-4, 0.0, -6e-4]), OF_MILLIMETERS),
-    },
-    "friction": {
-        "C_p in another unit": (scaled(C_p=1e5), "C_p of all legs"),
-        "C_u in another unit": (
-            lambda robot: replace(robot, C_u=1e6 * np.eye(6)[1] * robot.M),
-            "C_u of leg 2",
-        ),
-        "C_s in another unit": (
-            lambda robot: replace(robot, C_s=np.full(6, 1e6 * robot.M)),
-            "C_s of all legs",
-        ),
-        "dry friction that no motor overcomes": (
-            driven(motor_coulomb=2.5, torque_limit=2.0),
-            "2.5 N m of the motor, where torque_limit is 2 N m",
-        ),
-        "friction in which motors do not reach their speed": (
-            driven(motor_viscous=0.002, torque_limit=2.0, speed_limit=1500.0),
-            "3 N m of the motor at the speed limit",
-        ),
-        "friction that no drive overcomes": (slow_by_friction, "force_limit is 5000 N"),
-    },
-    "rotor-inertia": {
-        "rotor inertia in kg cm^2": (
-            driven(lead=-0.005, rotor_inertia=2.0),
-            "rotor_inertia of all legs: 2 kg m^2 resists as 3.16e+06 kg",
-        )
     },
     "leg-order": {
         f"platform points shifted by {by}": (
@@ -328,10 +267,10 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     },
     "joint-singularity": {"universal axis along the leg": (along_legs, "across the leg")},
     "length-limits": {
-        "limits in millimeters, alike": (alike(1e3), "limits in millimeters"),
-        "limits in centimeters, alike": (alike(1e2), "limits in centimeters"),
-        "limits in millimeters": (scaled(length_limits=1e3), "in millimeters"),
-        "limits in centimeters": (scaled(length_limits=1e2), "in centimeters"),
+        "limits in millimeters, alike": (alike(1e3), OTHER_UNIT),
+        "limits in centimeters, alike": (alike(1e2), OTHER_UNIT),
+        "limits in millimeters": (scaled(length_limits=1e3), OTHER_UNIT),
+        "limits in centimeters": (scaled(length_limits=1e2), OTHER_UNIT),
         "a stroke in meters in a file of millimeters": (short_stroke, "a stroke of 0.0003 m in legs of"),
         "limits in meters in a file of millimeters": (
             scaled(length_limits=1e-3),
@@ -343,19 +282,11 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "force-limit": {"force limit in kN": (scaled(force_limit=1e-3), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
     "drive-speed": {
-        "lead in meters in a file of millimeters": (
-            driven(lead=5e-6, rotor_inertia=1e-5),
-            "lead of all legs",
-        ),
-        "revolutions a minute": (driven(speed_limit=5000.0), "revolutions a minute given"),
+        "revolutions a minute": (driven(speed_limit=5000.0), "5000 rad/s"),
         "revolutions among degrees": (driven(0.4, speed_limit=np.radians(5000.0)), "revolutions given"),
-    },
-    "torque-constant": {
-        "mN m/A": (driven(torque_constant=60.0, speed_limit=900.0, torque_limit=2.0), "rad/s need"),
-        "N m/mA": (driven(torque_constant=6e-5, rated_torque=1.0), "1 N m need 1.67e+04 A"),
-        "winding in milliohm": (
-            driven(torque_constant=0.1, resistance=400.0, torque_limit=2.0),
-            "400 ohm, with which 20 A need 8e+03 V",
+        "lead in meters in a file of millimeters": (
+            driven(lead=5e-6),
+            "m per turn; likely cause: given in m in",
         ),
     },
     "speed-limit": {
@@ -364,38 +295,18 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
             of(length_limits=STROKE, speed_limit=np.full(6, 6e-4)),
             "0.4 m of stroke take 667 s",
         ),
-        "speed limit far below the motors' in a file of millimeters": (
-            driven(2.4e-3, speed_limit=np.radians(18000.0)),
-            "the motor drives leg 1 at up to 0.25 m/s",
-        ),
     },
-    "joint-angle": {"in radians among degrees": (few_degrees, "0.6 degrees with a stroke of 0.4 m")},
-    "overlap": {"parts that overlap": (from_one_end, "both measured from one end")},
-    "singular-everywhere": {
-        "base on one line": (of(b=lambda b: b * [1, 0, 0]), "base points on one line"),
-        "platform on one line": (of(p=lambda p: np.outer(p[:, 0], [1, 2, 3])), "platform points on one line"),
-        "four legs from one base point": (
-            same(0, 0, 0, 0, 4, 5, of_platform=False),
-            "base points of legs 1, 2, 3, 4 in one place",
-        ),
+    "condition": {
+        "base on one line": (of(b=lambda b: b * [1, 0, 0]), ""),
+        "platform on one line": (of(p=lambda p: np.outer(p[:, 0], [1, 2, 3])), ""),
+        "four legs from one base point": (same(0, 0, 0, 0, 4, 5, of_platform=False), "in one place"),
         "similar hexagons": (of(p=ring(0.3, BASE)), "similar hexagons"),
         "similar hexagons to four digits": (
             of(b=lambda b: np.round(b, 4), p=np.round(ring(0.3, BASE), 4)),
             "similar hexagons",
         ),
-        "affine hexagons": (of(p=ring(0.5, BASE) @ FLAT), "similar hexagons"),
-        "all platform points in one place": (same(*[0] * 6, of_base=False), "in one place"),
-        "all points in one place each": (in_two_places, "all legs coincide"),
-        "all legs the same": (same(*[0] * 6), "all legs coincide"),
-        "two legs the same": (same(0, 0, 2, 3, 4, 5), "legs 1, 2 coincide"),
-        "parallel legs": (of(p=ring(0.5, BASE)), "similar hexagons"),
-    },
-    "part-length": {
-        "lower part in centimeters": (of(lower_length=np.full(6, 30.0)), "another unit"),
-        "parts that do not meet": (
-            of(lower_length=np.full(6, 0.1), upper_length=np.full(6, 0.1)),
-            "not measured from its joint",
-        ),
+        "affine hexagons": (of(p=ring(0.5, BASE) @ FLAT), ""),
+        "two legs the same": (same(0, 0, 2, 3, 4, 5), "in one place"),
     },
 }
 ABSURD: dict[str, tuple[Change, str, str]] = {

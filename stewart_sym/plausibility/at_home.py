@@ -1,0 +1,156 @@
+"""Plausibility at the home pose: its place, axes, limits, centers of mass, forces, and motors."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..dynamics.home_pose import level_lengths, radius
+from ..dynamics.inverse_dynamics import inverse_dynamics
+from ..io.array_types import Array
+from ..motion.motion import at_rest
+from ..robot.robot import Robot, legs_text
+from .level_poses import Finding
+
+MOST_LEGS = 5.0
+"""Largest plausible shortest leg over machine size; machines have 0.2 to 2, limits in inches at least 8."""
+LEAST_SINE, LEAST_SINES = 0.03, 0.1
+"""Smallest plausible sine of the angle between a leg and its universal axis at the home pose.
+
+The first applies to any leg if length limits determine the home pose, the second to all six legs.
+"""
+OUTSIDE = 0.9
+"""Ratio of the mean leg to the nearest mean limit below which no pose is likely to be within the limits."""
+MOST_DISTANCE, BEYOND = 3.0, 0.05
+"""Largest plausible distances of a center of mass from its joint, and beyond it, over the leg length."""
+LEAST_OFFSET = (1e-6, 1e-3)
+"""Bounds of the distance of a center of mass from its joint, over the leg length, that indicate a wrong unit.
+
+Such values are meters in a file of millimeters. Values below the bounds are zero except for rounding.
+"""
+IN_METERS = 0.05
+"""Ratio of the limits to the legs below which limits are in meters in a file of another length_unit."""
+LEAST_STROKE = 5e-4
+"""Smallest plausible stroke, relative to the leg length.
+
+Piezo stacks have 1e-3. An entry in meters instead of millimeters changes 0.3 to 3e-4.
+"""
+
+
+def of_home(robot: Robot, t: Array) -> Iterator[Finding]:
+    """Yield findings about limits, axes, centers of mass, forces, and motors of the level pose at t (m)."""
+    L = level_lengths(robot, t)
+    found = list(_of_limits(robot, L)) or list(_of_parts(robot, L))
+    if robot.base_joint == "universal":
+        yield from _of_axes(robot, t)
+    yield from found
+    if not found:
+        F = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan").F
+        yield from _of_forces(robot, F)
+        yield from _of_torques(robot, F)
+
+
+def _of_axes(robot: Robot, t: Array) -> Iterator[Finding]:
+    S = t + robot.p - robot.b
+    limited = bool(np.all(np.isfinite(robot.length_limits)))
+    sine = np.linalg.norm(np.cross(S / np.linalg.norm(S, axis=-1)[:, None], robot.k), axis=-1)
+    along = np.flatnonzero((sine < LEAST_SINE) & limited | np.all(sine < LEAST_SINES)).tolist()
+    if along:
+        yield Finding(
+            "joint-singularity",
+            f"universal_axis of {legs_text(along)}: {np.degrees(np.arcsin(sine[along].min())):.2g} degrees "
+            "from the leg at the home pose, a joint singularity; likely cause: the leg's direction given, "
+            "expected the axis fixed in the base, across the leg",
+        )
+
+
+def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
+    """Yield a finding about a home beyond the length limits, limits of no pose, or a stroke near zero."""
+    low, high = robot.length_limits.T
+    beyond = np.flatnonzero((low > L) | (high < L)).tolist()
+    size, longest = radius(robot.b) + radius(robot.p), float(np.mean(high))
+    short = np.flatnonzero(high - low < LEAST_STROKE * np.where(np.isfinite(high), high, 0.0)).tolist()
+    limits = f"length_limits {low.min():.4g} to {high.max():.4g} m"
+    legs = f"legs {L.min():.4g} to {L.max():.4g} m long at the home pose"
+    in_meters = longest < IN_METERS * np.mean(L)
+    unit = "limits given in m in a file of another length_unit" if in_meters else ""
+    if robot.home_position is not None and beyond:
+        of_home = (
+            "home of another point than the platform frame's origin, a stroke without 0 in it, or limits "
+            "between other points than the joints"
+        )
+        i = max(beyond, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
+        yield Finding(
+            "home",
+            f"{legs_text(beyond)} beyond length_limits at the home pose: {L[i]:.4g} m, limits {low[i]:.4g} "
+            f"to {high[i]:.4g} m; likely cause: {unit or of_home}",
+        )
+    elif OUTSIDE * np.mean(low) > min(np.mean(L), OUTSIDE * MOST_LEGS * size):
+        cause = "limits in millimeters, centimeters, or inches, or points of another machine"
+        yield Finding("length-limits", f"{limits}: {legs}; likely cause: {cause}")
+    elif longest < OUTSIDE * np.mean(L):
+        cause = unit or "the stroke given, expected the length from joint to joint"
+        yield Finding("length-limits", f"{limits}: {legs}; likely cause: {cause}")
+    elif short:
+        i = short[0]
+        yield Finding(
+            "length-limits",
+            f"length_limits of {legs_text(short)}: a stroke of {high[i] - low[i]:.3g} m in legs of "
+            f"{high[i]:.4g} m; likely cause: stroke or limits given in m in a file of another length_unit",
+        )
+
+
+def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:
+    """Yield findings about centers of mass of leg parts far away, in another unit, or beyond the joint."""
+    for part, r, sign, joint in (
+        ("upper", robot.r_u0, "negative", "platform joint"),
+        ("lower", -robot.r_d0, "positive", "base joint"),
+    ):
+        away = np.linalg.norm(r, axis=-1)
+        far, wrong = away > MOST_DISTANCE * L, r[:, 0] > BEYOND * L
+        near = (away > LEAST_OFFSET[0] * L) & (away < LEAST_OFFSET[1] * L)
+        legs = np.flatnonzero(far | near | wrong).tolist()
+        if legs:
+            i = legs[0]
+            cause = f"wrong sign, expected a {sign} first component, or a motor behind the joint"
+            if far[i] or near[i]:
+                cause = f"given in {'millimeters' if far[i] else 'meters in a file of millimeters'}"
+            yield Finding(
+                "center-of-mass",
+                f"{part} part of {legs_text(legs)}: center_of_mass {away[i]:.3g} m from the {joint}, "
+                f"{r[i, 0]:.3g} m beyond it, in a leg {L[i]:.3g} m long; likely cause: {cause}",
+            )
+
+
+def _of_forces(robot: Robot, F: Array) -> Iterator[Finding]:
+    """Yield a finding if force limits are below the forces F (N), (6,), that hold the machine at rest."""
+    weak = np.flatnonzero(np.abs(F) > robot.force_limit).tolist()
+    if weak:
+        worst = max(weak, key=lambda i: abs(F[i]) / robot.force_limit[i])
+        yield Finding(
+            "force-limit",
+            f"force_limit of {legs_text(weak)}: {robot.force_limit[worst]:.4g} N, but "
+            f"{abs(F[worst]):.4g} N hold the machine at rest at the home pose; likely cause: "
+            "force_limit in kN, masses in grams, or actuators too weak",
+        )
+
+
+def _of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
+    """Yield a finding if motors with friction are too weak for the forces F (N), (6,), at rest."""
+    drive = robot.drive
+    if drive is None:
+        return
+    turns = np.abs(drive.transmission_ratio)
+    friction = drive.screw_coulomb + drive.stribeck_force + turns * drive.motor_coulomb
+    torque = (drive.backdrive_efficiency * np.abs(F) - friction) / turns
+    for name in ("torque_limit", "rated_torque"):
+        limit = getattr(drive, name)
+        weak = np.flatnonzero(torque > limit).tolist()
+        if weak:
+            worst = max(weak, key=lambda i: float(torque[i] / limit[i]))
+            yield Finding(
+                "drive-limit",
+                f"{name} of the drives of {legs_text(weak)}: {limit[worst]:.4g} N m, but {torque[worst]:.4g} "
+                "N m hold the machine at rest at the home pose; likely cause: a missing gear ratio, lead in "
+                "another unit, or motors too weak",
+            )
+            return
