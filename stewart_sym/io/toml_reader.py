@@ -212,7 +212,7 @@ def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
     found = np.array(value, dtype=object)
     if found.shape != shape:
         raise ValueError(f"{where}: expected {expected}, got {shown(value)}")
-    return np.array([number(each, where, expected) for each in found.flat]).reshape(shape)
+    return np.array([number_in(each, where, expected, -math.inf) for each in found.flat]).reshape(shape)
 
 
 def vector(value: object, where: str) -> Array:

@@ -1,5 +1,6 @@
 """What subcommands write: nothing of others is replaced, and no file is left half-written."""
 
+import contextlib
 import json
 import os
 import random
@@ -170,50 +171,45 @@ def test_a_pipe_is_written_by_the_name_that_a_shell_gives_it() -> None:
         assert end.read() == "through"
 
 
-INTERRUPTED = [
-    words.split()
-    for words in (
-        "new -o out/new.toml --base-radius 1 --platform-radius 0.6 --height 1.1 --platform-mass 200 "
-        "--leg-mass 12 --stroke 0.4",
-        "forces hexapod.toml trajectory.csv -o out/forces.csv --html out/forces.html --json out/forces.json",
-        "singularities robot.toml I -o out --no-plots",
-        "plan via.toml -o out --no-plots",
-        "generate hexapod.toml -o out --language python",
-        "simulate swing.toml -o out --no-plots",
-        "export robot.toml --format urdf -o out/robot.urdf",
-    )
-]
+INTERRUPTED = {
+    "new": "-o out/new.toml --base-radius 1 --platform-radius 0.6 --height 1.1 --platform-mass 200 "
+    "--leg-mass 12 --stroke 0.4",
+    "export": "hexapod.toml --format urdf -o out/robot.urdf",
+    "forces": "hexapod.toml trajectory.csv -o out/f.csv --html out/f.html --json out/f.json",
+    "singularities": "robot.toml I -o out --no-plots",
+    "simulate": "swing.toml -o out --no-plots",
+    "plan": "via.toml -o out --no-plots",
+    "generate": "hexapod.toml -o out --functions kinematics",
+}
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 
 
 @pytest.mark.slow
-def test_a_killed_run_leaves_whole_files(at_robot: Path) -> None:
+@pytest.mark.parametrize("name", INTERRUPTED)
+def test_a_killed_run_leaves_whole_files(at_robot: Path, name: str) -> None:
     """Real signals at random times, most of them in the second half of a run, where it writes."""
-    chance, out = random.Random(1), at_robot / "out"
+    chance, out = random.Random(name), at_robot / "out"
     for path in (*EXAMPLES.glob("*.toml"), *EXAMPLES.glob("*.csv")):
         shutil.copy(path, at_robot)
     inputs = folder_state(at_robot)
-    start = [sys.executable, "-W", "ignore", "-m", "stewart_sym"]
-    usual, seconds = [], []
-    for command in INTERRUPTED:
-        began = time.monotonic()
-        subprocess.run([*start, *command], check=True, capture_output=True)
-        seconds.append(time.monotonic() - began)
-        usual.append(folder_state(out))
-        shutil.rmtree(out)
-    for run in range(50 if FULL else 14):
-        which, number = run % len(INTERRUPTED), chance.choice(SIGNALS)
-        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        process = subprocess.Popen([*start, *INTERRUPTED[which]], **quiet)
-        time.sleep(seconds[which] * max(chance.random(), chance.random()))
+    command = [sys.executable, "-W", "ignore", "-m", "stewart_sym", name, *INTERRUPTED[name].split()]
+    began = time.monotonic()
+    subprocess.run(command, check=True, capture_output=True)
+    seconds, usual = time.monotonic() - began, folder_state(out)
+    shutil.rmtree(out)
+    for run in range(8 if FULL else 2):
+        number = SIGNALS[run % len(SIGNALS)]
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(seconds * max(chance.random(), chance.random()))
         process.send_signal(number)
         process.wait()
-        for name, content in folder_state(out).items():
-            if Path(name).name.startswith(TEMPORARY):
-                assert number == signal.SIGKILL, (run, name)
-            elif Path(name).name == RECORD:
-                assert json.loads(content)["files"].items() <= json.loads(usual[which][name])["files"].items()
+        for path, content in folder_state(out).items():
+            if Path(path).name.startswith(TEMPORARY):
+                assert number == signal.SIGKILL, path
+            elif Path(path).name == RECORD:
+                assert json.loads(content)["files"].items() <= json.loads(usual[path])["files"].items()
             else:
-                assert content == usual[which][name], (run, name)
+                assert content == usual[path], path
         shutil.rmtree(out, ignore_errors=True)
         assert folder_state(at_robot) == inputs

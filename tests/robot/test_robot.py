@@ -402,4 +402,4 @@ def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
 def test_a_table_of_values_is_told_from_a_robot_file(tmp_path: Path) -> None:
     file = tmp_path / "log.csv"
     file.write_text("time,x,y,z\n" + "0.0,1.0,2.0,3.0\n" * 3)
-    rejects("expected a robot file, got a table of values", Robot.from_toml, file)
+    rejects("expected a robot file, got 'time,x,y,z'", Robot.from_toml, file)

@@ -103,9 +103,9 @@ def test_the_run_that_simulate_wrote_is_shown_with_its_own_forces(folder: Path) 
 def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fails) -> None:
     forces = ("forces", "hexapod.toml", "trajectory.csv", "-o", "forces.csv")
     line = fails(*forces, "--html", "hexapod.toml")
-    assert "--html hexapod.toml: the file is an input" in line
+    assert "--html hexapod.toml: the file name must end in .html" in line
     line = fails(*forces, "--html", "forces.csv")
-    assert "another result has the same file" in line
+    assert "two results have the same file" in line
     (folder / "mine.html").write_text("<p>mine")
     line = fails(*forces, "--html", "mine.html")
     assert "exists with other content" in line
@@ -116,10 +116,10 @@ def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fail
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ((), "ROBOT.toml: missing"),
+        ((), "ROBOT.toml: expected either a robot file or --example"),
         (("hexapod.toml", "IV"), "expected I, II, III, a CSV file"),
-        (("hexapod.toml", "--example"), "omit ROBOT.toml"),
-        (("hexapod.toml", "-o", "hexapod.toml"), "is an input"),
+        (("hexapod.toml", "--example"), "ROBOT.toml: expected either a robot file or --example"),
+        (("hexapod.toml", "-o", "hexapod.toml"), "the file name must end in .html"),
         (("hexapod.toml", "hexapod.toml"), "unknown column"),
     ],
 )

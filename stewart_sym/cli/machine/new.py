@@ -74,6 +74,6 @@ def _asked(name: str, unit: str) -> float:
         if not line:
             raise ValueError(f"{name}: missing; standard input has ended")
         try:
-            return positive(line.strip())
+            return float(positive(line.strip()))
         except argparse.ArgumentTypeError as error:
             print(error, file=sys.stderr)
