@@ -55,11 +55,6 @@ class Kit:
         Compiler and options of the stack measurement.
     unit : str
         File name of an FMI unit; empty without one.
-    changed : float
-        Relative error of a constant that the test vectors must detect.
-    hidden : sequence of str, optional
-        Names of the baked constants for which no test vector detects this error; None without baked
-        constants.
     """
 
     machine: Machine
@@ -69,8 +64,6 @@ class Kit:
     precision: str
     stack_by: str
     unit: str
-    changed: float
-    hidden: Sequence[str] | None
 
     @property
     def functions(self) -> list[Function]:
@@ -110,7 +103,7 @@ def readme(kit: Kit) -> str:
         "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUSES),
         "deviations": table((each.rule, each.what, each.reason) for each in deviations(kinds)),
         "digest": f"{robot_says}SHA-256 of name and constants: `{kit.machine.digest}`",
-        "hidden": _hidden(kit),
+        "detected": _detected(kit),
         "unit": template("kit/readme_unit.md", {"unit": kit.unit}) if kit.unit else "",
     }
     return template("kit/README.md", values)
@@ -191,38 +184,20 @@ def _function(function: Function) -> str:
     )
 
 
-def _hidden(kit: Kit) -> str:
-    """Describe the wrong constants that the self-test detects, and those that it does not."""
+def _detected(kit: Kit) -> str:
+    """Describe the changed constants that the self-test detects."""
     says = []
     if kit.has_robot:
         says.append(
             "The self-test compares every number of `stewart_robot.c`, including limits, with the generated "
             "number, to the bit."
         )
-    if kit.hidden is not None:
-        folded = f"The self-test detects a relative error of {kit.changed:g} in each baked constant"
-        if kit.hidden:
-            folded += (
-                ", except in these constants, because in all test motions rounding errors of others are "
-                f"larger: {_by_leg(kit.hidden)}"
-            )
-        says.append(f"{folded}.")
-        if kit.hidden:
-            says.append("Comments in the source of the forces describe them.")
+    if any(function.plain for function in kit.functions):
+        says.append(
+            "The self-test detects a relative change of 0.001 of most baked constants. Rounding errors hide "
+            "changes of constants with little effect on the forces."
+        )
     return textwrap.fill(" ".join(says), 108, break_long_words=False, break_on_hyphens=False) + "\n"
-
-
-def _by_leg(names: Sequence[str]) -> str:
-    """Combine constants of several legs: ``C_p of legs 1, 2``."""
-    legs: dict[str, list[str]] = {}
-    for name in names:
-        constant, _, leg = name.partition(" of leg ")
-        legs.setdefault(constant, []).append(leg)
-    found = []
-    for name, which in legs.items():
-        many = "s" if len(which) > 1 else ""
-        found.append(f"`{name}` of leg{many} {', '.join(which)}" if which[0] else f"`{name}`")
-    return "; ".join(found)
 
 
 _ARITHMETIC = {

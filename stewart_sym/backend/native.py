@@ -1,8 +1,7 @@
 """Compiler of C source text into a shared library, which is cached and loaded with ctypes.
 
-A library is published by one rename. Its file name contains the digest of its bytes, which is verified before
-the library is loaded. The cache is therefore consistent without a lock between processes; the lock only
-prevents simultaneous compilation of the same library.
+A library is compiled in a temporary folder and published by one rename, so that no process loads an
+unfinished file. The lock only prevents simultaneous compilation of the same library.
 """
 
 import contextlib
@@ -15,13 +14,9 @@ import os
 import platform
 import shlex
 import shutil
-import signal
-import stat
 import subprocess
 import sys
 import tempfile
-import threading
-import time
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -29,9 +24,6 @@ from pathlib import Path
 
 COMPILE_TIMEOUT = 300.0
 """Longest duration of one compiler run (s)."""
-
-_VERSION_TIMEOUT = 60.0
-_STALE_SECONDS = 24 * 3600.0
 
 _NATIVE = "-march=native"
 # Code on Windows is always position independent, and clang rejects the flag there.
@@ -50,34 +42,10 @@ only.
 _REJECTED = frozenset({"-Ofast", "-ffast-math", "-funsafe-math-optimizations"})
 _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 
-# Lines of /proc/cpuinfo with the model and its instruction sets (x86, Arm, RISC-V, POWER).
-_PROCESSOR_LINES = frozenset(
-    {"vendor_id", "cpu family", "model", "model name", "stepping", "flags"}
-    | {"Features", "CPU implementer", "CPU architecture", "CPU variant", "CPU part"}
-    | {"isa", "uarch", "mvendorid", "marchid", "cpu"}
-)
+# Names of the lines of /proc/cpuinfo with the model and its instruction sets (x86, Arm, RISC-V, POWER).
+_PROCESSOR_LINES = ("model", "flags", "Features", "CPU", "isa", "uarch", "cpu\t")
 
 _loaded: dict[str, ctypes.CDLL] = {}
-_turns: dict[str, threading.Lock] = {}
-_lock = threading.Lock()
-# A child process that is forked while a compiler starts would inherit its pipes, and the parent would wait
-# for their end.
-_starting = threading.RLock()
-
-
-def _renew_locks() -> None:
-    """Create new locks in a forked child, because the threads that own the old locks do not exist there."""
-    global _lock, _starting
-    _lock, _starting = threading.Lock(), threading.RLock()
-    _turns.clear()
-
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(
-        before=lambda: _starting.acquire(),
-        after_in_parent=lambda: _starting.release(),
-        after_in_child=_renew_locks,
-    )
 
 
 class CompilerError(RuntimeError):
@@ -99,6 +67,23 @@ class Compiler:
 
     command: tuple[str, ...]
     version: str
+
+
+@dataclass(frozen=True)
+class _Recipe:
+    """All inputs that determine a library."""
+
+    name: str
+    sources: dict[str, str]
+    compiler: Compiler
+    flags: tuple[str, ...]
+
+    @property
+    def key(self) -> str:
+        compiler = (self.compiler.command, self.compiler.version)
+        # Native code runs only on processors of the same kind.
+        parts = [self.name, sorted(self.sources.items()), compiler, self.flags, _processor()]
+        return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:32]
 
 
 def find_compiler() -> Compiler | None:
@@ -123,9 +108,9 @@ def load(
 ) -> ctypes.CDLL:
     """Load the shared library of ``sources``, compiled only if the cache does not contain it.
 
-    The cache is ``$STEWART_SYM_CACHE``, otherwise the cache folder of the user. A cache that is read-only, or
-    that other users may write, is replaced by a temporary folder with a RuntimeWarning. Calls into the
-    library release the interpreter lock. A repeated call returns the same object.
+    The cache is ``$STEWART_SYM_CACHE``, otherwise the cache folder of the user. If it cannot be written, a
+    temporary folder replaces it with a RuntimeWarning. Calls into the library release the interpreter lock. A
+    repeated call returns the same object.
 
     Parameters
     ----------
@@ -150,15 +135,13 @@ def load(
     ValueError
         If a flag changes the floating-point arithmetic of the process.
     """
-    recipe = _recipe(name, sources, flags, defines)
-    key = recipe.key()
-    with _lock:
-        # One lock for each library, so that threads can compile several libraries simultaneously.
-        turn = _turns.setdefault(key, threading.Lock())
-    with turn:
-        if key not in _loaded:
-            _loaded[key] = _open(recipe, key)
-        return _loaded[key]
+    macros = [f"-D{macro}={value}" for macro, value in sorted((defines or {}).items())]
+    recipe = _recipe(name, sources, (*FLAGS, *macros, *flags))
+    key = recipe.key
+    if key not in _loaded:
+        # Threads that load the same library at the same time receive the same object.
+        _loaded.setdefault(key, _open(recipe, f"{name}-{key}{_SUFFIX}"))
+    return _loaded[key]
 
 
 def compiled(
@@ -172,7 +155,7 @@ def compiled(
 
     ``base`` contains the flags before ``flags``, FLAGS or PORTABLE_FLAGS. Raises the errors of ``load``.
     """
-    return _compile(folder, _recipe(name, sources, flags, None, base))
+    return _compile(folder, _recipe(name, sources, (*base, *flags)))
 
 
 def ran(command: Sequence[str], folder: Path) -> str:
@@ -180,59 +163,42 @@ def ran(command: Sequence[str], folder: Path) -> str:
 
     Raises CompilerError if it fails, exceeds COMPILE_TIMEOUT, or does not start.
     """
+    # The first error is recognized only in English messages.
+    env = {"PATH": os.defpath, **os.environ, "LC_ALL": "C"}
+    env |= dict.fromkeys(("TMPDIR", "TMP", "TEMP", "ZIG_LOCAL_CACHE_DIR"), str(folder))
+    # Zig's default is below the home folder, and Zig does not run if that folder is read-only.
+    env.setdefault("ZIG_GLOBAL_CACHE_DIR", str(folder))
     try:
-        code, output = _run(command, COMPILE_TIMEOUT, folder)
+        done = subprocess.run(
+            command,
+            cwd=folder,
+            env=env,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            encoding="utf-8",
+            errors="replace",
+            timeout=COMPILE_TIMEOUT,
+            check=False,
+        )
     except (OSError, subprocess.TimeoutExpired) as error:
         raise CompilerError(f"{command[0]} does not run: {error}") from error
-    if code != 0:
-        raise CompilerError(f"{command[0]} fails: {_first_error(output)}", output)
-    return output
+    if done.returncode != 0:
+        lines = [line.strip() for line in done.stdout.splitlines() if line.strip()]
+        errors = [line for line in lines if "error:" in line]
+        first = (errors or lines or ["it printed nothing"])[0]
+        raise CompilerError(f"{command[0]} fails: {first}", done.stdout)
+    return done.stdout
 
 
-def _recipe(
-    name: str,
-    sources: Mapping[str, str],
-    flags: Sequence[str],
-    defines: Mapping[str, str | int] | None,
-    base: Sequence[str] = FLAGS,
-) -> "_Recipe":
+def _recipe(name: str, sources: Mapping[str, str], flags: tuple[str, ...]) -> _Recipe:
     compiler = find_compiler()
     if compiler is None:
         raise CompilerError("no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`")
-    macros = tuple(f"-D{macro}={value}" for macro, value in sorted((defines or {}).items()))
-    return _Recipe(name, dict(sources), compiler, (*base, *macros, *flags))
-
-
-@dataclass(frozen=True)
-class _Recipe:
-    """All inputs that determine a library."""
-
-    name: str
-    sources: dict[str, str]
-    compiler: Compiler
-    flags: tuple[str, ...]
-
-    def __post_init__(self) -> None:
-        for where, words in (("CC", self.compiler.command), ("flags", self.flags)):
-            for flag in _REJECTED.intersection(words):
-                raise ValueError(
-                    f"{where}: {flag} changes the arithmetic of the whole process; remove the flag"
-                )
-
-    def key(self) -> str:
-        # Native code runs only on processors of the same kind, so the key includes the processor.
-        parts = [
-            self.name,
-            sorted(self.sources.items()),
-            self.compiler.command,
-            self.compiler.version,
-            self.flags,
-            _processor(),
-        ]
-        return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:32]
-
-
-# --- compilers --------------------------------------------------------------------------------
+    for where, words in (("CC", compiler.command), ("flags", flags)):
+        for flag in _REJECTED.intersection(words):
+            raise ValueError(f"{where}: {flag} changes the arithmetic of the whole process; remove the flag")
+    return _Recipe(name, dict(sources), compiler, flags)
 
 
 def _requested_compiler(requested: str) -> Compiler:
@@ -259,229 +225,102 @@ def _candidates() -> Iterator[tuple[str, ...]]:
 @functools.cache
 def _version(command: tuple[str, ...]) -> str:
     """Return the first line of ``--version``; raise CompilerError, uncached, if the command fails."""
-    try:
-        with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
-            code, output = _run((*command, "--version"), _VERSION_TIMEOUT, Path(folder))
-    except (OSError, subprocess.TimeoutExpired) as error:
-        raise CompilerError(f"{command[0]} does not run: {error}") from error
-    if code != 0:
-        raise CompilerError(f"{command[0]} --version fails: {_first_error(output)}", output)
-    return output.strip().partition("\n")[0]
-
-
-def _run(command: Sequence[str], timeout: float, folder: Path) -> tuple[int, str]:
-    """Run a command in ``folder``, also for temporary files; return the exit code and the output."""
-    # The first error is recognized only in English messages.
-    env = {"PATH": os.defpath, **os.environ, "LC_ALL": "C"}
-    env |= dict.fromkeys(("TMPDIR", "TMP", "TEMP", "ZIG_LOCAL_CACHE_DIR"), str(folder))
-    # Zig's default is below the home folder, and Zig does not run if that folder is read-only.
-    env.setdefault("ZIG_GLOBAL_CACHE_DIR", str(folder))
-    with _starting:
-        process = subprocess.Popen(
-            command,
-            cwd=folder,
-            env=env,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            encoding="utf-8",
-            errors="replace",
-            process_group=0,
-        )
-    with process:
-        try:
-            output, _ = process.communicate(timeout=timeout)
-        except BaseException:
-            _kill(process)
-            raise
-    return process.returncode, output
-
-
-def _kill(process: subprocess.Popen[str]) -> None:
-    # The children of the driver (cc1, ld) are in its process group and must be terminated too.
-    if sys.platform == "win32":
-        process.kill()
-    else:
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)
-
-
-def _first_error(log: str) -> str:
-    lines = [line.strip() for line in log.splitlines() if line.strip()]
-    errors = [line for line in lines if "error:" in line]
-    return (errors or lines or ["it printed nothing"])[0]
+    with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
+        return ran((*command, "--version"), Path(folder)).strip().partition("\n")[0]
 
 
 @functools.cache
 def _processor() -> str:
     """Describe the model and the instruction sets of the processors of this machine."""
-    machine = f"{sys.platform} {platform.machine()} {sys.maxsize}"
+    machine = f"{sys.platform} {platform.machine()} {platform.processor()} {sys.maxsize}"
     try:
-        text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
-        return f"{machine} {platform.processor()} {_mac_processor()}"
-    lines = {line for line in text.splitlines() if line.partition(":")[0].strip() in _PROCESSOR_LINES}
-    return "\n".join([machine, *sorted(lines)])
+        return machine
+    return "\n".join([machine, *sorted({line for line in lines if line.startswith(_PROCESSOR_LINES)})])
 
 
-def _mac_processor() -> str:
-    # platform.processor() returns only "arm" or "i386" on macOS.
-    if sys.platform == "darwin":
-        question = ("/usr/sbin/sysctl", "-n", "machdep.cpu.brand_string")
-        with contextlib.suppress(OSError, subprocess.TimeoutExpired):
-            return _run(question, _VERSION_TIMEOUT, Path("/"))[1]
-    return ""
-
-
-# --- the cache --------------------------------------------------------------------------------
-
-
-def _open(recipe: _Recipe, key: str) -> ctypes.CDLL:
-    # A valid library that does not load (a folder mounted noexec) is also rebuilt in the temporary folder.
+def _open(recipe: _Recipe, file: str) -> ctypes.CDLL:
     try:
-        return _open_in(_cache_directory(), recipe, key)
+        return _open_in(_cache_folder(), recipe, file)
     except OSError as error:
         fault = error
     try:
         # A loaded library requires no file, except on Windows, where the folder remains.
         with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
-            library = _open_in(Path(folder), recipe, key)
+            library = _open_in(Path(folder), recipe, file)
     except OSError as error:
         raise CompilerError(
             f"the compiled library {recipe.name} can't be stored or loaded: {error}"
         ) from error
     warnings.warn(
         f"compiled libraries are kept for this process alone ({fault}); set STEWART_SYM_CACHE to a folder "
-        "that only you may write",
+        "that you may write",
         RuntimeWarning,
-        stacklevel=2,
+        stacklevel=3,
     )
     return library
 
 
-def _open_in(directory: Path, recipe: _Recipe, key: str) -> ctypes.CDLL:
-    stem = f"{recipe.name}-{key}"
-    library = _find(directory, stem)
-    if library is None:
-        with _turn_of_process(directory, key):
-            library = _find(directory, stem) or _build(directory, recipe, key)
+def _open_in(folder: Path, recipe: _Recipe, file: str) -> ctypes.CDLL:
+    library = folder / file
+    if not library.exists():
+        with _locked(folder / f"{file}.lock"):
+            if not library.exists():
+                with tempfile.TemporaryDirectory(dir=folder, ignore_cleanup_errors=True) as place:
+                    os.replace(_compile(Path(place), recipe), library)
     return ctypes.CDLL(str(library))
 
 
 @contextlib.contextmanager
-def _turn_of_process(directory: Path, key: str) -> Iterator[None]:
-    """Wait until no other process builds the same library, if the system and the folder support locks."""
-    with contextlib.ExitStack() as held:
-        with contextlib.suppress(ImportError, OSError):
-            import fcntl
+def _locked(path: Path) -> Iterator[None]:
+    """Wait until no other thread or process has the lock file, if the system and the folder support locks.
 
-            path = directory / f"build-{key}.lock"
-            # The lock belongs to the process: a forked child does not wait for itself, and the lock ends with
-            # the process.
-            fcntl.lockf(held.enter_context(path.open("w")), fcntl.LOCK_EX)
-            held.callback(path.unlink, missing_ok=True)
-            # These folders are from processes that were killed while they had the lock.
-            for left in directory.glob(f"build-{key}-*"):
-                shutil.rmtree(left, ignore_errors=True)
-        yield
-
-
-def _cache_directory() -> Path:
-    """Return the cache folder, created if missing; raise OSError if it is unusable or not exclusive."""
+    The lock of a killed process ends with the process.
+    """
     try:
-        directory = _cache_location()
-    except RuntimeError as error:  # pathlib found no home
-        raise FileNotFoundError(str(error)) from error
-    directory.mkdir(mode=0o700, parents=True, exist_ok=True)
-    directory = directory.resolve()
-    if not _is_ours(directory.stat()):
-        raise PermissionError(f"{directory} is owned or writable by another user")
-    return directory
+        with path.open("w") as file, contextlib.ExitStack() as held:
+            with contextlib.suppress(ImportError, OSError):
+                import fcntl
+
+                fcntl.flock(file, fcntl.LOCK_EX)
+                # Closing the file is not enough if a child process was forked in the meantime.
+                held.callback(fcntl.flock, file, fcntl.LOCK_UN)
+            yield
+    finally:
+        with contextlib.suppress(OSError):
+            path.unlink()
 
 
-def _cache_location() -> Path:
+def _cache_folder() -> Path:
+    """Return the cache folder, created if missing; raise OSError if that fails."""
     own = os.environ.get("STEWART_SYM_CACHE")
-    if own:
-        return Path(own).absolute()
-    xdg = os.environ.get("XDG_CACHE_HOME", "")
-    if os.path.isabs(xdg):
-        return Path(xdg) / "stewart-sym"
-    if sys.platform == "win32":
-        local = os.environ.get("LOCALAPPDATA")
-        return (Path(local) if local else Path.home() / "AppData" / "Local") / "stewart-sym" / "Cache"
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Caches" / "stewart-sym"
-    return Path.home().absolute() / ".cache" / "stewart-sym"
+    if not own:
+        import platformdirs
 
-
-def _is_ours(status: os.stat_result) -> bool:
-    """Return True if this user owns the file and no other user may write it."""
-    if sys.platform == "win32":
-        return True
-    return status.st_uid == os.geteuid() and not status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
-
-
-def _find(directory: Path, stem: str) -> Path | None:
-    """Return the cached library whose bytes match its name; a truncated one could kill the process."""
-    for path in sorted(directory.glob(f"{stem}-*{_SUFFIX}")):
-        with contextlib.suppress(OSError):
-            status = path.lstat()
-            if stat.S_ISREG(status.st_mode) and _is_ours(status) and path.stem == f"{stem}-{_digest(path)}":
-                return path
-    return None
-
-
-def _digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:32]
-
-
-def _build(directory: Path, recipe: _Recipe, key: str) -> Path:
-    """Compile in a temporary folder, and publish by one rename, which also replaces a damaged file."""
-    # Remove files of killed processes.
-    for left in directory.glob("build-*"):
-        with contextlib.suppress(OSError):
-            if time.time() - left.stat().st_mtime > _STALE_SECONDS:
-                if left.is_dir():
-                    shutil.rmtree(left)
-                else:
-                    left.unlink()
-    with tempfile.TemporaryDirectory(
-        prefix=f"build-{key}-", dir=directory, ignore_cleanup_errors=True
-    ) as folder:
-        library = _compile(Path(folder), recipe)
-        library.chmod(0o700)
-        published = directory / f"{recipe.name}-{key}-{_digest(library)}{_SUFFIX}"
-        os.replace(library, published)
-    return published
+        own = platformdirs.user_cache_dir("stewart-sym", appauthor=False)
+    folder = Path(own).absolute()
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
 
 
 def _compile(folder: Path, recipe: _Recipe) -> Path:
     for file, text in recipe.sources.items():
         (folder / file).write_text(text, encoding="utf-8", newline="\n")
     library = folder / f"{recipe.name}{_SUFFIX}"
-    code, log = _run_compiler(folder, recipe, recipe.flags, library.name)
-    if code != 0 and _NATIVE in recipe.flags:
-        # Some compilers do not support the flag, or the assembler does not support the instructions.
-        portable = tuple(flag for flag in recipe.flags if flag != _NATIVE)
-        code, log = _run_compiler(folder, recipe, portable, library.name)
-    if code != 0:
-        raise CompilerError(f"{_program(recipe)} can't compile {recipe.name}: {_first_error(log)}", log)
-    if not library.is_file():
-        raise CompilerError(f"{_program(recipe)} compiled {recipe.name} but wrote no library", log)
-    return library
-
-
-def _run_compiler(folder: Path, recipe: _Recipe, flags: Sequence[str], output: str) -> tuple[int, str]:
     # Relative file names avoid blanks and non-ASCII characters of the home folder.
     files = sorted(file for file in recipe.sources if file.endswith(".c"))
     libraries = () if sys.platform == "win32" else ("-lm",)
-    command = (*recipe.compiler.command, *flags, *files, "-o", output, *libraries)
-    try:
-        return _run(command, COMPILE_TIMEOUT, folder)
-    except subprocess.TimeoutExpired as error:
-        message = f"{_program(recipe)} took longer than {COMPILE_TIMEOUT:g} s to compile {recipe.name}"
-        raise CompilerError(message) from error
-
-
-def _program(recipe: _Recipe) -> str:
-    return shlex.join(recipe.compiler.command)
+    # Some compilers do not support the flag, or the assembler does not support the instructions.
+    portable = tuple(flag for flag in recipe.flags if flag != _NATIVE)
+    for flags in dict.fromkeys((recipe.flags, portable)):
+        try:
+            ran((*recipe.compiler.command, *flags, *files, "-o", library.name, *libraries), folder)
+            break
+        except CompilerError as error:
+            fault = error
+    else:
+        raise CompilerError(f"can't compile {recipe.name}: {fault}", fault.log)
+    if not library.is_file():
+        raise CompilerError(f"{recipe.compiler.command[0]} compiled {recipe.name} but wrote no library")
+    return library

@@ -38,7 +38,6 @@ from . import languages
 from .fmu import packed
 from .kit_options import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
 from .parts import Parts, generator, parts, robot_numbers
-from .selection import SHARE, Numbered, selection
 from .vectors import rejected, vectors
 
 LICENCE, ROBOT = "LICENSE", "robot.toml"
@@ -96,7 +95,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     if choice.fmu:
         progress("building the FMU")
         files[f"{machine.symbol}.fmu"] = _unit(robot, choice, made, texts)
-    files["README.md"] = _with_missing(_readme(robot, choice, machine, made, found), missing).encode()
+    files["README.md"] = _with_missing(_readme(choice, machine, made, found), missing).encode()
     files[MANIFEST] = _manifest(machine, choice, files)
     return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
 
@@ -174,9 +173,7 @@ def _build_files(machine: Machine, made: Parts, texts: Mapping[str, str], precis
     return files | {build.WRAPPER: cpp.wrapper(made.functions, machine.version)}
 
 
-def _readme(
-    robot: Robot, choice: Choice, machine: Machine, made: Parts, found: Mapping[str, list[Vector]]
-) -> str:
+def _readme(choice: Choice, machine: Machine, made: Parts, found: Mapping[str, list[Vector]]) -> str:
     eps, stacks = float(np.finfo(PRECISIONS[choice.precision]).eps), _stack()["bytes"]
     figures = {}
     for function in made.functions:
@@ -192,18 +189,8 @@ def _readme(
             precision=choice.precision,
             stack_by=_stack()["by"],
             unit=f"{machine.symbol}.fmu" if choice.fmu else "",
-            changed=SHARE[choice.precision],
-            hidden=_hidden(robot, choice),
         )
     )
-
-
-def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
-    """List the baked constants of the forces that no test vector checks; return None without baked forces."""
-    if "forces" not in choice.functions or not choice.bake:
-        return None
-    level = fidelity.resolved(robot, choice.formulation, choice.level)
-    return selection(Numbered.of(robot), choice.formulation, level, choice.precision).hidden
 
 
 def _errors(vectors_of: list[Vector]) -> Array:

@@ -1,16 +1,14 @@
-"""Test vectors: inputs of the functions of a kit, their correct results, and bounds of the rounding errors.
+"""Test vectors: inputs of the functions of a kit, results with 50 digits, and tolerances of rounding errors.
 
-The module takes a checked Robot, selects ``poses``, computes the results in 50-digit arithmetic
-(``interpreter``), and returns inputs, results, and bounds as plain arrays.
-
-A bound is valid for every correct build: other orders of sums, other pivots, fused multiply-add, and legs in
-sequence or in vector lanes. A bound is MARGIN times the bound from running error analysis in the interpreter,
-whose operations equal the operations in C except for their grouping.
+A tolerance is TOLERANCE rounding units times the condition number of the results. The condition number is
+measured in double precision: the root mean square of the changes of a result for small relative changes of
+all inputs and constants, of which each has a random sign.
 """
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial
+from typing import Any, Self
 
 import numpy as np
 
@@ -28,11 +26,10 @@ from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
 from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
 from ..robot.robot import LEGS, Robot, of_symbol
-from .interpreter import Found, KitInterpreter, Numbers
+from .extreme_motions import extreme_motions
+from .interpreter import FLOATS, KitInterpreter, Numbers
 from .kit_options import PRECISIONS, STEMS
 from .parts import fields as fields_of
-from .running import FORCES_MARGIN, MARGIN, errors, values
-from .selection import Numbered, selection
 
 KINEMATICS = STEMS["kinematics"]
 CLOSED_FORM = (*STEMS["motion"], *STEMS["derivatives"])
@@ -42,6 +39,15 @@ FUNCTIONS = (*(stem for stems in STEMS.values() for stem in stems), *ROTATION)
 
 FEW = 3
 """Number of poses for functions with many results."""
+
+TOLERANCE = 8.0
+"""Tolerance of a result (rounding units, times its condition number)."""
+
+_SAMPLES, _STEP = 6, 2.0**-20
+"""Number of changed copies of all numbers for a condition number, and their relative change."""
+
+_LEAST = 1 / 4
+"""Smallest ratio of the tolerance of a result to the largest tolerance in the same array."""
 
 _BACKWARD = ("forward_kinematics", "forward_velocity")
 _LARGE = ("equations", "joint_inertia", "derivatives", "linearization", *ROTATION)
@@ -62,13 +68,12 @@ def vectors(
     precision: str = "double",
     count: int = 8,
     baked: bool = False,
+    extreme: bool = True,
 ) -> tuple[Vector, ...]:
     """Compute the test vectors of some functions.
 
-    Each function has at most ``count`` ordinary vectors; functions with many results have at most FEW.
-
-    For "forces" further vectors reveal an incorrect constant; some of them have a leg near the joint
-    singularity of its universal joint (``selection``). Forward kinematics is tested only at poses that the
+    Each function has at most ``count`` ordinary vectors; functions with many results have at most FEW. The
+    forces also have vectors of ``extreme_motions``. Forward kinematics is tested only at poses that the
     lengths determine in the given precision; in "float" there may be none.
 
     Parameters
@@ -87,6 +92,8 @@ def vectors(
         Largest number of ordinary vectors of each function.
     baked : bool
         True if the constants are baked, so that they are rounded last.
+    extreme : bool
+        False omits the extreme motions.
 
     Returns
     -------
@@ -100,40 +107,53 @@ def vectors(
     """
     level = fidelities.resolved(robot, formulation, fidelity or "general")
     need_representable(robot, precision)
-    return _made(Numbered.of(robot), functions, formulation, level, precision, count, baked)
+    return _made(_Numbered.of(robot), functions, formulation, level, precision, count, baked, extreme)
+
+
+@dataclass(frozen=True)
+class _Numbered:
+    """Robot that is equal to every robot with equal constants, regardless of its name."""
+
+    robot: Robot = field(compare=False)
+    numbers: tuple[bytes, ...]
+    base_joint: str
+
+    @classmethod
+    def of(cls, robot: Robot) -> Self:
+        """Create the record from the constants of a robot, including its limits."""
+        names = (*fields_of(robot.has_rotors), "length_limits")
+        numbers = [np.asarray(of_symbol(robot, name)) for name in names]
+        numbers += [] if robot.drive is None else [*drive_numbers(robot.drive).values()]
+        return cls(robot, tuple(each.tobytes() for each in numbers), robot.base_joint)
 
 
 @lru_cache(maxsize=64)
 def _made(
-    numbered: Numbered,
+    numbered: _Numbered,
     functions: tuple[str, ...],
     formulation: str,
     level: str,
     precision: str,
     count: int,
     baked: bool,
+    extreme: bool,
 ) -> tuple[Vector, ...]:
     robot, kind = numbered.robot, PRECISIONS[precision]
-    constants = {
-        name: np.asarray(of_symbol(robot, name), dtype=np.float64) for name in fields_of(robot.has_rotors)
-    }
-    if not baked:
-        constants = {name: rounded(value, kind) for name, value in constants.items()}
-    drives = {} if robot.drive is None else drive_numbers(robot.drive)
-    drives = {name: rounded(value, kind) for name, value in drives.items()}
-    interpreter = KitInterpreter(constants, robot.base_joint, formulation, level, baked, drives)
     every = poses(robot, formulation, count)
     ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
-    made = partial(_vector, interpreter, robot, kind)
+    made = _Vectors(robot, formulation, level, kind, baked)
     found: list[Vector] = []
     for function in functions:
         motions = ordinary[:FEW] if function in _LARGE else ordinary
         found += [
-            made(function, at) for at in motions if function not in _BACKWARD or _settled(robot, at, kind)
+            made.vector(function, at)
+            for at in motions
+            if function not in _BACKWARD or _settled(robot, at, kind)
         ]
-        if function == "forces":
-            chosen = selection(numbered, formulation, level, precision).motions
-            found += [replace(made(function, at), ordinary=False) for at in chosen]
+        if function == "forces" and extreme:
+            chosen = extreme_motions(robot, every[0], knows_axes(robot, level))
+            inputs = [_input(robot, motion, kind) for motion in chosen]
+            found += [replace(made.vector(function, at), ordinary=False) for at in inputs]
     return tuple(found)
 
 
@@ -171,55 +191,94 @@ def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
     return 2.0 * condition <= 1.0 / (16.0 * math.sqrt(np.finfo(kind).eps))
 
 
-def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str, motion: Numbers) -> Vector:
-    near = partial(rounded, kind=kind)
-    inputs = dict(motion)
-    at = motion
-    if function in FORCED:
-        # The forces exceed the forces of the motion, so that the platform accelerates.
-        inputs["F"] = near(significant(1.5 * values(interpreter.forces(motion)["F"]), 4))
-    elif function == "joint_reactions":
-        L = values(interpreter.inverse_kinematics(motion)["L"])
-        inputs["bearing"] = near(significant(L * np.linspace(0.3, 0.8, 6), 2))
-    elif function == "axial_forces":
-        inputs["F"] = near(significant(values(interpreter.forces(motion)["F"]), 4))
-    elif function == "motor_torques":
-        inputs = {name: near(value) for name, value in _torque_inputs(interpreter, motion).items()}
-    elif function in ROTATION:
-        inputs = {name: near(value) for name, value in _rotation_inputs(function, motion).items()}
-    elif function in KINEMATICS:
-        inputs, at = _kinematic_inputs(interpreter, robot, kind, function, motion)
-    found = interpreter.found(function, at if function == "forward_kinematics" else inputs)
-    margin = FORCES_MARGIN if function == "forces" else MARGIN
-    return Vector(function, inputs, *_answers(found, kind, margin))
+class _Vectors:
+    """Functions of one robot in 50 digits, and in double precision with changed constants."""
 
+    def __init__(self, robot: Robot, formulation: str, level: str, kind: type, baked: bool) -> None:
+        """Round the constants, and draw the signs of their changes."""
+        names = fields_of(robot.has_rotors)
+        constants = {name: np.asarray(of_symbol(robot, name), dtype=np.float64) for name in names}
+        if not baked:
+            constants = {name: rounded(value, kind) for name, value in constants.items()}
+        drives = {} if robot.drive is None else drive_numbers(robot.drive)
+        drives = {name: rounded(value, kind) for name, value in drives.items()}
+        self._robot, self._kind, self._draw = robot, kind, np.random.RandomState(1)
+        self._exact = KitInterpreter(constants, robot.base_joint, formulation, level, drives)
+        self._changed = [
+            replace(
+                self._exact,
+                robot=self._change(constants),
+                drives=self._change(drives),
+                arithmetic=FLOATS,
+            )
+            for _ in range(_SAMPLES)
+        ]
 
-def _kinematic_inputs(
-    interpreter: KitInterpreter, robot: Robot, kind: type, function: str, motion: Numbers
-) -> tuple[dict[str, Array], Numbers]:
-    """Return the inputs of a kinematic function, and the inputs of the interpreter."""
-    if function == "inverse_kinematics":
-        inputs = {name: motion[name] for name in ("R", "t", "omega", "v")}
+    def vector(self, function: str, motion: Numbers) -> Vector:
+        """Compute the test vector of a function for a motion."""
+        inputs, at = self._inputs(function, motion)
+        answers = {name: _rounded(each) for name, each in self._exact.found(function, at).items()}
+        return Vector(function, inputs, answers, self._tolerances(function, at, answers))
+
+    def _tolerances(self, function: str, at: Numbers, answers: Numbers) -> dict[str, Array]:
+        """Return tolerances of two digits, which are never zero (rounding units)."""
+        changed = [each.found(function, self._change(at)) for each in self._changed]
+        limits = np.finfo(self._kind)
+        least = float(limits.tiny) / float(limits.eps)
+        found = {}
+        for name, answer in answers.items():
+            moved = [(_rounded(each[name]) - answer) / _STEP for each in changed]
+            scale = np.maximum(np.sqrt(np.mean(np.square(moved), axis=0)), np.abs(answer))
+            scale = np.maximum(scale, _LEAST * scale.max())
+            found[name] = significant(np.maximum(TOLERANCE * scale, least), 2)
+        return found
+
+    def _change(self, numbers: Numbers) -> dict[str, Array]:
+        return {
+            name: value * (1.0 + _STEP * self._draw.choice((-1.0, 1.0), size=np.shape(value)))
+            for name, value in numbers.items()
+        }
+
+    def _inputs(self, function: str, motion: Numbers) -> tuple[dict[str, Array], Numbers]:
+        """Return the inputs of a function in C, and the inputs of the interpreter."""
+        near = partial(rounded, kind=self._kind)
+        inputs = dict(motion)
+        if function in FORCED:
+            # The forces exceed the forces of the motion, so that the platform accelerates.
+            inputs["F"] = near(significant(1.5 * self._found("forces", motion)["F"], 4))
+        elif function == "joint_reactions":
+            L = self._found("inverse_kinematics", motion)["L"]
+            inputs["bearing"] = near(significant(L * np.linspace(0.3, 0.8, 6), 2))
+        elif function == "axial_forces":
+            inputs["F"] = near(significant(self._found("forces", motion)["F"], 4))
+        elif function == "motor_torques":
+            inputs = {name: near(value) for name, value in self._torque_inputs(motion).items()}
+        elif function in ROTATION:
+            inputs = {name: near(value) for name, value in _rotation_inputs(function, motion).items()}
+        elif function == "inverse_kinematics":
+            inputs = {name: motion[name] for name in ("R", "t", "omega", "v")}
+        elif function == "forward_velocity":
+            rates = near(significant(self._found("inverse_kinematics", motion)["L_dot"], 4))
+            inputs = {"R": motion["R"], "t": motion["t"], "L_dot": rates}
+        elif function == "forward_kinematics":
+            L = near(self._found("inverse_kinematics", motion)["L"])
+            R, t = _guess(self._robot, motion["R"].reshape(3, 3), motion["t"], L)
+            guess = {"R_guess": near(R.ravel()), "t_guess": near(t)}
+            return {"L": L, **guess}, {"R": motion["R"], "t": motion["t"], "L": L}
         return inputs, inputs
-    legs = interpreter.inverse_kinematics(motion)
-    pose = {name: motion[name] for name in ("R", "t")}
-    if function == "forward_velocity":
-        inputs = {**pose, "L_dot": rounded(significant(values(legs["L_dot"]), 4), kind)}
-        return inputs, inputs
-    L = rounded(values(legs["L"]), kind)
-    R, t = _guess(robot, pose["R"].reshape(3, 3), pose["t"], L)
-    inputs = {"L": L, "R_guess": rounded(R.ravel(), kind), "t_guess": rounded(t, kind)}
-    return inputs, {**pose, "L": L}
 
+    def _found(self, function: str, motion: Numbers) -> dict[str, Array]:
+        return {name: _rounded(each) for name, each in self._exact.found(function, motion).items()}
 
-def _torque_inputs(interpreter: KitInterpreter, motion: Numbers) -> dict[str, Array]:
-    """Return forces and rates near the thresholds of friction; half of the motors are back-driven."""
-    F = significant(values(interpreter.forces(motion)["F"]), 4)
-    L_dot = values(interpreter.inverse_kinematics(motion)["L_dot"])
-    at = np.array([interpreter.drives["smoothing"], interpreter.drives["stribeck_speed"], L_dot])
-    at = np.abs(np.where(at == 0.0, L_dot, at)[np.arange(LEGS) % len(at), np.arange(LEGS)])
-    way = np.where(F < 0.0, -0.6, 0.6) * np.repeat([1.0, -1.0], LEGS // 2)
-    return {"F": F, "axial": significant(0.9 * F, 4), "L_dot": significant(way * at, 4)}
+    def _torque_inputs(self, motion: Numbers) -> dict[str, Array]:
+        """Return forces and rates near the thresholds of friction; half of the motors are back-driven."""
+        drives = self._exact.drives
+        F = significant(self._found("forces", motion)["F"], 4)
+        L_dot = self._found("inverse_kinematics", motion)["L_dot"]
+        at = np.array([drives["smoothing"], drives["stribeck_speed"], L_dot])
+        at = np.abs(np.where(at == 0.0, L_dot, at)[np.arange(LEGS) % len(at), np.arange(LEGS)])
+        way = np.where(F < 0.0, -0.6, 0.6) * np.repeat([1.0, -1.0], LEGS // 2)
+        return {"F": F, "axial": significant(0.9 * F, 4), "L_dot": significant(way * at, 4)}
 
 
 def _rotation_inputs(function: str, motion: Numbers) -> dict[str, Array]:
@@ -245,15 +304,9 @@ def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
     return R, t
 
 
-def _answers(found: Found, kind: type, margin: float) -> tuple[dict[str, Array], dict[str, Array]]:
-    """Return results and their bounds, which have two digits and are never zero."""
-    limits = np.finfo(kind)
-    least = float(limits.tiny) / float(limits.eps)
-    bounds = {name: np.maximum(margin * errors(numbers), least) for name, numbers in found.items()}
-    return (
-        {name: values(numbers) for name, numbers in found.items()},
-        {name: significant(bound, 2) for name, bound in bounds.items()},
-    )
+def _rounded(values: Any) -> Array:
+    """Round each number once."""
+    return np.array([float(value) for value in values])
 
 
 def _input(robot: Robot, motion: Motion, kind: type) -> dict[str, Array]:

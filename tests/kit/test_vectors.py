@@ -11,7 +11,7 @@ from fifty_digits import as_stored, further, orthonormal
 from kits import few_vectors
 from numpy.typing import NDArray
 from sweeps import share
-from vectors_in_c import KIND, WHOLE, functions_of, machine, ratios, ratios_in_c
+from vectors_in_c import KIND, WHOLE, functions_of, machine, ratios_in_c
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import MOTION
@@ -20,7 +20,6 @@ from stewart_sym.kinematics.conditioning import characteristic_length, scaled_co
 from stewart_sym.kinematics.inverse_kinematics import clear_of_joint_singularities
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.kit.kit_options import STEMS
-from stewart_sym.kit.running import Running
 from stewart_sym.kit.vectors import FEW, FUNCTIONS, Vector, vectors
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.truth import Truth, digits
@@ -47,8 +46,8 @@ def exactly_orthonormal(base_joint: str = "universal") -> tuple[dict[str, Any], 
 
 def off(found: NDArray[Any], wanted: NDArray[Any]) -> float:
     """Largest difference of 50-digit numbers over the largest of them."""
-    scale = max(abs(number.value) for number in wanted.flat)
-    return float(max(abs((a - b).value) for a, b in zip(found.flat, wanted.flat, strict=True)) / scale)
+    scale = max(abs(number) for number in wanted.flat)
+    return float(max(abs(a - b) for a, b in zip(found.flat, wanted.flat, strict=True)) / scale)
 
 
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
@@ -83,9 +82,9 @@ def test_closed_form_is_the_inverse_dynamics_to_45_digits() -> None:
         off(interpreter.found("bias_and_friction", at)["bias_and_friction"], terms["bias_and_friction"])
         < 1e-45
     )
-    held = {**at, "F": np.array([number.value for number in F])}
+    held = {**at, "F": F}
     back = interpreter.found("forward_dynamics", held)["acceleration"]
-    assert off(back, np.array([Running(number) for number in acceleration])) < 1e-45
+    assert off(back, acceleration) < 1e-45
 
 
 def moved(at: dict[str, Any], column: int, step: Any) -> dict[str, Any]:
@@ -93,17 +92,6 @@ def moved(at: dict[str, Any], column: int, step: Any) -> dict[str, Any]:
     kind, i = divmod(column, 6)
     name = (("t", "R"), ("v", "omega"), ("a", "alpha"))[kind][i // 3]
     return further(at, **{name: np.array([step * (j == i % 3) for j in range(3)])})
-
-
-def test_derivatives_are_differences_of_the_forces_to_25_digits() -> None:
-    numbers, at = exactly_orthonormal()
-    interpreter = KitInterpreter(numbers, "universal")
-    found = interpreter.derivatives(at)
-    step = digits.mpf("1e-15")
-    by = np.concatenate([found[f"by_{name}"].reshape(6, 6) for name in ("pose", "twist", "acceleration")], 1)
-    for column in range(18):
-        there, back = (interpreter.forces(moved(at, column, sign * step))["F"] for sign in (1, -1))
-        assert off((there - back) / (2 * step), by[:, column]) < 1e-25
 
 
 def test_linearization_is_that_of_forward_dynamics_to_25_digits() -> None:
@@ -156,34 +144,12 @@ def test_forward_kinematics_starts_away_from_its_answer() -> None:
         assert np.abs(vector.inputs["R_guess"] - vector.answers["R"]).max() > 1e-3
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-@pytest.mark.parametrize(
-    ("precision", "formulation"), [("double", "exact"), ("double", "paper"), ("float", "exact")]
-)
-def test_the_c_keeps_within_the_bounds(base_joint: str, precision: str, formulation: str) -> None:
-    robot = machine(base_joint)
-    named = functions_of(robot, formulation)
-    for function, found in ratios_in_c(robot, named, formulation, precision).items():
-        assert found.max() < 1, function
-        assert found.max() > 1e-3, f"{function}: bounds far too wide"
-
-
-@pytest.mark.parametrize("function", WITHOUT_DRIVE)
-def test_an_answer_wrong_by_one_part_in_a_thousand_million_is_out_of_bounds(function: str) -> None:
+def test_an_answer_wrong_by_one_part_in_a_thousand_million_is_out_of_bounds() -> None:
     epsilon = np.finfo(np.float64).eps
-    for vector in of(function):
+    for vector in everything():
         for name, answer in vector.answers.items():
             largest = np.abs(answer).max()
             assert not largest or vector.bounds[name].max() * epsilon < 1e-9 * largest, name
-
-
-@pytest.mark.parametrize("field", ["M", "m_u", "I_u0", "p", "g"])
-def test_forces_of_a_machine_slightly_other_are_out_of_bounds(field: str) -> None:
-    robot = machine()
-    other = dataclasses.replace(robot, **{field: (1 + 1e-9) * np.asarray(getattr(robot, field))})
-    mine, wrong = of("forces")[0], Truth(other).forces(poses(robot, "exact", 1))[0]
-    assert ratios(mine, {"F": wrong.astype(np.float64)}, "double").max() > 1
 
 
 @pytest.mark.slow
@@ -232,15 +198,10 @@ def test_poses_begin_with_the_examples_and_are_all_good() -> None:
     assert (scaled_condition_number(H, characteristic_length(robot)) <= MAX_CONDITION).all()
     assert clear_of_joint_singularities(robot, ss.inverse_kinematics(robot, motions)).all()
     assert (motions.omega == 0).all(axis=-1).any()
+    for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
+        assert all(float(f"{number:.5g}") == number for number in getattr(motions, name).flat), name
     apart = np.abs(motions.R[:, None] - motions.R[None]).max(axis=(-1, -2)) + np.eye(8)
     assert apart.min() > 0.01
-
-
-def test_poses_are_in_numbers_of_few_digits() -> None:
-    motions = poses(machine(), "exact", 8)
-    for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
-        for number in getattr(motions, name).flat:
-            assert float(f"{number:.5g}") == number, name
 
 
 def test_poses_within_the_length_limits_come_first() -> None:
@@ -274,16 +235,6 @@ def test_the_constant_that_float_cannot_hold_is_named(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("level", "precision"), [("frictionless", "double"), ("axisymmetric_friction", "float")]
-)
-def test_the_c_of_a_level_keeps_within_the_bounds(level: str, precision: str) -> None:
-    """Others than those of ``test_kit``, whose kits hold themselves to the same bounds."""
-    found = ratios_in_c(machine(), ("forces",), "exact", precision, level)["forces"]
-    assert 1e-3 < found.max() < 1
-
-
-@pytest.mark.slow
 def test_the_c_keeps_within_the_bounds_on_machines_of_any_size() -> None:
     """Sizes from 1 mm to 10 m; no bound is far above what it bounds."""
     for seed in range(share(20, 10)):
@@ -291,6 +242,8 @@ def test_the_c_keeps_within_the_bounds_on_machines_of_any_size() -> None:
         joint = "spherical" if seed % 3 == 1 else "universal"
         robot = machines.random_robot(rng, joint, scale=10.0 ** rng.uniform(-3, 1))
         precision = ("double", "float")[seed % 2]
-        for function, these in ratios_in_c(robot, functions_of(robot), "exact", precision, count=2).items():
+        formulation = "paper" if seed % 4 == 3 else "exact"
+        named = functions_of(robot, formulation)
+        for function, these in ratios_in_c(robot, named, formulation, precision, count=2).items():
             assert these.max() < 1, function
             assert np.median(these[these > 0]) > 1e-4, function

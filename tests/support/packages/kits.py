@@ -14,9 +14,7 @@ import numpy as np
 import pytest
 
 from stewart_sym.kit import Choice, Kit, files, kit, languages
-from stewart_sym.kit import vectors as made_vectors
 from stewart_sym.kit.kit_options import DEFAULT
-from stewart_sym.kit.selection import Selection
 from stewart_sym.kit.vectors import Vector, vectors
 from stewart_sym.robot.robot import Robot
 
@@ -51,13 +49,11 @@ def few_vectors() -> Iterator[None]:
     """Kits made meanwhile have one ordinary test motion: those that show wrong constants take a second."""
 
     def few(*given: Any, **options: Any) -> tuple[Vector, ...]:
-        return vectors(*given, **options | {"count": 1})
+        return vectors(*given, **options | {"count": 1, "extreme": False})
 
     with pytest.MonkeyPatch.context() as patch:
         for module in (files, languages):
             patch.setattr(module, "vectors", few)
-        for module in (files, made_vectors):
-            patch.setattr(module, "selection", lambda *_: Selection((), ()))
         yield
 
 
