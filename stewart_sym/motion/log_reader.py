@@ -117,8 +117,8 @@ def _read(
         table = read_columns(stream, source, check, form, progress)
     names = {name.rpartition("_")[0] for name in table.columns} - {""}
     written = {name: [table.columns[c] for c in _components(name)] for name in names}
-    given = {"given_units": table.given_units, "unit_line": table.unit_line}
-    return Log(source, table.rows, table.columns["time"], written, table.form, smoothing, **given)
+    units = (table.given_units, table.unit_line)
+    return Log(source, table.rows, table.columns["time"], written, table.form, smoothing, *units)
 
 
 def with_units_of(path: str | os.PathLike[str], form: TrajectoryFormat) -> TrajectoryFormat:

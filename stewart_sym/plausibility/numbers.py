@@ -102,13 +102,13 @@ def _strays(points: Array) -> list[int]:
 def _of_proportion(robot: Robot, ratio: float, sizes: str) -> Iterator[Finding]:
     exchanged, unit = MOST_PROPORTION
     gyration = float(np.sqrt(np.linalg.eigvalsh(robot.I_p)[-1].clip(min=0.0) / robot.M))
-    larger, thin, low, high = SLENDER
+    most, thin, low, high = SLENDER
     slender = gyration < thin * radius(robot.p) and low < gyration / radius(robot.b) < high
     if ratio > unit or ratio < 1.0 / unit:
         larger, smaller = ("platform", "base") if ratio > unit else ("base", "platform")
         cause = f"{larger} points in millimeters, or {smaller} points in meters in a file of millimeters"
         yield Finding("proportion", f"{sizes}; likely cause: {cause}")
-    elif ratio > exchanged or (ratio > larger and slender):
+    elif ratio > exchanged or (ratio > most and slender):
         body = "" if ratio > exchanged else f", {gyration:.3g} m in radius of gyration of the platform"
         yield Finding(
             "proportion",

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from ...io.array_types import Array, Flags
-from ...io.sample_times import elapsed, time_text
 from ..noise_level import LEAST_SAMPLES, white_noise
+from ..sample_times import elapsed, time_text
 from ..trajectory import Log
 
 # Fewest repeated rows: shorter runs are single faults. Noisy runs up to the second are bridged
