@@ -1,4 +1,4 @@
-"""Compiler of C source text into a shared library, which is cached and loaded with ctypes.
+"""Compilation of C sources into a shared library, which is cached and loaded with ctypes.
 
 A library is compiled in a temporary folder and published by one rename, so that no process loads an
 unfinished file. The lock only prevents simultaneous compilation of the same library.
@@ -224,7 +224,7 @@ def _candidates() -> Iterator[tuple[str, ...]]:
 
 @functools.cache
 def _version(command: tuple[str, ...]) -> str:
-    """Return the first line of ``--version``; raise CompilerError, uncached, if the command fails."""
+    """Return the first line of ``--version``; a failure raises CompilerError and is not cached."""
     with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
         return ran((*command, "--version"), Path(folder)).strip().partition("\n")[0]
 
@@ -274,9 +274,10 @@ def _open_in(folder: Path, recipe: _Recipe, file: str) -> ctypes.CDLL:
 
 @contextlib.contextmanager
 def _locked(path: Path) -> Iterator[None]:
-    """Wait until no other thread or process has the lock file, if the system and the folder support locks.
+    """Hold the lock file of a library, if the system and the folder support locks.
 
-    The lock of a killed process ends with the process.
+    The lock of a killed process ends with the process. Two processes may rarely hold it together, which only
+    repeats a compilation.
     """
     try:
         with path.open("w") as file, contextlib.ExitStack() as held:

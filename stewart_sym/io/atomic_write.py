@@ -1,4 +1,4 @@
-"""Atomic writing of files, without replacing inputs or files of other programs."""
+"""Atomic writing of files, and checks that protect inputs and files of other programs."""
 
 import contextlib
 import hashlib
@@ -21,7 +21,7 @@ TEMPORARY = ".stewart-sym-"
 
 
 def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
-    """Write a file that has either its former or its new content at any time; ``-`` is standard output.
+    """Write a file atomically; ``-`` writes text to standard output.
 
     The content is written to a temporary file in the same folder, which then replaces ``path``. Missing
     folders are created. A device or a pipe is written directly. Raises OSError with the name ``path``.
@@ -30,7 +30,7 @@ def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
     if str(path) == "-":
         sys.stdout.writelines(map(str, chunks))
         return
-    # Links to files are followed, but /dev/stdout and a shell's >(...) are pipes without another name.
+    # Links are followed. /dev/stdout and a shell's >(...) are pipes, so they are written directly.
     special = path.exists() and not path.is_file()
     target = path if special else path.resolve()
     place = path if special else target.with_name(f"{TEMPORARY}{secrets.token_hex(4)}")
@@ -59,7 +59,7 @@ def must_be_replaceable(
 ) -> None:
     """Raise ValueError if a file cannot be written or must not be replaced.
 
-    An input is never replaced, and an existing file that is not ours only with ``force``.
+    Inputs are never replaced. Other files that are not ours are replaced only with ``force``.
     """
     folder = next(each for each in path.absolute().parents if each.exists())
     if path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
@@ -73,7 +73,7 @@ def must_be_replaceable(
 
 
 def begins_with(path: Path, beginnings: Sequence[str]) -> bool:
-    """Return True if a file of this program is recognized by its beginning, or is empty or no file."""
+    """Return True if a path has no file, an empty file, or a file with one of the beginnings."""
     if not path.is_file():
         return True
     known = tuple(text.encode() for text in beginnings)
@@ -88,7 +88,9 @@ def digest(path: Path) -> str | None:
 
 
 def recorded(directory: Path, record: str = RECORD) -> dict[str, str]:
-    """Read the digests of the files that this program wrote into a folder; return {} without a record."""
+    """Read digests of files that this program wrote into a folder; return {} without a valid record."""
+    if not (directory / record).is_file():
+        return {}
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError, AttributeError):
         found = json.loads((directory / record).read_text(encoding="utf-8"))
         files = {str(name): str(value) for name, value in found["files"].items()}
@@ -101,8 +103,7 @@ def recorded(directory: Path, record: str = RECORD) -> dict[str, str]:
 class ResultFolder:
     """Folder whose files are written one by one, with a record of the files that this program wrote.
 
-    An input is never replaced, and a file that this program did not write or that was edited only with
-    ``force``.
+    Inputs are never replaced. Edited files, and files of other programs, are replaced only with ``force``.
 
     Attributes
     ----------

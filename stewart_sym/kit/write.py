@@ -48,6 +48,10 @@ def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] 
             name: content for name, content in made.files.items() if not _is(directory / name, content)
         }
         for name in changed:
+            path = directory / name
+            if path.exists() and not path.is_file():
+                found = "a folder" if path.is_dir() else "a device or a pipe"
+                raise ValueError(f"{path}: expected a file or nothing, found {found}")
             is_ours = (directory / name).exists() and digest(directory / name) == ours.get(name, "")
             must_be_replaceable(directory / name, is_ours, force, inputs, "name another folder")
         gone = [directory / name for name in ours if name not in made.files and (directory / name).is_file()]

@@ -1,1 +1,1 @@
-"""Robot model, robot files, and unit scaling."""
+"""Robot model and robot files."""

@@ -84,8 +84,8 @@ class LegSprings(Frozen):
         Returns
         -------
         LegSprings
-            Springs with rest lengths L + F / k, with the lengths L and the actuator forces F of the robot at
-            rest in the pose.
+            Springs with rest lengths L + F / k: L are the leg lengths, F the actuator forces at rest in the
+            pose.
 
         Raises
         ------
@@ -144,15 +144,16 @@ class ModelTorque:
         a     = a_w     + k_d (v_w - v)         + k_p (t_w - t)
         alpha = alpha_w + k_d (omega_w - omega) + k_p e
 
-    The index w denotes the reference; e is the rotation vector of R_w R^T in the base frame. If the model is
-    exact, each error satisfies x'' + k_d x' + k_p x = 0.
+    The index w denotes the reference; e is the rotation vector of R_w R^T in the base frame. If model and
+    load are exact, the position error satisfies x'' + k_d x' + k_p x = 0. For rotation this holds about a
+    fixed axis.
 
     Attributes
     ----------
     model : callable
         Function Motion of shape () with accelerations -> actuator forces (N), shape (6,).
     reference : callable
-        Function time (s) -> reference Motion with accelerations. The model includes its load.
+        Function time (s) -> reference Motion with accelerations. Its external load is passed to the model.
     k_p, k_d : float
         Gains of position (1/s^2) and velocity (1/s).
 
@@ -191,7 +192,7 @@ class ComputedTorque:
     robot : Robot
         Robot model of the controller.
     reference : callable
-        Function time (s) -> reference Motion with accelerations. The model includes its load.
+        Function time (s) -> reference Motion with accelerations. Its external load is passed to the model.
     k_p : float
         Gain of position (1/s^2).
     k_d : float
@@ -230,10 +231,11 @@ class ComputedTorque:
 
 @dataclass(frozen=True, eq=False)
 class GravityCompensation(Frozen):
-    """PD control with gravity compensation: H F = g + M_0 [k_p e + k_d e'].
+    """PD control with gravity compensation: H F = g + M_0 u.
 
-    The errors are the same as in ``ModelTorque``. The law computes no inertia forces and ignores the
-    accelerations of the reference.
+    The gravity wrench is g. The feedback is u = [k_d (v_w - v) + k_p (t_w - t); k_d (omega_w - omega) +
+    k_p e], with the symbols of ``ModelTorque``. The law computes no inertia forces, and ignores accelerations
+    and load of the reference.
 
     Attributes
     ----------

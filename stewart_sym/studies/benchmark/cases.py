@@ -1,4 +1,4 @@
-"""Table of the code that ``benchmark`` times: our kernels, CasADi's C, and the vector reference."""
+"""Cases that ``benchmark`` times: our kernels, the vector reference, CasADi, Pinocchio, and MuJoCo."""
 
 import ctypes
 from collections.abc import Callable, Iterator
@@ -34,12 +34,12 @@ batch.
 """
 
 _EQUATION_POSES = 16
-"""Number of poses for which all outputs except the largest, the regressor, remain in the first cache."""
+"""Number of poses whose outputs, except the regressor, fit into the first cache."""
 
 BATCHES, QUICK_BATCHES = (10**3, 10**4, 10**5, 10**6), (10**3, 10**4, 10**5)
 
 CLOSED, PLAIN = "CasADi, closed form", "CasADi"
-"""Reference cases, by whose times the times of forces are divided."""
+"""Cases whose times are the bases of the ratios."""
 
 INVERSE, FORWARD = "inverse dynamics", "forward dynamics"
 
@@ -157,7 +157,7 @@ def _columns(poses: Poses, truth: Array, operations: int) -> Case:
 
 
 def _in_columns(array: Array) -> Array:
-    """Copy rows to an array with rows aligned to cache lines at different positions within pages."""
+    """Copy an array so that rows begin at cache lines, at different offsets within pages."""
     width, count = array.shape
     stride = 8 * (-(-count // 8) | 1)
     room = np.zeros(width * stride + 7)
@@ -168,7 +168,7 @@ def _in_columns(array: Array) -> Array:
 
 
 def _compared(poses: Poses, truth: Array) -> Iterator[Case]:
-    """Yield the installed packages that compute forces."""
+    """Yield cases of other installed packages that compute forces."""
     few = poses.resized(FEW)
     if not absent("casadi"):
         from . import casadi_forces
@@ -187,7 +187,7 @@ def _compared(poses: Poses, truth: Array) -> Iterator[Case]:
 
 
 def _equations(poses: Poses) -> Iterator[Case]:
-    """Yield functions of the closed form in C for tensors of rigid bodies, which MuJoCo requires."""
+    """Yield cases of the equations of motion, for a robot of rigid bodies as MuJoCo requires."""
     robot, motion = robot_of_bodies(poses.robot), poses.motion
     few = Poses(robot, poses.arrays)
     F = np.ascontiguousarray(newton_euler.inverse_dynamics(robot, motion).F)

@@ -1,4 +1,4 @@
-"""Failures: functions that bring cases near each, families at given distances, and kinds of random cases."""
+"""Failures: functions that move cases near a failure, families at fixed distances, and random cases."""
 
 import dataclasses
 from collections.abc import Callable
@@ -19,12 +19,12 @@ from .singular_machines import FAMILIES as SINGULAR_MACHINES
 from .singular_machines import singular_machine
 
 POINTS = 49
-"""Number of distances of a family."""
+"""Number of distances of every family except that of extreme sizes."""
 FAR = "far reference point"
 UNLIKE = ("proportions", FAR)
-"""Kinds whose moments count over a length."""
+"""Kinds that are checked with the scaled condition number as the least condition number."""
 MACHINE = "singular machine"
-"""Kind whose machines are singular at every pose: a kernel with a solve of H must return a status."""
+"""Kind of machines that are singular at every pose; a kernel that solves with H must return a status."""
 SIZES, MASSES = (1e-4, 1e3), (1e-6, 1e6)
 """Extremes of the size (m) and mass (kg) of a random machine."""
 
@@ -41,7 +41,7 @@ def distances() -> Array:
 
 
 def singular(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
-    """Move poses to a distance, as a fraction of a random way, from singular poses; NaN without one."""
+    """Move poses near singular poses. Distances are fractions of a random way; NaN if there is none."""
     (R, t), n = _pose(cases), len(way)
     size = np.abs(cases.legs[:, :, :3]).max(axis=(1, 2))[:, None]
     start = _side(cases, R, t)
@@ -88,7 +88,7 @@ def both(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
 
 
 def short(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
-    """Move the base point of a random leg to a distance, relative to its terms, from the platform point."""
+    """Move the base point of a random leg near its platform point; distances relative to the largest term."""
     each, leg, (R, t) = np.arange(len(way)), rng.integers(6, size=len(way)), _pose(cases)
     q = _points(cases, R, t)[0][each, leg]
     reach = np.fmax(np.abs(q), np.abs(t)).max(axis=1)
@@ -108,7 +108,7 @@ def heavy(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
 
 
 def proportions(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
-    """Make platforms smaller by up to 1e5, with or without the body, and legs longer by up to 1e4."""
+    """Shrink platforms by up to 1e5, half of them with their body, and lengthen legs by up to 1e4."""
     n, which = len(way), rng.integers(3, size=len(way))
     small = np.where(which == 0, 1.0, 10.0 ** -rng.uniform(0.0, 5.0, n))[:, None]
     body = np.where(rng.random((n, 1)) < 0.5, small, 1.0)
@@ -123,7 +123,7 @@ def proportions(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
 
 
 def far(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
-    """Move the reference point by up to 1e4 radii of machines of ``proportions``.
+    """Move the reference point of machines of ``proportions`` by up to 1e4 radii.
 
     With distances for float it is 100 radii, because rounding of R changes the inertia by the square of them.
     """
@@ -143,7 +143,7 @@ def far(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
 
 
 def turned(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
-    """Rotate singular machines by any angle, one in three not at all."""
+    """Rotate singular machines by random angles, except one third of them."""
     phi = 0.8 * rng.normal(size=(len(way), 3)) * (rng.random((len(way), 1)) > 1.0 / 3.0)
     cases.motions[:, :9] = rotation_from_vector(phi).reshape(-1, 9)
     return np.zeros(len(way))
@@ -208,7 +208,7 @@ def path_III() -> tuple[list[Robot], list[Motion]]:
 
 
 def _turns(robot: Robot, motion: Motion, turns: list[Array]) -> Cases:
-    """Return one machine with each of the rotations."""
+    """Return cases of one machine, one for each rotation."""
     motions = [dataclasses.replace(motion, R=R) for R in turns]
     return cases_of([robot] * len(turns), motions, distances())
 
@@ -234,7 +234,7 @@ def _flat(rng: np.random.Generator) -> Cases:
 
 
 def _walk(draw: Draw, legs: str = LEGS[0], rest: bool = False) -> Callable[[np.random.Generator], Cases]:
-    """Return a function that brings one machine to all distances from a failure on the same way."""
+    """Return a function that moves one machine to all distances from a failure in the same direction."""
 
     def make(rng: np.random.Generator) -> Cases:
         robot = random_machine(rng, legs=legs)
@@ -250,7 +250,7 @@ def _walk(draw: Draw, legs: str = LEGS[0], rest: bool = False) -> Callable[[np.r
 
 
 def _extreme(rng: np.random.Generator) -> Cases:
-    """Generate machines of one shape, with the time scale of the motion.
+    """Generate machines of one shape and many sizes, with motions on the time scale of each machine.
 
     Larger machines are lighter, so that their inertias remain within the range of double.
     """
@@ -327,11 +327,11 @@ KINDS: dict[str, Draw] = {
     MACHINE: turned,
     "wrong input": not_finite,
 }
-"""Failures that random cases approach, machines of any scale, and machines singular at every pose."""
+"""Functions that change random cases, by kind."""
 
 
 def random_cases(kind: str, rng: np.random.Generator, count: int, each: int, decades: float) -> Cases:
-    """Generate at most ``count`` cases of a kind of ``KINDS``, ``each`` of every machine.
+    """Generate up to ``count`` cases of a kind of ``KINDS``, with ``each`` cases per machine.
 
     Distances are logarithmically uniform over the decades. A quarter of the motions is at rest.
     """
