@@ -178,7 +178,7 @@ def _description(
         "files": [f'      <File name="{escape(file)}"/>' for file in files],
         "variables": [_scalar_variable(i, v) for i, v in enumerate(variables)],
         "unknowns": [f'      <Unknown index="{index}"/>' for index in outputs],
-        "codes": [f"{code} {text}" for _, code, text in STATUSES],
+        "codes": [escape(f"{code} {text}") for _, code, text in STATUSES],
     }
     values = {
         "identifier": model_identifier(symbol),

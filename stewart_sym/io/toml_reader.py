@@ -202,7 +202,8 @@ def need_schema(value: object, known: Sequence[int], where: str) -> int:
 
 def number(value: Any, where: str, expected: str = "a finite number") -> float:
     """Return a finite number; reject Booleans."""
-    remedy = " (no limit: omit the key)" if isinstance(value, float) and math.isinf(value) else ""
+    is_open = "limit" in where and isinstance(value, float) and math.isinf(value)
+    remedy = " (no limit: omit the key)" if is_open else ""
     return number_in(value, where, f"{expected}{remedy}", -math.inf)
 
 

@@ -331,4 +331,4 @@ def test_the_command_seeks_terms_of_measured_forces(
             assert abs(row["estimated"] - values[leg]) < 5.0 * row["std"]
     assert not found["viscous3"]["identifiable"]
     told = run(*command, "--drive-terms", "coulomb,stiction", code=2).err
-    assert "--drive-terms: TERM: expected some of reflected_mass" in told
+    assert "drive_terms: expected some of reflected_mass" in told

@@ -180,7 +180,7 @@ def test_iteration_goes_along_the_first_axis() -> None:
     for i, part in enumerate(Motion(R=E, t=t, omega=ZERO, v=ZERO)):
         np.testing.assert_array_equal(part.t, t[i])
     assert i == 4
-    with pytest.raises(TypeError, match="one instant"):
+    with pytest.raises(TypeError, match="one sample"):
         iter(Motion(R=E, t=ZERO, omega=ZERO, v=ZERO))
 
 

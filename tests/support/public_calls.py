@@ -204,7 +204,7 @@ def calls() -> dict[str, Call]:
     add(ss.certify_pose, robot=robot, L=legs.L, pose=(motion.R, motion.t))
     add(ss.joint_angles, robot=at_home, motion=motion)
     add(ss.leg_distances, **both)
-    add(ss.PoseLimits, lengths=True, joint_angles=True, forces=True, condition=9.0, clearance=0.01)
+    add(ss.PoseLimits, lengths=True, joint_angles=True, forces=True, max_condition=9.0, min_clearance=0.01)
     region = {
         "position": motion.t,
         "rpy": vector,

@@ -39,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     flag(parser, "scalar", text)
     chosen(parser, "precision", ("double", "float"), "floating-point type")
     flag(parser, "fmu", "add an FMI 2.0 co-simulation unit of the forces")
-    chosen(parser, "language", ("c", "python", "matlab", "rust"), _LANGUAGE)
+    valued(parser, "language", str, _LANGUAGE, "c", "NAME")
     flag(parser, "list", "print the file names without writing files")
     output(parser, "DIR", "folder of the kit", None)
 

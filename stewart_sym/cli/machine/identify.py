@@ -23,6 +23,7 @@ from ...io.extras import need
 from ...io.progress import Progress
 from ...kinematics.robot_logs import trajectory_for
 from ...motion.log_reader import CURRENTS, FORCES, read_leg_columns
+from ...motion.logs import HeaderError
 from ...motion.smooth_motion import WITHOUT_PERIOD
 from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS
@@ -90,7 +91,13 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> tuple[Report
     # The fit has its own noise model. The noise options are only compared with the log.
     std = stated_noise(arguments, form)
     smoothing = ss.SmoothingOptions(*std, enabled=False, repair=True)
-    log = trajectory_for(robot, poses, log_format(arguments), smoothing)
+    try:
+        log = trajectory_for(robot, poses, log_format(arguments), smoothing)
+    except HeaderError as error:
+        if not set(FORCES) <= set(error.header):
+            raise
+        remedy = "exchange the files of --measured"
+        raise ValueError(f"{poses}: expected poses or leg lengths, got forces F_1 to F_6; {remedy}") from None
     trajectory = cast(Trajectory, poses_of(robot, log, arguments, progress))
     of_forces = dataclasses.replace(log_format(arguments), columns={})
     time, F, columns, lines = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))

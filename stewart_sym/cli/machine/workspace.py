@@ -46,8 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     valued(parser, "max-condition", positive, text, metavar="NUMBER")
     valued(parser, "min-clearance", positive, "smallest distance between leg center lines (m)", metavar="M")
     text = "limits of the robot file to ignore; may be repeated"
-    ignored = [name.replace("_", "-") for name in _IGNORED]
-    parser.add_argument("--ignore", action="append", choices=ignored, default=[], help=text)
+    parser.add_argument("--ignore", action="append", choices=_IGNORED, default=[], help=text)
     valued(parser, "samples", whole, "number of random poses", 1_000_000, "N")
     seed(parser)
     text = "address of a Dask scheduler (tcp://host:8786), or local: one worker per core; identical results"
