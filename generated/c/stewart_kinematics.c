@@ -328,13 +328,13 @@ static void reflect(stewart_real A[6][7])
  * square of the size of x. */
 static stewart_real substitute(stewart_real A[6][7], stewart_real x[6])
 {
+    int back;
     int i;
-    int j;
     stewart_real square = REAL(0);
     for (i = 5; i >= 0; --i) {
         stewart_real total = A[i][6];
-        for (j = 5; j > (i + 1) - 1; --j) {
-            total = total - (A[i][j]*x[j]);
+        for (back = 0; back < 5 - i; ++back) {
+            total = total - (A[i][5 - back]*x[5 - back]);
         }
         x[i] = total*A[i][i];
         square = square + (x[i]*x[i]);
@@ -348,7 +348,7 @@ static stewart_real substitute(stewart_real A[6][7], stewart_real x[6])
  * condition number. Stores |J^-1|^2 in ``legs``. */
 static int is_open(legs_at_pose *legs, stewart_real factor)
 {
-    int i;
+    int back;
     int j;
     int k;
     stewart_real total = REAL(0);
@@ -360,14 +360,15 @@ static int is_open(legs_at_pose *legs, stewart_real factor)
         legs->A[k][6] = pivot;
         total = total + ((STEWART_FABS(pivot) > REAL(0)) ? REAL(1)/(pivot*pivot) : REAL(0));
         of_inverse = of_inverse + (pivot*pivot);
-        for (i = k - 1; i >= 0; --i) {
-            stewart_real entry = legs->A[i][k]*pivot;
-            for (j = i + 1; j < k; ++j) {
-                entry = entry + (legs->A[i][j]*legs->A[k][j]);
+        for (back = 0; back < k; ++back) {
+            const stewart_real corner = legs->A[k - 1 - back][k];
+            stewart_real entry = corner*pivot;
+            for (j = k - back; j < k; ++j) {
+                entry = entry + (legs->A[k - 1 - back][j]*legs->A[k][j]);
             }
-            entry = (-entry)*legs->A[i][i];
-            legs->A[k][i] = entry;
-            total = total + (legs->A[i][k]*legs->A[i][k]);
+            entry = (-entry)*legs->A[k - 1 - back][k - 1 - back];
+            legs->A[k][k - 1 - back] = entry;
+            total = total + (corner*corner);
             of_inverse = of_inverse + (entry*entry);
         }
     }
@@ -525,6 +526,17 @@ static void advance(stewart_pose *pose, const stewart_real along[3], const stewa
     }
 }
 
+/* Record the square of a step if ``going`` is 1, and if it grew although the lengths are not exact. */
+static void record_step(
+    legs_at_pose *legs, stewart_real square, stewart_real last, int begins, int exact, int going)
+{
+    const stewart_real doubled = REAL(4)*square;
+    const int grew = ((doubled > legs->last) && (exact == 0)) ? 1 : 0;
+    legs->straight = ((going == 1) && (grew == 1)) ? 0 : legs->straight;
+    legs->first = ((going == 1) && (begins == 1)) ? square : legs->first;
+    legs->last = (going == 1) ? last : legs->last;
+}
+
 /* Step from a pose, with its legs, to lengths L. The first four steps are damped. Return 1 if a pose
  * with these lengths was found, else 0. ``legs`` keeps the triangle of J before the last step, and the
  * squares of the first and of the last step. */
@@ -556,11 +568,9 @@ static int search(
             const stewart_real square = substitute(legs->A, x);
             trusted(x, per_size, per_longest, along, turn);
             advance(pose, along, turn, going);
-            const stewart_real doubled = REAL(4)*square;
-            const int longer = ((worst > (STEWART_ROUNDING*legs->reach)) && (doubled > legs->last)) ? 1 : 0;
-            legs->straight = ((going == 1) && (longer == 1)) ? 0 : legs->straight;
-            legs->first = ((step == 0) && (going == 1)) ? square : legs->first;
-            legs->last = (going == 1) ? ((part > REAL(0)) ? REAL(1e+30) : square) : legs->last;
+            const int exact = (worst > (STEWART_ROUNDING*legs->reach)) ? 0 : 1;
+            const stewart_real last = (part > REAL(0)) ? REAL(1e+30) : square;
+            record_step(legs, square, last, (step == 0) ? 1 : 0, exact, going);
             status = legs_at(robot, pose, legs);
             worst = compare(L, legs);
         } else {

@@ -40,7 +40,7 @@ FUNCTIONS = (*(stem for stems in STEMS.values() for stem in stems), *ROTATION)
 FEW = 3
 """Number of poses for functions with many results."""
 
-TOLERANCE = 8.0
+TOLERANCE = 12.0
 """Tolerance of a result (rounding units, times its condition number)."""
 
 _SAMPLES, _STEP = 6, 2.0**-20

@@ -191,11 +191,11 @@ def test_other_machines_project_too(browser: Browser, tmp_path: Path, name: str)
     page = Opened(browser, tmp_path / "home.html")
     page.do(STILL + LINES)
     picture = page.drawn()
-    lines = projected(page, robot, found.instants, 0)
+    lines = projected(page, robot, found.history, 0)
     inside = (lines > 0.0).all() and (lines < np.array(picture.shape[1::-1]) / DOTS).all()
     assert inside
     for leg in range(6):
-        wanted = force_color(found.instants, "exact", 0, leg)
+        wanted = force_color(found.history, "exact", 0, leg)
         assert ends_off(picture, wanted, lines, leg) <= 1.0
     page.close()
 

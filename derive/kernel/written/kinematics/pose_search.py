@@ -137,8 +137,9 @@ def substitute(A: "array(6, 7)", x: "array(6)") -> "Real":
     square = 0.0
     for i in reversed(range(6)):
         total = A[i][6]
-        for j in reversed(range(i + 1, 6)):
-            total = total - A[i][j] * x[j]
+        # The number that was computed last comes last.
+        for back in range(5 - i):
+            total = total - A[i][5 - back] * x[5 - back]
         x[i] = total * A[i][i]
         square = square + x[i] * x[i]
     return square
@@ -158,13 +159,14 @@ def is_open(legs: "LegsAtPose", factor: "Real") -> "Integer":
         legs.A[k][6] = pivot
         total = total + where(size(pivot) > 0.0, 1.0 / (pivot * pivot), 0.0)
         of_inverse = of_inverse + pivot * pivot
-        for i in reversed(range(k)):
-            entry = legs.A[i][k] * pivot
-            for j in range(i + 1, k):
-                entry = entry + legs.A[i][j] * legs.A[k][j]
-            entry = -entry * legs.A[i][i]
-            legs.A[k][i] = entry
-            total = total + legs.A[i][k] * legs.A[i][k]
+        for back in range(k):
+            corner = legs.A[k - 1 - back][k]
+            entry = corner * pivot
+            for j in range(k - back, k):
+                entry = entry + legs.A[k - 1 - back][j] * legs.A[k][j]
+            entry = -entry * legs.A[k - 1 - back][k - 1 - back]
+            legs.A[k][k - 1 - back] = entry
+            total = total + corner * corner
             of_inverse = of_inverse + entry * entry
     legs.of_inverse = of_inverse
     square = 256.0 * EPSILON * factor * total * of_inverse
@@ -282,6 +284,17 @@ def advance(pose: "Pose", along: "array(3)", turn: "array(3)", going: "Integer")
         pose.t[i] = where(going == 1, pose.t[i] + along[i], pose.t[i])
 
 
+def record_step(
+    legs: "LegsAtPose", square: "Real", last: "Real", begins: "Integer", exact: "Integer", going: "Integer"
+) -> None:
+    """Record the square of a step if ``going`` is 1, and if it grew although the lengths are not exact."""
+    doubled = 4.0 * square
+    grew = where((doubled > legs.last) & (exact == 0), 1, 0)
+    legs.straight = where((going == 1) & (grew == 1), 0, legs.straight)
+    legs.first = where((going == 1) & (begins == 1), square, legs.first)
+    legs.last = where(going == 1, last, legs.last)
+
+
 def search(
     robot: "Robot", L: "array(6)", per_size: "Real", damping: "Real", pose: "Pose", legs: "LegsAtPose"
 ) -> "Integer":
@@ -311,12 +324,10 @@ def search(
             trusted(x, per_size, per_longest, along, turn)
             advance(pose, along, turn, going)
             # At convergence, rounding errors of the lengths determine the size of a step.
-            doubled = 4.0 * square
-            longer = where((worst > ROUNDING * legs.reach) & (doubled > legs.last), 1, 0)
-            legs.straight = where((going == 1) & (longer == 1), 0, legs.straight)
-            legs.first = where((step == 0) & (going == 1), square, legs.first)
+            exact = where(worst > ROUNDING * legs.reach, 0, 1)
             # A damped step has no triangle of J. With 1e30 m^2, ``settle`` computes the triangle.
-            legs.last = where(going == 1, where(part > 0.0, 1e30, square), legs.last)
+            last = where(part > 0.0, 1e30, square)
+            record_step(legs, square, last, where(step == 0, 1, 0), exact, going)
             status = legs_at(robot, pose, legs)
             worst = compare(L, legs)
         else:
