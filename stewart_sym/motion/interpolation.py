@@ -121,7 +121,7 @@ def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
 
     Each takes the row of the sample before it. In long gaps of a log of poses, or of one with noise,
     deviations hold what noise at both ends leaves open, and by how much as long polynomials miss the motion
-    elsewhere; samples there count as replaced rows. Of a trajectory without noise there are none.
+    elsewhere; samples there count as replaced rows. A trajectory without noise has none.
 
     Parameters
     ----------

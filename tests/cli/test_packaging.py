@@ -44,7 +44,7 @@ def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """Return the sdist and the wheel of a clone, so that nothing is written next to the package."""
     folder = tmp_path_factory.mktemp("archives")
     subprocess.run(["git", "clone", "-q", str(REPOSITORY), str(folder / "clone")], check=True)
-    for name in ("pyproject.toml", "setup.py", "LICENSE", "LICENSE.0BSD", "README.md"):
+    for name in ("pyproject.toml", "LICENSE", "LICENSE.0BSD", "README.md"):
         shutil.copy(REPOSITORY / name, folder / "clone")
     run = [sys.executable, "-c", BUILD, str(folder)]
     subprocess.run(run, check=True, capture_output=True, cwd=folder / "clone")

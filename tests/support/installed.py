@@ -22,7 +22,7 @@ def install(folder: Path) -> Path:
     source, target = folder / "source", folder / "installed"
     for name in FOLDERS:
         shutil.copytree(REPOSITORY / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE", "LICENSE.0BSD"):
+    for name in ("pyproject.toml", "README.md", "LICENSE", "LICENSE.0BSD"):
         shutil.copy(REPOSITORY / name, source)
     run = [sys.executable, "-c", WHEEL, str(folder)]
     subprocess.run(run, check=True, capture_output=True, cwd=source)
