@@ -1,8 +1,9 @@
 """Test vectors: inputs of the functions of a kit, results with 50 digits, and tolerances of rounding errors.
 
-A tolerance is TOLERANCE rounding units times the condition number of the results. The condition number is
-measured in double precision: the root mean square of the changes of a result for small relative changes of
-all inputs and constants, of which each has a random sign.
+A tolerance is TOLERANCE rounding units times the condition number of the results, or MARGIN times the largest
+error of the same program in double precision, in rounding units, if this is more. The condition number is the
+root mean square of the changes of a result for small relative changes of all inputs and constants, of which
+each has a random sign.
 """
 
 import math
@@ -40,8 +41,11 @@ FUNCTIONS = (*(stem for stems in STEMS.values() for stem in stems), *ROTATION)
 FEW = 3
 """Number of poses for functions with many results."""
 
-TOLERANCE = 12.0
+TOLERANCE = 8.0
 """Tolerance of a result (rounding units, times its condition number)."""
+
+MARGIN = 4.0
+"""Smallest ratio of the tolerance of a result to the error of the same program in double precision."""
 
 _SAMPLES, _STEP = 6, 2.0**-20
 """Number of changed copies of all numbers for a condition number, and their relative change."""
@@ -213,6 +217,7 @@ class _Vectors:
             )
             for _ in range(_SAMPLES)
         ]
+        self._rounding = replace(self._exact, arithmetic=FLOATS)
 
     def vector(self, function: str, motion: Numbers) -> Vector:
         """Compute the test vector of a function for a motion."""
@@ -223,6 +228,7 @@ class _Vectors:
     def _tolerances(self, function: str, at: Numbers, answers: Numbers) -> dict[str, Array]:
         """Return tolerances of two digits, which are never zero (rounding units)."""
         changed = [each.found(function, self._change(at)) for each in self._changed]
+        inexact = self._rounding.found(function, at)
         limits = np.finfo(self._kind)
         least = float(limits.tiny) / float(limits.eps)
         found = {}
@@ -230,7 +236,9 @@ class _Vectors:
             moved = [(_rounded(each[name]) - answer) / _STEP for each in changed]
             scale = np.maximum(np.sqrt(np.mean(np.square(moved), axis=0)), np.abs(answer))
             scale = np.maximum(scale, _LEAST * scale.max())
-            found[name] = significant(np.maximum(TOLERANCE * scale, least), 2)
+            error = np.abs(_rounded(inexact[name]) - answer) / float(np.finfo(np.float64).eps)
+            units = max(TOLERANCE, MARGIN * float((error / np.maximum(scale, least)).max()))
+            found[name] = significant(np.maximum(units * scale, least), 2)
         return found
 
     def _change(self, numbers: Numbers) -> dict[str, Array]:
