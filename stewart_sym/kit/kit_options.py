@@ -28,7 +28,6 @@ STEMS: dict[str, tuple[str, ...]] = {
 }
 """C functions of each group; ``axial_forces`` exists only for legs with rotors."""
 
-
 PRECISIONS: dict[str, type] = {"double": np.float64, "float": np.float32}
 """Floating-point types of a kit."""
 

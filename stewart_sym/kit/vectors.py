@@ -7,9 +7,9 @@ each has a random sign.
 """
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import lru_cache, partial
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
@@ -64,6 +64,7 @@ _SINES, _COSINES = (3 / 5, -5 / 13, 15 / 17), (4 / 5, 12 / 13, -8 / 17)
 _QUATERNION = (1.5, 0.25, -0.5, 0.75)
 
 
+@lru_cache(maxsize=64)
 def vectors(
     robot: Robot,
     functions: tuple[str, ...],
@@ -111,38 +112,7 @@ def vectors(
     """
     level = fidelities.resolved(robot, formulation, fidelity or "general")
     need_representable(robot, precision)
-    return _made(_Numbered.of(robot), functions, formulation, level, precision, count, baked, extreme)
-
-
-@dataclass(frozen=True)
-class _Numbered:
-    """Robot that is equal to every robot with equal constants, regardless of its name."""
-
-    robot: Robot = field(compare=False)
-    numbers: tuple[bytes, ...]
-    base_joint: str
-
-    @classmethod
-    def of(cls, robot: Robot) -> Self:
-        """Create the record from the constants of a robot, including its limits."""
-        names = (*fields_of(robot.has_rotors), "length_limits")
-        numbers = [np.asarray(of_symbol(robot, name)) for name in names]
-        numbers += [] if robot.drive is None else [*drive_numbers(robot.drive).values()]
-        return cls(robot, tuple(each.tobytes() for each in numbers), robot.base_joint)
-
-
-@lru_cache(maxsize=64)
-def _made(
-    numbered: _Numbered,
-    functions: tuple[str, ...],
-    formulation: str,
-    level: str,
-    precision: str,
-    count: int,
-    baked: bool,
-    extreme: bool,
-) -> tuple[Vector, ...]:
-    robot, kind = numbered.robot, PRECISIONS[precision]
+    kind = PRECISIONS[precision]
     every = poses(robot, formulation, count)
     ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
     made = _Vectors(robot, formulation, level, kind, baked)
