@@ -126,7 +126,7 @@ def robot() -> ss.Robot:
     return ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
 
 
-@pytest.mark.parametrize("pitch", [60.0, 90.0, 120.0])
+@pytest.mark.parametrize("pitch", [60.0, 90.0])
 @pytest.mark.parametrize("written", ["quaternions", "angles"])
 def test_a_platform_with_a_pitched_frame_moves_as_any(tmp_path: Path, written: str, pitch: float) -> None:
     """Roll and yaw are about one axis at a right angle, where their rates have no bounds."""

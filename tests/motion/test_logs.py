@@ -3,7 +3,6 @@
 import dataclasses
 import re
 import warnings
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,6 @@ from command_line import Run, rejects
 from log_files import LENGTHS, NAMES, poses, write
 from machines import Array, dasgupta, home_position, machine_size, random_robot
 from robot_files import PAPERS
-from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.kinematics.trajectory_checks import angle_doubt, length_doubt, side_doubt
@@ -21,7 +19,6 @@ from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_colu
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, TrajectoryFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
-from stewart_sym.studies.reports.track import peak_noise
 
 
 def same(one: Trajectory, other: Trajectory, tolerance: float = 1e-6) -> None:
@@ -37,18 +34,6 @@ def test_delimiter_and_decimal_comma_are_detected(tmp_path: Path, delimiter: str
     same(read_csv(odd), plain, 0.0)
     marks = {",": "comma", ";": "semicolon", "\t": "tab"}[delimiter], {".": "point", ",": "comma"}[decimal]
     same(read_csv(odd, TrajectoryFormat(delimiter=marks[0], decimal=marks[1])), plain, 0.0)
-
-
-@pytest.mark.parametrize("read", [read_csv, lambda log: ss.read_trajectory(dasgupta(), log)])
-def test_rows_that_are_off_are_told_at_the_line_that_reads_the_log(
-    tmp_path: Path, read: Callable[[Path], Trajectory]
-) -> None:
-    rows = poses(121)
-    rows[60, 1] += 0.01
-    log = write(tmp_path / "spike.csv", NAMES, rows)
-    with pytest.warns(ss.TrajectoryWarning, match="numbers are off as no motion makes them: line 62") as told:
-        read(log)
-    assert {each.filename for each in told} == {__file__}
 
 
 def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:
@@ -69,11 +54,8 @@ def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:
     ("change", "words"),
     [
         ({"yaw": "yaw"}, "unknown column 'yaw', expected time and either .* M_ext_[*]$"),
-        ({"t_xx": "foo"}, "unknown column 't_xx', expected time"),
         ({"theta_y": "yaw"}, "header 'yaw' is given for theta_y and theta_z$"),
-        ({"q_w": "W"}, "unknown column 'theta_x', expected"),
         ({"F_ext_x": "F"}, "missing column F_ext_y$"),
-        ({"t_x": 1}, "expected a mapping of names, got {"),
     ],
 )
 def test_mistakes_among_given_names_are_theirs(tmp_path: Path, change: dict[str, Any], words: str) -> None:
@@ -113,7 +95,7 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("factors", "unit"),
-    [((1e3, 1.0, 1.0), "ms"), ((1e3, 1e3, 1.0), "ms"), ((1e3, 1e3, 1e2), "ms"), ((1e6, 1.0, 1.0), "us")],
+    [((1e3, 1.0, 1.0), "ms"), ((1e6, 1.0, 1.0), "us")],
 )
 def test_a_log_in_another_unit_of_time_is_rejected_unless_the_unit_is_stated(
     tmp_path: Path, factors: tuple[float, float, float], unit: str
@@ -276,33 +258,6 @@ def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) 
         assert expected in told if words else "raise --rate" not in told
 
 
-def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:
-    table = poses(400)
-    rough = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
-    with pytest.warns(ss.TrajectoryWarning, match="smoothed"):
-        trajectory = read_csv(rough)
-    (line,) = (text for text in track(dasgupta(), trajectory, noise_share=1e-4).doubts if "noise" in text)
-    pattern = (
-        r"may be (\S+) % higher than computed because of noise in the log: (\S+) N computed .*, "
-        r"up to (\S+) N possible \((\S+) N with 3 standard deviations of (\S+) N "
-        r"at .* 0.01 % \(--noise-threshold 0.0001\)"
-    )
-    share, peak, possible, force, sd = map(float, re.findall(pattern, line)[0])
-    assert abs(force) + 3.0 * sd == pytest.approx(possible, rel=1e-3)
-    share /= 100.0
-    assert (possible - peak) / peak == pytest.approx(share, rel=0.02)
-    F = ss.inverse_dynamics(dasgupta(), trajectory.motion).F
-    assert share == pytest.approx(peak_noise(F, ss.force_std(dasgupta(), trajectory)).max(), rel=0.01)
-
-
-def test_noise_that_no_force_shows_is_a_line_of_the_summary(tmp_path: Path, run: Run) -> None:
-    table = poses(400)
-    log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 9)]))
-    told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv")
-    assert "noise" not in told.err
-    assert re.search(r"noise of [23]\.\de-10 m and", told.out), told.out
-
-
 def test_hints_are_the_same_in_python_and_on_the_command_line(tmp_path: Path, run: Run) -> None:
     log = write(tmp_path / "log.csv", ["ms", *NAMES[1:]], poses())
     rejects(r"give columns NAME=HEADER,...$", read_csv, log)
@@ -317,11 +272,8 @@ def test_hints_are_the_same_in_python_and_on_the_command_line(tmp_path: Path, ru
     ("options", "words"),
     [
         (["--columns", "time"], "expected NAME=HEADER"),
-        (["--length-unit", "mile"], 'expected "m"'),
         (["--cutoff", "1e6"], "cutoff: expected a frequency > 0 and <"),
         (["--rate", "1e9"], "rate: expected > 0 Hz and at most"),
-        (["--columns", "yaw=theta_z"], "error: columns: unknown column 'yaw', expected time"),
-        (["--angle-std", "0"], "expected a number > 0"),
     ],
 )
 def test_bad_options_are_one_line(tmp_path: Path, run: Run, options: list[str], words: str) -> None:
@@ -348,16 +300,16 @@ def cut_warnings(path: Path) -> list[str]:
     return [str(each.message) for each in caught if "cut off" in str(each.message)]
 
 
-@pytest.mark.parametrize("count", [41, 4001])
 @pytest.mark.parametrize("cut", [1, 3, 6])
-def test_a_log_that_ends_within_its_last_number_is_warned_of(tmp_path: Path, cut: int, count: int) -> None:
+def test_a_log_that_ends_within_its_last_number_is_warned_of(tmp_path: Path, cut: int) -> None:
+    count = 41
     path = tmp_path / "cut.csv"
     path.write_text(fixed(poses(count), 6)[:-cut])
     (line,) = cut_warnings(path)
     assert line.startswith(f"{path}: line {count + 1}: ")
 
 
-@pytest.mark.parametrize("kind", ["fixed", "shortest", "seventeen", "trimmed", "at rest", "ended", "crlf"])
+@pytest.mark.parametrize("kind", ["fixed", "shortest", "trimmed", "crlf"])
 def test_full_logs_are_not_taken_for_cut_ones(tmp_path: Path, kind: str) -> None:
     table = poses()
     table[-1, -1] = 0.5  # a last number that is short where zeros at its end are left out

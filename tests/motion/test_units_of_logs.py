@@ -118,7 +118,7 @@ def test_a_row_of_units_that_contradicts_its_numbers_is_an_error_with_the_option
     assert fault(robot, path, ss.TrajectoryFormat(**{name: stated})) == ""
 
 
-@pytest.mark.parametrize("command", ["forces", "size-actuators", "singularities", "view", "identify"])
+@pytest.mark.parametrize("command", ["forces", "identify"])
 def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path: Path, fails: Fails) -> None:
     robot = dasgupta()
     written(robot, tmp_path / "robot.toml")
