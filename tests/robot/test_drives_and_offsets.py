@@ -112,17 +112,10 @@ def test_a_drive_goes_through_tables_and_files_to_the_bit(tmp_path: Path) -> Non
 
 
 BAD = {
-    # what is written, and the message without the file: key, what was expected, line
-    "[legs.drive]\nefficiency = 0.9\n": ("legs.drive.lead: missing, and radius as well (at line 18)"),
+    "[legs.drive]\nefficiency = 0.9\n": "legs.drive.lead: missing, and radius as well (at line 18)",
     "[legs.drive]\nlead = 0\n": "legs.drive.lead: expected a number other than 0, got 0 (at line 19)",
-    "[legs.drive]\nlead = 5\nradius = 9\n": (
-        "legs.drive.radius: expected lead or radius, got both (at line 20)"
-    ),
     "[legs.drive]\nlead = 5\nefficiency = 90\n": (
         "legs.drive.efficiency: expected a number > 0 and <= 1, got 90 (at line 20)"
-    ),
-    "[legs.drive]\nlead = 5\nbackdrive_efficiency = 1.5\n": (
-        "legs.drive.backdrive_efficiency: expected a number <= 1, got 1.5 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\n[leg.2.drive]\nrotor_inertia = -1e-5\n": (
         "leg.2.drive.rotor_inertia: expected a number >= 0, got -1e-05 (at line 21)"
@@ -133,17 +126,8 @@ BAD = {
     "[legs.drive]\nlead = 5\nstribeck_force = 3\n": (
         "legs.drive.stribeck_force: requires a stribeck_speed > 0 (at line 20)"
     ),
-    "[legs.drive]\nlead = 5\ncurrent_limit = 3\n": (
-        "legs.drive.current_limit: requires a torque_constant > 0 (at line 20)"
-    ),
     "[legs.drive]\nlead = 5\ntorque_limit = 2\n[leg.2.drive]\nrated_torque = 3\n": (
         "leg.2.drive.rated_torque: expected at most the torque_limit, 2 N m, got 3 (at line 22)"
-    ),
-    "[legs.drive]\nlead = 5\ncurrent_limit = inf\n": (
-        "legs.drive.current_limit: expected a finite number (no limit: omit the key), got inf (at line 20)"
-    ),
-    "[legs.drive]\nlead = 1e-120\n": (
-        "legs.drive.lead: expected a lead with which the rotor's inertia is a finite mass (at line 19)"
     ),
     "[leg.2]\ndrive = []\n": "leg.2.drive: expected a table, got [] (at line 19)",
     "[leg.3.drive]\nlead = 5\n": (
@@ -252,16 +236,10 @@ UNIVERSAL = {"platform_joint": "universal", "platform_axis": [0, 1, 0], "wrist_o
     [
         ("offsets", {"cros": 1.0}, "legs.offsets.cros"),
         ("offsets", {"axis_offset": "10"}, "legs.offsets.axis_offset: expected a finite number"),
-        ("offsets", {"axis_offset": math.inf}, "legs.offsets.axis_offset: expected a finite number"),
-        ("offsets", {"axis_offset": [1.0] * 6}, "legs.offsets.axis_offset: expected a finite number"),
         ("offsets", {"wrist_offset": 1.0}, "legs.offsets.wrist_offset: expected none unless"),
-        ("offsets", {"platform_axis": [0, 0, 1]}, "legs.offsets.platform_axis: expected none unless"),
         ("offsets", {"platform_joint": "hooke"}, "legs.offsets.platform_joint: expected"),
         ("offsets", {"platform_joint": "universal"}, "legs.offsets.platform_axis: missing"),
-        ("offsets", {**UNIVERSAL, "platform_axis": [0, 0, 0]}, "legs.offsets.platform_axis: expected a non"),
-        ("offsets", 10.0, "legs.offsets: expected a table"),
         ("cross", {"mass": -1.0}, "legs.cross.mass: expected a number >= 0"),
-        ("cross", {"inertia": [1, 1, 1]}, "legs.cross.inertia: expected a finite number"),
         ("cross", {"center_of_mass": [0.0, 1.0]}, "legs.cross.center_of_mass: expected 3 finite"),
         ("stroke", [-1.0, 1.0], "legs.stroke: expected stroke or length_limits, got both"),
     ],

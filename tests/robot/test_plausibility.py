@@ -10,11 +10,8 @@ import pytest
 from command_line import Run, Told
 from plausible_machines import (
     ABSURD,
-    BASE,
-    PLATFORM,
     machine_of,
     published,
-    ring,
     sound,
     sound_machine,
     unlimited,
@@ -37,7 +34,7 @@ def check(tmp_path: Path, run: Run) -> Check:
 
 def test_check_warns_of_no_sound_machine(check: Check) -> None:
     rng = np.random.default_rng(200)
-    for i in range(share(100, 10)):
+    for i in range(share(100, 25)):
         assert check(sound_machine(rng)).err == "", i
 
 
@@ -80,15 +77,7 @@ def test_absurd_machines_are_doubted_with_their_likely_cause_most_without_limits
         assert "\n" not in said.text
 
 
-@pytest.mark.parametrize("limited", [True, False])
-@pytest.mark.parametrize("size", [0.005, 0.02, 20.0])
-def test_a_machine_of_that_size_is_not_doubted(size: float, limited: bool) -> None:
-    rng = np.random.default_rng(10)
-    b, p, t = ring(size, BASE), ring(0.6 * size, PLATFORM), np.array([0.0, 0.0, 1.4 * size])
-    assert find_implausible(machine_of(rng, b, p, t, limited=limited)) == []
-
-
-@pytest.mark.parametrize("size", [5e-324, 1e-200, 1e-100, 1e100, 1e160, 1e308])
+@pytest.mark.parametrize("size", [5e-324, 1e308])
 def test_numbers_near_the_ends_of_double_are_doubted_and_nothing_else_happens(size: float) -> None:
     for name in ("g", "b", "p", "M", "R_0", "I_p", "r_d0", "I_u0", "m_u", "C_p"):
         values = np.asarray(getattr(unlimited(), name))
@@ -130,7 +119,7 @@ def arguments_of(command: str, robot: Path, folder: Path) -> list[str]:
     }[command]
 
 
-@pytest.mark.parametrize("command", ["check", "generate", "forces", "singularities", "simulate"])
+@pytest.mark.parametrize("command", ["check", "forces", "simulate"])
 def test_every_subcommand_warns_of_a_doubtful_robot(command: str, tmp_path: Path, run: Run) -> None:
     for change, count in ((ABSURD["speed limit in mm/s"][0], 1), (lambda robot: robot, 0)):
         folder = tmp_path / str(count)
@@ -198,11 +187,6 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     there = dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home_position=[0.0, 0.0, -0.4 * sign])
     stated = f"(0, 0, {-sign:g}) of the base, at the home pose of the robot file: "
     assert f"{stated}the platform hangs below its base; on the other side, " in check(there).out
-
-
-@pytest.mark.parametrize("gravity", [[9.81, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 6.0, -7.0]])
-def test_check_names_no_side_where_gravity_is_not_across_the_base(gravity: list[float], check: Check) -> None:
-    assert "side of the base stands" not in check(dataclasses.replace(unlimited(), g=gravity)).out
 
 
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:
