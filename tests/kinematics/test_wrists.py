@@ -82,7 +82,7 @@ def _closed_chain(robot: ss.Robot, motion: ss.Motion, i: int) -> Array:
 
 
 def test_chains_close_as_a_root_finder_closes_them() -> None:
-    for seed in range(share(100, 25)):
+    for seed in range(share(100, 50)):
         for ratio in ((0.05, 0.95), (0.55, 0.95), (1.0, 5.0)):
             robot, motion = _case(seed, ratio, 0.01 * (seed % 2))
             found = ss.inverse_kinematics(robot, motion).L
@@ -93,7 +93,7 @@ def test_chains_close_as_a_root_finder_closes_them() -> None:
 
 
 def test_forces_with_long_wrists_agree_with_pinocchio() -> None:
-    for seed in range(8):
+    for seed in range(4):
         robot, motion = _case(seed, (0.55, 0.95), 0.01 * (seed % 2))
         truth = pinocchio_inverse_dynamics(robot, motion).F
         error = np.abs(ss.inverse_dynamics(robot, motion).F - truth).max() / np.abs(truth).max()
@@ -101,7 +101,7 @@ def test_forces_with_long_wrists_agree_with_pinocchio() -> None:
 
 
 def test_wrists_longer_than_the_distance_from_the_axis_are_unreachable() -> None:
-    for seed in range(20):
+    for seed in range(6):
         robot, motion = _case(seed, (0.5, 0.95))
         reach = robot.p @ motion.R.T + motion.t - robot.b
         distance = np.linalg.norm(np.cross(robot.offsets.platform_axis @ motion.R.T, reach), axis=1)
@@ -119,7 +119,7 @@ def test_wrists_longer_than_the_distance_from_the_axis_are_unreachable() -> None
 def test_large_offsets_close_wherever_the_circle_of_the_wrist_has_a_solution() -> None:
     angles = np.linspace(-np.pi, np.pi, 721)[:, None]
     found = 0
-    for seed in range(share(400, 20)):
+    for seed in range(share(400, 40)):
         robot, motion = _case(seed, (0.05, 0.95), 0.15)
         status = ss.inverse_dynamics(robot, motion, on_singular="nan").status
         solvable = [_right_angles(robot, motion, leg, angles) for leg in range(6)]
