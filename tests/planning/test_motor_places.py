@@ -41,7 +41,7 @@ def check_agreement(plan: TimedPath) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(share(200, 50)))
+@pytest.mark.parametrize("seed", range(share(200, 100)))
 def test_plan_certificate_and_report_agree_on_limits_of_motors_with_all_terms(seed: int) -> None:
     robot, path = sweep_case(seed)
     check_agreement(parameterize_path(robot, path, grid_size=60 if FULL else 40))
