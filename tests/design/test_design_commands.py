@@ -37,19 +37,6 @@ force_limit = 300.0
 joint_angle_limit = [30.0, 22.0]
 """
 FEW = ("--samples", 4000)
-FREE = (
-    "--ignore",
-    "lengths",
-    "--ignore",
-    "joint_angles",
-    "--position-bounds",
-    -0.1,
-    0.1,
-    -0.1,
-    0.1,
-    0.6,
-    0.8,
-)
 
 
 @pytest.fixture(autouse=True)
@@ -127,13 +114,7 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
     [
         (("--position", 0, 0, 700), "its legs are 700 to 700 m long: change --position"),
         (("--max-condition", 1.5), "condition number: expected at most 1.5, got "),
-        (
-            (*FREE, "--max-condition", 20, "--rpy", 0, 0, 2.5),
-            "condition number: det H has another sign than at the home pose",
-        ),
-        ((*FREE, "--min-clearance", 0.08, "--rpy", 0, 0, 2.5), "leg clearance"),
         (("--load", 0, 0, 9000, 0, 0, 0), "actuator force"),
-        (("--position", 0, 0, -0.7), "assembly mode"),
         (("--rpy", 0, 0, 0.6), "joint angle"),
     ],
 )
@@ -254,17 +235,12 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, r
     ("arguments", "message"),
     [
         (("workspace", "none.toml"), "none.toml"),
-        (("workspace", "trajectory.csv"), "trajectory.csv"),
         (
             ("workspace", "hexapod.toml", "--position-bounds", 1, 0, 0, 1, 0, 1),
             "position_bounds: expected least < greatest",
         ),
-        (("workspace", "hexapod.toml", "--rpy", 1, 2, "nan"), "expected a finite number"),
-        (("workspace", "hexapod.toml", "--kind", "every"), "--kind"),
         (("size-actuators", "hexapod.toml"), "TRAJECTORY.csv"),
-        (("size-actuators", "hexapod.toml", "none.csv"), "none.csv"),
         (("size-actuators", "hexapod.toml", "trajectory.csv", "--quantile", 2), "quantiles: expected"),
-        (("size-actuators", "hexapod.toml", "hexapod.toml"), "hexapod.toml"),
     ],
 )
 def test_bad_input_is_one_line_and_leaves_nothing(
@@ -279,8 +255,6 @@ def test_bad_input_is_one_line_and_leaves_nothing(
     ("old", "new", "message"),
     [
         ("[30.0, 22.0]", "[30.0, 0.0]", "legs.joint_angle_limit: expected angles > 0 and <= 180, got [30.0"),
-        ("[30.0, 22.0]", "200.0", "legs.joint_angle_limit: expected angles > 0 and <= 180"),
-        ("[30.0, 22.0]", '"wide"', "legs.joint_angle_limit: expected"),
         ("home_position = [0.0, 0.0, 700.0]\n", "", "expected a key home"),
     ],
 )

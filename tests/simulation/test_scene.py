@@ -183,13 +183,6 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None
         ("[0.2, 0.0, 0.8]", "[0.2, 0.0, -0.8]", "state.t: the platform starts on the other side of the base"),
         ("[0.1, 0.0, 0.2]", "[5.0, 0.0, 0.2]", "state.theta: 5 rad about x: in degrees, expected radians?"),
         ("v = [0.05", "v = [50.0", "state.v: 50 m/s, 12 times what a fall through the length of a leg gives"),
-        ("theta = ", "omega = [0.0, 40.0, 0.0]\ntheta = ", "state.omega: 40 rad/s, "),
-        (
-            "= 4e4",
-            "= 4e4\nrest_length = 900.0",
-            "actuation.rest_length: lengths of 900 m compared with a machine of ",
-        ),
-        ("= 4e4", "= 4e4\nrest_length = 0.0", ""),
     ],
 )
 def test_a_start_that_is_no_machines_is_warned_of(
@@ -210,7 +203,6 @@ def test_a_start_that_is_no_machines_is_warned_of(
     [
         ("schema = 1", "schema = ", "not valid TOML"),
         ("duration = 0.1", "", "duration: missing"),
-        ("duration = 0.1", "duration = 1e9", "duration: expected at most 86400 s, a day, got 1000000000.0"),
         ("duration = 0.1", "duraton = 0.1", 'duraton: unknown key, did you mean "duration"?'),
         ("output_step = 0.01", 'method = "Euler"', 'method: expected "DOP853" or "Radau", got \'Euler\''),
         (
@@ -220,19 +212,10 @@ def test_a_start_that_is_no_machines_is_warned_of(
         ),
         ("stiffness = 4e4", "stiffness = -1", "actuation.stiffness: expected numbers >= 0, got -1"),
         (
-            "stiffness = 4e4",
-            "stiffness = 4e4\ndamping = -2",
-            "actuation.damping: expected numbers >= 0, got -2",
-        ),
-        ("output_step = 0.01", "rtol = 0.5", "rtol: expected a number in [1e-13, 0.01], got 0.5"),
-        ("stiffness = 4e4", "stiffness = 4e4\nrate = 9", "actuation.rate: unknown key"),
-        (
             "[actuation]",
             "[stop_conditions]\nmax_condition = 0.5\n[actuation]",
             "stop_conditions.max_condition: expected",
         ),
-        ("[actuation]", "[load]\nF_ext = 3\n[actuation]", "load.F_ext: expected 3 finite numbers, got 3"),
-        ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
     ],
 )
 def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
@@ -252,8 +235,6 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
     [
         ('path = "II"', 'path = "none.csv"', "actuation.path: expected a file, there is no "),
         ('path = "II"', "", "actuation.path: missing"),
-        ("k_p = 400", "k_p = -1", "actuation.k_p: expected a number >= 0, got -1"),
-        ("rate = 500.0", "rate = 1e9", "rate: expected at most 2e+08 Hz, for at most 10000000 calls"),
         (
             'model_formulation = "paper"',
             'model_formulation = "best"',

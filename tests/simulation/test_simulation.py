@@ -172,7 +172,7 @@ def test_a_leg_at_its_speed_limit_stops_the_run() -> None:
     assert np.abs(L_dot[:-1]).max() < 0.5
 
 
-@pytest.mark.parametrize("joint", [None, "spherical", "universal"], ids=["plain", "offsets", "U-C-U"])
+@pytest.mark.parametrize("joint", [None, "universal"], ids=["plain", "U-C-U"])
 @pytest.mark.parametrize("end", ["base", "platform"])
 def test_a_joint_at_its_largest_angle_stops_the_run_at_the_root(end: str, joint: str | None) -> None:
     robot = machine(base_joint="spherical") if joint is None else offset_case(3, joint)[0]
@@ -339,16 +339,10 @@ def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
     ("wrong", "words"),
     [
         ({"duration": 0.0}, r"^duration: expected a number > 0, got 0.0$"),
-        ({"duration": 1e9}, r"^duration: expected at most 86400 s, a day, got 1000000000.0$"),
         ({"forces": lambda time, state: np.zeros(3)}, r"^forces: expected six numbers from the law at 0 s"),
         ({"control_rate": -1.0}, r"^control_rate: expected a number > 0"),
         ({"output_step": 1e-12}, r"^output_step: expected at least 1e-08 s, for at most 10000000 samples"),
         ({"rtol": 1e-14}, r"^rtol: expected a number in \[1e-13, 0.01\], got 1e-14$"),
-        ({"rtol": 0.1}, r"^rtol: expected"),
-        (
-            {"initial_state": ss.PAPER_PATHS["I"].path.sample([0.0, 1.0])},
-            r"^initial_state: expected one state",
-        ),
         ({"load": lambda time, state: 1.0}, r"^load: expected six numbers"),
     ],
 )
@@ -356,14 +350,6 @@ def test_bad_arguments_are_named(wrong: dict[str, Any], words: str) -> None:
     robot = machine()
     arguments = {"initial_state": home(robot), "forces": np.zeros(6), "duration": 0.1} | wrong
     rejects(words, ss.simulate, robot, **arguments)
-
-
-@pytest.mark.parametrize("name", ["forces", "load"])
-def test_forces_and_loads_that_are_no_numbers_at_the_start_are_named(name: str) -> None:
-    robot = machine()
-    odd = {name: lambda time, state: np.full(6, np.nan)}
-    with pytest.raises(ValueError, match=f"^{name}: expected six finite numbers at 0 s, got"):
-        ss.simulate(robot, home(robot), **{"forces": np.zeros(6), "duration": 0.1} | odd)
 
 
 def test_times_outside_a_run_are_rejected() -> None:
@@ -376,7 +362,6 @@ def test_times_outside_a_run_are_rejected() -> None:
     ("wrong", "words"),
     [
         ({"max_condition": 1.0}, r"^max_condition: expected a number > 1"),
-        ({"min_length": 0.0}, r"^min_length"),
         ({"min_joint_sine": 1.0}, r"^min_joint_sine: expected a number > 0 and < 1"),
     ],
 )

@@ -125,7 +125,7 @@ def test_forces_need_known_options_and_accelerations() -> None:
         )
 
 
-@pytest.mark.parametrize("half", [0.5, 1e-2, 1e-3, 1e-4])
+@pytest.mark.parametrize("half", [0.5, 1e-4])
 def test_two_crossings_between_two_samples_are_both_found(root: float, half: float) -> None:
     path = there_and_back(root, half**2)
     found = ss.singularity_crossings(dasgupta(), path, [-0.9, 1.1])
@@ -139,7 +139,7 @@ def test_a_sample_on_the_singular_pose_is_one_crossing(root: float) -> None:
         assert abs(found.time - root) <= 1e-11
 
 
-@pytest.mark.parametrize("depth", [0.1, 1e-3, 1e-6])
+@pytest.mark.parametrize("depth", [0.1, 1e-6])
 def test_a_path_that_only_comes_near_reports_its_nearest_approach(root: float, depth: float) -> None:
     robot, path = dasgupta(), there_and_back(root, -depth)
     for times in ([-0.9, 1.1], np.linspace(-0.9, 1.1, 12), np.linspace(-0.9, 1.1, 201)):
