@@ -70,20 +70,6 @@ def test_one_motion_is_the_same_in_every_order(tmp_path: Path, order: str) -> No
         np.testing.assert_allclose(getattr(motion, name), getattr(expected, name), atol=1e-12)
 
 
-@pytest.mark.parametrize("order", EULER_ORDERS)
-def test_rates_are_doubted_beside_angles_of_their_own_order(tmp_path: Path, order: str) -> None:
-    time = np.linspace(0.0, 4.0, 161)
-    path, form = tmp_path / "log.csv", ss.TrajectoryFormat(euler_order=order)
-    found = waving(time)
-    with warnings.catch_warnings(action="error"):
-        read_csv(saved(path, time, found), form)
-    found[1:, :, 3:] *= -1.0
-    with pytest.warns(
-        ss.TrajectoryWarning, match="theta_x, theta_y, theta_z change by -1 times what theta_dot_x"
-    ):
-        read_csv(saved(path, time, found), form)
-
-
 def test_angles_whose_rates_are_without_bounds_as_roll_pitch_yaw_are_read(tmp_path: Path) -> None:
     """At R = Rx(90 deg) Rz(90 deg), which is upright by (38) alone."""
     found = np.zeros((3, 1, 6))

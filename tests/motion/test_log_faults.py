@@ -12,9 +12,7 @@ from noisy_logs import WHITE, Case, case, coordinates, from_poses, logged, read
 
 import stewart_sym as ss
 from stewart_sym.motion.log_faults import faults, plateaus, slower_sampling
-from stewart_sym.motion.log_rates import rates_of
 from stewart_sym.motion.noise_level import noise_level, rounding_steps
-from stewart_sym.motion.trajectory import Log
 
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")
 OFF = "numbers are off as no motion makes them"
@@ -178,31 +176,6 @@ def test_correlated_noise_is_told_and_its_deviations_cover_the_errors() -> None:
     assert np.mean(inside) > 0.88
 
 
-def test_noise_that_grows_for_a_while_is_named_and_deviations_follow_it() -> None:
-    times, kinds = 10.0, slice(0, 6)
-    inside, beyond = [], []
-    for seed in range(4):
-        rng, one = np.random.default_rng([seed, 9]), case(seed)
-        time = np.arange(600) * 0.01
-        true = coordinates(rng, 0.5, time, 1.0)
-        true[0, :, :3] += one.true[0, 0, :3]
-        sigma = np.full(true[0].shape, WHITE)
-        sigma[200:350, kinds] *= times
-        found, said = read(time, true[0] + sigma * rng.normal(size=sigma.shape))
-        told = [line for line in said if "times as large from" in line]
-        assert len(told) == (kinds.stop // 3)
-        (numbers,) = re.findall(r"is (\S+) times as large from (\S+) s to (\S+) s", told[0])
-        factor, first, last = map(float, numbers)
-        assert factor == pytest.approx(times, rel=0.35)
-        assert (first, last) == (pytest.approx(2.0, abs=0.5), pytest.approx(3.5, abs=0.5))
-        F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion_of(true)))
-        z = np.abs(F - expected) / ss.force_std(one.robot, found)
-        inside.append(np.mean(z < 1.96))
-        beyond.append(np.mean(z[200:350] > 4.0))
-    assert np.mean(inside) > 0.9
-    assert np.mean(beyond) < 2e-3
-
-
 def held(values: Array, every: int) -> Array:
     return np.repeat(values, every, axis=0)
 
@@ -227,47 +200,6 @@ def test_rows_between_measured_ones_are_told_and_count_for_nothing(
         F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_std(one.robot, found)
         inside.append(np.mean(np.abs(F[::every] - one.F) < 1.96 * sd[::every]))
     assert 0.88 < np.mean(inside) <= 1.0
-
-
-@pytest.mark.parametrize(("size", "last"), [(2e-3, 1), (5e-4, None)])
-def test_lengths_that_no_motion_makes_are_named_by_row_and_replaced(size: float, last: int | None) -> None:
-    """A row, or a step of one leg, in noise of 0.01 mm: accelerations are those without it."""
-    time = np.arange(0.0, 2.0, 0.002)
-    turn = np.linspace(5.0, 9.0, 6)
-    angle = time[:, None] * turn + np.arange(6.0)
-    lengths = 0.2 + 0.005 * np.sin(angle) + 1e-5 * np.random.default_rng(1).normal(size=angle.shape)
-    lengths[400 : None if last is None else 400 + last, 2] += size
-    log = Log("legs", range(2, len(time) + 2), time, {"L": [*lengths.T]})
-    with pytest.warns(ss.TrajectoryWarning) as caught:
-        found, noise = rates_of(log, log.vector("L"), log.steps("L"))
-    told = [str(each.message) for each in caught]
-    (line,) = (each for each in told if OFF in each)
-    assert f"{OFF}: line 402{' on' if last is None else ''} (0.8 s): L_3 by " in line
-    assert float(line.split("L_3 by ")[1].split()[0]) == pytest.approx(size, rel=0.1)
-    assert not any("accelerations jump" in each for each in told)
-    sd = np.sqrt([np.interp(time, noise.grid, each) for each in noise.covariance[:, :, 5].T]).T
-    off = np.abs(found[2] + 0.005 * turn**2 * np.sin(angle)) / sd
-    assert np.mean(off < 1.96) > 0.9
-    assert off.max() < 5.0
-
-
-def no_repair(told: list[str]) -> list[str]:
-    return [line for line in told if "no repair, and the results are not to be trusted" in line]
-
-
-def test_faults_of_many_rows_and_large_steps_are_said_to_be_no_repair() -> None:
-    one = case(0)
-    many, step, few = (one.true[0].copy() for _ in range(3))
-    many[5:-5:12, 2] += 0.05
-    step[len(step) // 2 :, 2] += 0.5
-    few[len(few) // 2, 2] += 0.5
-    (line,) = no_repair(read(one.time, many)[1])
-    assert re.search(
-        r": \d+ of \d+ rows \(\d\.\d %\) are replaced, and numbers change by up to 0\.05 m", line
-    )
-    (line,) = no_repair(read(one.time, step)[1])
-    assert "change by up to 0.5 m" in line
-    assert no_repair(read(one.time, few)[1]) == []
 
 
 def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays() -> None:

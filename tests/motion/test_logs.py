@@ -1,7 +1,5 @@
 """Logs as other programs write them: names, units, marks, Euler orders; doubtful units are warned of."""
 
-import dataclasses
-import re
 import warnings
 from pathlib import Path
 from typing import Any
@@ -9,16 +7,15 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import Run, rejects
-from log_files import LENGTHS, NAMES, poses, write
-from machines import Array, dasgupta, home_position, machine_size, random_robot
+from log_files import NAMES, poses, write
+from machines import Array
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.kinematics.trajectory_checks import angle_doubt, length_doubt, side_doubt
 from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
-from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, TrajectoryFormat
+from stewart_sym.motion.logs import EULER_ORDERS, TrajectoryFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
-from stewart_sym.motion.trajectory import PoseLog, Trajectory
+from stewart_sym.motion.trajectory import Trajectory
 
 
 def same(one: Trajectory, other: Trajectory, tolerance: float = 1e-6) -> None:
@@ -116,85 +113,6 @@ def test_a_log_in_another_unit_of_time_is_rejected_unless_the_unit_is_stated(
 
 
 @pytest.mark.parametrize(
-    ("factors", "words"),
-    [
-        ((1.0, 1.0, 50 * 180.0 / np.pi), "angle_unit=deg"),
-        ((1e-6, 1.0, 1.0), "time_unit"),
-        ((60.0, 1.0, 1.0), "is time in another unit .time_unit=ms"),
-    ],
-)
-def test_units_that_no_machine_has_are_warned_of(
-    tmp_path: Path, factors: tuple[float, float, float], words: str
-) -> None:
-    odd = write(tmp_path / "odd.csv", NAMES, poses() * np.repeat(factors, [1, 3, 3]))
-    with pytest.warns(ss.TrajectoryWarning, match=words):
-        read_csv(odd, smoothing=ss.SmoothingOptions(enabled=False))
-    with warnings.catch_warnings(action="error"):
-        read_csv(write(tmp_path / "good.csv", NAMES, poses()))
-
-
-def legs_of(robot: ss.Robot, table: Array) -> Array:
-    motion = ss.Motion.from_rpy(table[:, 1:4], table[:, 4:], *[0.0 * table[:, 1:4]] * 4)
-    return ss.inverse_kinematics(robot, motion).L
-
-
-@pytest.mark.parametrize("limits", [False, True], ids=["free", "limited"])
-def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
-    robot, L = dasgupta(), legs_of(dasgupta(), poses())
-    if limits:
-        robot = dataclasses.replace(robot, length_limits=np.tile([0.5 * L.min(), 1.5 * L.max()], (6, 1)))
-    assert length_doubt(robot, L) is None
-    for unit in ("mm", "cm", "in"):
-        told = str(length_doubt(robot, L / LENGTH_UNITS[unit]))
-        assert re.search(rf"another unit \(.*length_unit={unit}", told), told
-    assert "another unit (length_unit=m" in str(length_doubt(robot, 1e-3 * L, "mm"))
-    beyond = 25.4 if limits else 100.0
-    assert "another unit (length_unit=mm)" in str(length_doubt(robot, beyond * L, "in"))
-    assert "the robot file's lengths in meters" in str(length_doubt(robot, 1e-3 * L))
-    assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
-
-
-def test_lengths_that_no_machine_has_are_named_with_their_unit(tmp_path: Path, run: Run) -> None:
-    table = poses() * [1.0, *[1e2] * 3, *[1.0] * 3]
-    lengths = np.column_stack([table[:, 0], 1e2 * legs_of(dasgupta(), poses())])
-    for names, numbers, code in ((NAMES, table, 0), (["time", *LENGTHS], lengths, 2)):
-        log = write(tmp_path / "log.csv", names, numbers)
-        command = ("forces", PAPERS, log, "-o", tmp_path / "f.csv")
-        assert "give length_unit=cm" in run(*command, code=2).err
-        told = run(*command, "--length-unit", "m", code=code).err
-        assert "are they in another unit (length_unit=cm" in told
-
-
-def test_small_angles_in_degrees_are_told_by_what_the_legs_allow() -> None:
-    robot, time = dasgupta(), poses()[:, 0]
-    table = poses()
-    table[:, 4:] *= 0.3
-    L = legs_of(robot, table)
-    limited_ = dataclasses.replace(robot, length_limits=np.tile([0.95 * L.min(), 1.05 * L.max()], (6, 1)))
-    degrees = table * [*[1.0] * 4, *[180.0 / np.pi] * 3]
-
-    def told(machine: ss.Robot, rows: Array) -> str | None:
-        coordinates = np.zeros((3, len(rows), 6))
-        coordinates[0] = rows[:, 1:]
-        log = PoseLog(time, coordinates, None, None, "log", range(len(rows)), None, True)
-        return angle_doubt(machine, log, np.arange(len(rows)))
-
-    assert "leads legs beyond length_limits, in degrees it does not" in str(told(limited_, degrees))
-    assert told(limited_, table) is None
-    through = degrees * [*[1.0] * 4, 2.5, 2.5, 2.5]
-    assert "leads through a singular pose, in degrees it does not" in str(told(robot, through))
-    assert told(robot, table) is None
-
-
-def test_quaternions_with_their_scalar_last_under_other_names_are_warned_of(tmp_path: Path) -> None:
-    table = poses()
-    e = quaternion_from_rotation(rotation_from_rpy(table[:, 4:]))
-    names = [*NAMES[:4], "q_w", "q_x", "q_y", "q_z"]
-    with pytest.warns(ss.TrajectoryWarning, match="quaternions with the scalar last"):
-        read_csv(write(tmp_path / "q.csv", names, np.hstack([table[:, :4], np.roll(e, -1, axis=1)])))
-
-
-@pytest.mark.parametrize(
     ("mark", "words"),
     [
         ("", "expected 7 columns, got 14: are commas its decimal marks too"),
@@ -206,24 +124,6 @@ def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, word
     path = tmp_path / "comma.csv"
     path.write_text("\n".join([",".join(NAMES), *rows]) + "\n")
     rejects(f"comma.csv: line 2: .*{words}", read_csv, path)
-
-
-@pytest.mark.parametrize(("gravity", "where"), [(-9.81, "below the base"), (9.81, "than at home in every")])
-def test_poses_on_the_other_side_of_the_base_are_doubted(gravity: float, where: str) -> None:
-    rng = np.random.default_rng(8)
-    for _ in range(5):
-        robot = random_robot(rng, scale=float(rng.choice([0.2, 1.0, 3.0])))
-        above = home_position(robot.b, machine_size(robot)) - robot.p.mean(axis=0)
-        home = above if gravity > 0.0 else None
-        robot = dataclasses.replace(robot, g=[0.0, 0.0, gravity], home_position=home)
-        t = above + 0.01 * machine_size(robot) * rng.normal(size=(9, 3))
-        below = t - [0.0, 0.0, 2.2 * machine_size(robot)]
-        still = np.zeros((9, 3))
-        up, down = (ss.Motion.from_rpy(place, still, still, still) for place in (t, below))
-        assert side_doubt(robot, up) is None
-        doubt = str(side_doubt(robot, down))
-        assert where in doubt
-        assert "does z of the log point the other way" in doubt
 
 
 def limited(folder: Path, limit: float) -> Path:
@@ -248,24 +148,6 @@ def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, run: Run) -> Non
     assert "100000 within limit" in told.out
     header = out.read_text().splitlines()[0].split(",")
     assert header[7:13] == [f"F_{leg}_std" for leg in range(1, 7)]
-
-
-def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) -> None:
-    log = write(tmp_path / "log.csv", NAMES, poses())
-    for rate, words in (("0.1", "1 sample of"), ("2", "5 samples of"), ("5", "")):
-        told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", "--rate", rate).err
-        expected = f"log.csv: {words} 41 rows in 2 s at {rate} Hz; the motion between"
-        assert expected in told if words else "raise --rate" not in told
-
-
-def test_hints_are_the_same_in_python_and_on_the_command_line(tmp_path: Path, run: Run) -> None:
-    log = write(tmp_path / "log.csv", ["ms", *NAMES[1:]], poses())
-    rejects(r"give columns NAME=HEADER,...$", read_csv, log)
-    told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", code=2).err
-    assert told.endswith("give columns NAME=HEADER,...\n")
-    late = write(tmp_path / "late.csv", NAMES, poses() * [1e6, *[1.0] * 6])
-    told = run("forces", PAPERS, late, "-o", tmp_path / "f.csv", code=2).err
-    assert told.endswith("give time_unit=us, or time_unit=s if s is right\n")
 
 
 @pytest.mark.parametrize(

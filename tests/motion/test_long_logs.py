@@ -17,7 +17,6 @@ from log_files import POSE, RATES
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.logs import TrajectoryFormat, read_columns
 from stewart_sym.motion.trajectory import Trajectory
@@ -92,25 +91,6 @@ def full_log(path: Path, count: int) -> Path:
     return path
 
 
-@pytest.mark.slow
-def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(track, "_PART", 1024)
-
-    def run(count: int) -> int:
-        log = full_log(tmp_path / "log.csv", count)
-        out = tmp_path / "forces.csv"
-        code, most = peak(lambda: main(["forces", str(PAPERS), str(log), "-o", str(out)]))
-        assert code == 0
-        assert sum(1 for _ in out.open()) == count + 1
-        return most
-
-    run(100)
-    # Nineteen numbers of the row itself, as many again on their way, and nothing of those that are written.
-    assert run(20_000) - run(10_000) < 10_000 * 8 * 45
-
-
 @pytest.mark.parametrize(
     ("spoil", "words"),
     [
@@ -130,18 +110,6 @@ def test_what_is_wrong_deep_in_a_log_is_named_and_nothing_is_written(
     assert told.out == ""
     assert words in told.err
     assert len(told.err.splitlines()) == 1
-
-
-def test_an_unsolvable_pose_deep_in_a_log_leaves_no_output(tmp_path: Path, run: Run) -> None:
-    log = full_log(tmp_path / "log.csv", 20_001)
-    lines = log.read_text().splitlines()
-    base = ss.Robot.from_toml(PAPERS).b[0] - ss.Robot.from_toml(PAPERS).p[0]
-    zero = ",".join(map(repr, [*base.tolist(), *[0.0] * 15]))
-    lines[20_001] = lines[20_001].partition(",")[0] + "," + zero
-    log.write_text("\n".join(lines) + "\n")
-    told = run("forces", PAPERS, log, "-o", tmp_path / "forces.csv", code=2)
-    assert "line 20002: " in told.err
-    assert [path.name for path in tmp_path.iterdir()] == ["log.csv"]
 
 
 def test_blank_lines_and_quoted_cells_deep_in_a_log_keep_numbers_and_rows(tmp_path: Path) -> None:

@@ -62,10 +62,6 @@ def test_quaternions_may_have_any_length_but_zero(size: float) -> None:
         assert getattr(other, name) == pytest.approx(getattr(one, name), abs=1e-14)
 
 
-def test_rodrigues_turns_the_right_way() -> None:
-    np.testing.assert_allclose(turn(2, np.pi / 2) @ E[0], E[1], atol=1e-15)
-
-
 @settings(deadline=None)
 @given(theta=angles)
 def test_rotation_is_the_product_of_three_turns(theta: tuple[float, float, float]) -> None:

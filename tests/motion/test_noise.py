@@ -19,7 +19,7 @@ from stewart_sym.motion import smoothing
 from stewart_sym.motion.log_reader import _pose_log, read_csv, read_log
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
-from stewart_sym.motion.trajectory import Log, PoseLog, Trajectory, Uncertainty
+from stewart_sym.motion.trajectory import Log, PoseLog
 from stewart_sym.singularities.joint_space import on_platform
 from stewart_sym.studies.reports.track import NOISE_SHARE, peak_noise
 
@@ -234,27 +234,6 @@ def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
     assert coverage(runs, 1.96) == pytest.approx(0.95, abs=0.06)
 
 
-def test_deviations_of_leg_lengths_are_those_of_displaced_legs() -> None:
-    one, n = case(0), 3
-    robot, state = one.robot, motion_of(one.true[:, :n])
-    legs = ss.inverse_kinematics(robot, state)
-    spread = np.array([[2e-6, 0.0, 0.0], [1e-5, 3e-5, 0.0], [-4e-4, 2e-4, 5e-4]])
-    covariance = np.broadcast_to((spread @ spread.T)[np.tril_indices(3)], (n, 6, 6))
-    values = np.array([legs.L, legs.L_dot, legs.L_ddot])
-    noise = Uncertainty(values, one.time[:n], covariance, np.full(6, 2e-6), in_joints=True)
-    found = ss.force_std(robot, Trajectory(one.time[:n], state, "log.csv", range(n), noise))
-    F, variance = ss.inverse_dynamics(robot, state).F, np.zeros((n, 6))
-    for leg in range(6):
-        for column in spread.T:
-            L, L_dot, L_ddot = values + column[:, None, None] * np.eye(6)[leg]
-            pose = ss.forward_kinematics(robot, L, (state.R, state.t), check_limits=False)
-            v, omega = ss.forward_velocity(robot, pose.R, pose.t, L_dot)
-            a, alpha = ss.forward_acceleration(robot, pose.R, pose.t, v, omega, L_ddot)
-            moved = ss.Motion(R=pose.R, t=pose.t, omega=omega, v=v, alpha=alpha, a=a)
-            variance += (ss.inverse_dynamics(robot, moved).F - F) ** 2
-    np.testing.assert_allclose(found, np.sqrt(variance), rtol=1e-4)
-
-
 def test_resampling_keeps_the_path_and_its_deviations() -> None:
     one = case(2)
     trajectory, _ = read(one.time, logged(one, "4", 2))
@@ -266,30 +245,6 @@ def test_resampling_keeps_the_path_and_its_deviations() -> None:
     np.testing.assert_allclose(sd[:count], ss.force_std(one.robot, trajectory)[:count], rtol=1e-3)
     for rate in (0.0, 1e12):
         rejects(r"^rate: expected ", ss.resample, trajectory, rate)
-
-
-def test_deviations_hold_where_accelerations_of_a_trapezoid_jump() -> None:
-    """Two moves of 0.15 m at 0.25 m/s and 2 m/s^2, there and back."""
-    rate, noise = 250, 2e-4
-    time = np.arange(4 * rate) / rate
-    since = np.concatenate([[0.7, 0.825, 1.3, 1.425], [2.4, 2.525, 3.0, 3.125]])
-    sides = 2.0 * np.array([1, -1, -1, 1, -1, 1, 1, -1])
-    ramps = np.maximum(time[:, None] - since, 0.0)
-    noisy = 0.5 * ramps**2 @ sides + noise * np.random.default_rng(rate).normal(size=time.shape)
-    found = ss.smooth_samples(time, noisy[:, None])
-    sd = np.sqrt(np.interp(time, found.covariance_time, found.covariance[:, 0, 5]))
-    off = np.abs(found.second_derivatives[:, 0] - (ramps > 0.0) @ sides)
-    assert np.mean(off > 3.0 * np.maximum(sd, 5e-3)) < 2e-3
-    assert np.mean(off < sd) < 0.9
-
-
-def test_numbers_that_stay_the_same_are_off_by_their_rounding_however_many_they_are() -> None:
-    count = 200
-    values = np.array([[0.65, 0.1235]]) * np.ones((count, 1))
-    found = ss.smooth_samples(np.arange(count) * 0.01, values)
-    step = np.array([1e-2, 1e-4])
-    np.testing.assert_allclose(found.noise_std, step / np.sqrt(12.0), rtol=1e-9)
-    np.testing.assert_allclose(np.sqrt(found.covariance[:, :, 0].max(axis=0)), found.noise_std, rtol=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -314,20 +269,3 @@ def test_numbers_that_stay_the_same_are_off_by_their_rounding_however_many_they_
 )
 def test_bad_arguments_are_named(call: Callable[[], object], text: str) -> None:
     rejects(f"^{text}", call)
-
-
-def test_accelerations_under_a_cutoff_err_by_their_deviations_at_both_ends_too() -> None:
-    """Motions of up to 0.9 Hz, of which the deviations hold 68 and 95 % of the errors."""
-    cutoff = 3.0
-    time, shares = np.arange(801) / 200, []
-    for seed in range(20):
-        rng = np.random.default_rng(seed)
-        turn, shift = 2.0 * np.pi * rng.uniform(0.1, 0.9, (3, 4)), rng.uniform(0.0, 6.28, (3, 4))
-        waves = 0.03 * np.sin(turn * time[:, None, None] + shift)
-        values = waves.sum(axis=1) + rng.normal(0.0, 1e-4, (801, 4))
-        found = ss.smooth_samples(time, values, noise_std=1e-4, cutoff=cutoff)
-        error = np.abs(found.second_derivatives + (turn**2 * waves).sum(axis=1))
-        shares.append(error[[0, -1]] / np.sqrt(found.covariance[[0, -1], :, 5]))
-    assert np.mean(np.array(shares) < 1.0) == pytest.approx(0.68, abs=0.08)
-    assert np.mean(np.array(shares) < 2.0) == pytest.approx(0.95, abs=0.05)
-    assert np.mean(np.array(shares) > 3.0) < 0.02

@@ -8,14 +8,12 @@ import numpy as np
 import pytest
 from command_line import Run
 from log_files import NAMES, write
-from noisy_logs import Array, case, read
+from noisy_logs import Array, read
 from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import read_csv
-from stewart_sym.motion.noise.in_log import doubt_of_noise
 from stewart_sym.motion.noise.lines import lines
-from stewart_sym.motion.noise_level import decided_noise
 from stewart_sym.motion.trajectory import Trajectory
 
 SIGMA = np.repeat([2e-5, 2e-4], 3)
@@ -67,16 +65,6 @@ def test_rows_at_rest_tell_nothing_of_the_noise(held: str) -> None:
     z, said = read_standing(time, rate, RESTS, range(6), held)
     assert 0.3 < np.sqrt(np.mean(z**2)) < 1.3
     assert len(said) == 1
-
-
-def test_rows_that_hardly_scatter_beside_noisy_ones_end_in_no_error() -> None:
-    time = np.arange(200, 760) / 200.0
-    true, _ = there_and_back(time)
-    moves = ((time > 1.0) & (time < 1.9)) | ((time > 2.6) & (time < 3.5))
-    rng = np.random.default_rng(0)
-    noisy = true + SIGMA * np.where(moves, 1.0, 1e-7)[:, None] * rng.normal(size=true.shape)
-    trajectory, _ = read(time, noisy)
-    assert np.isfinite(np.asarray(trajectory.motion.a)).all()
 
 
 @pytest.mark.parametrize(("frequency", "amplitude"), [(33.0, 1.5), (33.0, 50.0)])
@@ -146,23 +134,6 @@ def told(log: Path, known: ss.SmoothingOptions, words: str, form: ss.TrajectoryF
     with warnings.catch_warnings(record=True, action="always") as caught:
         read_csv(log, form, known)
     return [str(each.message) for each in caught if words in str(each.message)]
-
-
-@pytest.mark.slow
-def test_a_good_statement_of_noise_is_never_doubted() -> None:
-    decided = 0
-    for seed in range(50):
-        one, rng = case(seed), np.random.default_rng([seed, 7])
-        sigma = 10.0 ** rng.uniform(-6.0, -2.5)
-        step = float(rng.choice([0.0, 0.1, 1.0, 5.0])) * sigma
-        values = one.true[0, :, :3] + sigma * rng.normal(size=(len(one.time), 3))
-        values = np.round(values / step) * step if step else values
-        found = decided_noise(one.time, values, np.full(3, step))
-        decided += found > 0.0
-        doubts = [doubt_of_noise(k * sigma, one.time, values, np.full(3, step), str) for k in (1.0, 0.5)]
-        assert doubts[0] is None
-        assert (doubts[1] is not None) == (found > 0.0)
-    assert decided > 5
 
 
 @pytest.mark.parametrize(

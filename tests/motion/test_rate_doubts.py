@@ -13,7 +13,6 @@ from machines import Array
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import read_csv, read_log
-from stewart_sym.motion.rate_doubts import rate_doubts
 from stewart_sym.motion.rotation import motion_about_axes
 
 
@@ -74,44 +73,6 @@ def test_rates_of_another_motion_are_warned_of(
     assert any(re.search(f"odd.csv: {words}", str(each.message)) for each in caught)
 
 
-def wave(time: Array, frequency: float) -> Array:
-    """Values, rates from -1 to 1 and accelerations of a sine, (3, n)."""
-    w = 2.0 * np.pi * frequency
-    return np.array([np.sin(w * time) / w, np.cos(w * time), -w * np.sin(w * time)])
-
-
-def faultless(seed: int) -> tuple[Array, Array]:
-    """Times and a motion with rates and accelerations, (3, n, 6), as logs have them, but without a fault."""
-    rng = np.random.default_rng(seed)
-    rows = int(10 ** rng.uniform(1.3, 3.3))
-    fastest = 10 ** rng.uniform(-1.0, 1.0)
-    time = np.arange(rows) / (fastest * rng.uniform(8.0, 200.0))
-    if seed % 3 == 0:
-        kept = rng.random(rows) > 0.15
-        gap = rows // 2 + np.arange(rows // 8)
-        kept[gap], kept[:8] = False, True
-        time = time[kept]
-    if seed % 7 == 0:
-        time += 0.3 * (time[1] - time[0]) * rng.uniform(-1.0, 1.0, len(time))
-    columns = np.zeros((3, len(time), 6))
-    for column in range(6):
-        for frequency in fastest * rng.uniform(0.1, 1.0, 3):
-            columns[..., column] += 0.03 * wave(time + rng.uniform(), frequency)
-    for numbers in columns:
-        if seed % 2 == 0:
-            numbers += 10 ** rng.uniform(-4.0, -1.0) * numbers.std() * rng.normal(size=numbers.shape)
-        if seed % 5 == 0:
-            step = 10 ** np.floor(np.log10(0.03 * numbers.std()))
-            numbers[:] = step * np.rint(numbers / step)
-    return time, columns
-
-
-def test_logs_without_a_fault_are_not_warned_of() -> None:
-    names = [[f"{each}_{i}" for i in range(6)] for each in "tva"]
-    found = {seed: dict(rate_doubts(*faultless(seed), names, (3, 6)[seed % 2])) for seed in range(20)}
-    assert not {seed: doubts for seed, doubts in found.items() if doubts}
-
-
 @pytest.mark.parametrize("order", ["zyx", "xyz"])
 @pytest.mark.parametrize("frame", ["base", "platform"])
 def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
@@ -131,16 +92,3 @@ def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
     expected = f"log.csv: theta_x to theta_z change as if .* were an angular velocity, {frame} frame: exp"
     with pytest.warns(ss.TrajectoryWarning, match=expected):
         read_csv(write(path, names, table), form)
-
-
-def test_rates_behind_a_filter_are_said_to_be_late(tmp_path: Path) -> None:
-    lag = 0.05
-    names, table = with_rates(np.arange(0.0, 8.0, 0.01))
-    late = 1.0 - np.exp(-0.01 / lag)
-    for column in table[:, 7:].T:
-        for i in range(1, len(column)):
-            column[i] = column[i - 1] + late * (column[i] - column[i - 1])
-    with pytest.warns(
-        ss.TrajectoryWarning, match=r"v_x, .* say up to .* % other changes .*: are they .* ms late"
-    ):
-        read_csv(write(tmp_path / "odd.csv", names, table))

@@ -12,9 +12,8 @@ from noisy_logs import WHITE, Array, coordinates
 
 import stewart_sym as ss
 from stewart_sym.kinematics.inverse_kinematics import leg_vectors
-from stewart_sym.motion.interpolation import followed, interpolate, resample
 from stewart_sym.motion.log_reader import read_log, trajectory_from
-from stewart_sym.motion.logs import TIME_UNITS, TrajectoryFormat
+from stewart_sym.motion.logs import TrajectoryFormat
 from stewart_sym.motion.sample_times import elapsed, lost
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory
 from stewart_sym.singularities.joint_space import on_platform
@@ -77,17 +76,6 @@ def test_forces_and_deviations_are_those_of_times_from_0(
     if noise:
         sd = ss.force_std(ROBOT, early)
         np.testing.assert_allclose(ss.force_std(ROBOT, late), sd, rtol=1e-4)
-
-
-@pytest.mark.parametrize("unit", list(TIME_UNITS))
-def test_between_instants_the_motion_is_that_of_times_from_0(tmp_path: Path, unit: str) -> None:
-    late, early = (read(tmp_path / "log.csv", "poses", 1000, unit, start) for start in (START, 0))
-    # A time since 1970 itself is off by a double's resolution, in which a force changes little.
-    F = forces(resample(early, 3000.0))
-    np.testing.assert_allclose(forces(resample(late, 3000.0)), F, rtol=0.0, atol=1e-5 * np.abs(F).max())
-    np.testing.assert_array_equal(interpolate(late)(late.time).t, late.motion.t)
-    a, b = (np.asarray(followed(each)(0.12345).a) for each in (late, early))
-    np.testing.assert_allclose(a, b, rtol=0.0, atol=1e-9 * np.abs(b).max())
 
 
 @pytest.mark.parametrize("start", [0.0, 1e3, START + 0.123456])

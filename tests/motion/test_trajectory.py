@@ -1,6 +1,5 @@
 """Trajectories: blends as (39) and (40), splines, quintics between instants; bad CSV by row and column."""
 
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +9,9 @@ from command_line import error_of, rejects
 from log_files import NAMES as POSE
 from log_files import RATES, write
 from machines import Array, rotation
-from motion_fields import FIELDS, UNLOADED, skew_part
+from motion_fields import skew_part
 
 import stewart_sym as ss
-from stewart_sym.io.extras import install
 from stewart_sym.motion.interpolation import followed, interpolate
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import (
@@ -97,14 +95,6 @@ def test_between_breaks_accelerations_integrate_to_velocities(path: ss.StraightL
         np.testing.assert_allclose(integral, np.diff(value, axis=0), atol=1e-13)
 
 
-def test_breaks_are_where_the_accelerations_jump() -> None:
-    path = line()
-    expected = [0.0, path.tau_t, path.tau_theta, 2.0 - path.tau_theta, 2.0 - path.tau_t, 2.0]
-    np.testing.assert_allclose(path.breakpoints(), np.sort(expected))
-    triangle = line(V=path.distance, Omega=path.angle)
-    np.testing.assert_allclose(triangle.breakpoints(), [0.0, 1.0, 2.0])
-
-
 @pytest.mark.parametrize("name", list(ss.PAPER_PATHS))
 def test_grid_of_the_paper_has_61_times(name: str) -> None:
     path, dtau = ss.PAPER_PATHS[name]
@@ -112,11 +102,6 @@ def test_grid_of_the_paper_has_61_times(name: str) -> None:
     assert len(times) == 61
     np.testing.assert_allclose(times, np.arange(61) * dtau, rtol=1e-15)
     assert times[-1] == path.tau_f
-
-
-def test_grid_ends_at_tau_f_when_the_step_does_not_fit() -> None:
-    np.testing.assert_allclose(line().time_grid(0.6), [0.0, 0.6, 1.2, 1.8, 2.0])
-    np.testing.assert_array_equal(line().time_grid(2.0), [0.0, 2.0])
 
 
 @pytest.mark.parametrize(
@@ -260,16 +245,6 @@ def test_bad_csv_is_named(tmp_path: Path, text: str, expected: str) -> None:
     assert error_of(lambda: read_csv(path)).startswith(f"{path}: {expected}")
 
 
-@pytest.mark.parametrize(
-    "known",
-    ["t_x t_y t_z", "L_1 to L_6, L_dot_*, L_ddot_*"],
-)
-def test_an_unknown_column_is_answered_with_all_that_are_known(tmp_path: Path, known: str) -> None:
-    path = tmp_path / "traj.csv"
-    path.write_text(with_line(1, "zeit,t_x,t_y,t_z,theta_x,theta_y,theta_z"), encoding="utf-8")
-    assert known in error_of(lambda: read_csv(path))
-
-
 def test_a_row_that_makes_no_motion_is_named(tmp_path: Path) -> None:
     path = tmp_path / "traj.csv"
     turning = FULL[1].split(",")
@@ -285,22 +260,6 @@ def test_rows_are_counted_as_in_the_file(tmp_path: Path) -> None:
     path = tmp_path / "traj.csv"
     path.write_text("\n" + with_line(4, "\n0.2,0.1"), encoding="utf-8")
     assert error_of(lambda: read_csv(path)) == f"{path}: line 6: expected 7 columns, got 2"
-
-
-def test_without_scipy_the_error_says_what_to_install(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path = tmp_path / "traj.csv"
-    path.write_text("\n".join(GOOD), encoding="utf-8")
-    monkeypatch.setitem(sys.modules, "scipy", None)
-    monkeypatch.setitem(sys.modules, "scipy.interpolate", None)
-    with pytest.raises(ImportError) as caught:
-        read_csv(path)
-    assert install("sim") in str(caught.value)
-    assert "\n" not in str(caught.value)
-    full = tmp_path / "full.csv"
-    full.write_text("\n".join(FULL), encoding="utf-8")
-    assert read_csv(full)[1].shape == (2,)
 
 
 def wild(count: int = 7) -> Trajectory:
@@ -324,16 +283,6 @@ def test_rates_and_accelerations_are_those_of_the_poses() -> None:
     np.testing.assert_allclose(skew_part(spin), at.omega, atol=1e-6)
 
 
-def test_the_papers_path_comes_back_between_its_samples() -> None:
-    path = ss.PAPER_PATHS["III"].path
-    time = path.time_grid(0.1)
-    found = interpolate(Trajectory(time, path.sample(time), "III", tuple(range(61))))
-    inside = np.linspace(3.6, 4.1, 101)
-    for name, tolerance in zip(UNLOADED, (1e-14, 1e-14, 1e-13, 1e-13, 1e-11, 1e-11), strict=True):
-        expected = getattr(path.sample(inside), name)
-        np.testing.assert_allclose(getattr(found(inside), name), expected, atol=tolerance)
-
-
 def test_times_outside_and_single_instants_are_rejected() -> None:
     trajectory = wild(2)
     path = interpolate(trajectory)
@@ -349,16 +298,3 @@ def test_times_outside_and_single_instants_are_rejected() -> None:
         odd = Trajectory(time, at, "odd.csv", (2, 3)[: len(time)])
         for function in (interpolate, followed, lambda odd: ss.resample(odd, 10.0)):
             rejects(f"^odd.csv: expected {text}$", function, odd)
-
-
-def test_one_time_after_the_other_gives_the_same_motion_since_the_first_instant() -> None:
-    trajectory = wild()
-    path, one = interpolate(trajectory), followed(trajectory)
-    for time in np.linspace(*trajectory.time[[0, -1]], 23)[:-1]:
-        expected, found = path(time), one(time - trajectory.time[0])
-        for name in FIELDS:
-            np.testing.assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-9, atol=1e-9)
-    after = one(1e3)
-    np.testing.assert_array_equal(after.t, trajectory.motion.t[-1])
-    np.testing.assert_array_equal(after.F_ext, trajectory.motion.F_ext[-1])
-    assert not after.omega.any()
