@@ -12,16 +12,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run, rejects
+from command_line import rejects
 from machines import offset_case
 from pages import DOCS
 from public_calls import calls
 from robot_files import PRESS, written
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.robot.drive import NUMBERS
 
 SHARED = """\
 [legs.drive]
@@ -67,16 +65,6 @@ def drive(text: str, folder: Path) -> ss.Drive:
     return found
 
 
-def test_a_drive_has_the_back_efficiency_of_a_file_without_it(tmp_path: Path) -> None:
-    made = ss.Drive(lead=5e-3, efficiency=[0.8, 0.9, 1.0, 0.5, 0.4, 0.9])
-    np.testing.assert_allclose(
-        made.backdrive_efficiency, [0.75, 2.0 - 1.0 / 0.9, 1.0, 0.0, -0.5, 2.0 - 1.0 / 0.9]
-    )
-    of_file = drive("[legs.drive]\nlead = 5\nefficiency = 0.8\n", tmp_path)
-    assert of_file == ss.Drive(lead=of_file.lead, efficiency=0.8)
-    np.testing.assert_array_equal(ss.Drive(lead=5e-3, backdrive_efficiency=0.7).backdrive_efficiency, 0.7)
-
-
 def test_numbers_of_a_file_are_in_si_units_and_a_leg_may_have_its_own(tmp_path: Path) -> None:
     found = drive(SHARED + OWN, tmp_path)
     ordinary = [0, 1, 3, 5]
@@ -92,14 +80,6 @@ def test_numbers_of_a_file_are_in_si_units_and_a_leg_may_have_its_own(tmp_path: 
     np.testing.assert_allclose(found.transmission_ratio[0], 2 * math.pi / 2.5e-3)
     np.testing.assert_allclose(found.reflected_mass[0], 4e-5 * (2 * math.pi / 2.5e-3) ** 2)
     np.testing.assert_allclose(found.rotor_momentum[4], -4e-5 * 2 * math.pi / 2.5e-3)
-
-
-def test_what_is_not_given_is_absent(tmp_path: Path) -> None:
-    assert read("", tmp_path).drive is None
-    found = drive("[legs.drive]\nlead = 5\n", tmp_path)
-    for name, key in NUMBERS.items():
-        if name != "lead":
-            np.testing.assert_array_equal(getattr(found, name), np.full(6, key.default))
 
 
 def test_a_drive_goes_through_tables_and_files_to_the_bit(tmp_path: Path) -> None:
@@ -143,22 +123,6 @@ def test_a_bad_drive_gives_one_line_with_key_and_line(text: str, tmp_path: Path)
         read(text, tmp_path)
     assert str(error.value).startswith(f"{tmp_path / 'robot.toml'}: {BAD[text]}"), error.value
     assert "at line" in str(error.value)
-
-
-def test_fields_are_checked_by_name() -> None:
-    for field, value, words in (
-        ("efficiency", 0.0, "efficiency: expected a number > 0 and <= 1, got 0"),
-        ("torque_limit", [1.0, 2.0], r"torque_limit: expected one number or six, got \[1.0, 2.0\]"),
-        (
-            "regularization_speed",
-            [0, 0, 0, math.nan, 0, 0],
-            "regularization_speed: leg 4: expected a finite number",
-        ),
-        ("stribeck_force", 1.0, "stribeck_force: leg 1: requires a stribeck_speed"),
-    ):
-        rejects(words, ss.Drive, lead=5e-3, **{field: value})
-    with pytest.raises(ValueError, match="robot: drive: expected a Drive or None, got 3"):
-        dataclasses.replace(ss.robots.dasgupta1998(), drive=3)
 
 
 EXAMPLE = DOCS / "examples" / "offset-joints.toml"
@@ -290,15 +254,6 @@ def test_joints_swing_as_the_lines_of_sliding_do() -> None:
     assert ss.joint_angles(robot, home).base.max() < 1e-12
 
 
-def test_the_same_platform_joint_for_all_legs() -> None:
-    d = _example()
-    d["leg"] = {"2": {"offsets": {"platform_joint": "universal"}}}
-    rejects(re.escape("leg.2.offsets.platform_joint: expected it in legs"), ss.Robot.from_dict, d)
-    d = _example() | {"base_joint": "spherical"}
-    del d["legs"]["universal_axis"]
-    rejects(re.escape("legs.offsets: expected none when base_joint"), ss.Robot.from_dict, d)
-
-
 def test_every_public_function_computes_offsets_or_rejects_them() -> None:
     every = calls()
     seen = {name for name, call in every.items() if "robot" in call.arguments}
@@ -318,25 +273,6 @@ def test_every_public_function_computes_offsets_or_rejects_them() -> None:
         assert "\n" not in str(caught.value), name
 
 
-def test_results_are_those_of_offsets() -> None:
-    """Of what ``test_offset_joints`` does not compare."""
-    robot, motion = offset_case(0)
-    plain = dataclasses.replace(robot, offsets=None)
-    e, H = ss.equations_of_motion(robot, motion), ss.wrench_matrix(robot, motion)
-    np.testing.assert_allclose(H, ss.inverse_dynamics(robot, motion).H, atol=1e-13 * np.abs(H).max())
-    inverse = np.linalg.inv(H)
-    felt = ss.joint_space_inertia(robot, motion)
-    np.testing.assert_allclose(felt, inverse @ e.M @ inverse.T, rtol=1e-9, atol=1e-9 * np.abs(felt).max())
-    assert ss.singularity(robot, motion).condition_number != ss.singularity(plain, motion).condition_number
-    fixed = ss.Motion(R=motion.R, t=motion.t, omega=0 * motion.t, v=0 * motion.t)
-    springs = ss.LegSprings.in_equilibrium(robot, fixed, 1e6)
-    held = ss.Motion(
-        R=motion.R, t=motion.t, omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3)
-    )
-    np.testing.assert_allclose(springs(0.0, fixed), ss.inverse_dynamics(robot, held).F, rtol=1e-6)
-    rejects("offsets", robot_numbers, robot)
-
-
 def test_paper_and_levels_are_rejected() -> None:
     robot, motion = offset_case(0)
     rejects("formulation: expected", ss.inverse_dynamics, robot, motion, formulation="paper")
@@ -344,17 +280,3 @@ def test_paper_and_levels_are_rejected() -> None:
     rejects("with offset joints, got 'slender'", ss.ForceKernel, robot, fidelity="slender")
     universal, _ = offset_case(0, "universal")
     rejects("platform_joint", ss.ForceKernel, universal)
-
-
-def test_subcommands_say_so_in_one_line(tmp_path: Path, run: Run) -> None:
-    out = run("check", EXAMPLE).out
-    assert "offsets      10 mm from the fixed to the moving axis, 4 mm across it" in out
-    assert "crosses      0.15 kg" in out
-    lines = EXAMPLE.read_text(encoding="utf-8")
-    offsets = 'platform_joint = "universal"\nplatform_axis = [0, 1, 0]\nwrist_offset = 3.0\n'
-    path = tmp_path / "turning.toml"
-    path.write_text(lines.replace("[legs.offsets]\n", f"[legs.offsets]\n{offsets}"), encoding="utf-8")
-    log = str(DOCS / "examples" / "trajectory.csv")
-    run("forces", path, log, "-o", tmp_path / "F.csv", "--reactions")
-    (error,) = run("generate", EXAMPLE, "-o", tmp_path / "kit", code=2).err.strip().splitlines()
-    assert "robot: offsets: " in error

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import error_of, rejects
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from robot_files import PAPERS, same
 
 from stewart_sym import robots
@@ -90,16 +88,6 @@ def test_to_dict_round_trips_exactly(tables: Callable[[], Tables]) -> None:
     again = Robot.from_dict(json.loads(json.dumps(robot.to_dict())))
     assert same(robot, again)
     assert again.to_dict() == robot.to_dict()
-
-
-@settings(deadline=None)
-@given(axis=st.tuples(*[st.floats(-1e6, 1e6)] * 3).filter(any))
-def test_any_axis_round_trips_exactly(axis: tuple[float, float, float]) -> None:
-    d = machine()
-    d["leg"]["5"]["universal_axis"] = list(axis)
-    robot = Robot.from_dict(d)
-    assert np.linalg.norm(robot.k[4]) == pytest.approx(1.0, abs=1e-15)
-    assert same(robot, Robot.from_dict(robot.to_dict()))
 
 
 def test_replace_makes_a_checked_copy() -> None:
@@ -284,15 +272,6 @@ def test_possible_inertias_are_those_of_bodies(moments: tuple[float, float, floa
     turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
     robot = dataclasses.replace(Robot.from_dict(machine()), I_p=turn @ np.diag(moments) @ turn.T)
     assert (robot.find_invalid_inertias() == []) == possible
-
-
-def test_physicality_names_the_legs() -> None:
-    d = machine()
-    for i in ("2", "5"):
-        d["leg"][i]["upper"] = {"inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 5]]}
-    with pytest.warns(RobotWarning, match=r"robot: upper part of legs 2, 5: inertia"):
-        robot = Robot.from_dict(d)
-    assert len(robot.find_invalid_inertias()) == 1
 
 
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")

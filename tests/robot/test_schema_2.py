@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run, rejects
+from command_line import Run
 from robot_files import same, written
 
 import stewart_sym as ss
@@ -132,18 +132,6 @@ def test_a_robot_goes_through_tables_and_files_to_the_bit(joint: str, tmp_path: 
     plain = dataclasses.replace(found, **none, euler_order="zyx", length_mode="absolute")
     assert plain.to_dict()["schema"] == 2
     assert same(ss.Robot.from_dict(plain.to_dict()), plain)
-
-
-def test_parts_are_as_long_as_their_shapes_or_as_they_state(robot: ss.Robot, tmp_path: Path) -> None:
-    # Leg 3 has a lower part by its inertia, without a length.
-    np.testing.assert_array_equal(robot.lower_length, [0.5, 0.5, 0.0, 0.5, 0.5, 0.5])
-    np.testing.assert_array_equal(robot.upper_length, np.full(6, 0.45))
-    stated = robot_of(TEXT.replace("lower = { mass = 9.0,", "lower = { length = 480, mass = 9.0,"), tmp_path)
-    assert stated.lower_length[2] == 0.48
-    two = "[{ shape = 'rod', radius = 20, length = 400, mass = 3 }, { shape = 'rod', radius = 30, "
-    two += "start = 400, length = 60, mass = 1 }]"
-    upper = '{ shape = "rod", radius = 20, length = 450, mass = 3.5 }'
-    assert set(robot_of(TEXT.replace(upper, two), tmp_path).upper_length) == {0.46}
 
 
 def test_axes_by_name_are_what_the_name_says(tmp_path: Path) -> None:
@@ -289,12 +277,6 @@ def test_a_mistake_is_one_line_with_key_and_line(
     assert words in text.splitlines()[number - 1]
 
 
-def test_tables_without_a_file_name_the_key_alone() -> None:
-    rejects(r"\Arobot: base: missing\Z", ss.Robot.from_dict, {"schema": 2, "name": "x"})
-    with pytest.raises(ValueError, match=r"\Arobot: length_mode: \"relative\" refers to the home pose"):
-        dataclasses.replace(ss.robots.dasgupta1998(), length_mode="relative")
-
-
 def made(value: Any, along: float | None = None) -> Body:
     found = body(value, "part", lambda x: x, along)
     return Body(*(found[key] for key in INERTIA_KEYS))
@@ -365,11 +347,3 @@ def test_joined_bodies_move_as_one() -> None:
         assert sum(energies[:-1]) == pytest.approx(energies[-1], rel=1e-13)
     moments = sum(each.mass * each.center_of_mass for each in parts)
     np.testing.assert_allclose(one.mass * one.center_of_mass, moments, rtol=1e-14)
-
-
-def test_a_list_takes_bodies_by_inertia_beside_shapes() -> None:
-    load = {"mass": 1.0, "center_of_mass": [0.0, 0.0, 1.0], "inertia": [0.0, 0.0, 0.0]}
-    found = made([{"shape": "plate", "radius": 1.0, "thickness": 0.1, "mass": 1.0}, load])
-    assert found.mass == 2.0
-    np.testing.assert_array_equal(found.center_of_mass, [0.0, 0.0, 0.5])
-    np.testing.assert_allclose(np.diag(found.inertia)[:2], 0.25 + 0.1**2 / 12 + 0.5, rtol=1e-15)
