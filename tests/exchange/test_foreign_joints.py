@@ -90,16 +90,6 @@ def test_a_cross_with_its_mass_off_the_axes_is_imported_with_its_effect(name: st
     assert bound == pytest.approx(error, rel=6e-3)
 
 
-def test_the_mass_of_the_file_and_of_the_robot_are_printed(tmp_path: Path) -> None:
-    seed, made = first_with(three_hinges)
-    found = imported(mjcf(made, seed), tmp_path)
-    mass = found.robot.M + found.robot.m_d.sum() + found.robot.m_u.sum()
-    assert (
-        f"mass of the bodies that move: {mass:.7g} kg in the file, {mass:.7g} kg imported"
-        in found.assumptions
-    )
-
-
 @pytest.mark.parametrize("load", [0.5, 60.0])
 def test_the_platform_is_the_body_that_the_legs_hold_and_the_reason_is_true(
     load: float, tmp_path: Path
@@ -139,48 +129,6 @@ def test_the_frame_of_an_aligned_platform_is_that_of_mujoco(
     np.testing.assert_allclose(found.robot.p, points - data.body("platform").xpos, rtol=0, atol=1e-12)
     np.testing.assert_allclose(found.robot.R_0, 0.0, atol=1e-12)
     assert any("the frame of 'platform', which is taken" in line for line in found.assumptions)
-
-
-def test_anchors_in_a_frame_that_mujoco_turns_are_one_line(tmp_path: Path) -> None:
-    text = exported().text.replace('<freejoint name="free"', '<freejoint name="free" align="true"')
-    old = '<connect name="tip_1" site1="tip_1_a" site2="tip_1_b" />'
-    assert old in text
-    text = text.replace(old, '<connect name="tip_1" body1="upper_1" body2="platform" anchor="0 0 0"/>')
-    rejects("expected site1 and site2, since MuJoCo turns the frame of 'platform'", imported, text, tmp_path)
-
-
-def test_the_remedy_for_the_mass_of_a_mesh_works(tmp_path: Path) -> None:
-    corners = " ".join(f"{x} {y} {z}" for x in (-0.2, 0.2) for y in (-0.3, 0.3) for z in (-0.02, 0.02))
-    text = exported().text.replace("<asset>", f'<asset><mesh name="deck" vertex="{corners}"/>')
-    start = text.index('<body name="platform"')
-    inside = re.sub("<inertial .*?/>", '<geom type="mesh" mesh="deck" mass="6"/>', text[start:])
-    text = text[:start] + inside
-    rejects('mj_saveLastXML with saveinertial="true"', imported, text, tmp_path)
-    model = mujoco.MjModel.from_xml_string(text.replace("<compiler ", '<compiler saveinertial="true" '))
-    mujoco.mj_saveLastXML(str(tmp_path / "saved.xml"), model)
-    assert ss.import_model(tmp_path / "saved.xml").robot.M == 6.0
-
-
-@pytest.mark.parametrize("kind", ["weld", "loop"])
-def test_all_open_welds_or_loops_are_reported_at_once(kind: str, tmp_path: Path) -> None:
-    def closed_by(made: Family) -> bool:
-        kinds = ["fixed" if kind == "weld" else "ball"]
-        return sum(edge.kind in kinds for edge in made.cuts) > 2
-
-    seed, made = first_with(closed_by)
-    text = mjcf(made, seed)
-    tag, moved = ("weld", 0) if kind == "weld" else ("connect", 0)
-    names = re.findall(rf'<{tag} name="(\w+)" site1', text)
-    for number, name in enumerate(names, 1):
-        text, count = re.subn(rf'(<site name="{name}b" pos=")(\S+)', rf"\g<1>{number / 10}", text)
-        moved += count
-    assert moved == len(names) > 1
-    with pytest.raises(
-        ValueError, match=f"expected {kind}s that are closed in the pose of the file"
-    ) as caught:
-        imported(text, tmp_path)
-    assert all(repr(name) in str(caught.value) for name in names)
-    assert str(caught.value).count(" m") >= len(names)
 
 
 FRAMES = (

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import rejects
-from exported_models import HEXAPOD, exported, imported, written
+from exported_models import exported, imported, written
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -134,25 +134,6 @@ def test_what_is_fixed_to_the_platform_is_part_of_it(foreign: ss.ImportedModel) 
     np.testing.assert_allclose(robot.I_p, np.diag([1.0 + 1.0 + arms, 2.0 + 1.0 + arms, 3.5]), atol=1e-12)
 
 
-def test_a_slide_that_is_stated_from_the_rod_to_the_cylinder_is_the_same(tmp_path: Path) -> None:
-    robot, text = ss.Robot.from_toml(HEXAPOD), exported("sdf").text
-
-    def reversed_slide(found: re.Match[str]) -> str:
-        start, low, between, high, end = found.groups()
-        start = start.replace("<parent>lower_1", "<parent>upper_1").replace(
-            "<child>upper_1", "<child>lower_1"
-        )
-        return f"{start}{-float(high)!r}{between}{-float(low)!r}{end}"
-
-    joint = r'(<joint name="leg_1".*?<lower>)(.*?)(</lower>\s*<upper>)(.*?)(</upper>)'
-    changed = re.sub(joint, reversed_slide, text, flags=re.DOTALL)
-    assert changed != text
-    found = imported(changed, tmp_path).robot
-    np.testing.assert_allclose(found.length_limits, robot.length_limits, rtol=1e-12)
-    mine, theirs = (dict(each.to_dict()["leg"], **{"1": None}) for each in (found, robot))
-    assert mine == theirs
-
-
 TOP = '<body name="platform"'
 SLIDE = '<joint name="leg_1" type="slide"'
 LEFT_OUT = {
@@ -218,21 +199,6 @@ def test_what_an_inertial_of_sdf_does_not_state_is_said(tmp_path: Path) -> None:
     found = altered(tmp_path, "sdf", part, "")
     assert f"link 'platform': inertial: {said}" in found.assumptions
     assert 1.0 in (found.robot.M, found.robot.I_p[2, 2])
-
-
-def test_a_link_of_sdf_without_an_inertial_has_the_mass_that_drake_gives_it(tmp_path: Path) -> None:
-    from pydrake.multibody.parsing import Parser
-    from pydrake.multibody.plant import MultibodyPlant
-
-    tool = '<link name="tool"><pose>0 0 1 0 0 0</pose></link><joint name="weld" type="fixed">'
-    tool += "<parent>platform</parent><child>tool</child></joint>"
-    change = '<link name="lower_1">', tool + '<link name="lower_1">'
-    found = altered(tmp_path, "sdf", *change)
-    plant = MultibodyPlant(0.0)
-    Parser(plant).AddModelsFromString(exported("sdf").text.replace(*change, 1), "sdf")
-    assert found.robot.M == 40.0 + plant.GetBodyByName("tool").default_mass() == 41.0
-    said = "mass, ixx, iyy, izz: not in the file, SDF's default is taken (1 kg, 1 kg m^2)"
-    assert f"link 'tool': inertial: {said}" in found.assumptions
 
 
 ALL = {"stiffness", "springdamper", "frictionloss"}
