@@ -3,7 +3,6 @@
 import csv
 import dataclasses
 import itertools
-import json
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
@@ -26,12 +25,9 @@ from robot_files import written
 from sweeps import FULL
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kinematics.mounting import path_for, platform_side
 from stewart_sym.motion.rotation import rpy_from_rotation
-from stewart_sym.simulation.scene import read_scene
-from stewart_sym.studies.accuracy.budget import read_budget
 from stewart_sym.studies.common.output import csv_lines
 
 SEEDS = 20 if FULL else 1
@@ -178,36 +174,6 @@ def compare_estimates(one: list[str], other: list[str]) -> None:
         value, sigma = float(row["estimated"]), float(row["std"])
         assert abs(sign * float(mirrored["estimated"]) - value) <= 1e-5 * (abs(value) + sigma)
         assert float(mirrored["std"]) == pytest.approx(sigma, rel=1e-5)
-
-
-def test_the_papers_paths_are_on_the_side_of_the_platform(tmp_path: Path) -> None:
-    robot = dasgupta()
-    for unturned in (robot, dataclasses.replace(robot, g=np.zeros(3))):
-        assert path_for(unturned, "I") == ss.PAPER_PATHS["I"]
-    path = ss.PAPER_PATHS["I"].path
-    F = ss.inverse_dynamics(robot, path.sample(path.breakpoints())).F
-    for Q in (Z_DOWN, *ON_ITS_SIDE):
-        other = in_axes(robot, Q)
-        motion = path_for(other, "I").path.sample(path.breakpoints())
-        np.testing.assert_allclose(ss.inverse_dynamics(other, motion).F, F, rtol=1e-9)
-    up, down = (named_paths(machine, tmp_path) for machine in (robot, in_axes(robot, Z_DOWN)))
-    for one, there in zip(up, down, strict=True):
-        np.testing.assert_allclose(there, one, rtol=1e-6)
-
-
-def named_paths(robot: ss.Robot, folder: Path) -> list[Array]:
-    """Time of the crossing, s, and forces along named paths by subcommands."""
-    file = str(written(robot, folder / "robot.toml"))
-    assert main(["singularities", file, "III", "-o", str(folder / "III"), "--force", "--no-plots"]) == 0
-    (found,) = json.loads((folder / "III/report.json").read_text())["crossings"]
-    crossing = np.array(found["time_s"])
-    head = 'schema = 1\nrobot = "robot.toml"\n'
-    legs = '[actuation]\ntype = "computed_torque"\npath = "I"\nk_p = 100.0\nk_d = 20.0\n'
-    (folder / "scene.toml").write_text(f"{head}duration = 0.05\n{legs}")
-    (folder / "budget.toml").write_text(f'{head}motions = ["I"]\ntolerance = 1.0\n')
-    tracked = read_scene(folder / "scene.toml").run().F
-    motion = read_budget(folder / "budget.toml").motions["I"]
-    return [crossing, tracked, ss.inverse_dynamics(robot, motion).F]
 
 
 def test_gravity_settles_the_side_and_then_limits_and_then_the_condition() -> None:
