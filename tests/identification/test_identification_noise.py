@@ -175,18 +175,6 @@ def test_bad_pose_noise_is_named(arguments: dict[str, object], words: str) -> No
     rejects(f"^{words}", ss.PoseNoise, **{**good, **arguments})
 
 
-def test_poses_that_no_noise_fits_are_named() -> None:
-    way = excited(0)
-    with pytest.raises(ValueError, match=r"^motion: expected measured poses that scatter"):
-        ss.estimate_pose_noise(way.time, way.motion, way.path.period, 5)
-    rejects(rf"^motion: expected {SAMPLES} samples", ss.estimate_pose_noise, way.time, way.motion[1:])
-    rejects(
-        r"^motion: expected more than 7 poses, got 7", ss.estimate_pose_noise, way.time[:7], way.motion[:7]
-    )
-    steep = ss.Motion.from_rpy(np.zeros((9, 3)), np.tile([0.0, 1.5, 0.0], (9, 1)), *np.zeros((2, 9, 3)))
-    rejects(r"^motion: expected theta_y within", ss.estimate_pose_noise, np.arange(9.0), steep)
-
-
 # The hundred experiments
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import Fails, Run, read
-from log_files import NAMES, RATES
+from log_files import NAMES
 from machines import dasgupta
 from noisy_experiments import change, excited, experiment, robot, truth
 from robot_files import PAPERS
@@ -89,21 +89,6 @@ def test_physical_estimates_belong_to_bodies_also_from_a_wrong_robot_file() -> N
     assert np.mean(off**2) < 1.2 * np.mean((A @ (found.estimate.values - found.true_values)) ** 2)
 
 
-@pytest.mark.slow
-def test_forces_of_impossible_bodies_are_a_misfit_of_possible_ones() -> None:
-    machine = robot(0)
-    pi = ss.inertial_parameters(machine)
-    place = {name: i for i, name in enumerate(pi.names)}
-    values = pi.values.copy()
-    values[[place["J_u1_yy"], place["J_d1_yy"]]] *= -1.0
-    impossible = with_parameters(machine, values)
-    found = ss.simulate_experiment(impossible, excited(0), 30.0)
-    assert any(line.startswith("leg 1: second moment") for line in found.estimate.nonphysical)
-    kept = ss.identify(machine, excited(0).motion, found.F, 30.0, excited(0).base, enforce_physical=True)
-    assert kept.verdict == "misfit"
-    assert any(line.startswith("bodies: ") for line in kept.warnings)
-
-
 STATED = ("--position-std", "1e-4", "--angle-std", "1e-4")
 
 
@@ -131,30 +116,6 @@ def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
     report = (wrong / "report.txt").read_text()
     assert "verdict: rejected" in report
     assert "robot file: not compared" in report
-
-
-def test_command_reads_logs_in_other_units_and_marks(tmp_path: Path) -> None:
-    simulated = tmp_path / "simulated"
-    assert main(["identify", str(PAPERS), "--samples", "60", "--candidates", "2", "-o", str(simulated)]) == 0
-    scale = {"time": 1e3, "t": 1e3, "v": 1e3, "a": 1e3}
-    for name in ("trajectory", "forces"):
-        with open(simulated / f"{name}.csv", newline="") as stream:
-            head, *rows = csv.reader(stream)
-        factors = [scale.get(cell.split("_")[0], 180.0 / np.pi if "theta" in cell else 1.0) for cell in head]
-        renamed = ["X" if cell == "t_x" else cell for cell in head]
-        cells = [renamed, *([repr(float(x) * k) for x, k in zip(row, factors, strict=True)] for row in rows)]
-        text = "\n".join(";".join(row) for row in cells).replace(".", ",")
-        (tmp_path / f"{name}.csv").write_text(text)
-    measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
-    units = ["--length-unit", "mm", "--angle-unit", "deg", "--time-unit", "ms"]
-    names = ["--columns", ",".join(f"{name}={'X' if name == 't_x' else name}" for name in (*NAMES, *RATES))]
-    out = tmp_path / "out"
-    assert main(["identify", str(PAPERS), *measured, *units, *names, "-o", str(out)]) == 0
-    tables = [read(folder / "parameters.csv") for folder in (simulated, out)]
-    for before, after in zip(*tables, strict=True):
-        assert float(after["estimated"]) == pytest.approx(
-            float(before["estimated"]), abs=float(before["std"])
-        )
 
 
 @pytest.mark.slow
