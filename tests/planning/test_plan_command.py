@@ -14,7 +14,6 @@ from command_line import Run
 from motion_fields import FIELDS, motion_of, waves
 from pages import DOCS
 
-import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.drives.effort import DriveLimitWarning, drive_effort
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
@@ -22,8 +21,6 @@ from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
-from stewart_sym.planning.path_parameterization import TimedPath
-from stewart_sym.planning.plan_certificate import PlanCertificate, certify_plan
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
@@ -55,33 +52,6 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
     F = inverse_dynamics(Robot.from_toml(folder / "hexapod.toml"), log.motion).F
     assert np.abs(F).max() <= 500.0 * (1.0 + 1e-9)
     assert np.abs(F).max() > 450.0
-
-
-def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are_broken(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, run: Run
-) -> None:
-    file = folder / "hexapod.toml"
-    text = file.read_text().replace("[base]", "home_position = [0.0, 0.0, 0.65]\n[base]")
-    file.write_text(text.replace("force_limit", "joint_angle_limit = [0.5, 0.6]\nforce_limit"))
-    found = []
-
-    def beyond(plan: TimedPath) -> PlanCertificate:
-        found.append(dataclasses.replace(certify_plan(plan), angles_ok=False))
-        return found[0]
-
-    monkeypatch.setattr(ss, "certify_plan", beyond)
-    out = run("plan", via(folder, SHORT), "-o", folder / "out", "--no-plots", code=1).out
-    assert "certificate  not valid: joint angles beyond their limits\n" in out
-    report = json.loads((folder / "out" / "report.json").read_text())
-    assert report["certificate"]["lengths_ok"]
-    assert not report["certificate"]["angles_ok"]
-    for end, limit in (("base", 0.5), ("platform", 0.6)):
-        angle = getattr(found[0], f"{end}_angle")
-        leg = int(np.argmax(angle.value))
-        most = f"angle      at the {end} up to {np.degrees(angle.value[leg]):.6g} degrees, leg {leg + 1} at "
-        assert most in out
-        assert [each[f"peak_{end}_angle_rad"] for each in report["legs"]] == angle.value.tolist()
-        assert {each[f"{end}_angle_limit_rad"] for each in report["legs"]} == {limit}
 
 
 @pytest.mark.slow
@@ -147,17 +117,6 @@ def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list
     told = run("plan", via(folder, PLAN), "-o", folder / "out", *options, code=2).err
     assert f"error: {words}" in told
     assert not (folder / "out").exists()
-
-
-def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, run: Run) -> None:
-    text = "rate = 2.0\n" + PLAN
-    (line,) = run("plan", via(folder, text), "-o", folder / "out", "--no-plots").err.splitlines()
-    duration = json.loads((folder / "out" / "report.json").read_text())["duration_s"]
-    rows = len(read_csv(folder / "out" / "trajectory.csv").time)
-    assert line.endswith(
-        f"via.toml: rate: expected 10 or more rows in trajectory.csv of a motion of {duration:.4g} s, "
-        f"got {rows} at 2 Hz"
-    )
 
 
 def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> None:
@@ -250,14 +209,6 @@ def limited(limit: str) -> str:
 )
 def test_bad_input_is_one_line_and_leaves_nothing_behind(folder: Path, text: str, words: str) -> None:
     check_rejected(folder, text, words)
-
-
-def test_a_singular_start_is_rejected(folder: Path) -> None:
-    """The platform in the plane of its base, level: no leg bears weight."""
-    robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
-    (folder / "flat.toml").write_text(robot)
-    text = PLAN.replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
-    check_rejected(folder, text, "via 1: expected a regular pose, got a singular pose")
 
 
 HEXAPOD = DOCS / "examples" / "hexapod.toml"
