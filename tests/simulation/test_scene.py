@@ -1,7 +1,5 @@
 """Scenes: what a file says is what is run; what is wrong with one is one line and leaves nothing behind."""
 
-import dataclasses
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -10,13 +8,10 @@ from command_line import Fails, Run, folder_state, read
 from robot_files import scene_of
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
-from stewart_sym.io.extras import install
 from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.simulation.scene import read_scene
-from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
 
 SWING = """
@@ -84,21 +79,6 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
 
 
-def test_tables_need_no_matplotlib(scene: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
-    monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    before = folder_state(scene.parent)
-    assert install("plot") in fails("simulate", scene, "-o", scene.parent / "out")
-    assert folder_state(scene.parent) == before
-    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-plots"]) == 0
-    assert sorted(path.name for path in (scene.parent / "out").glob("[!.]*")) == [
-        "run.csv",
-        "summary.json",
-        "summary.txt",
-    ]
-
-
 def test_tracking_starts_on_its_path_and_stays_there(scene: Path) -> None:
     scene.write_text(TRACK)
     done = read_scene(scene)
@@ -128,29 +108,6 @@ def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     done = read_scene(scene)
     np.testing.assert_allclose(done.state.t, wanted(0.0).t)
     assert done.run().stop.reason == "completed"
-
-
-def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> None:
-    """As `forces` does: those of rows so far apart that no curve through the poses has their rates."""
-    motion = ss.PAPER_PATHS["II"].path.sample([0.0, 0.2, 0.4])
-    F_ext, M_ext = np.array([[3.0, 1.0, -40.0]] * 3) * [[1.0], [0.5], [0.0]], np.full((3, 3), 2.0)
-    loaded = dataclasses.replace(motion, F_ext=F_ext, M_ext=M_ext)
-    robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
-    columns = trajectory_columns(robot, np.array([0.0, 0.2, 0.4]), loaded)
-    (scene.parent / "path.csv").write_text("".join(csv_lines(columns)))
-    scene.write_text(
-        TRACK.replace('"II"', '"path.csv"').replace("paper", "exact").replace("rate = 500.0", "")
-    )
-    tracked, needed = read_scene(scene).run(), ss.inverse_dynamics(robot, loaded).F
-    np.testing.assert_allclose(tracked.F[0], needed[0], rtol=1e-12)
-    np.testing.assert_allclose(
-        tracked.t[-1], followed(read_csv(scene.parent / "path.csv"))(0.05).t, atol=1e-9
-    )
-    text = scene.read_text()
-    scene.write_text(text.replace("[actuation]", "[load]\nF_ext = [0.0, 0.0, -500.0]\n[actuation]"))
-    heavier = read_scene(scene).run()
-    np.testing.assert_allclose(heavier.F[0], needed[0], rtol=1e-12)
-    assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4
 
 
 def test_constant_forces_and_a_load(scene: Path) -> None:
@@ -246,14 +203,3 @@ def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str,
     scene.write_text(TRACK.replace(old, new, 1))
     assert words in fails("simulate", scene, "-o", scene.parent / "out")
     assert not (scene.parent / "out").exists()
-
-
-def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, fails: Fails) -> None:
-    legs = '[actuation]\ntype = "constant_force"\nforces = [0, 0, 0, 0, 0, 0]\n'
-    # Platform point 2 on base point 2.
-    state = SWING.partition("[actuation]")[0].replace("[0.2, 0.0, 0.8]", "[-0.2, 0.3, 0.1]")
-    scene.write_text(state.replace("[0.1, 0.0, 0.2]", "[0.0, 0.0, 0.0]") + legs)
-    before = folder_state(scene.parent)
-    line = fails("simulate", scene, "-o", scene.parent / "out")
-    assert "initial_state: no accelerations: a leg has length zero" in line
-    assert folder_state(scene.parent).keys() == before.keys()

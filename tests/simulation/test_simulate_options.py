@@ -10,7 +10,6 @@ import pytest
 from command_files import edit
 from command_line import Fails, Run
 from machines import dasgupta, home_position, machine_size, random_robot
-from pages import DOCS
 from robot_files import PAPERS
 
 import stewart_sym as ss
@@ -51,14 +50,6 @@ def limit_forces(scene: Path, limit: float) -> None:
 def machine() -> tuple[ss.Robot, ss.Motion]:
     robot = random_robot(np.random.default_rng(3), scale=1.0)
     return robot, ss.Motion(R=np.eye(3), t=home_position(robot.b, machine_size(robot)), omega=ZERO, v=ZERO)
-
-
-def test_springs_so_stiff_that_trial_states_are_infinite_stop_at_the_force_limit() -> None:
-    robot = ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml")
-    start = ss.Motion(R=np.eye(3), t=[0.03, 0.0, 0.65], omega=ZERO, v=[0.0, 0.2, 0.0])
-    springs = ss.LegSprings.in_equilibrium(robot, start, stiffness=2e12, damping=0.0)
-    run = ss.simulate(robot, start, springs, 1.0)
-    assert "force 500 N reaches its limit 500 N" in run.stop.message
 
 
 @pytest.mark.parametrize("rate", [None, 200.0])
@@ -178,19 +169,6 @@ def test_a_scene_starts_on_its_path_and_saturates(scene: Path, run: Run) -> None
 def test_bad_starts_are_named(scene: Path, run: Run, old: str, new: str, words: str) -> None:
     scene.write_text(TRACK.replace(old, new))
     assert f"scene.toml: {words}" in run("simulate", scene, "-o", scene.parent / "out", code=2).err
-
-
-def test_progress_is_told_in_shares_that_end_at_one() -> None:
-    rate = 200.0
-    robot, state = machine()
-    shares: list[float] = []
-    ss.simulate(robot, state, np.zeros(6), 0.05, control_rate=rate, progress=shares.append)
-    assert len(shares) > 1
-    assert shares == sorted(shares)
-    assert shares[0] > 0.0
-    assert shares[-1] == pytest.approx(1.0)
-    with pytest.raises(ValueError, match=r"^progress: expected a function \(fraction\), got int"):
-        ss.simulate(robot, state, np.zeros(6), 0.05, progress=3)
 
 
 def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Path, fails: Fails) -> None:

@@ -162,28 +162,6 @@ def test_a_screw_that_locks_itself_is_rejected(bare: ss.Robot, holding: np.ndarr
         ss.simulate(locked, HOME, holding, 0.1)
 
 
-@pytest.mark.slow
-def test_motors_of_a_run_do_the_work_that_its_drives_account_for(bare: ss.Robot, robot: ss.Robot) -> None:
-    from stewart_sym.studies.reports.run import motors_of, report
-
-    law = swinging(bare)
-    run = ss.simulate(robot, HOME, law, 0.1, output_step=1e-4)
-    found, drives = motors_of(robot, run), run.drive_work
-    assert found is not None
-    assert drives is not None
-    np.testing.assert_allclose(found.summary.energy, drives.done, atol=2e-3 * np.abs(drives.done).max())
-    expected = np.abs(run.F).max(axis=0) * 5e-3 / (2.0 * np.pi)
-    np.testing.assert_allclose(found.summary.peaks["torque"], expected, rtol=1e-12)
-    written = report(robot, run, law)
-    assert "RMS torque" in written.text
-    done, lost = drives.done.sum(), drives.lost.sum()
-    took = f"motors     work of {done:.6g} J, friction of the drives took {lost:.6g} J"
-    assert took in written.text
-    assert written.data["drive_friction_J"] == drives.lost.sum()
-    assert written.data["legs"][0]["motor_peak_torque_N_m"] == found.summary.peaks["torque"][0]
-    assert motors_of(bare, ss.simulate(bare, HOME, law, 1e-3)) is None
-
-
 def test_offsets_beside_friction_of_the_drives_are_named(robot: ss.Robot) -> None:
     both = dataclasses.replace(robot, offsets=ss.JointOffsets(axis_offset=0.01))
     with pytest.raises(ValueError, match="expected joint offsets or drive friction, got both"):
