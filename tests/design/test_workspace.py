@@ -12,7 +12,6 @@ from machines import (
     home_position,
     machine_size,
     random_robot,
-    upside_down_in_millimeters,
 )
 from scipy.spatial.transform import Rotation
 from shells import shell_volume
@@ -202,27 +201,6 @@ def test_cells_that_are_left_out_hold_no_pose_within_the_limits() -> None:
         turned = Rotation.from_rotvec(size * axis / np.linalg.norm(axis, axis=-1, keepdims=True)).as_matrix()
         moved = shift[i] * direction / np.linalg.norm(direction, axis=-1, keepdims=True)
         assert np.all(examiner.broken_limits(turned @ R[i], t[i] + moved) > 0)
-
-
-@pytest.mark.slow
-def test_a_machine_in_millimeters_that_hangs_has_the_volume_of_its_image_in_meters() -> None:
-    robot = upside_down_in_millimeters()
-    # A robot of 1e3 times the lengths, z pointing down: its home is on the other side.
-    L = np.linalg.norm(robot.p - robot.b + ss.up_direction(robot) * 1.1 * machine_size(robot), axis=-1)
-    robot = dataclasses.replace(robot, length_limits=L[:, None] * np.array([0.9, 1.15]))
-    made = ss.workspace(robot, samples=50_000)
-    assert made.extent[2, 1] < 0.0
-    assert abs(made.volume - exact_volume(robot, np.zeros(3))) < made.error
-    small = dataclasses.replace(
-        robot,
-        **{
-            name: getattr(robot, name) * 1e-3
-            for name in ("b", "p", "R_0", "r_d0", "r_u0", "g", "length_limits")
-        },
-        **{name: getattr(robot, name) * 1e-6 for name in ("I_p", "I_d0", "I_u0", "C_u", "C_s")},
-    )
-    other = ss.workspace(small, samples=50_000)
-    assert other.volume == pytest.approx(1e-9 * made.volume, rel=1e-3)
 
 
 @pytest.mark.slow
