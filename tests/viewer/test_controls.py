@@ -93,17 +93,6 @@ def test_play_pause_and_step(opened: Opened) -> None:
     assert index(opened) == at + 1
 
 
-def test_the_clock_runs_at_its_speed_and_begins_again(opened: Opened) -> None:
-    passed = "viewer.clock.seek(1); viewer.clock.pass(0.5); return viewer.clock.time"
-    assert opened.do(passed) == pytest.approx(1.5)
-    opened.page.select_option("#speed", "5")
-    assert opened.do(passed) == pytest.approx(3.5)
-    assert opened.do(
-        "viewer.clock.seek(5); viewer.clock.pass(0.4); return viewer.clock.time"
-    ) == pytest.approx(1.0)
-    opened.page.select_option("#speed", "1")
-
-
 def test_the_slider_moves_by_samples_and_is_read_out(opened: Opened) -> None:
     slider = opened.page.locator("#time")
     slider.focus()

@@ -218,21 +218,6 @@ def test_deviations_stand_beside_the_values(case: Case, opened: Opened) -> None:
     assert np.allclose([sd for _, sd in numbers], columns(case, "F_std")[i], rtol=0.06)
 
 
-@pytest.mark.slow
-def test_collars_tell_what_noise_leaves_open(case: Case, opened: Opened) -> None:
-    """Of the light theme: orange without blue, which nothing else of the picture is."""
-    found = opened.do("const { F_paper, ...shown } = viewer.motion.verdicts; return shown")
-    codes = np.max([*found.values()], axis=0).reshape(-1, 6)
-    chosen = {0: np.argmax((codes < 2).all(axis=1)), 2: np.argmax((codes == 2).sum(axis=1))}
-    for code, i in chosen.items():
-        opened.do(f"viewer.clock.seek({case.time[int(i)]})")
-        red, green, blue = np.moveaxis(opened.drawn()[..., :3], -1, 0)
-        orange = np.count_nonzero(
-            (blue < 10) & (red > 150) & (np.abs(green / np.maximum(red, 1) - 0.7) < 0.03)
-        )
-        assert (orange > 50) == bool(code == 2 and case.noisy), code
-
-
 def test_a_path_and_a_machine_without_limits_say_nothing_of_limits() -> None:
     free = dataclasses.replace(dasgupta(), length_limits=np.tile([0.0, np.inf], (6, 1)))
     assert 'id="limits"' not in ss.view(free, "I").html
