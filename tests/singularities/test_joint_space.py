@@ -11,13 +11,11 @@ import pytest
 from command_line import rejects
 from joint_paths import dipping_case, legs_along, lengths_to_singular, random_case, truth
 from machines import Array, dasgupta, machine_size
-from motion_fields import UNLOADED
 from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import read_log
 from stewart_sym.motion.trajectory import JointTrajectory
-from stewart_sym.singularities import joint_space
 from stewart_sym.singularities.joint_space import on_platform
 
 
@@ -149,17 +147,6 @@ def test_a_glitch_of_one_sample_is_named(glitch: float) -> None:
                 ss.motion_from_lengths(robot, L, *rates, (motion.R[0], motion.t[0]), time=time)
 
 
-def test_legs_in_reverse_order_from_a_sample_on_are_named() -> None:
-    samples = 60
-    robot, time, motion, legs = wave(samples)
-    sample = samples // 2
-    L, L_dot, L_ddot = (np.concatenate([x[:sample], x[sample:, ::-1]]) for x in legs)
-    for rates in ((L_dot, L_ddot), (L_dot, None), spline_rates(time, L)):
-        for times in (time, None):
-            with pytest.raises(ValueError, match=rf"^L\[{sample}\]: the "):
-                ss.motion_from_lengths(robot, L, *rates, (motion.R[0], motion.t[0]), time=times)
-
-
 @pytest.mark.parametrize("timed", [True, False], ids=["timed", ""])
 def test_rates_of_another_motion_are_named(timed: bool) -> None:
     samples = 30
@@ -210,17 +197,6 @@ def test_times_are_checked() -> None:
             ss.motion_from_lengths(robot, *legs, time=bad)
 
 
-def test_a_motion_found_in_parts_is_that_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    machine, path = dasgupta(), ss.PAPER_PATHS["I"].path
-    legs = ss.inverse_kinematics(machine, path.sample(np.linspace(0.0, 6.0, 5500)))
-    found = []
-    for size in (6000, 2500):
-        monkeypatch.setattr(joint_space, "_PART", size)
-        found.append(ss.motion_from_lengths(machine, L=legs.L, L_dot=legs.L_dot, L_ddot=legs.L_ddot))
-    for name in UNLOADED:
-        assert np.array_equal(getattr(found[0], name), getattr(found[1], name)), name
-
-
 def rounded_outcome(seed: int, most: int, rates: str, folder: Path) -> str:
     """What becomes of a random path's lengths rounded to 0.01 mm, by themselves in a log or with rates.
 
@@ -252,11 +228,3 @@ def test_of_rounded_lengths_no_crossing_is_missed_and_no_healthy_path_rejected(
 ) -> None:
     found = {seed: rounded_outcome(seed, 100, rates, tmp_path) for seed in range(share(200, 33))}
     assert set(found.values()) <= {"named", "undecided", "followed"}, found
-
-
-def test_rates_in_another_unit_are_named() -> None:
-    robot, time, motion, (L, L_dot, L_ddot) = wave(60)
-    with pytest.raises(
-        ValueError, match=r"^L\[\d+\]: the step in lengths from the previous sample contradicts"
-    ):
-        ss.motion_from_lengths(robot, L, 1e3 * L_dot, 1e3 * L_ddot, (motion.R[0], motion.t[0]), time=time)
