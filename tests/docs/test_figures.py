@@ -119,6 +119,7 @@ def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
     assert min(engines) >= 20 * medians[FORWARD]
 
 
+@pytest.mark.slow
 def test_the_committed_chart_is_what_the_code_computes() -> None:
     robot, motions = dasgupta(), papers_motions()
     for each in figures("chart")["candidates"]:

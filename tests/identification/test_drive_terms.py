@@ -169,6 +169,7 @@ def noisy(excited: ss.Excitation, size: float, seed: int) -> tuple[ss.Motion, ss
     return measured, ss.PoseNoise(excited.time, size, size, excited.path.period, len(excited.path.sine))
 
 
+@pytest.mark.slow
 def test_of_noisy_poses_bodies_and_terms_scatter_as_the_covariance_says(
     robot: ss.Robot, excited: ss.Excitation
 ) -> None:

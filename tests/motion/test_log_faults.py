@@ -52,43 +52,43 @@ def true_forces(one: Case, kind: str, i: int) -> Array:
     ],
 )
 def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_deviations(kind: str, noise: str) -> None:
-    for seed in range(2):
-        one = case(seed)
-        i = int(np.random.default_rng([seed, 7]).integers(len(one.time) // 4, 3 * len(one.time) // 4))
-        values = one.true[0] if noise == "clean" else logged(one, noise, seed)
-        found, told = read(*corrupted(kind, one.time, values, i))
-        (line,) = (text for text in told if OFF in text)
-        rows = [int(row) for row in re.findall(r"line (\d+)", line)]
-        assert rows
-        assert all(abs(row - i) <= 1 for row in rows), (seed, i, line)
-        assert f"({one.time[rows[0]]:.6g} s): t_x by " in line or "theta" in line
-        F, true = ss.inverse_dynamics(one.robot, found.motion).F, true_forces(one, kind, i)
-        sd, peak = ss.force_std(one.robot, found), np.abs(one.F).max()
-        assert np.all(np.abs(F - true) <= 5.0 * sd + 0.01 * peak)
-        # A step remains in doubt. Three decimals are smoothed over so long a time that one row has no effect.
-        if kind in ("step", "missing") and noise != "3":
-            assert sd[i - 1 : i + 2].max() > 0.02 * peak
+    seed = 0
+    one = case(seed)
+    i = int(np.random.default_rng([seed, 7]).integers(len(one.time) // 4, 3 * len(one.time) // 4))
+    values = one.true[0] if noise == "clean" else logged(one, noise, seed)
+    found, told = read(*corrupted(kind, one.time, values, i))
+    (line,) = (text for text in told if OFF in text)
+    rows = [int(row) for row in re.findall(r"line (\d+)", line)]
+    assert rows
+    assert all(abs(row - i) <= 1 for row in rows), (seed, i, line)
+    assert f"({one.time[rows[0]]:.6g} s): t_x by " in line or "theta" in line
+    F, true = ss.inverse_dynamics(one.robot, found.motion).F, true_forces(one, kind, i)
+    sd, peak = ss.force_std(one.robot, found), np.abs(one.F).max()
+    assert np.all(np.abs(F - true) <= 5.0 * sd + 0.01 * peak)
+    # A step remains in doubt. Three decimals are smoothed over so long a time that one row has no effect.
+    if kind in ("step", "missing") and noise != "3":
+        assert sd[i - 1 : i + 2].max() > 0.02 * peak
 
 
 @pytest.mark.parametrize("noise", ["5", "white"])
 @pytest.mark.parametrize("count", [4, 9])
 def test_frozen_rows_are_named_and_not_used(noise: str, count: int) -> None:
-    for seed in range(2):
-        one = case(seed)
-        i = len(one.time) // 2
-        values = (one.true[0] if noise == "clean" else logged(one, noise, seed)).copy()
-        values[i : i + count] = values[i - 1]
-        found, told = read(one.time, values)
-        (line,) = (line for line in told if "the log is frozen" in line)
-        assert line.startswith(f"poses: lines {i} to {i + count - 1} (")
-        assert not any(OFF in line or "constant numbers" in line for line in told), told
-        F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_std(one.robot, found)
-        peak = np.abs(one.F).max()
-        assert np.all(np.abs(F - one.F) <= 5.0 * sd + 0.01 * peak)
-        assert np.abs(F - one.F).max() < 0.2 * peak
-        (span,) = found.noise.replaced
-        assert span.start == one.time[i - 1]
-        assert span.end == one.time[i + count]
+    seed = 0
+    one = case(seed)
+    i = len(one.time) // 2
+    values = (one.true[0] if noise == "clean" else logged(one, noise, seed)).copy()
+    values[i : i + count] = values[i - 1]
+    found, told = read(one.time, values)
+    (line,) = (line for line in told if "the log is frozen" in line)
+    assert line.startswith(f"poses: lines {i} to {i + count - 1} (")
+    assert not any(OFF in line or "constant numbers" in line for line in told), told
+    F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_std(one.robot, found)
+    peak = np.abs(one.F).max()
+    assert np.all(np.abs(F - one.F) <= 5.0 * sd + 0.01 * peak)
+    assert np.abs(F - one.F).max() < 0.2 * peak
+    (span,) = found.noise.replaced
+    assert span.start == one.time[i - 1]
+    assert span.end == one.time[i + count]
 
 
 def test_a_rest_is_not_a_frozen_log() -> None:
@@ -191,7 +191,7 @@ def test_rows_between_measured_ones_are_told_and_count_for_nothing(
     fill: Callable[[Array, int], Array], words: str, noise: str
 ) -> None:
     every, inside = 4, []
-    for seed in range(3):
+    for seed in range(2):
         one = case(seed)
         values = fill(logged(one, noise, seed), every)
         time = one.time[0] + np.arange(len(values)) * (one.time[1] - one.time[0]) / every

@@ -217,6 +217,7 @@ def test_given_rates_count_as_measured_with_their_own_rounding(tmp_path: Path) -
     assert coverage(runs, 1.0) == pytest.approx(0.68, abs=0.05)
 
 
+@pytest.mark.slow
 def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
     runs = []
     for seed in range(4):

@@ -39,6 +39,7 @@ def via(folder: Path, text: str = VIA) -> str:
     return str(folder / "via.toml")
 
 
+@pytest.mark.slow
 def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path) -> None:
     out = folder / "out"
     assert main(["plan", via(folder), "-o", str(out), "--no-plots"]) == 0

@@ -1,6 +1,7 @@
 """Paths through via poses: condition numbers, detours, limits, free coordinates, what stands in the way."""
 
 import dataclasses
+import functools
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics, wrench
 from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation
 from stewart_sym.motion.straight_line import PAPER_PATHS
 from stewart_sym.planning.path_parameterization import parameterize_path
-from stewart_sym.planning.plan_path import plan_path
+from stewart_sym.planning.plan_path import PlannedPath, plan_path
 from stewart_sym.planning.pose_costs import PoseCosts
 from stewart_sym.planning.pose_path import Family, ViaPose
 from stewart_sym.planning.timing.path_terms import PathLimits
@@ -45,17 +46,22 @@ def test_condition_numbers_are_lower_and_never_above_those_of_the_straight_splin
     assert np.median(ratios, axis=0)[0] < 0.99
 
 
+@functools.cache
+def planned() -> PlannedPath:
+    return plan_path(*via_case(7))
+
+
 def test_the_path_passes_its_via_poses() -> None:
-    robot, poses = via_case(7)
-    found = plan_path(robot, poses)
+    _, poses = via_case(7)
+    found = planned()
     at = found.path(found.path.via)
     np.testing.assert_allclose(at.t, [pose.t for pose in poses], atol=1e-9)
     np.testing.assert_allclose(at.R, [pose.R for pose in poses], atol=1e-9)
 
 
 def test_parameters_and_times_off_a_path_are_named() -> None:
-    robot, poses = via_case(7)
-    path = plan_path(robot, poses).path
+    robot, _ = via_case(7)
+    path = planned().path
     for s in ([-0.01], [1.1], [np.nan], 0.5, [[0.5]]):
         rejects(r"^s: expected parameters in \[0, 1\], \(n,\), got", path, s)
     for span in ((1.0, 0.0), (0.5, 0.5), (0.0, 2.0)):
@@ -106,6 +112,7 @@ def crossed_pairs(count: int):
     raise AssertionError("too few")
 
 
+@pytest.mark.slow
 def test_detours_around_singular_poses_are_found() -> None:
     for robot, poses in crossed_pairs(2):
         assert singularity_crossings(robot, plan_path(robot, poses).path, S) == ()
@@ -173,6 +180,7 @@ def test_limits_of_lengths_clearance_and_condition_are_kept() -> None:
     assert conditions(robot, motion).max() <= highest
 
 
+@pytest.mark.slow
 def test_a_free_coordinate_lowers_the_condition_number() -> None:
     robot, poses = via_case(2)
     box = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.4])

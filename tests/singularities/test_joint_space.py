@@ -81,7 +81,7 @@ def tally(seeds: range, most: int, rates: str) -> Counter[str]:
 
 @pytest.mark.parametrize("rates", ["L_ddot, time", ""])
 def test_every_crossing_is_named_and_no_other_path(rates: str) -> None:
-    found = tally(range(8), 120, rates)
+    found = tally(range(8), 100, rates)
     assert found["named"] > 1
     assert found["followed"] > 1
 
@@ -226,5 +226,5 @@ def rounded_outcome(seed: int, most: int, rates: str, folder: Path) -> str:
 def test_of_rounded_lengths_no_crossing_is_missed_and_no_healthy_path_rejected(
     rates: str, tmp_path: Path
 ) -> None:
-    found = {seed: rounded_outcome(seed, 100, rates, tmp_path) for seed in range(share(200, 33))}
+    found = {seed: rounded_outcome(seed, 100, rates, tmp_path) for seed in range(share(200, 66))}
     assert set(found.values()) <= {"named", "undecided", "followed"}, found
