@@ -295,12 +295,3 @@ def test_no_limit_suffices_for_a_motion_through_a_singular_pose(in_log: bool) ->
     assert "suffices" not in written.text
     with pytest.warns(ss.SingularPoseWarning, match="between 3.6 and 3.9 s, where det H changes its sign"):
         ss.drive_effort(strong, motion, time)
-
-
-def test_motions_count_together() -> None:
-    robot, time, motion = along(3)
-    one, other = (time[:90], motion[:90]), (time[90:], motion[90:])
-    both = ss.actuator_requirements(robot, [one, other])
-    apart = [ss.actuator_requirements(robot, [each]) for each in (one, other)]
-    np.testing.assert_array_equal(both.force[-1], np.maximum(*(each.force[-1] for each in apart)))
-    np.testing.assert_array_equal(both.length[:, 0], np.minimum(*(each.length[:, 0] for each in apart)))

@@ -210,14 +210,6 @@ def test_two_sides_as_plausible_as_each_other_are_both_named() -> None:
         ss.forward_kinematics(robot, L, (np.eye(3), [0.0, 0.0, 0.5]))
 
 
-def test_the_home_pose_of_a_symmetric_machine_is_at_zero_and_not_beside_it() -> None:
-    turns = np.radians([10.0, 110.0, 130.0, 230.0, 250.0, 350.0])
-    ring = np.stack([np.cos(turns), np.sin(turns), 0.0 * turns], axis=-1)
-    robot = dataclasses.replace(dasgupta(), b=ring, p=0.6 * ring[[5, 0, 1, 2, 3, 4]])
-    assert (robot.b.mean(axis=0) - robot.p.mean(axis=0))[:2].any()
-    assert home_pose(robot).t[:2].tolist() == [0.0, 0.0]
-
-
 def test_a_stated_home_pose_settles_the_side_and_is_the_home_pose() -> None:
     """Gravity pulls the same way: the machine stands, and hangs."""
     robot = standing(0)

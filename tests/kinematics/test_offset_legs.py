@@ -60,17 +60,6 @@ def test_velocities_and_accelerations_come_back(joint: str) -> None:
     np.testing.assert_allclose(second.alpha, motion.alpha, rtol=1e-9)
 
 
-def test_the_spin_of_the_upper_part_is_what_lengths_do_not_show() -> None:
-    robot, motion = offset_case(1, "universal", screws=True)
-    legs, motors = ss.inverse_kinematics(robot, motion), ss.motor_angles(robot, motion)
-    spin = (motors.angle - robot.drive.transmission_ratio * legs.L) / robot.drive.gear_ratio
-    assert np.abs(spin).min() > 1e-4
-    assert np.abs(spin).max() < np.pi
-    keyed, motion = offset_case(1, "spherical", screws=True)
-    legs, motors = ss.inverse_kinematics(keyed, motion), ss.motor_angles(keyed, motion)
-    np.testing.assert_array_equal(motors.rate, keyed.drive.transmission_ratio * legs.L_dot)
-
-
 def test_what_cannot_be_found_is_said() -> None:
     robot, motion = offset_case(0, screws=True)
     with pytest.raises(ValueError, match="L: "):

@@ -217,17 +217,6 @@ def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays(
     assert f"for {share * time[-1]:.3g} s in all ({100 * share:.2g} % of the rows; first at line " in line
 
 
-@pytest.mark.parametrize("digits", [3, 12])
-def test_rest_at_an_extreme_and_rounding_are_no_clipping(digits: int) -> None:
-    time = np.arange(0.0, 12.0, 0.005)
-    s = np.clip(np.stack([time - 1.0, time / 2.0 - 2.0, 7.0 - time], axis=-1), 0.0, 1.0)
-    rests = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
-    stops = np.clip(time[:, None], 0.0, 5.0)  # at once, and to the log's end
-    swings = np.sin(np.outer(time, [0.7, 1.3, 5.0]))
-    values = np.round(np.hstack([rests, stops, swings]), digits)
-    assert plateaus(time, values, np.full(7, 10.0**-digits)) == []
-
-
 @pytest.mark.parametrize("gap", [False, True])
 def test_a_gap_in_time_is_told_with_its_ends_and_its_size(gap: bool) -> None:
     one = case(1)

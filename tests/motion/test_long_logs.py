@@ -3,8 +3,6 @@
 import dataclasses
 import os
 import threading
-import tracemalloc
-import warnings
 from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
@@ -17,7 +15,7 @@ from log_files import POSE, RATES
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.motion.log_reader import read_csv, read_log
+from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import TrajectoryFormat, read_columns
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robots import dasgupta1998
@@ -25,37 +23,10 @@ from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.reports import track
 
 
-def peak(action: object) -> tuple[object, int]:
-    """What a function returns, and the most bytes that it had beside those it began with."""
-    tracemalloc.start()
-    try:
-        found = action()
-        return found, tracemalloc.get_traced_memory()[1]
-    finally:
-        tracemalloc.stop()
-
-
 def trajectory(count: int) -> Trajectory:
     path = ss.PAPER_PATHS["I"].path
     time = np.linspace(0.0, path.tau_f, count)
     return Trajectory(time, path.sample(time), "path", range(2, count + 2))
-
-
-def test_a_log_with_rates_is_read_in_twice_the_room_of_its_numbers(tmp_path: Path) -> None:
-    count, names = 40_000, ("t", "theta", "v", "theta_dot", "a", "theta_ddot")
-    time = np.linspace(0.0, 40.0, count)
-    columns = {"time": time} | {
-        f"{name}_{axis}": np.sin((1.0 + 0.1 * k) * time + np.pi / 2 * (k // 2)) * (1.0 + 0.1 * k) ** (k // 2)
-        for k, name in enumerate(names)
-        for axis in "xyz"
-    }
-    path = tmp_path / "log.csv"
-    with path.open("w", encoding="utf-8") as stream:
-        stream.writelines(csv_lines(columns))
-    with warnings.catch_warnings(action="ignore"):
-        log, most = peak(lambda: read_log(path))
-    assert log.coordinates.shape == (3, count, 6)
-    assert most < 2.45 * sum(column.nbytes for column in columns.values())
 
 
 @pytest.mark.parametrize("count", [0, 4096, 4097])

@@ -17,8 +17,6 @@ import stewart_sym as ss
 from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, limit_status
 from stewart_sym.motion import smoothing
 from stewart_sym.motion.log_reader import _pose_log, read_csv, read_log
-from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
-from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.trajectory import Log, PoseLog
 from stewart_sym.singularities.joint_space import on_platform
 from stewart_sym.studies.reports.track import NOISE_SHARE, peak_noise
@@ -77,52 +75,6 @@ def test_a_clean_log_is_interpolated_and_has_no_deviations() -> None:
     assert trajectory.noise is None
     np.testing.assert_array_equal(trajectory.motion.t, one.true[0, :, :3])
     assert not ss.force_std(one.robot, trajectory).any()
-
-
-@pytest.mark.parametrize("name", list(ss.PAPER_PATHS))
-def test_accelerations_that_jump_are_no_noise(name: str) -> None:
-    path, step = ss.PAPER_PATHS[name]
-    times = path.time_grid(step / 4)
-    found = path.sample(times)
-    values = np.hstack([found.t, rpy_from_rotation(found.R)])
-    assert not white_noise(times, values).any()
-
-
-@pytest.mark.parametrize("form", [".3f", ".6g"])
-def test_rounding_is_read_off_the_numbers(form: str) -> None:
-    values = np.random.default_rng(0).uniform(0.02, 0.9, 500)
-    written = np.array([float(f"{value:{form}}") for value in values])
-    errors = written - values
-    assert rounding_step(written) / np.sqrt(12.0) == pytest.approx(np.sqrt(np.mean(errors**2)), rel=0.1)
-    assert rounding_step(values) == 0.0
-
-
-# Counts of 16 bits for 2 m, of an encoder on a screw, and thousandths of a degree in radians.
-GRIDS = (2.0 / 2**16, 0.02 / 1024, np.pi / 180e3)
-
-
-def on_grid(step: float, start: float = 0.0) -> Array:
-    """A motion of three axes, the last of which moves by a few steps, (1500, 3), on a grid."""
-    time = np.arange(1500) / 500.0
-    ripple = 0.01 * np.cos(9.0 * time)[:, None] * [1, 1, 0]
-    motion = np.outer(np.sin(2.0 * time), [0.2, 0.02, 3.0 * step]) + ripple
-    return np.asarray(start + step * np.rint(motion / step))
-
-
-@pytest.mark.parametrize("form", [".17g", ".5f"])
-@pytest.mark.parametrize("step", GRIDS)
-def test_a_grid_is_read_off_numbers_that_are_no_round_decimals(step: float, form: str) -> None:
-    """Thousandths of a degree, 1.7e-5 rad, are not seen with 5 decimals: these count."""
-    written = np.vectorize(lambda value: float(f"{value:{form}}"))(on_grid(step, 0.3127))
-    expected = 0.0 if form == ".5f" and step < 2.5e-5 else step
-    np.testing.assert_allclose(grid_steps(written.T), expected, rtol=1e-4)
-
-
-@pytest.mark.parametrize("digits", [None, 4])
-def test_continuous_numbers_and_decimals_are_on_no_grid(digits: int | None) -> None:
-    for seed in range(3):
-        values = case(seed).true[0]
-        assert not grid_steps(values.T if digits is None else np.round(values, digits).T).any()
 
 
 def with_gap(sigma: tuple[float, float], missing: slice, highest: float) -> tuple[ss.Robot, Array, PoseLog]:

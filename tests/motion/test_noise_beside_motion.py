@@ -13,7 +13,6 @@ from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import read_csv
-from stewart_sym.motion.noise.lines import lines
 from stewart_sym.motion.trajectory import Trajectory
 
 SIGMA = np.repeat([2e-5, 2e-4], 3)
@@ -80,12 +79,6 @@ def test_vibration_is_named_and_its_forces_are_in_the_deviations(frequency: floa
     z = off(trajectory, second - (2.0 * np.pi * frequency) ** 2 * wave)
     assert 0.3 < np.sqrt(np.mean(z[20:-20] ** 2)) < 1.3
     assert np.abs(z).max() < 4.0
-
-
-def test_white_noise_has_no_line() -> None:
-    count = 300
-    rng, time = np.random.default_rng(count), np.arange(count) / 100.0
-    assert not any(lines(time, rng.normal(size=(count, 6)), np.ones(6)) for _ in range(100))
 
 
 def sinusoids(per_period: float, frequency: float, start: float) -> tuple[Array, Array, Array]:

@@ -37,23 +37,6 @@ def test_the_even_clock_of_times_in_milliseconds_is_found(rate: float, start: fl
     np.testing.assert_allclose(found.times - found.times[0], (rows - rows[0]) / rate, rtol=0.0, atol=2e-4)
 
 
-def test_even_times_with_rows_missing_and_times_of_no_clock_are_left() -> None:
-    rng = np.random.default_rng(1)
-    i = np.arange(400)
-    for times in (
-        i / 1000.0,
-        i / 60.0,
-        np.delete(i, [100, 101, 250]) / 1000.0,
-        np.delete(i, [100, 101, 250]) / 200.0,
-        np.round(i / 60.0 + 5e-4 * rng.normal(size=400), 3),
-        np.round(i / 60.0 + 5e-4 * rng.normal(size=400), 6),
-        np.cumsum(rng.integers(1, 9, 400)) / 1000.0,
-        np.round(np.cumsum(rng.uniform(0.01, 0.03, 400)), 3),
-        np.array([0.0, 0.017, 0.033]),
-    ):
-        assert even_clock(times) is None
-
-
 @pytest.mark.parametrize("rows", range(20, 41))
 def test_uneven_times_have_no_even_clock(rows: int) -> None:
     time = (np.arange(rows) + np.random.default_rng(rows).uniform(-0.2, 0.2, rows)) / 10.0

@@ -120,16 +120,6 @@ def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list
     assert not (folder / "out").exists()
 
 
-def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> None:
-    text = VIA.replace("theta = [0.10, -0.10, 0.20]", "theta = [5.7, -5.7, 11.5]")
-    warning, error = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
-    assert "via.toml: via: theta_z from -0.55 to 11.5 rad: are angles in degrees?" in warning
-    assert "via.toml: via 2: out of reach" in error
-    assert error.endswith(
-        "theta_z from -0.55 to 11.5 rad: are angles in degrees? Radians are expected (at line 14)"
-    )
-
-
 def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run) -> None:
     limited = False
     robot = folder / "hexapod.toml"

@@ -94,23 +94,6 @@ def test_clipped_forces_move_the_machine_as_given_ones_do(rate: float | None) ->
     assert not stopped.saturation.max_excess.any()
 
 
-def test_peaks_of_the_summary_do_not_depend_on_the_rows() -> None:
-    robot, state = machine()
-    k = 1e3 * robot.M * 9.81 / machine_size(robot)
-    law = ss.LegSprings.in_equilibrium(robot, state, k)
-    start = dataclasses.replace(state, v=np.array([0.3, 0.2, 0.1]))
-    runs = [ss.simulate(robot, start, law, 0.2, output_step=step) for step in (None, 0.2, 2e-4)]
-    coarse, few, dense = (report(robot, run, law).data for run in runs)
-    for data in (coarse, few):
-        for leg, true in zip(data["legs"], dense["legs"], strict=True):
-            for name in ("peak_force_N", "min_length_m", "max_length_m"):
-                assert leg[name] == pytest.approx(true[name], rel=1e-3), name
-        for name in ("kinetic_energy_peak_J", "springs_energy_drift"):
-            assert data[name] == pytest.approx(dense[name], rel=1e-3), name
-    most = np.abs([leg["peak_force_N"] for leg in dense["legs"]])
-    assert np.any(np.abs(runs[1].F).max(axis=0) < 0.9 * most)
-
-
 @pytest.mark.parametrize(("output_step", "rtol"), [(None, 1e-9), (0.003, 1e-9)])
 def test_motors_of_held_forces_do_the_work_of_each_held_force(output_step: float | None, rtol: float) -> None:
     """Force times change of length between the samples, and the heat of the winding."""
