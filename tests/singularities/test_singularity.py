@@ -137,7 +137,7 @@ LARGEST_CONDITION = {"double": 1e12, "float": 1e12 * np.finfo(np.float64).eps / 
 """Up to these condition numbers of H no pose is singular to rounding."""
 
 
-LOST = [family for family in FAMILIES if family not in NEARLY][:: 1 if FULL else 4]
+LOST = [family for family in FAMILIES if family not in NEARLY][:: 1 if FULL else 6]
 """Families without pivots that are small for another reason; ``test_degenerate_families`` has all."""
 
 
@@ -200,7 +200,7 @@ def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family
 
 def test_good_poses_are_not_singular_from_far_away() -> None:
     """Up to the distance at which rounding of the points is that of a condition number of 1e12."""
-    for seed, radii in enumerate(10.0 ** np.arange(1, 9, 1 if FULL else 2)):
+    for seed, radii in enumerate(10.0 ** np.arange(1, 9, 1 if FULL else 3)):
         rng = np.random.default_rng(seed)
         robot = random_machine(rng)
         far = from_afar(rng, robot, joined([random_motion(rng, robot) for _ in range(10)]), radii)
@@ -211,7 +211,7 @@ def test_good_poses_are_not_singular_from_far_away() -> None:
 
 @pytest.mark.parametrize("family", LOST)
 def test_no_pose_of_a_moderate_condition_number_is_singular(family: str) -> None:
-    for seed, apart in enumerate((1e-11, 1e-8, 1e-2)):
+    for seed, apart in enumerate((1e-11, 1e-8, 1e-2) if FULL else (1e-11, 1e-2)):
         robot, motion = machine(np.random.default_rng(seed), family, apart)
         condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
         for name, status in statuses(robot, motion).items():
