@@ -40,6 +40,7 @@ def test_springs_that_push_away_are_rejected_in_one_line() -> None:
             ss.LegSprings.in_equilibrium(robot, home(robot), k)
 
 
+@pytest.mark.slow
 def test_exact_keeps_the_energy_and_paper_does_not() -> None:
     """Over 4 s: `exact` to 1e-9 of the mean kinetic energy; `paper` is off by more than 0.1 of it."""
     robot = machine(friction=False)
