@@ -237,3 +237,16 @@ def test_a_weld_holds_a_load_where_mujoco_holds_it(name: str, tmp_path: Path) ->
         rejects(said, imported, text, tmp_path)
     else:
         assert imported(text, tmp_path).robot.M == 47.0
+
+
+def test_the_total_mass_that_the_compiler_sets_is_that_of_mujoco(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # MuJoCo writes a warning about the attribute to a file in the current folder.
+    monkeypatch.chdir(tmp_path)
+    text = exported().text.replace("<compiler ", '<compiler settotalmass="7" ')
+    robot, model = imported(text, tmp_path).robot, mujoco.MjModel.from_xml_string(text)
+    np.testing.assert_allclose(robot.M, model.body("platform").mass[0], rtol=1e-12)
+    np.testing.assert_allclose(robot.m_d, model.body("lower_1").mass[0], rtol=1e-12)
+    np.testing.assert_allclose(np.linalg.eigvalsh(robot.I_p)[::-1], model.body("platform").inertia, rtol=1e-9)
+    np.testing.assert_allclose(robot.M + robot.m_d.sum() + robot.m_u.sum(), 7.0, rtol=1e-12)

@@ -162,3 +162,25 @@ def test_a_broken_ball_constraint_is_one_line(
     text = exported(form).text
     assert change[0] in text
     rejects(re.escape(said), imported, text.replace(*change, 1), tmp_path)
+
+
+FRAMES = (
+    '<frame name="wrist" attached_to="upper_3"><pose>0.1 0.2 0.3 0.4 0.5 0.6</pose></frame>'
+    '<frame name="hand" attached_to="wrist"/><frame name="deck" attached_to="tip_1"/>'
+)
+
+
+def test_joints_of_sdf_may_name_frames_since_1_7(tmp_path: Path) -> None:
+    text = exported("sdf").text
+    named = text.replace("<parent>upper_3</parent>", "<parent>hand</parent>")
+    point = r"(<child>)platform(</child>\s*<pose)(>)"
+    head, tail = named[: named.index('name="tip_3"')], named[named.index('name="tip_3"') :]
+    tail, count = re.subn(point, r'\1deck\2 relative_to="platform"\3', tail, count=1)
+    assert count == 1
+    named = (head + tail).replace("<link", f"{FRAMES}<link", 1)
+    robots = [imported(each, tmp_path).robot for each in (text, named)]
+    np.testing.assert_allclose(robots[1].p, robots[0].p, rtol=0, atol=1e-12)
+    old = named.replace('version="1.9"', 'version="1.6"')
+    rejects("link 'hand': missing", imported, old, tmp_path)
+    circle = named.replace('attached_to="wrist"', 'attached_to="hand"')
+    rejects("link 'hand': missing", imported, circle, tmp_path)

@@ -1,5 +1,6 @@
 """Logs as other programs write them: names, units, marks, Euler orders; doubtful units are warned of."""
 
+import dataclasses
 import warnings
 from pathlib import Path
 from typing import Any
@@ -8,10 +9,11 @@ import numpy as np
 import pytest
 from command_line import Run, rejects
 from log_files import NAMES, poses, write
-from machines import Array
+from machines import Array, home_position, machine_size, random_robot
 from robot_files import PAPERS
 
 import stewart_sym as ss
+from stewart_sym.kinematics.trajectory_checks import side_doubt
 from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
 from stewart_sym.motion.logs import EULER_ORDERS, TrajectoryFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
@@ -224,3 +226,21 @@ def test_times_rounded_to_milliseconds_are_those_of_their_even_clock(tmp_path: P
     names = ["time", *(f"F_{leg}" for leg in range(1, 7))]
     time, *_ = read_leg_columns(write(tmp_path / "forces.csv", names, rows), PLAIN, (FORCES,))
     np.testing.assert_array_equal(time, found.time)
+
+
+def test_poses_on_the_other_side_of_the_base_are_doubted() -> None:
+    gravity, where = -9.81, "below the base"
+    rng = np.random.default_rng(8)
+    for _ in range(5):
+        robot = random_robot(rng, scale=float(rng.choice([0.2, 1.0, 3.0])))
+        above = home_position(robot.b, machine_size(robot)) - robot.p.mean(axis=0)
+        home = above if gravity > 0.0 else None
+        robot = dataclasses.replace(robot, g=[0.0, 0.0, gravity], home_position=home)
+        t = above + 0.01 * machine_size(robot) * rng.normal(size=(9, 3))
+        below = t - [0.0, 0.0, 2.2 * machine_size(robot)]
+        still = np.zeros((9, 3))
+        up, down = (ss.Motion.from_rpy(place, still, still, still) for place in (t, below))
+        assert side_doubt(robot, up) is None
+        doubt = str(side_doubt(robot, down))
+        assert where in doubt
+        assert "does z of the log point the other way" in doubt

@@ -255,3 +255,11 @@ def test_near_gimbal_lock_poses_and_load_are_written_without_rates(tmp_path: Pat
     assert not {"theta_x", "v_x"} & names
     for name in ("R", "t", "F_ext", "M_ext"):
         np.testing.assert_allclose(getattr(found, name), getattr(upright, name), atol=1e-12)
+
+
+def test_a_singular_start_is_rejected(folder: Path) -> None:
+    """The platform in the plane of its base, level: no leg bears weight."""
+    robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
+    (folder / "flat.toml").write_text(robot)
+    text = PLAN.replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
+    check_rejected(folder, text, "via 1: expected a regular pose, got a singular pose")

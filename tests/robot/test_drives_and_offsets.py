@@ -20,6 +20,7 @@ from robot_files import PRESS, written
 
 import stewart_sym as ss
 from stewart_sym.motion.rotation import rotation_from_rpy
+from stewart_sym.robot.drive import NUMBERS
 
 SHARED = """\
 [legs.drive]
@@ -280,3 +281,11 @@ def test_paper_and_levels_are_rejected() -> None:
     rejects("with offset joints, got 'slender'", ss.ForceKernel, robot, fidelity="slender")
     universal, _ = offset_case(0, "universal")
     rejects("platform_joint", ss.ForceKernel, universal)
+
+
+def test_what_is_not_given_is_absent(tmp_path: Path) -> None:
+    assert read("", tmp_path).drive is None
+    found = drive("[legs.drive]\nlead = 5\n", tmp_path)
+    for name, key in NUMBERS.items():
+        if name != "lead":
+            np.testing.assert_array_equal(getattr(found, name), np.full(6, key.default))

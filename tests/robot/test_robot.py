@@ -291,3 +291,9 @@ def test_a_table_of_values_is_told_from_a_robot_file(tmp_path: Path) -> None:
     file = tmp_path / "log.csv"
     file.write_text("time,x,y,z\n" + "0.0,1.0,2.0,3.0\n" * 3)
     rejects("expected a robot file, got 'time,x,y,z'", Robot.from_toml, file)
+
+
+def test_gravity_defaults_to_minus_z() -> None:
+    d = machine()
+    del d["gravity"]
+    np.testing.assert_array_equal(Robot.from_dict(d).g, [0.0, 0.0, -9.81])

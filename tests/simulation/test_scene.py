@@ -1,5 +1,6 @@
 """Scenes: what a file says is what is run; what is wrong with one is one line and leaves nothing behind."""
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.simulation.scene import read_scene
+from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
 
 SWING = """
@@ -201,3 +203,26 @@ def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str,
     scene.write_text(TRACK.replace(old, new, 1))
     assert words in fails("simulate", scene, "-o", scene.parent / "out")
     assert not (scene.parent / "out").exists()
+
+
+def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> None:
+    """As `forces` does: those of rows so far apart that no curve through the poses has their rates."""
+    motion = ss.PAPER_PATHS["II"].path.sample([0.0, 0.2, 0.4])
+    F_ext, M_ext = np.array([[3.0, 1.0, -40.0]] * 3) * [[1.0], [0.5], [0.0]], np.full((3, 3), 2.0)
+    loaded = dataclasses.replace(motion, F_ext=F_ext, M_ext=M_ext)
+    robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
+    columns = trajectory_columns(robot, np.array([0.0, 0.2, 0.4]), loaded)
+    (scene.parent / "path.csv").write_text("".join(csv_lines(columns)))
+    scene.write_text(
+        TRACK.replace('"II"', '"path.csv"').replace("paper", "exact").replace("rate = 500.0", "")
+    )
+    tracked, needed = read_scene(scene).run(), ss.inverse_dynamics(robot, loaded).F
+    np.testing.assert_allclose(tracked.F[0], needed[0], rtol=1e-12)
+    np.testing.assert_allclose(
+        tracked.t[-1], followed(read_csv(scene.parent / "path.csv"))(0.05).t, atol=1e-9
+    )
+    text = scene.read_text()
+    scene.write_text(text.replace("[actuation]", "[load]\nF_ext = [0.0, 0.0, -500.0]\n[actuation]"))
+    heavier = read_scene(scene).run()
+    np.testing.assert_allclose(heavier.F[0], needed[0], rtol=1e-12)
+    assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4

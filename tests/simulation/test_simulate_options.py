@@ -161,3 +161,16 @@ def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Pat
     assert line.startswith(f"stewart-sym: error: {scene}: ")
     assert "reaches its limit 0.001 N at 0 s" in line
     assert not (scene.parent / "out").exists()
+
+
+def test_progress_is_told_in_shares_that_end_at_one() -> None:
+    rate = 200.0
+    robot, state = machine()
+    shares: list[float] = []
+    ss.simulate(robot, state, np.zeros(6), 0.05, control_rate=rate, progress=shares.append)
+    assert len(shares) > 1
+    assert shares == sorted(shares)
+    assert shares[0] > 0.0
+    assert shares[-1] == pytest.approx(1.0)
+    with pytest.raises(ValueError, match=r"^progress: expected a function \(fraction\), got int"):
+        ss.simulate(robot, state, np.zeros(6), 0.05, progress=3)

@@ -1,5 +1,6 @@
 """``--html``: one file with text, tables that sort, figures and the motion, that makes no request."""
 
+import dataclasses
 import shutil
 from pathlib import Path
 
@@ -152,3 +153,21 @@ def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
     assert said.endswith("--html out.pdf: the file name must end in .html")
     said = fails("view", "report.json", "-o", "out.html")
     assert said.endswith("report.json: expected a robot file, got '{'")
+
+
+def test_a_robot_with_rotors_is_shown_in_exact_alone(folder: Path) -> None:
+    robot = dataclasses.replace(dasgupta(), drive=ss.Drive(lead=0.005, rotor_inertia=1.7e-5))
+    shown = ss.view(robot, "I").history
+    expected = ss.inverse_dynamics(robot, shown.motion).F
+    assert list(shown.forces) == ["exact"]
+    assert np.allclose(shown.forces["exact"], expected, rtol=1e-12)
+    drive = "[legs.drive]\nlead = 0.005\nrotor_inertia = 1.7e-5\n"
+    hexapod = folder / "hexapod.toml"
+    hexapod.write_text(hexapod.read_text(encoding="utf-8") + drive, encoding="utf-8")
+    given = ["hexapod.toml", "trajectory.csv"]
+    assert main(["view", *given, "-o", "view.html"]) == 0
+    assert main(["forces", *given, "-o", "forces.csv", "--html", "forces.html"]) == 0
+    for name in ("view.html", "forces.html"):
+        text = (folder / name).read_text(encoding="utf-8")
+        assert "F_exact" in text
+        assert "F_paper" not in text
