@@ -17,9 +17,14 @@ from pages import (
     same_picture,
     text_of,
 )
-from sweeps import slow_but
+from sweeps import FULL, slow_but
 
-RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for block in blocks(page))]
+HEAVY = set() if FULL else {f".docs/gallery/{name}.md" for name in ("mpc", "computed-torque")}
+RUNNING = [
+    page
+    for page in PAGES
+    if page not in HEAVY and any(block.language in ("python", "sh") for block in blocks(page))
+]
 SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blocks(page))}
 LONG = {
     f".docs/gallery/{name}.md"
