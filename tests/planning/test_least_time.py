@@ -9,7 +9,7 @@ from least_time_oracles import collocation_duration, extrapolated
 from machines import machine_size
 from motor_cases import motor_case
 from smooth_oracles import motor_duration
-from sweeps import FULL, share
+from sweeps import share
 from via_cases import limited_case, planned_case, straight, via_case
 
 import stewart_sym as ss
@@ -107,7 +107,7 @@ def test_a_path_that_gives_something_else_is_one_line(found: object, words: str)
 def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -> None:
     robot, path = motor_case(seed)
     found = parameterize_path(robot, path, grid_size=100)
-    expected = extrapolated(lambda cells: motor_duration(found, cells), 125 if FULL else 75)
+    expected = extrapolated(lambda cells: motor_duration(found, cells), 125)
     assert found.duration == pytest.approx(expected, rel=1e-3)
 
 
