@@ -83,7 +83,7 @@ def compared(seed: int, count: int) -> tuple[int, int]:
 
 @sweep
 def test_it_equals_a_linear_program() -> None:
-    count = share(1_000, 25)
+    count = share(1_000, 10)
     within, without = compared(seed=1, count=count)
     assert within > 0.4 * count
     assert without > 0.05 * count
