@@ -19,7 +19,10 @@ from pages import (
 )
 from sweeps import FULL, slow_but
 
-HEAVY = set() if FULL else {f".docs/gallery/{name}.md" for name in ("mpc", "computed-torque")}
+_HEAVY = ("gallery/mpc", "gallery/computed-torque", "gallery/controller-models")
+_HEAVY += ("howto/plan", "howto/languages", "howto/cmake")
+HEAVY = set() if FULL else {f".docs/{name}.md" for name in _HEAVY}
+"""Pages whose examples take 15 CPU seconds and more."""
 RUNNING = [
     page
     for page in PAGES
