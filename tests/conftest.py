@@ -54,7 +54,7 @@ LONG = (
     *("test_plan_path", "test_scene", "test_cli_forces", "test_publish", "test_forces"),
     *("test_identification_noise", "test_motion_kernels", "test_hostile_files"),
     *("test_static_c", "test_attack_c", "test_portability", "test_round_trip"),
-    *("test_compilers", "test_build", "test_torque_kits", "test_singularity", "test_along_path"),
+    *("test_build", "test_torque_kits", "test_singularity", "test_along_path"),
     *("test_workspace", "test_regressor_c", "test_written_logs", "test_simulation", "test_cpp"),
     *("test_extras", "test_rate_doubts", "test_mounting", "test_logs", "test_misra", "test_hidden_marks"),
 )

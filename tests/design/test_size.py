@@ -56,25 +56,6 @@ def test_a_quantile_is_of_the_time_and_not_of_the_rows() -> None:
     assert found[:, 0].tolist() == [1.0, 1.0, 2.0, 2.0, 3.0, 3.0]
 
 
-def test_rows_that_are_denser_somewhere_change_no_quantile_much() -> None:
-    robot, time, motion = along(2, 4001)
-    even = ss.actuator_requirements(robot, [(time, motion)], quantiles=[0.5, 0.9])
-    uneven = np.concatenate([np.arange(0, 2000), np.arange(2000, 4001, 10)])
-    other = ss.actuator_requirements(robot, [(time[uneven], motion[uneven])], quantiles=[0.5, 0.9])
-    np.testing.assert_allclose(other.force, even.force, rtol=0.02)
-
-
-def test_without_a_home_pose_joint_angles_do_not_depend_on_how_dense_the_rows_are() -> None:
-    robot, time, motion = along(2, 4001)
-    robot = dataclasses.replace(robot, home_position=None)
-    uneven = np.concatenate([np.arange(0, 1000), np.arange(1000, 4001, 20)])
-    even, other = (
-        ss.actuator_requirements(robot, [(time[rows], motion[rows])]) for rows in (np.arange(4001), uneven)
-    )
-    for name in ("base_angle", "platform_angle"):
-        np.testing.assert_allclose(getattr(other, name), getattr(even, name), rtol=5e-3)
-
-
 def test_joint_angles_are_from_the_home_pose() -> None:
     robot, time, motion = along(4)
     robot = dataclasses.replace(robot, home_position=motion.t[0] + 0.05)
@@ -273,26 +254,6 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list
     assert seen == {WITHIN, EXCEEDED, INCONCLUSIVE_NOISE}
 
 
-def test_noise_makes_no_wrong_verdict_about_the_margin(noisy: list[Noisy]) -> None:
-    rng, seen, wrong = np.random.default_rng(1), set(), []
-    for robot, true, _, needs in noisy:
-        peaks, limits, limited = limited_near(rng, robot, true, 1.5)
-        found, written = compared(limited, needs), report(limited, ["log"], needs)
-        assert ("Every limit of the robot file suffices." in written.text) == (not any(found))
-        assert found._asdict() == {name: written.data[name] for name in found._fields}
-        missing = names(found.margin_missing)
-        possible = " ".join(found.inconclusive + found.margin_inconclusive)
-        for name, peak in peaks.items():
-            for leg in range(6):
-                told, kept = f"{name} of leg {leg + 1}", bool(peak[leg] <= limits[name][leg])
-                decided = f" {told}:" not in possible
-                wrong.append(decided and (told in missing) == kept)
-                seen.add((decided, kept))
-    assert len(seen) == 4
-    # Of 16,000 errors some are more than three deviations.
-    assert np.mean(wrong) < 1e-3
-
-
 def limited_near(
     rng: np.random.Generator, robot: ss.Robot, true: ss.ActuatorRequirementsResult, factor: float = 1.0
 ) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray], ss.Robot]:
@@ -334,12 +295,3 @@ def test_no_limit_suffices_for_a_motion_through_a_singular_pose(in_log: bool) ->
     assert "suffices" not in written.text
     with pytest.warns(ss.SingularPoseWarning, match="between 3.6 and 3.9 s, where det H changes its sign"):
         ss.drive_effort(strong, motion, time)
-
-
-def test_motions_count_together() -> None:
-    robot, time, motion = along(3)
-    one, other = (time[:90], motion[:90]), (time[90:], motion[90:])
-    both = ss.actuator_requirements(robot, [one, other])
-    apart = [ss.actuator_requirements(robot, [each]) for each in (one, other)]
-    np.testing.assert_array_equal(both.force[-1], np.maximum(*(each.force[-1] for each in apart)))
-    np.testing.assert_array_equal(both.length[:, 0], np.minimum(*(each.length[:, 0] for each in apart)))

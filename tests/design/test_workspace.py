@@ -2,7 +2,6 @@
 
 import dataclasses
 import math
-import re
 
 import numpy as np
 import pytest
@@ -13,14 +12,13 @@ from machines import (
     home_position,
     machine_size,
     random_robot,
-    upside_down_in_millimeters,
 )
 from scipy.spatial.transform import Rotation
 from shells import shell_volume
 from sweeps import share, sweep
 
 import stewart_sym as ss
-from stewart_sym.design import parallel, stratified_sampling
+from stewart_sym.design import parallel
 from stewart_sym.design.pose_limits import REASONS, PoseExaminer, at_reference
 from stewart_sym.design.workspace import WHOLE_TURN, Kind, WorkspaceWarning
 from stewart_sym.dynamics.home_pose import home_pose
@@ -29,7 +27,7 @@ from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
 from stewart_sym.kinematics.mounting import upright
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.studies.design.workspace_report import report, slices
+from stewart_sym.studies.design.workspace_report import slices
 
 
 def limited(rng: np.random.Generator) -> ss.Robot:
@@ -94,9 +92,8 @@ def test_volumes_of_rotations_are_those_of_independent_random_poses(kind: Kind) 
     assert made.error < (0.1 if kind == "orientation" else 0.5) * made.volume
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_positions_and_rotations_are_those_of_the_tool(seed: int) -> None:
-    rng = np.random.default_rng(seed)
+def test_positions_and_rotations_are_those_of_the_tool() -> None:
+    rng = np.random.default_rng(0)
     plain = limited(rng)
     robot = dataclasses.replace(plain, tool=machine_size(plain) * np.array([0.1, -0.2, 0.9]))
     angles = rng.uniform(-0.2, 0.2, 3)
@@ -148,20 +145,6 @@ def test_a_volume_below_its_error_is_doubted() -> None:
     assert not found.is_known
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.design.workspace.WorkspaceWarning")
-def test_the_report_states_the_tool_and_bounds_of_volume_and_extents() -> None:
-    robot = dataclasses.replace(limited(np.random.default_rng(0)), tool=np.array([0.0, 0.0, 0.25]))
-    t, size = home_pose(robot).t + robot.tool, machine_size(robot)
-    box = np.stack([t - 0.3 * size, t + 0.3 * size], axis=-1)
-    kinds: tuple[tuple[Kind, str], ...] = (("six_dof", "at most "), ("constant_orientation", r"\S+ \+- "))
-    for kind, volume in kinds:
-        found = ss.workspace(robot, kind, position=t, position_bounds=box, samples=2000)
-        text = report(robot, ss.PoseLimits(), found, []).text
-        assert re.search(rf"^volume +{volume}", text, re.MULTILINE)
-        assert re.search(r"^coordinate +at least from +to +searched from +to$", text, re.MULTILINE)
-        assert "point      tool of the robot file, (0, 0, 0.25) m, platform frame" in text
-
-
 def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
     rng = np.random.default_rng(3)
     robot = limited(rng)
@@ -206,65 +189,17 @@ def test_cells_that_are_left_out_hold_no_pose_within_the_limits() -> None:
     rng = np.random.default_rng(5)
     examiner = PoseExaminer(limited(rng), ss.PoseLimits())
     robot = examiner.robot
-    turn, shift = rng.uniform(0.0, 0.4, 300), rng.uniform(0.0, 0.3, 300) * machine_size(robot)
-    R = rotation_from_rpy(rng.uniform(-0.4, 0.4, (300, 3)))
-    t = home_position(robot.b, machine_size(robot)) + machine_size(robot) * rng.uniform(-0.4, 0.4, (300, 3))
+    turn, shift = rng.uniform(0.0, 0.4, 100), rng.uniform(0.0, 0.3, 100) * machine_size(robot)
+    R = rotation_from_rpy(rng.uniform(-0.4, 0.4, (100, 3)))
+    t = home_position(robot.b, machine_size(robot)) + machine_size(robot) * rng.uniform(-0.4, 0.4, (100, 3))
     broken = examiner.surely_broken(R, t, shift, turn, np.zeros(3))
-    assert 20 < np.count_nonzero(broken) < 280
+    assert 7 < np.count_nonzero(broken) < 93
     for i in np.flatnonzero(broken):
         axis, direction = rng.normal(size=(2, 400, 3))
         size = turn[i] * rng.random(400)[:, None]
         turned = Rotation.from_rotvec(size * axis / np.linalg.norm(axis, axis=-1, keepdims=True)).as_matrix()
         moved = shift[i] * direction / np.linalg.norm(direction, axis=-1, keepdims=True)
         assert np.all(examiner.broken_limits(turned @ R[i], t[i] + moved) > 0)
-
-
-def test_the_error_of_cells_is_that_of_their_estimates() -> None:
-    """A ball, estimated again and again."""
-    box = np.array([[-1.0, 1.0]] * 3)
-
-    def examine(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        radius = np.linalg.norm(points, axis=-1)
-        return (radius > 0.9).astype(np.int8), radius
-
-    grid = stratified_sampling.cells_of(
-        box, 20_000, np.ones(3), lambda low, _: np.zeros(len(low), dtype=bool)
-    )
-    volumes, errors = [], []
-    for seed in range(60):
-        found = stratified_sampling.total(
-            [stratified_sampling.tally(job, examine, 2) for job in stratified_sampling.jobs_of(grid, seed)],
-            3,
-            2,
-        )
-        volume, error = stratified_sampling.volume(grid, found)
-        volumes.append(volume)
-        errors.append(error)
-        assert found.nearest >= 0.9
-    exact = 4.0 / 3.0 * np.pi * 0.9**3
-    assert np.std(volumes) == pytest.approx(np.mean(errors) / 3.0, rel=0.3)
-    assert abs(np.mean(volumes) - exact) < np.mean(errors) / np.sqrt(60.0)
-
-
-@pytest.mark.slow
-def test_a_machine_in_millimeters_that_hangs_has_the_volume_of_its_image_in_meters() -> None:
-    robot = upside_down_in_millimeters()
-    # A robot of 1e3 times the lengths, z pointing down: its home is on the other side.
-    L = np.linalg.norm(robot.p - robot.b + ss.up_direction(robot) * 1.1 * machine_size(robot), axis=-1)
-    robot = dataclasses.replace(robot, length_limits=L[:, None] * np.array([0.9, 1.15]))
-    made = ss.workspace(robot, samples=50_000)
-    assert made.extent[2, 1] < 0.0
-    assert abs(made.volume - exact_volume(robot, np.zeros(3))) < made.error
-    small = dataclasses.replace(
-        robot,
-        **{
-            name: getattr(robot, name) * 1e-3
-            for name in ("b", "p", "R_0", "r_d0", "r_u0", "g", "length_limits")
-        },
-        **{name: getattr(robot, name) * 1e-6 for name in ("I_p", "I_d0", "I_u0", "C_u", "C_s")},
-    )
-    other = ss.workspace(small, samples=50_000)
-    assert other.volume == pytest.approx(1e-9 * made.volume, rel=1e-3)
 
 
 @pytest.mark.slow
@@ -306,10 +241,10 @@ def test_of_a_box_only_poses_that_break_a_limit_bound_what_is_clear(
 
 def test_distances_of_legs_are_the_least_of_their_points() -> None:
     rng = np.random.default_rng(0)
-    b, S = rng.normal(size=(6, 3)), rng.normal(size=(20, 6, 3))
+    b, S = rng.normal(size=(6, 3)), rng.normal(size=(5, 6, 3))
     found = distances_of(b, S)
     share = np.linspace(0.0, 1.0, 201)[:, None]
-    for n in range(20):
+    for n in range(5):
         for pair, (i, j) in enumerate(PAIRS):
             one, other = b[i] + share * S[n, i], b[j] + share * S[n, j]
             least = np.linalg.norm(one[:, None] - other, axis=-1).min()

@@ -1,7 +1,5 @@
 """Every example of the README and of the documentation runs and gives what the page says."""
 
-import re
-import tomllib
 from pathlib import Path
 
 import matplotlib.image
@@ -12,7 +10,6 @@ from drawing_sheet import save
 from pages import (
     DOCS,
     PAGES,
-    TOP,
     blocks,
     pictures,
     prepared,
@@ -20,13 +17,17 @@ from pages import (
     same_picture,
     text_of,
 )
-from sweeps import slow_but
+from sweeps import FULL, slow_but
 
-import stewart_sym as ss
-from stewart_sym.simulation.scene import read_scene
-from stewart_sym.studies.accuracy.budget import read_budget
-
-RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for block in blocks(page))]
+_HEAVY = ("gallery/mpc", "gallery/computed-torque", "gallery/controller-models")
+_HEAVY += ("howto/plan", "howto/languages", "howto/cmake")
+HEAVY = set() if FULL else {f".docs/{name}.md" for name in _HEAVY}
+"""Pages whose examples take 15 CPU seconds and more."""
+RUNNING = [
+    page
+    for page in PAGES
+    if page not in HEAVY and any(block.language in ("python", "sh") for block in blocks(page))
+]
 SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blocks(page))}
 LONG = {
     f".docs/gallery/{name}.md"
@@ -34,8 +35,6 @@ LONG = {
 } | {f".docs/howto/{name}.md" for name in ("arrays", "controller")}
 DARKEST_PAPER = 0.94
 """Brightness below which a dot of a drawing is ink, 0 to 1."""
-NOT_RUN = ("sh .ci/setup ", "pip install ")
-"""Beginnings of commands that change the environment: those of the README are run by ``.ci/run``."""
 
 
 @pytest.mark.parametrize("page", slow_but(set(RUNNING) - SHELL - LONG, RUNNING))
@@ -51,23 +50,6 @@ def test_examples_run_in_order_and_give_what_the_page_says(
             assert same_picture(made, committed), committed.name
 
 
-def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> None:
-    extras = tomllib.loads((TOP / "pyproject.toml").read_text(encoding="utf-8"))["project"][
-        "optional-dependencies"
-    ]
-    lines = [
-        line
-        for page in PAGES
-        for block in blocks(page)
-        if block.language == "console"
-        for line in block.text.splitlines()
-    ]
-    assert lines
-    assert [line for line in lines if not line.startswith(NOT_RUN)] == []
-    named = re.findall(r"(?:\.\[|\.ci/setup )([a-z,]+)", "\n".join(text_of(page) for page in PAGES))
-    assert {name for each in named for name in each.split(",")} <= set(extras)
-
-
 @pytest.mark.parametrize("name", DRAWINGS)
 def test_drawings_are_those_of_their_scripts_and_not_cut_off(name: str, tmp_path: Path) -> None:
     save(DRAWINGS[name](), tmp_path / "drawing.png")
@@ -75,15 +57,3 @@ def test_drawings_are_those_of_their_scripts_and_not_cut_off(name: str, tmp_path
     ink = matplotlib.image.imread(DOCS / name)[..., :3].min(axis=-1) < DARKEST_PAPER
     assert ink.mean() > 0.01
     assert not any(edge.any() for edge in (ink[:4], ink[-4:], ink[:, :4], ink[:, -4:]))
-
-
-def test_robot_example_is_a_valid_robot_file_that_nothing_is_said_against(
-    recwarn: pytest.WarningsRecorder,
-) -> None:
-    assert ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml").name == "hexapod"
-    assert not list(recwarn)
-
-
-def test_scene_examples_are_valid() -> None:
-    assert list(read_budget(DOCS / "examples" / "enough.toml").motions) == ["trajectory.csv"]
-    assert read_scene(DOCS / "examples" / "swing.toml").robot.name == "hexapod"

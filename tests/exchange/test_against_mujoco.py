@@ -26,21 +26,16 @@ SHAPES = {
     },
     "box, negative second size": f'type="box" {LINE} size="0.01 -1"',
     "ellipsoid, one size": f'type="ellipsoid" {LINE} size="0.01"',
-    "ellipsoid, two sizes": f'type="ellipsoid" {LINE} size="0.01 0.03"',
     "cylinder, two sizes": f'type="cylinder" {LINE} size="0.01 0.3"',
     "capsule, two sizes": f'type="capsule" {LINE} size="0.01 0.3"',
     "sphere, three sizes": 'size="0.02 0.3 0.4"',
-    "cylinder, three sizes": 'type="cylinder" size="0.02 0.3 0.4"',
 }
 DEFAULTS = {
     "a radius alone": ('size="0.02 0.1"', f'type="capsule" {LINE}'),
-    "the first size alone": ('size="0.02 0.1"', 'type="cylinder" size="0.03"'),
     "two of three sizes": ('size="0.02 0.1 0.3"', 'type="box" size="0.03 0.04"'),
     "ends": (LINE, f'{BOX} euler="0.5 0 0"'),
     "quat for euler": ('euler="0 0.5 0"', f'{BOX} quat="1 0 0 2"'),
-    "euler for quat": ('quat="1 0 0 2"', f'{BOX} euler="0 0.5 0"'),
     "zaxis for axisangle": ('axisangle="1 0 0 0.5"', f'{BOX} zaxis="1 1 0"'),
-    "axisangle for xyaxes": ('xyaxes="0 1 0 0 0 1"', f'{BOX} axisangle="1 0 0 0.5"'),
 }
 
 
@@ -100,12 +95,9 @@ def test_shapes_take_of_their_class_what_mujoco_takes(default: str, shape: str, 
     ("geom", "said"),
     [
         ('size="0.1" mass="-1"', "mass: expected a number >= 0, got -1"),
-        ('size="0.1" density="-1"', "density: expected a number >= 0, got -1"),
         ('type="box" size="0.1 -0.2 0.3"', "size: expected sizes > 0, got '0.1 -0.2 0.3'"),
-        ('type="box" size="0.1 0.2"', "size: expected 3 numbers, got '0.1 0.2'"),
         ('size="0.1 0.2 0.3 0.4"', "size: expected a number, got '0.1 0.2 0.3 0.4'"),
         (f'size="0.1" {LINE}', "fromto: expected a type with two ends, got a sphere"),
-        ('type="capsule" size="0.1" fromto="1 2 3 1 2 3"', "fromto: expected a non-zero direction"),
     ],
 )
 def test_shapes_that_mujoco_rejects_are_rejected(geom: str, said: str, tmp_path: Path) -> None:
@@ -115,30 +107,15 @@ def test_shapes_that_mujoco_rejects_are_rejected(geom: str, said: str, tmp_path:
     rejects(re.escape(f"body 'platform': geom 'x': {said}"), imported, text, tmp_path)
 
 
-def test_the_total_mass_that_the_compiler_sets_is_that_of_mujoco(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    # MuJoCo writes a warning about the attribute to a file in the current folder.
-    monkeypatch.chdir(tmp_path)
-    text = exported().text.replace("<compiler ", '<compiler settotalmass="7" ')
-    robot, model = imported(text, tmp_path).robot, mujoco.MjModel.from_xml_string(text)
-    np.testing.assert_allclose(robot.M, model.body("platform").mass[0], rtol=1e-12)
-    np.testing.assert_allclose(robot.m_d, model.body("lower_1").mass[0], rtol=1e-12)
-    np.testing.assert_allclose(np.linalg.eigvalsh(robot.I_p)[::-1], model.body("platform").inertia, rtol=1e-9)
-    np.testing.assert_allclose(robot.M + robot.m_d.sum() + robot.m_u.sum(), 7.0, rtol=1e-12)
-
-
 HUGE = 1e9
 """A control far outside the limits of all actuators."""
 ACTUATORS = {
     "default of another element": ('<general gear="7" ctrlrange="-5 5"/>', '<motor joint="#"/>', 35.0),
-    "default of the plain element": ('<motor gear="7" ctrlrange="-5 5"/>', '<general joint="#"/>', 35.0),
     "the last default": (
         '<general gear="7"/><position kp="3" gear="2" ctrlrange="-6 6"/><motor/>',
         '<general joint="#"/>',
         12.0,
     ),
-    "default gain": ('<adhesion gain="50" ctrlrange="0 6"/>', '<general joint="#"/>', 300.0),
     "default of a class": (
         '<motor ctrlrange="-5 5"/><default class="strong"><position gear="3"/></default>',
         '<motor joint="#" class="strong"/>',
@@ -150,13 +127,7 @@ ACTUATORS = {
         '<motor joint="#" ctrlrange="-9 1"/><motor joint="#" ctrlrange="-2 40" gear="-1"/>',
         49.0,
     ),
-    "negative gain": (
-        "",
-        '<general joint="#" gainprm="-50" ctrlrange="-10 90" forcerange="-6000 300"/>',
-        4500.0,
-    ),
     "negative gear": ("", '<motor joint="#" gear="-100" ctrlrange="-30 90" forcerange="-20 100"/>', 9000.0),
-    "ranges apart": ("", '<motor joint="#" ctrlrange="30 90" forcerange="-20 20"/>', 20.0),
     "in the parent": ("", '<motor jointinparent="#" ctrlrange="-800 800"/>', 800.0),
 }
 
@@ -200,9 +171,7 @@ def test_a_joints_own_limits_hold_what_its_actuators_have_on_each_side(
     np.testing.assert_allclose(imported(text, tmp_path).robot.force_limit, limit, rtol=1e-12)
 
 
-@pytest.mark.parametrize(
-    "attributes", ['biastype="affine"', 'gaintype="affine"', 'dyntype="integrator"', 'ctrllimited="false"']
-)
+@pytest.mark.parametrize("attributes", ['biastype="affine"', 'ctrllimited="false"'])
 def test_actuators_without_limits_of_what_they_push_with_are_limited_by_their_forces_alone(
     attributes: str, tmp_path: Path
 ) -> None:
@@ -238,7 +207,6 @@ BODIES, SITES = 'body1="platform" body2="load"', 'site1="there" site2="here"'
 WELDS = {
     "as drawn": (BODIES, ""),
     "as stated": (f'{BODIES} relpose="0.1 0.2 0.3 1 0 0 1"', ""),
-    "point of the second": (f'{BODIES} relpose="0.1 0.7 0.3 1 0 0 1" anchor="0.5 0 0"', ""),
     "sites": (SITES, ""),
     "elsewhere": (f'{BODIES} relpose="0.1 0.2 0.6 1 0 0 1"', "0.3 m"),
     "turned": (f'{BODIES} relpose="0.1 0.2 0.3 1 0 0 0"', "90 deg"),
@@ -269,3 +237,16 @@ def test_a_weld_holds_a_load_where_mujoco_holds_it(name: str, tmp_path: Path) ->
         rejects(said, imported, text, tmp_path)
     else:
         assert imported(text, tmp_path).robot.M == 47.0
+
+
+def test_the_total_mass_that_the_compiler_sets_is_that_of_mujoco(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # MuJoCo writes a warning about the attribute to a file in the current folder.
+    monkeypatch.chdir(tmp_path)
+    text = exported().text.replace("<compiler ", '<compiler settotalmass="7" ')
+    robot, model = imported(text, tmp_path).robot, mujoco.MjModel.from_xml_string(text)
+    np.testing.assert_allclose(robot.M, model.body("platform").mass[0], rtol=1e-12)
+    np.testing.assert_allclose(robot.m_d, model.body("lower_1").mass[0], rtol=1e-12)
+    np.testing.assert_allclose(np.linalg.eigvalsh(robot.I_p)[::-1], model.body("platform").inertia, rtol=1e-9)
+    np.testing.assert_allclose(robot.M + robot.m_d.sum() + robot.m_u.sum(), 7.0, rtol=1e-12)

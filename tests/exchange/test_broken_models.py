@@ -14,19 +14,11 @@ from exported_models import HEXAPOD
 import stewart_sym as ss
 
 BOMB = '<!DOCTYPE mujoco [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><mujoco>&b;</mujoco>'
-BARGE = '<body name="barge"><freejoint/><inertial mass="1" pos="0 0 0" diaginertia="1 1 1"/>'
 BOB = '<body name="bob"><joint name="swing"/><inertial mass="1" pos="0 0 1" diaginertia="1 1 1"/></body>'
 
-SVG = '<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>'
 INCLUDE = '<include><uri>model://x</uri></include><link name="base">'
-LEG_7 = (
-    '<body name="lower_7"><inertial mass="1" pos="0 0 0" diaginertia="1 1 1"/><joint name="base_7"/>'
-    '<joint axis="1 0 0"/><body name="upper_7"><inertial mass="1" pos="0 0 0" diaginertia="1 1 1"/>'
-    '<joint name="leg_7" type="slide"/></body></body></worldbody>'
-)
 TIP_3 = 'name="tip_3" site1="tip_3_a" site2="tip_3_b"'
 UPPER_3 = 'name="tip_3" body1="upper_3" '
-TIP_7 = '<connect name="tip_7" body1="upper_7" body2="platform" anchor="0 0 0"/></equality>'
 HEAVY = '<inertial><mass value="{}"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 WELDED = {
     "mjcf": (
@@ -86,15 +78,10 @@ NO_LEG_6 = both(
     without('<connect name="tip_6"', "/>"),
     without('<motor name="leg_6"', "/>"),
 )
-BALL_AT_1 = both(
-    without('<joint name="base_1_1"', "/>"),
-    to('"base_1_2" type="hinge" axis="0.0 1.0 0.0"', '"base_1_2" type="ball"'),
-)
 OF_MJCF: dict[str, tuple[Change, str]] = {
     "empty": (instead(""), "the file is empty"),
     "entities": (instead(BOMB), "line 1: expected XML without a document type"),
     "depth": (instead("<a>" * 5000), "line 1: element 'a': nested too deeply"),
-    "SVG": (instead(SVG), "got 'svg' at line 2"),
     "include": (
         to("<worldbody>", "<worldbody><include file='x.xml'/>"),
         "line 20: expected a flat model, as",
@@ -104,10 +91,6 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         "got 1: joint 'swing' to body 'bob', where it ends (at line 1)",
     ),
     "five legs": (NO_LEG_6, "body 'platform': expected six legs from the base, got 5"),
-    "seven legs": (
-        both(to("</worldbody>", LEG_7), to("</equality>", TIP_7)),
-        "got 7, which begin with 'lower_1', 'lower_2', 'lower_3', 'lower_4', 'lower_5', 'lower_6', 'lower_7'",
-    ),
     "leg to the base": (
         to(TIP_3, UPPER_3 + "anchor='0 0 0'"),
         "to joint 'tip_3', which leads back to the base",
@@ -116,17 +99,14 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         to(TIP_3, UPPER_3 + "body2='x' anchor='0 0 0'"),
         "connect 'tip_3': body 'x': missing",
     ),
-    "welded end": (to('<connect name="tip_3"', '<weld name="tip_3"'), "by way of 'lower_3', 'platform'"),
     "mesh": (
         to('<inertial mass="40', '<geom name="hull" type="mesh" mass="1" mesh="m"/><site name="40'),
         "body 'platform': geom 'hull': expected an inertial of its body, got a mesh",
     ),
-    "order of angles": (instead('<mujoco><compiler eulerseq="abc"/></mujoco>'), "got 'abc'"),
     "zero quaternion": (
         to('"lower_2" pos="[^"]*"( quat="[^"]*")?', '"lower_2" quat="0 0 0 0"'),
         "'lower_2': quat",
     ),
-    "no closures": (without("<equality>", "</equality>"), "'base_6_1' to body 'upper_6', where"),
     "open loop": (to('"platform" pos="-0.0', '"platform" pos="0.1'), "joints 'tip_1', 'tip_2'"),
     "no slide": (to('"leg_2" type="slide"', '"leg_2" type="hinge"'), "revolute 'leg_2'"),
     "oblique slide": (
@@ -149,19 +129,13 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         )
         for flag in ("equality", "constraint")
     },
-    "one ball": (BALL_AT_1, "leg 1: joint 'base_1_2': expected a universal joint at"),
     "negative": (to('mass="3.0"', 'mass="-3.0"'), "leg 1: body 'lower_1': expected a mass > 0"),
     "no mass": (without('<inertial mass="40', "/>"), "the platform: body 'platform'"),
     "no site": (to('"tip_4_a" site2', '"tip_9" site2'), "connect 'tip_4': site 'tip_9': missing"),
-    "free base": (
-        both(to("<worldbody>", f"<worldbody>{BARGE}"), to("</worldbody>", "</body></worldbody>")),
-        "got one between 'barge' and 'platform'",
-    ),
     "names": (to('name="lower_2"', 'name="lower_1"'), "body 'lower_1': expected one body of that"),
     "limits": (to('range="0.55 0.95"', 'range="0.9 0.5"'), "leg 1: joint 'leg_1': expected"),
 }
 OF_URDF: dict[str, tuple[Change, str]] = {
-    "tool of nan kg": (with_tool("urdf", "nan"), "'tool': inertial: mass: expected a number, got 'nan'"),
     "cross": (
         to('<link name="base_1_cross_1" />', f'<link name="base_1_cross_1">{HEAVY.format(-1)}</link>'),
         "leg 1: body 'base_1_cross_1': expected a mass >= 0, got -1",
@@ -171,24 +145,17 @@ OF_URDF: dict[str, tuple[Change, str]] = {
         "xacro:include at line",
     ),
     "carried by none": (without('<joint name="leg_3"', "</joint>"), "got 'world', 'upper_3'"),
-    "two roots": (to('<link name="base">', '<link name="x"/><link name="base">'), "got 'world', 'x'"),
     "no axis": (to('xyz="1.0 0.0 0.0" />\n  <dyn', 'xyz="0 0 0" />\n  <dyn'), "joint 'leg_1': axis"),
 }
 OF_SDF: dict[str, tuple[Change, str]] = {
     "screw": (to('type="prismatic"', 'type="screw"'), "joint 'leg_1': expected type"),
-    "two models": (to("</world>", "<model name='m'/></world>"), "expected one model, got 2: 'hexapod', 'm'"),
     "no frame": (to('expressed_in="__model__"', 'expressed_in="x"'), "joint 'base_1': xyz: frame 'x'"),
     "circle": (
         to('lower_1">\n    <pose>', 'lower_1"><pose relative_to="lower_1">'),
         "frame 'lower_1': expected poses that depend on no circle",
     ),
-    "static": (to('<link name="base">', '<static>1</static><link name="base">'), "'hexapod': static"),
     "no ball": (without('<joint name="tip_3"', "</joint>"), "joint 'base_3' to body 'upper_3', where"),
     "another's include": (to('<link name="base">', INCLUDE), "include at line 10: expected a model"),
-    "inertia not computed": (
-        both(to("<inertial>", '<inertial auto="true">'), without("<mass>", "</mass>")),
-        "link 'lower_1': inertial: expected mass and inertia, got auto, which is not computed",
-    ),
 }
 TABLES = {"mjcf": OF_MJCF, "sdf": OF_SDF, "urdf": OF_URDF}
 BROKEN: dict[str, tuple[str, Change, str]] = {
@@ -200,7 +167,7 @@ BROKEN: dict[str, tuple[str, Change, str]] = {
             with_tool(form, mass),
             f"body 'tool': expected a mass > 0, got {mass}",
         )
-        for form, mass in itertools.product(WELDED, ("-2", "0"))
+        for form, mass in itertools.product(WELDED, ("0",))
     },
 }
 
@@ -241,15 +208,9 @@ def test_a_broken_model_gives_one_line_that_says_what_and_where(
 
 LOOPS: dict[str, tuple[Change, str]] = {
     "no JSON": (instead("{"), "loops: expected JSON"),
-    "a list": (instead("[]"), "loops: expected a table"),
     "unknown key": (to("gravity_m_s2", "gravity"), "unknown key"),
     "no link": (to('"upper_3"', '"upper_9"'), "loops: closure 3: link_1: link 'upper_9': missing"),
-    "kind": (to('"spherical"', '"hinge"'), "loops: closure 1: type"),
     "damping": (to('"damping_N_m_s": 0.02', '"damping_N_m_s": -1'), "expected a number >= 0"),
-    "armature of none": (
-        to('"armature_kg": {', '"armature_kg": {"Leg_1": 30'),
-        'loops: armature_kg: Leg_1: unknown key, did you mean "leg_1"?',
-    ),
 }
 
 

@@ -8,7 +8,6 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
-from exported_models import HEXAPOD
 from exported_mujoco import Exported
 from exported_pinocchio import accelerations
 from machines import offset_case, random_motion, random_robot
@@ -177,13 +176,11 @@ def test_usd_places_bodies_and_joints_where_the_machine_has_them(stage: tuple[ss
     np.testing.assert_allclose(g, robot.g, rtol=0, atol=1e-5)
 
 
-SEEDS = range(8)
-OFFSET_SEEDS = range(6)
+SEEDS = range(4)
+OFFSET_SEEDS = range(2)
 NONE = np.zeros(6)
 MUJOCO, PINOCCHIO = 4e-6, 1e-9
 """Largest error over the pose's largest acceleration."""
-STILL = 1e-6
-"""Drift over 10 s at rest, m: of closures that give way by what carries the load."""
 
 Case = tuple[ss.Robot, ss.Motion, NDArray[np.float64], NDArray[np.float64]]
 
@@ -209,17 +206,6 @@ def test_mujoco_accelerates_the_exported_machine_as_we_do() -> None:
         robot, motion, F, truth = case(seed, C_s=NONE)
         worst[seed] = off(Exported(robot).accelerations(motion, F), truth)
     assert max(worst.values()) < MUJOCO, worst
-
-
-@pytest.mark.slow
-def test_pinocchio_accelerates_the_exported_machine_as_we_do() -> None:
-    worst = {}
-    for seed in SEEDS:
-        # A leg between two spherical joints spins freely there, and ours does not.
-        none = {"C_u": NONE, "C_s": NONE} if seed % 4 == 3 else {}
-        robot, motion, F, truth = case(seed, **none)
-        worst[seed] = off(accelerations(robot, motion, F), truth)
-    assert max(worst.values()) < PINOCCHIO, worst
 
 
 def offset_machine(seed: int) -> Case:
@@ -252,26 +238,6 @@ def test_rotors_resist_in_mujoco_as_their_reflected_mass(seed: int) -> None:
     L_ddot = ss.inverse_kinematics(robot, motion).L_ddot
     found = Exported(robot).accelerations(motion, F + robot.drive.reflected_mass * L_ddot)
     assert off(found, truth) < MUJOCO
-
-
-@pytest.mark.slow
-@pytest.mark.filterwarnings("ignore:mjcf")
-def test_a_machine_that_its_forces_hold_does_not_drift_in_ten_seconds() -> None:
-    robot = ss.Robot.from_toml(HEXAPOD)
-    model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
-    data, kernel, zero = mujoco.MjData(model), ss.ForceKernel(robot), np.zeros(3)
-    mujoco.mj_forward(model, data)
-    platform = data.body("platform")
-    start, turn, farthest = platform.xpos.copy(), platform.xmat.copy(), 0.0
-    # Forces of the pose as it is: constant ones hold a platform as a hand does a broom.
-    while data.time < 10.0:
-        pose = ss.Motion(
-            R=platform.xmat.reshape(3, 3), t=platform.xpos, omega=zero, v=zero, alpha=zero, a=zero
-        )
-        data.ctrl[:] = kernel.forces(pose)
-        mujoco.mj_step(model, data, 2)
-        farthest = max(farthest, np.abs(platform.xpos - start).max(), np.abs(platform.xmat - turn).max())
-    assert farthest < STILL
 
 
 def test_the_exported_machine_stands_assembled_at_its_home_pose() -> None:

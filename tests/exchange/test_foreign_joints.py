@@ -90,29 +90,6 @@ def test_a_cross_with_its_mass_off_the_axes_is_imported_with_its_effect(name: st
     assert bound == pytest.approx(error, rel=6e-3)
 
 
-def test_a_cross_far_off_the_axes_is_one_line_with_its_effect(tmp_path: Path) -> None:
-    seed, made = first_with(universal)
-    point = made.parts["lower1"].center
-    across = 10.0 * np.cross(*axes_at(made, "base1"))
-    text = mjcf(with_mass(made, "cross1_1", point, across), seed)
-    heavy = text.replace(f'mass="{MASS!r}"', 'mass="2"')
-    assert heavy != text
-    expected = "expected its center of mass at the intersection of the axes"
-    limit = r"\(limit \S+ N, 1 % of the weight per leg\); move its center of mass, or reduce its mass"
-    changes = rf"got \S+ mm off, which changes forces by up to \S+ N {limit}"
-    rejects(f"body 'cross1_1': {expected}, {changes}", imported, heavy, tmp_path)
-
-
-def test_the_mass_of_the_file_and_of_the_robot_are_printed(tmp_path: Path) -> None:
-    seed, made = first_with(three_hinges)
-    found = imported(mjcf(made, seed), tmp_path)
-    mass = found.robot.M + found.robot.m_d.sum() + found.robot.m_u.sum()
-    assert (
-        f"mass of the bodies that move: {mass:.7g} kg in the file, {mass:.7g} kg imported"
-        in found.assumptions
-    )
-
-
 @pytest.mark.parametrize("load", [0.5, 60.0])
 def test_the_platform_is_the_body_that_the_legs_hold_and_the_reason_is_true(
     load: float, tmp_path: Path
@@ -154,94 +131,6 @@ def test_the_frame_of_an_aligned_platform_is_that_of_mujoco(
     assert any("the frame of 'platform', which is taken" in line for line in found.assumptions)
 
 
-def test_anchors_in_a_frame_that_mujoco_turns_are_one_line(tmp_path: Path) -> None:
-    text = exported().text.replace('<freejoint name="free"', '<freejoint name="free" align="true"')
-    old = '<connect name="tip_1" site1="tip_1_a" site2="tip_1_b" />'
-    assert old in text
-    text = text.replace(old, '<connect name="tip_1" body1="upper_1" body2="platform" anchor="0 0 0"/>')
-    rejects("expected site1 and site2, since MuJoCo turns the frame of 'platform'", imported, text, tmp_path)
-
-
-def test_the_remedy_for_the_mass_of_a_mesh_works(tmp_path: Path) -> None:
-    corners = " ".join(f"{x} {y} {z}" for x in (-0.2, 0.2) for y in (-0.3, 0.3) for z in (-0.02, 0.02))
-    text = exported().text.replace("<asset>", f'<asset><mesh name="deck" vertex="{corners}"/>')
-    start = text.index('<body name="platform"')
-    inside = re.sub("<inertial .*?/>", '<geom type="mesh" mesh="deck" mass="6"/>', text[start:])
-    text = text[:start] + inside
-    rejects('mj_saveLastXML with saveinertial="true"', imported, text, tmp_path)
-    model = mujoco.MjModel.from_xml_string(text.replace("<compiler ", '<compiler saveinertial="true" '))
-    mujoco.mj_saveLastXML(str(tmp_path / "saved.xml"), model)
-    assert ss.import_model(tmp_path / "saved.xml").robot.M == 6.0
-
-
-@pytest.mark.parametrize("kind", ["weld", "loop"])
-def test_all_open_welds_or_loops_are_reported_at_once(kind: str, tmp_path: Path) -> None:
-    def closed_by(made: Family) -> bool:
-        kinds = ["fixed" if kind == "weld" else "ball"]
-        return sum(edge.kind in kinds for edge in made.cuts) > 2
-
-    seed, made = first_with(closed_by)
-    text = mjcf(made, seed)
-    tag, moved = ("weld", 0) if kind == "weld" else ("connect", 0)
-    names = re.findall(rf'<{tag} name="(\w+)" site1', text)
-    for number, name in enumerate(names, 1):
-        text, count = re.subn(rf'(<site name="{name}b" pos=")(\S+)', rf"\g<1>{number / 10}", text)
-        moved += count
-    assert moved == len(names) > 1
-    with pytest.raises(
-        ValueError, match=f"expected {kind}s that are closed in the pose of the file"
-    ) as caught:
-        imported(text, tmp_path)
-    assert all(repr(name) in str(caught.value) for name in names)
-    assert str(caught.value).count(" m") >= len(names)
-
-
-def test_empty_elements_of_sdf_take_their_defaults(tmp_path: Path) -> None:
-    text, loops = exported("sdf").text, None
-    emptied = {
-        r"<effort>[^<]*</effort>": "<effort/>",
-        r"<velocity>[^<]*</velocity>": "<velocity></velocity>",
-        r"<damping>[^<]*</damping>": "<damping> </damping>",
-        r"<lower>[^<]*</lower>": "<lower/>",
-        r"<ixy>[^<]*</ixy>": "<ixy/>",
-        r"<gravity>[^<]*</gravity>": "<gravity/>",
-    }
-    left = text
-    for old, new in emptied.items():
-        left, count = re.subn(old, new, left)
-        assert count
-        text = re.sub(old, "", text)
-    notes = r"<stewart_sym:notes>.*?</stewart_sym:notes>"
-    robots = [
-        ss.import_model(written(ss.ExportedModel(re.sub(notes, "", each), loops), tmp_path / f"{name}.sdf"))
-        for name, each in (("empty", left), ("missing", text))
-    ]
-    assert robots[0].robot.to_dict() == robots[1].robot.to_dict()
-    assert robots[0].assumptions == robots[1].assumptions
-
-
-FRAMES = (
-    '<frame name="wrist" attached_to="upper_3"><pose>0.1 0.2 0.3 0.4 0.5 0.6</pose></frame>'
-    '<frame name="hand" attached_to="wrist"/><frame name="deck" attached_to="tip_1"/>'
-)
-
-
-def test_joints_of_sdf_may_name_frames_since_1_7(tmp_path: Path) -> None:
-    text = exported("sdf").text
-    named = text.replace("<parent>upper_3</parent>", "<parent>hand</parent>")
-    point = r"(<child>)platform(</child>\s*<pose)(>)"
-    head, tail = named[: named.index('name="tip_3"')], named[named.index('name="tip_3"') :]
-    tail, count = re.subn(point, r'\1deck\2 relative_to="platform"\3', tail, count=1)
-    assert count == 1
-    named = (head + tail).replace("<link", f"{FRAMES}<link", 1)
-    robots = [imported(each, tmp_path).robot for each in (text, named)]
-    np.testing.assert_allclose(robots[1].p, robots[0].p, rtol=0, atol=1e-12)
-    old = named.replace('version="1.9"', 'version="1.6"')
-    rejects("link 'hand': missing", imported, old, tmp_path)
-    circle = named.replace('attached_to="wrist"', 'attached_to="hand"')
-    rejects("link 'hand': missing", imported, circle, tmp_path)
-
-
 def test_ball_constraints_close_a_urdf_as_its_loops_do(tmp_path: Path) -> None:
     def by_balls(made: Family) -> bool:
         return all(edge.kind == "ball" for edge in made.cuts)
@@ -273,3 +162,25 @@ def test_a_broken_ball_constraint_is_one_line(
     text = exported(form).text
     assert change[0] in text
     rejects(re.escape(said), imported, text.replace(*change, 1), tmp_path)
+
+
+FRAMES = (
+    '<frame name="wrist" attached_to="upper_3"><pose>0.1 0.2 0.3 0.4 0.5 0.6</pose></frame>'
+    '<frame name="hand" attached_to="wrist"/><frame name="deck" attached_to="tip_1"/>'
+)
+
+
+def test_joints_of_sdf_may_name_frames_since_1_7(tmp_path: Path) -> None:
+    text = exported("sdf").text
+    named = text.replace("<parent>upper_3</parent>", "<parent>hand</parent>")
+    point = r"(<child>)platform(</child>\s*<pose)(>)"
+    head, tail = named[: named.index('name="tip_3"')], named[named.index('name="tip_3"') :]
+    tail, count = re.subn(point, r'\1deck\2 relative_to="platform"\3', tail, count=1)
+    assert count == 1
+    named = (head + tail).replace("<link", f"{FRAMES}<link", 1)
+    robots = [imported(each, tmp_path).robot for each in (text, named)]
+    np.testing.assert_allclose(robots[1].p, robots[0].p, rtol=0, atol=1e-12)
+    old = named.replace('version="1.9"', 'version="1.6"')
+    rejects("link 'hand': missing", imported, old, tmp_path)
+    circle = named.replace('attached_to="wrist"', 'attached_to="hand"')
+    rejects("link 'hand': missing", imported, circle, tmp_path)

@@ -16,7 +16,7 @@ from sweeps import share, sweep
 
 import stewart_sym as ss
 
-MODELS, URDFS, PART = 320, 120, 4
+MODELS, URDFS, PART = 320, 120, 12
 SAME, SAME_MASS = 1e-8, 1e-12
 STATED = re.compile(r"are off by up to (\S+) N")
 

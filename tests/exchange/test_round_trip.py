@@ -11,8 +11,9 @@ import mujoco
 import numpy as np
 import pytest
 from command_line import rejects
-from exported_models import HEXAPOD, imported, written
+from exported_models import HEXAPOD, written
 from machines import offset_case, random_robot, upside_down_in_millimeters
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.exchange.notes import differences
@@ -108,13 +109,13 @@ def without_notes(file: ss.ExportedModel) -> ss.ExportedModel:
     return ss.ExportedModel(text, loops)
 
 
-PARTICULAR = ("dasgupta1998", "random 0", "random 1", "upside down, mm", "motion simulator", "all")
+PARTICULAR = ("random 1", "all")
 # Those with something particular in all formats, the others in one each.
 PAIRS = list(itertools.product(PARTICULAR, FORMATS))
 PAIRS += zip(sorted(ROBOTS.keys() - PARTICULAR), itertools.cycle(FORMATS))
 
 
-@pytest.mark.parametrize(("name", "form"), sorted(PAIRS))
+@pytest.mark.parametrize(("name", "form"), slow_but(PARTICULAR, sorted(PAIRS), lambda pair: pair[0]))
 def test_a_robot_comes_back_and_is_exported_to_the_same_bytes(name: str, form: str, tmp_path: Path) -> None:
     robot = ROBOTS[name]
     file = ss.export_model(robot, form)
@@ -151,58 +152,6 @@ def test_notes_are_of_the_leg_they_name_in_files_of_any_order(form: str, moved: 
     assert any("notes: legs in the order of the file" in line for line in other.assumptions)
 
 
-def test_a_machine_in_a_room_has_a_link_called_world_that_is_not_the_root(tmp_path: Path) -> None:
-    robot = ROBOTS["random 0"]
-    file = ss.export_model(robot, "urdf")
-    bolts = (
-        '<link name="room"/><joint name="bolts" type="fixed"><parent link="room"/><child link="world"/>'
-        '<origin xyz="1 2 3"/></joint></robot>'
-    )
-    text = file.text.replace("</robot>", bolts)
-    found = ss.import_model(written(ss.ExportedModel(text, file.loop_closures), tmp_path / "room")).robot
-    np.testing.assert_allclose(found.b - robot.b, np.tile([1.0, 2.0, 3.0], (6, 1)), atol=1e-12)
-    np.testing.assert_allclose(found.p - found.p[0], robot.p - robot.p[0], atol=1e-12)
-
-
-def test_a_changed_armature_is_a_rotor_of_the_noted_drive(tmp_path: Path) -> None:
-    robot = ROBOTS["motion simulator"]
-    text = ss.export_model(robot, "mjcf").text
-    armature = re.findall(r'armature="(.*?)"', text)[2]
-    before, after, last = re.split(f'(armature="{armature}")', text, maxsplit=1)
-    found = imported(before + after.replace(armature, repr(2.0 * float(armature))) + last, tmp_path)
-    assert any("rotor_inertia follows the model" in line for line in found.assumptions)
-    changed = np.asarray(found.robot.drive.rotor_inertia) / robot.drive.rotor_inertia
-    assert sorted(changed.round(9)) == [1.0, 1.0, 1.0, 1.0, 1.0, 2.0]
-    assert dataclasses.replace(found.robot.drive, rotor_inertia=robot.drive.rotor_inertia) == robot.drive
-
-
-def without_armatures(file: ss.ExportedModel, table: bool = True) -> ss.ExportedModel:
-    """A file without armatures; ``table``: whether that of them stays, empty."""
-    text = re.sub(r' armature=".*?"', "", file.text)
-    if file.loop_closures is None:
-        return ss.ExportedModel(text, None)
-    loops = {
-        key: {} if key == "armature_kg" else value for key, value in json.loads(file.loop_closures).items()
-    }
-    if not table:
-        del loops["armature_kg"]
-    return ss.ExportedModel(text, json.dumps(loops))
-
-
-@pytest.mark.parametrize(("form", "table"), [("mjcf", True), ("urdf", True), ("urdf", False)])
-def test_without_armatures_a_noted_drive_has_no_rotor(form: str, table: bool, tmp_path: Path) -> None:
-    robot = ROBOTS["motion simulator"]
-    file = without_armatures(ss.export_model(robot, form), table)
-    found = ss.import_model(written(file, tmp_path / "model"))
-    assert [line for line in found.assumptions if "rotor" in line] == [
-        "drive: the model and the note have different armatures: rotor_inertia follows the model"
-    ]
-    assert found.robot.drive == dataclasses.replace(robot.drive, rotor_inertia=0.0)
-    if form == "mjcf":
-        model = mujoco.MjModel.from_xml_string(file.text)
-        assert not model.dof_armature.any()
-
-
 def test_notes_come_back_from_a_model_as_mujoco_itself_writes_it(tmp_path: Path) -> None:
     robot = ROBOTS["motion simulator"]
     mujoco.mj_saveLastXML(
@@ -215,7 +164,7 @@ def test_notes_come_back_from_a_model_as_mujoco_itself_writes_it(tmp_path: Path)
 
 
 @pytest.mark.parametrize("form", FORMATS)
-@pytest.mark.parametrize("name", ["tsai2000", "random 0", "random 1"])
+@pytest.mark.parametrize("name", ["tsai2000", "random 1"])
 def test_bodies_and_joints_alone_are_the_robot_to_rounding(name: str, form: str, tmp_path: Path) -> None:
     robot = ROBOTS[name]
     again = ss.import_model(written(without_notes(ss.export_model(robot, form)), tmp_path / "model")).robot
@@ -230,9 +179,7 @@ def test_bodies_and_joints_alone_are_the_robot_to_rounding(name: str, form: str,
 
 
 @pytest.mark.parametrize("form", FORMATS)
-@pytest.mark.parametrize(
-    "name", ["<leg> & \"quoted\" 'twice' </mujoco>", "a::b__", "über 机器 \U0001f980", "]]>"]
-)
+@pytest.mark.parametrize("name", ["<leg> & \"quoted\" 'twice' </mujoco>", "über 机器 \U0001f980"])
 def test_hostile_names_are_data(name: str, form: str, tmp_path: Path) -> None:
     robot = dataclasses.replace(ROBOTS["tsai2000"], name=name)
     file = ss.export_model(robot, form)
@@ -251,15 +198,6 @@ def test_an_inertia_of_no_body_is_rejected_in_one_line_that_says_what_to_do() ->
             form,
         )
     assert ss.export_model(robot, "urdf").text == ss.export_model(ROBOTS["dasgupta1998"], "urdf").text
-
-
-def test_an_inertia_of_no_body_that_is_accepted_is_written_as_the_nearest_possible() -> None:
-    with pytest.warns(ss.RobotWarning) as caught:
-        file = ss.export_model(ROBOTS["dasgupta1998"], "mjcf")
-    assert len([each for each in caught if "nearest possible" in str(each.message)]) == 3
-    model = mujoco.MjModel.from_xml_string(file.text)
-    least, middle, most = np.sort(model.body("platform").inertia)
-    assert least + middle > most
 
 
 @pytest.mark.parametrize(
@@ -281,24 +219,9 @@ def test_armatures_alone_become_rotors_that_resist_as_much(tmp_path: Path) -> No
     assert not any("lead" in line for line in noted.assumptions)
 
 
-def test_shapes_have_the_lengths_of_the_parts_that_the_robot_states(tmp_path: Path) -> None:
-    robot = dataclasses.replace(ROBOTS["hexapod"], lower_length=np.linspace(0.31, 0.36, 6))
-    model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
-    for i, length in enumerate(robot.lower_length, 1):
-        geom = int(model.body(f"lower_{i}").geomadr[0])
-        assert 2.0 * model.geom_size[geom, 1] == pytest.approx(length, rel=1e-12)
-        assert model.geom_pos[geom] @ [1.0, 0.0, 0.0] == pytest.approx(0.5 * length, rel=1e-12)
-    for form in FORMATS:
-        again = ss.import_model(written(ss.export_model(robot, form), tmp_path / form)).robot
-        np.testing.assert_array_equal(again.lower_length, robot.lower_length)
-
-
 OFFSETS = {
     "example": ss.Robot.from_toml(HEXAPOD.with_name("offset-joints.toml")),
-    "without crosses": dataclasses.replace(
-        ROBOTS["mathworks2002"], offsets=ss.JointOffsets(axis_offset=0.01, slide_offset_z=-0.02)
-    ),
-    **{f"random {seed}": offset_case(seed)[0] for seed in range(2)},
+    "random": offset_case(0)[0],
 }
 
 
@@ -317,26 +240,7 @@ def test_offset_joints_come_back_and_go_out_to_the_same_bytes(name: str, form: s
     assert ss.export_model(found.robot, form) == file
 
 
-def test_offsets_of_the_model_count_where_its_note_says_otherwise(tmp_path: Path) -> None:
-    text = ss.export_model(OFFSETS["example"], "mjcf").text
-    lower = r'(name="lower_1" pos=")\S+'
-    # The loop is as much open as the axis was moved.
-    with pytest.raises(ValueError, match="joint 'tip_1': expected a loop that is closed"):
-        imported(re.sub(lower, r"\g<1>0.012", text), tmp_path)
-    found = imported(re.sub(lower, r"\g<1>0.0101", text), tmp_path)
-    assert found.robot.offsets.axis_offset[0] == pytest.approx(0.0101)
-    assert "offsets: the model contradicts the note; the model is used" in found.assumptions
-
-
 @pytest.mark.parametrize("form", [*FORMATS, "usd"])
 def test_legs_whose_upper_parts_turn_are_rejected_by_the_formats_name(form: str) -> None:
     robot, _ = offset_case(0, "universal")
     rejects(rf'\A{form}: offsets.platform_joint: expected "spherical"', ss.export_model, robot, form)
-
-
-def test_a_leg_along_its_fixed_axis_is_rejected() -> None:
-    robot = ROBOTS["mathworks2002"]
-    leg = robot.home_position + robot.p - robot.b
-    k = np.array([*leg[:1], *robot.k[1:]])
-    with pytest.raises(ValueError, match="leg 1: fixed axis along the leg at home"):
-        ss.export_model(dataclasses.replace(robot, k=k), "mjcf")

@@ -41,11 +41,6 @@ def general_value(formula: str, robot: ss.Robot, leg: int) -> float:
     return float(total)
 
 
-def formula_value(formula: str, pi: Any) -> float:
-    """A formula of ``BaseParametersResult``."""
-    return float(eval(formula, {}, dict(zip(pi.names, pi.values.tolist(), strict=True))))
-
-
 def test_there_are_as_many_as_the_derivation_leaves_on_any_machine() -> None:
     assert GENERAL == 100
     for seed in range(20):
@@ -77,14 +72,6 @@ def test_formulas_of_every_machine_are_what_the_singular_values_find(seed: int) 
             assert value == pytest.approx(expected, rel=1e-9), name
     own = dict(zip(pi.names, pi.values.tolist(), strict=True))
     assert found == pytest.approx({name: own[name] for name in found}, rel=1e-9)
-
-
-def test_formulas_of_the_robot_are_the_rows_of_the_matrix() -> None:
-    for robot in (dasgupta(), random_robot(np.random.default_rng(2))):
-        base, pi = ss.base_parameters(robot), ss.inertial_parameters(robot)
-        for formula, row_of_matrix in zip(base.formulas, base.matrix, strict=True):
-            terms = np.abs(row_of_matrix) @ np.abs(pi.values)
-            assert formula_value(formula, pi) == pytest.approx(row_of_matrix @ pi.values, abs=1e-5 * terms)
 
 
 def test_machines_whose_forces_tell_less_lose_what_is_not_felt() -> None:

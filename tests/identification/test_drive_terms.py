@@ -12,8 +12,6 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.motion.rotation import rotation_from_vector
-from stewart_sym.motion.trajectory import Trajectory
-from stewart_sym.studies.reports.identify import from_measurement, measured_report, simulated_report
 
 SIGMA = 2.0
 TERMS = ("reflected_mass", "coulomb", "offset")
@@ -40,9 +38,7 @@ def motor_forces(robot: ss.Robot, motion: ss.Motion) -> np.ndarray:
     return ss.inverse_dynamics(robot, motion).F + drive
 
 
-@pytest.mark.parametrize(
-    "name", ["torque_limit", "speed_limit", "current_limit", "power_limit", "rated_torque"]
-)
+@pytest.mark.parametrize("name", ["torque_limit", "power_limit"])
 def test_excitation_keeps_within_the_limits_of_the_motors(robot: ss.Robot, name: str) -> None:
     driven = dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, torque_constant=0.5))
     still, free = (
@@ -57,7 +53,7 @@ def test_excitation_keeps_within_the_limits_of_the_motors(robot: ss.Robot, name:
 
 
 def test_noisy_experiments_scatter_as_the_covariance_says(robot: ss.Robot, excited: ss.Excitation) -> None:
-    count = 25
+    count = 12
     exact = motor_forces(robot, excited.motion)
     true = np.concatenate(list(TRUE.values()))
     rng = np.random.default_rng(5)
@@ -93,12 +89,6 @@ def test_terms_are_exact_without_noise_and_change_no_bodies(robot: ss.Robot, exc
     np.testing.assert_allclose(found.values, plain.values, atol=1e-6 * scale)
 
 
-def test_without_the_terms_the_fit_is_not_consistent(robot: ss.Robot, excited: ss.Excitation) -> None:
-    found = ss.identify(robot, excited.motion, motor_forces(robot, excited.motion), SIGMA, excited.base)
-    assert found.verdict == "rejected"
-    assert found.drive is None
-
-
 def test_what_does_the_same_is_said(robot: ss.Robot, excited: ss.Excitation) -> None:
     motion = excited.motion
     F = motor_forces(robot, motion)
@@ -113,18 +103,6 @@ def test_what_does_the_same_is_said(robot: ss.Robot, excited: ss.Excitation) -> 
         robot, motion, F, SIGMA, without, drive_terms=("viscous", "coulomb", "offset", "reflected_mass")
     )
     assert one.drive.identifiable.all()
-
-
-def test_legs_built_alike_share_their_terms(robot: ss.Robot, excited: ss.Excitation) -> None:
-    alike = dataclasses.replace(
-        robot, **{name: np.tile(getattr(robot, name)[:1], (6, *[1] * (getattr(robot, name).ndim - 1)))
-                  for name in ("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")}
-    )  # fmt: skip
-    legs = ss.inverse_kinematics(alike, excited.motion)
-    F = ss.inverse_dynamics(alike, excited.motion).F + 40.0 * legs.L_ddot + 30.0 * np.sign(legs.L_dot) - 3.0
-    found = ss.identify(alike, excited.motion, F, 1e-6, identical_legs=True, drive_terms=TERMS)
-    assert found.drive.names == TERMS
-    np.testing.assert_allclose(found.drive.values, [40.0, 30.0, -3.0], atol=1e-4)
 
 
 def test_currents_become_forces_of_the_motors(robot: ss.Robot, excited: ss.Excitation) -> None:
@@ -170,32 +148,6 @@ def test_forces_of_motors_identify_the_bodies_beside_the_rotors_of_the_robot_fil
     assert any(line.startswith("rotors: ") for line in wrong.warnings)
 
 
-def test_a_rejected_fit_states_no_errors(robot: ss.Robot, excited: ss.Excitation, tmp_path: Path) -> None:
-    machine = with_rotors(robot)
-    F = ss.inverse_dynamics(machine, excited.motion).F
-    estimate = ss.identify(robot, excited.motion, F, 1e-6, excited.base)
-    right = excited.base.matrix @ ss.inertial_parameters(robot).values
-    found = ss.Experiment(excited, excited.motion, F, 1e-6, None, right, estimate)
-    assert np.isnan(found.z_scores).all()
-    text = simulated_report(robot, found).text
-    assert "errors in standard deviations" not in text
-    assert "+0.00" not in text
-
-
-@pytest.mark.parametrize(
-    ("factor", "sigma", "said"), [(1e-3, 1.0, "another unit"), (1.0, 100.0, "force_std: ")]
-)
-def test_forces_in_another_unit_and_a_noise_that_is_not_theirs_are_doubted(
-    robot: ss.Robot, excited: ss.Excitation, factor: float, sigma: float, said: str
-) -> None:
-    F = ss.inverse_dynamics(robot, excited.motion).F + np.random.default_rng(3).normal(size=(120, 6))
-    along = Trajectory(excited.time, excited.motion, "poses.csv", range(2, 122))
-    found = from_measurement(robot, along, excited.time, factor * F, sigma, "forces.csv")
-    assert any(said in line for line in found.warnings)
-    right = from_measurement(robot, along, excited.time, F, 1.0, "forces.csv")
-    assert not any(said in line for line in right.warnings)
-
-
 def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
     F = np.zeros((120, 6))
     for wrong in ("coulomb", ("friction",), (), 3):
@@ -217,12 +169,13 @@ def noisy(excited: ss.Excitation, size: float, seed: int) -> tuple[ss.Motion, ss
     return measured, ss.PoseNoise(excited.time, size, size, excited.path.period, len(excited.path.sine))
 
 
-@pytest.mark.parametrize("size", [1e-5, 3e-4])
+@pytest.mark.slow
 def test_of_noisy_poses_bodies_and_terms_scatter_as_the_covariance_says(
-    robot: ss.Robot, excited: ss.Excitation, size: float
+    robot: ss.Robot, excited: ss.Excitation
 ) -> None:
     """Also where the noise of the poses moves them farther than that of the forces."""
-    count, exact = 6, motor_forces(robot, excited.motion)
+    size = 3e-4
+    count, exact = 4, motor_forces(robot, excited.motion)
     bodies, terms = (
         excited.base.matrix @ ss.inertial_parameters(robot).values,
         np.concatenate([*TRUE.values()]),
@@ -238,37 +191,6 @@ def test_of_noisy_poses_bodies_and_terms_scatter_as_the_covariance_says(
             squares.append(error @ np.linalg.solve(estimate.covariance, error) / len(error))
     for found, unknowns in ((squares[::2], len(bodies)), (squares[1::2], len(terms))):
         assert np.mean(found) == pytest.approx(1.0, abs=4.0 * math.sqrt(2.0 / (unknowns * count)))
-
-
-def test_terms_of_the_robot_file_are_compared_as_bodies_are(robot: ss.Robot, excited: ss.Excitation) -> None:
-    drive = ss.Drive(lead=5e-3, rotor_inertia=2e-5, screw_coulomb=30.0)
-    machine = dataclasses.replace(robot, drive=drive)
-    F = ss.drive_effort(machine, excited.motion).force + SIGMA * np.random.default_rng(6).normal(
-        size=(120, 6)
-    )
-    said = []
-    for coulomb in (30.0, 60.0):
-        other = dataclasses.replace(robot, drive=dataclasses.replace(drive, screw_coulomb=coulomb))
-        found = ss.identify(
-            other, excited.motion, F, SIGMA, excited.base, drive_terms=("coulomb", "reflected_mass")
-        )
-        said.append(measured_report(other, found, SIGMA, None).text)
-    assert "robot file: agrees with the forces" in said[0]
-    assert "robot file: does not agree with the forces" in said[1]
-    assert "coulomb1, coulomb2" in said[1]
-
-
-def test_coulomb_friction_of_legs_at_rest_is_told_by_no_pose(robot: ss.Robot, excited: ss.Excitation) -> None:
-    n = len(excited.time)
-    still = ss.Motion(
-        R=np.repeat(excited.motion.R[:1], n, axis=0),
-        t=np.repeat(excited.motion.t[:1], n, axis=0),
-        omega=np.zeros((n, 3)),
-        v=np.zeros((n, 3)),
-    )
-    noise = ss.PoseNoise(excited.time, 1e-4, 1e-4)
-    with pytest.raises(ValueError, match=r'\Amotion: expected legs that move, for "coulomb"'):
-        ss.identify(robot, still, np.zeros((n, 6)), SIGMA, excited.base, noise, drive_terms=("coulomb",))
 
 
 def tables(excited: ss.Excitation, folder: Path, measured: dict[str, np.ndarray]) -> list[str]:

@@ -13,8 +13,6 @@ from noisy_experiments import change
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.identification.base_parameters import alike
-from stewart_sym.identification.parameters import leg_name, with_parameters
 
 SIGMA = 0.5
 OF_LEGS = ("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
@@ -68,33 +66,12 @@ def test_noisy_forces_give_them_within_what_the_covariance_says() -> None:
     assert np.mean([run.estimate.verdict == "consistent" for run in runs]) >= 0.95
 
 
-def test_sharing_makes_deviations_smaller() -> None:
-    machine, way = robot(2), excited(2)
-    F = ss.inverse_dynamics(machine, way.motion).F
-    once, apart = (ss.identify(machine, way.motion, F, SIGMA, identical_legs=how) for how in (True, False))
-    place = {name: i for i, name in enumerate(apart.base.names)}
-    for name, sigma in zip(once.base.names, once.std, strict=True):
-        if name.startswith(("h_d", "h_u", "J_u", "C_")):
-            assert all(sigma < apart.std[place[leg_name(name, leg)]] for leg in range(1, 7)), name
-
-
 def test_a_leg_that_differs_is_seen_in_the_residual() -> None:
     machine, way = robot(0), excited(0)
     odd = dataclasses.replace(machine, m_u=machine.m_u * [1, 1, 1.5, 1, 1, 1])
     assert np.abs(change(machine, odd, way.motion)).max() > 10.0 * SIGMA
     F = ss.inverse_dynamics(odd, way.motion).F + SIGMA * np.random.default_rng(4).normal(size=(60, 6))
     assert ss.identify(odd, way.motion, F, SIGMA, identical_legs=True).verdict in ("misfit", "rejected")
-
-
-def test_possible_bodies_are_the_same_in_every_leg() -> None:
-    machine, way = robot(0), excited(0)
-    F = ss.inverse_dynamics(machine, way.motion).F + SIGMA * np.random.default_rng(5).normal(size=(60, 6))
-    # The robot file's legs differ: they are where the fit begins.
-    other = dataclasses.replace(machine, m_u=machine.m_u * np.linspace(0.8, 1.2, 6))
-    found = ss.identify(other, way.motion, F, SIGMA, enforce_physical=True, identical_legs=True)
-    np.testing.assert_allclose(alike(found.parameters.values), found.parameters.values, rtol=1e-12)
-    np.testing.assert_allclose(found.base.matrix @ found.parameters.values, found.values, rtol=1e-9)
-    assert with_parameters(other, found.parameters.values).find_invalid_inertias() == []
 
 
 def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:

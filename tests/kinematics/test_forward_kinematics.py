@@ -19,7 +19,6 @@ import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.kinematics.forward_kinematics import twist_per_rates
 from stewart_sym.kinematics.pose_search import rates_per_twist
-from stewart_sym.motion.rotation import rotation_from_rpy
 
 EPS = float(np.finfo(np.float64).eps)
 
@@ -48,9 +47,9 @@ def assert_nothing_is_silent(robot: ss.Robot, L: Array, found: ss.ForwardKinemat
 # Poses
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(4))
 def test_default_guess_gives_back_the_poses_of_random_machines(seed: int) -> None:
-    robot, motion = machine_in_motion(seed, (20, 10), "spherical" if seed % 2 else "universal")
+    robot, motion = machine_in_motion(seed, (5, 4), "spherical" if seed % 2 else "universal")
     L = ss.inverse_kinematics(robot, motion).L
     found = ss.forward_kinematics(robot, L)
     assert_nothing_is_silent(robot, L, found)
@@ -60,7 +59,7 @@ def test_default_guess_gives_back_the_poses_of_random_machines(seed: int) -> Non
 
 
 def test_default_guess_gives_back_the_poses_of_the_papers_machine() -> None:
-    robot, R, t, L = paper_case(1, 1000)
+    robot, R, t, L = paper_case(1, 200)
     found = ss.forward_kinematics(robot, L)
     assert_nothing_is_silent(robot, L, found)
     np.testing.assert_allclose(found.R, R, atol=1e-12)
@@ -69,7 +68,7 @@ def test_default_guess_gives_back_the_poses_of_the_papers_machine() -> None:
 
 def test_near_guess_converges_quadratically_to_its_own_mode() -> None:
     rng = np.random.default_rng(2)
-    robot, R, t, L = paper_case(rng, 1000)
+    robot, R, t, L = paper_case(rng, 200)
     found = ss.forward_kinematics(robot, L, nudged(rng, R, t, angle=0.05, way=0.05))
     assert_nothing_is_silent(robot, L, found)
     assert same_pose(robot, found, R, t).all()
@@ -82,7 +81,7 @@ def test_no_pose_of_a_wide_workspace_is_missed() -> None:
     """Region with poses where H is singular: 10^5 poses within 0.4 rad and 0.2 m of home."""
     rng = np.random.default_rng(3)
     robot = dasgupta()
-    R, t = (poses[: share(100_000)] for poses in paper_poses(rng, 100_000, angle=0.4, way=0.2))
+    R, t = (poses[: share(100_000, 50)] for poses in paper_poses(rng, 100_000, angle=0.4, way=0.2))
     L = lengths(robot, R, t)
     found = ss.forward_kinematics(robot, L, on_failure="nan")
     assert_nothing_is_silent(robot, L, found)
@@ -102,7 +101,7 @@ def test_no_pose_of_a_wide_workspace_is_missed() -> None:
 def test_no_pose_of_random_machines_is_missed() -> None:
     """10^5 poses: 1000 well-posed ones around the home of each of 100 machines."""
     others = {"default": 0, "near": 0}
-    for seed in range(share(100, 5)):
+    for seed in range(share(100, 25)):
         rng = np.random.default_rng(seed)
         robot, motion = machine_in_motion(rng, (share(1000),))
         L = ss.inverse_kinematics(robot, motion).L
@@ -116,7 +115,7 @@ def test_no_pose_of_random_machines_is_missed() -> None:
 
 
 def test_platform_is_found_wherever_the_base_stands() -> None:
-    for seed in range(15):
+    for seed in range(5):
         rng = np.random.default_rng(seed)
         robot, motion = machine_in_motion(rng, (20,), scale=1.0)
         Q, away = rotation(2.0 * rng.normal(size=3)), 3.0 * rng.normal(size=3)
@@ -127,15 +126,6 @@ def test_platform_is_found_wherever_the_base_stands() -> None:
         # However the base is turned: the platform is found on the side that is against gravity.
         if robot.g[2] < -1.0:
             assert same_pose(moved, found, Q @ motion.R, motion.t @ Q.T + away).all()
-
-
-def test_there_is_no_singularity_where_roll_pitch_yaw_has_one() -> None:
-    robot, motion = machine_in_motion(5, (50,), scale=1.0)
-    Q = rotation_from_rpy([0.0, 0.5 * np.pi, 0.0])
-    turned = dataclasses.replace(robot, b=robot.b @ Q.T, k=robot.k @ Q.T)
-    L = lengths(robot, motion.R, motion.t)
-    found = ss.forward_kinematics(turned, L, (Q, Q @ motion.t[0]))
-    np.testing.assert_allclose(found.R, Q @ motion.R, atol=1e-12)
 
 
 def test_a_pose_is_the_same_alone_and_among_others() -> None:
@@ -151,24 +141,6 @@ def test_a_pose_is_the_same_alone_and_among_others() -> None:
         assert alone.iterations == found.iterations.flat[i]
         np.testing.assert_allclose(found.t.reshape(12, 3)[i], alone.t, rtol=1e-13)
     assert ss.forward_kinematics(robot, np.empty((0, 6))).R.shape == (0, 3, 3)
-
-
-def test_a_guess_broadcasts_and_is_left_as_it_was() -> None:
-    robot, R, _, L = paper_case(7, 4)
-    R_0, t_0 = np.eye(3), np.tile(HOME, (5, 1, 1))
-    found = ss.forward_kinematics(robot, L, (R_0, t_0))
-    assert found.status.shape == (5, 4)
-    np.testing.assert_allclose(found.R, np.broadcast_to(R, (5, 4, 3, 3)), atol=1e-12)
-    np.testing.assert_array_equal(R_0, np.eye(3))
-    np.testing.assert_array_equal(t_0, np.tile(HOME, (5, 1, 1)))
-
-
-def test_rotation_is_orthonormal_though_the_guess_is_only_nearly_so() -> None:
-    robot = dasgupta()
-    rough = np.eye(3) + 2e-10 * np.random.default_rng(8).normal(size=(3, 3))
-    for R in (rough, np.eye(3)):
-        found = ss.forward_kinematics(robot, lengths(robot, R, HOME), (rough, HOME))
-        assert np.abs(found.R.T @ found.R - np.eye(3)).max() <= 8 * EPS
 
 
 # lengths that no pose has
@@ -219,20 +191,6 @@ def test_a_singular_pose_has_a_status_and_leaves_its_neighbors_alone() -> None:
         assert found.status[[0, 2]].tolist() == [results.OK, results.OK]
         np.testing.assert_allclose(found.t[[0, 2]], t[[0, 2]], atol=1e-12)
     rejects(r"^L\[1\]: H is singular: leg lengths", ss.forward_kinematics, robot, L, (R, t))
-
-
-def test_a_machine_that_is_singular_everywhere_never_has_an_answer() -> None:
-    """Platform similar to the base; and all points in one: every Jacobian is exactly singular."""
-    robot, _, t, _ = paper_case(10, 20)
-    flat = robot.p * [1.0, 1.0, 0.0]
-    similar = dataclasses.replace(robot, b=2.0 * flat, p=flat)
-    found = ss.forward_kinematics(similar, lengths(similar, np.eye(3), t), (np.eye(3), t), "nan")
-    assert np.all(found.status == results.SINGULAR)
-    point = dataclasses.replace(robot, b=np.ones((6, 3)), p=np.zeros((6, 3)))
-    L = np.ones((3, 6))
-    L[1, 2] = 2.0
-    found = ss.forward_kinematics(point, L, on_failure="nan")
-    assert found.status.tolist() == [results.SINGULAR, results.NOT_CONVERGED, results.SINGULAR]
 
 
 def test_failures_raise_warn_or_stay_silent_as_asked() -> None:

@@ -7,7 +7,7 @@ from machines import random_motion, random_robot
 import stewart_sym as ss
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(2))
 def test_the_inverse_jacobian_turns_the_twist_into_leg_rates(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng)
@@ -17,7 +17,7 @@ def test_the_inverse_jacobian_turns_the_twist_into_leg_rates(seed: int) -> None:
     np.testing.assert_allclose(rates, ss.inverse_kinematics(robot, motion).L_dot, rtol=1e-12, atol=1e-12)
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(2))
 def test_the_jacobian_turns_leg_rates_into_the_twist(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng)

@@ -1,7 +1,5 @@
 """Kinematics of machines with offset joints: rates, poses of lengths and of motors' angles."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 from command_line import rejects
@@ -27,16 +25,6 @@ def test_rates_are_derivatives_along_a_path(joint: str) -> None:
     one, other = (ss.wrench_matrix(robot, at) for at in (after, before))
     wanted = ss.wrench_matrix_rate(robot, now)
     np.testing.assert_allclose((one - other) / (2 * h), wanted, rtol=0, atol=1e-6 * np.abs(wanted).max())
-
-
-def test_the_rate_of_h_without_offsets_is_that_of_ordinary_legs() -> None:
-    robot, motion = offset_case(0)
-    plain = dataclasses.replace(robot, offsets=None)
-    wanted = ss.wrench_matrix_rate(plain, motion)
-    found = ss.wrench_matrix_rate(dataclasses.replace(robot, offsets=ss.JointOffsets()), motion)
-    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13 * np.abs(wanted).max())
-    still = ss.Motion(R=motion.R, t=motion.t, omega=np.zeros(motion.t.shape), v=np.zeros(motion.t.shape))
-    assert not ss.wrench_matrix_rate(robot, still).any()
 
 
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)
@@ -72,25 +60,6 @@ def test_velocities_and_accelerations_come_back(joint: str) -> None:
     np.testing.assert_allclose(second.alpha, motion.alpha, rtol=1e-9)
 
 
-def test_the_spin_of_the_upper_part_is_what_lengths_do_not_show() -> None:
-    robot, motion = offset_case(1, "universal", screws=True)
-    legs, motors = ss.inverse_kinematics(robot, motion), ss.motor_angles(robot, motion)
-    spin = (motors.angle - robot.drive.transmission_ratio * legs.L) / robot.drive.gear_ratio
-    assert np.abs(spin).min() > 1e-4
-    assert np.abs(spin).max() < np.pi
-    keyed, motion = offset_case(1, "spherical", screws=True)
-    legs, motors = ss.inverse_kinematics(keyed, motion), ss.motor_angles(keyed, motion)
-    np.testing.assert_array_equal(motors.rate, keyed.drive.transmission_ratio * legs.L_dot)
-
-
-def test_ordinary_legs_have_motors_too() -> None:
-    robot, motion = offset_case(2, screws=True)
-    plain = dataclasses.replace(robot, offsets=None)
-    legs, motors = ss.inverse_kinematics(plain, motion), ss.motor_angles(plain, motion)
-    np.testing.assert_allclose(motors.angle, robot.drive.transmission_ratio * legs.L, rtol=1e-13)
-    np.testing.assert_allclose(motors.acceleration, robot.drive.transmission_ratio * legs.L_ddot, rtol=1e-9)
-
-
 def test_what_cannot_be_found_is_said() -> None:
     robot, motion = offset_case(0, screws=True)
     with pytest.raises(ValueError, match="L: "):
@@ -98,18 +67,6 @@ def test_what_cannot_be_found_is_said() -> None:
     without, motion = offset_case(0)
     rejects("drive: expected a drive with a lead", ss.motor_angles, without, motion)
     rejects("angle: no pose", ss.pose_from_motor_angles, robot, np.full(6, 1e5), (motion.R, motion.t))
-
-
-@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
-def test_the_effort_of_the_drives_is_of_the_motors_speed(joint: str) -> None:
-    robot, motion = offset_case(4, joint, (3,), screws=True)
-    effort, motors = ss.drive_effort(robot, motion), ss.motor_angles(robot, motion)
-    np.testing.assert_allclose(effort.speed, motors.rate, rtol=1e-11)
-    F = ss.inverse_dynamics(robot, motion).F
-    np.testing.assert_allclose(effort.torque, F / robot.drive.transmission_ratio, rtol=1e-12)
-    heavier = dataclasses.replace(robot.drive, rotor_inertia=2 * robot.drive.rotor_inertia)
-    found = ss.drive_effort(dataclasses.replace(robot, drive=heavier), motion)
-    np.testing.assert_allclose(found.rotor, 2 * effort.rotor, rtol=1e-11)
 
 
 @pytest.mark.slow

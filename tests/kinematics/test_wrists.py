@@ -6,13 +6,10 @@ import numpy as np
 from machines import Array, machine_in_motion, offsets_of
 from pinocchio_model import pinocchio_inverse_dynamics
 from scipy.optimize import least_squares
-from scipy.spatial.transform import Rotation
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.motion.motion import at_rest
 from stewart_sym.results import UNREACHABLE
-from stewart_sym.robot.offset_chains import chains
 
 
 def _case(seed: int, ratio: tuple[float, float], offsets: float = 0.0) -> tuple[ss.Robot, ss.Motion]:
@@ -82,7 +79,7 @@ def _closed_chain(robot: ss.Robot, motion: ss.Motion, i: int) -> Array:
 
 
 def test_chains_close_as_a_root_finder_closes_them() -> None:
-    for seed in range(share(100, 25)):
+    for seed in range(share(100, 50)):
         for ratio in ((0.05, 0.95), (0.55, 0.95), (1.0, 5.0)):
             robot, motion = _case(seed, ratio, 0.01 * (seed % 2))
             found = ss.inverse_kinematics(robot, motion).L
@@ -93,7 +90,7 @@ def test_chains_close_as_a_root_finder_closes_them() -> None:
 
 
 def test_forces_with_long_wrists_agree_with_pinocchio() -> None:
-    for seed in range(8):
+    for seed in range(4):
         robot, motion = _case(seed, (0.55, 0.95), 0.01 * (seed % 2))
         truth = pinocchio_inverse_dynamics(robot, motion).F
         error = np.abs(ss.inverse_dynamics(robot, motion).F - truth).max() / np.abs(truth).max()
@@ -101,7 +98,7 @@ def test_forces_with_long_wrists_agree_with_pinocchio() -> None:
 
 
 def test_wrists_longer_than_the_distance_from_the_axis_are_unreachable() -> None:
-    for seed in range(20):
+    for seed in range(6):
         robot, motion = _case(seed, (0.5, 0.95))
         reach = robot.p @ motion.R.T + motion.t - robot.b
         distance = np.linalg.norm(np.cross(robot.offsets.platform_axis @ motion.R.T, reach), axis=1)
@@ -114,81 +111,3 @@ def test_wrists_longer_than_the_distance_from_the_axis_are_unreachable() -> None
             )
             status = int(ss.inverse_dynamics(longer, motion, on_singular="nan").status)
             assert (status != UNREACHABLE) == reachable, (seed, times)
-
-
-def test_large_offsets_close_wherever_the_circle_of_the_wrist_has_a_solution() -> None:
-    angles = np.linspace(-np.pi, np.pi, 721)[:, None]
-    found = 0
-    for seed in range(share(400, 20)):
-        robot, motion = _case(seed, (0.05, 0.95), 0.15)
-        status = ss.inverse_dynamics(robot, motion, on_singular="nan").status
-        solvable = [_right_angles(robot, motion, leg, angles) for leg in range(6)]
-        assert (int(status) == UNREACHABLE) == (not all(solvable)), seed
-        found += int(status) == UNREACHABLE
-    assert found > 0
-
-
-def _right_angles(robot: ss.Robot, motion: ss.Motion, i: int, angles: Array) -> bool:
-    """Return True if the leg meets the axis y_w at a right angle for an end on the circle of the wrist."""
-    o = robot.offsets
-    point, axis = motion.R @ robot.p[i] + motion.t - robot.b[i], motion.R @ o.platform_axis[i]
-    across = point - point @ axis * axis
-    across /= np.linalg.norm(across)
-    n = np.cos(angles) * across + np.sin(angles) * np.cross(axis, across)
-    ends = point - o.wrist_offset[i] * n
-    plain = dataclasses.replace(
-        robot,
-        b=np.zeros((6, 3)),
-        offsets=dataclasses.replace(
-            o, platform_joint="spherical", wrist_offset=np.zeros(6), platform_axis=np.zeros((6, 3))
-        ),
-    )
-    none = np.zeros((len(ends), 3))
-    R = np.broadcast_to(np.eye(3), (len(ends), 3, 3))
-    poses = ss.Motion(R=R, t=ends - robot.p[i], omega=none, v=none)
-    with np.errstate(all="ignore"):
-        s = chains(plain, poses).s[:, i]
-    miss, outward = np.sum(s * np.cross(axis, n), axis=1), np.sum(s * n, axis=1)
-    crossed = (np.sign(miss[1:]) != np.sign(miss[:-1])) & (outward[1:] > 0) & (outward[:-1] > 0)
-    return bool((crossed & np.isfinite(miss[1:] + miss[:-1])).any())
-
-
-def test_upper_parts_lie_in_the_frame_that_the_pages_define() -> None:
-    for seed in range(4):
-        rng = np.random.default_rng(seed)
-        robot, motion = machine_in_motion(rng, friction=False, load=False)
-        robot = dataclasses.replace(robot, offsets=offsets_of(rng, robot, "universal"))
-
-        def at(step: Array, robot: ss.Robot = robot, motion: ss.Motion = motion) -> tuple[Array, float]:
-            """Lengths, and potential energy with parts placed as the pages say, after a step of the pose."""
-            turn = Rotation.from_rotvec(step[3:]).as_matrix()
-            pose = at_rest(turn @ motion.R, motion.t + step[:3])
-            return ss.inverse_kinematics(robot, pose).L, _energy(robot, pose)
-
-        h = 1e-5
-        pairs = [(at(h * each), at(-h * each)) for each in np.eye(6)]
-        rates = np.array([(one[0] - other[0]) / (2 * h) for one, other in pairs])
-        lift = np.array([(one[1] - other[1]) / (2 * h) for one, other in pairs])
-        F = ss.inverse_dynamics(robot, at_rest(motion.R, motion.t)).F
-        np.testing.assert_allclose(rates @ F, lift, rtol=0, atol=1e-6 * np.abs(lift).max())
-
-
-def _energy(robot: ss.Robot, pose: ss.Motion) -> float:
-    o, s = robot.offsets, ss.inverse_kinematics(robot, pose).s
-    k_P = o.platform_axis @ pose.R.T
-    y_U = np.cross(k_P, s)
-    y_U /= np.linalg.norm(y_U, axis=1, keepdims=True)
-    end = robot.p @ pose.R.T + pose.t - o.wrist_offset[:, None] * np.cross(y_U, k_P)
-    upper = end + _placed(robot.r_u0, s, y_U, np.cross(s, y_U))
-    y = np.cross(robot.k, s)
-    y /= np.linalg.norm(y, axis=1, keepdims=True)
-    outward = np.cross(y, robot.k)
-    lower = robot.b + o.axis_offset[:, None] * outward + _placed(robot.r_d0, s, y, np.cross(s, y))
-    cross = robot.b + _placed(o.cross_center, outward, y, robot.k)
-    moments = robot.m_u @ upper + robot.m_d @ lower + o.cross_mass @ cross
-    return float(-robot.g @ (moments + robot.M * (pose.t + pose.R @ robot.R_0)))
-
-
-def _placed(parts: Array, *axes: Array) -> Array:
-    """Points of the six legs by their components along axes, (6, 3) each."""
-    return np.asarray(np.einsum("ij,jik->ik", parts, np.array(axes)))

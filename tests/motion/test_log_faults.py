@@ -1,6 +1,5 @@
 """Logs that are no motion under white noise: bad rows, other noise, rows that were not measured."""
 
-import dataclasses
 import itertools
 import re
 from collections.abc import Callable
@@ -10,13 +9,10 @@ import pytest
 from machines import Array
 from motion_fields import motion_of
 from noisy_logs import WHITE, Case, case, coordinates, from_poses, logged, read
-from whole_track import track
 
 import stewart_sym as ss
-from stewart_sym.motion.log_faults import Fault, faults, offsets, plateaus, slower_sampling, spread
-from stewart_sym.motion.log_rates import rates_of
-from stewart_sym.motion.noise_level import noise_level, rounding_steps, varying_noise
-from stewart_sym.motion.trajectory import Log
+from stewart_sym.motion.log_faults import faults, plateaus, slower_sampling
+from stewart_sym.motion.noise_level import noise_level, rounding_steps
 
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")
 OFF = "numbers are off as no motion makes them"
@@ -56,108 +52,58 @@ def true_forces(one: Case, kind: str, i: int) -> Array:
     ],
 )
 def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_deviations(kind: str, noise: str) -> None:
-    for seed in range(2):
-        one = case(seed)
-        i = int(np.random.default_rng([seed, 7]).integers(len(one.time) // 4, 3 * len(one.time) // 4))
-        values = one.true[0] if noise == "clean" else logged(one, noise, seed)
-        found, told = read(*corrupted(kind, one.time, values, i))
-        (line,) = (text for text in told if OFF in text)
-        rows = [int(row) for row in re.findall(r"line (\d+)", line)]
-        assert rows
-        assert all(abs(row - i) <= 1 for row in rows), (seed, i, line)
-        assert f"({one.time[rows[0]]:.6g} s): t_x by " in line or "theta" in line
-        F, true = ss.inverse_dynamics(one.robot, found.motion).F, true_forces(one, kind, i)
-        sd, peak = ss.force_std(one.robot, found), np.abs(one.F).max()
-        assert np.all(np.abs(F - true) <= 5.0 * sd + 0.01 * peak)
-        # A step remains in doubt. Three decimals are smoothed over so long a time that one row has no effect.
-        if kind in ("step", "missing") and noise != "3":
-            assert sd[i - 1 : i + 2].max() > 0.02 * peak
+    seed = 0
+    one = case(seed)
+    i = int(np.random.default_rng([seed, 7]).integers(len(one.time) // 4, 3 * len(one.time) // 4))
+    values = one.true[0] if noise == "clean" else logged(one, noise, seed)
+    found, told = read(*corrupted(kind, one.time, values, i))
+    (line,) = (text for text in told if OFF in text)
+    rows = [int(row) for row in re.findall(r"line (\d+)", line)]
+    assert rows
+    assert all(abs(row - i) <= 1 for row in rows), (seed, i, line)
+    assert f"({one.time[rows[0]]:.6g} s): t_x by " in line or "theta" in line
+    F, true = ss.inverse_dynamics(one.robot, found.motion).F, true_forces(one, kind, i)
+    sd, peak = ss.force_std(one.robot, found), np.abs(one.F).max()
+    assert np.all(np.abs(F - true) <= 5.0 * sd + 0.01 * peak)
+    # A step remains in doubt. Three decimals are smoothed over so long a time that one row has no effect.
+    if kind in ("step", "missing") and noise != "3":
+        assert sd[i - 1 : i + 2].max() > 0.02 * peak
 
 
-@pytest.mark.parametrize("noise", ["clean", "4"])
-def test_a_limit_that_a_step_alone_leaves_open_names_it(noise: str) -> None:
-    one = case(0)
-    i, size = len(one.time) // 2, 0.2
-    values = one.true[0] if noise == "clean" else logged(one, noise, 0)
-    values = values.copy()
-    values[i:, 2] += size
-    trajectory, _ = read(one.time, values)
-    robot = dataclasses.replace(one.robot, force_limit=np.full(6, 1.5 * np.abs(one.F).max()))
-    found = track(robot, trajectory)
-    name = f"the step at line {i}"
-    limit, share = (line for line in found.doubts if "replaced rows" in line)
-    assert limit.startswith("force_limit inconclusive replaced rows by all legs: ")
-    assert limit.endswith(f"; because of replaced rows ({name})")
-    assert f"may be more than ten times higher than computed because of replaced rows ({name})" in share
-    assert found.summary.count("inconclusive replaced rows") == 6
-    tight = dataclasses.replace(one.robot, force_limit=np.full(6, 0.5 * np.abs(one.F).max(axis=0).min()))
-    assert "force_limit exceeded by all legs" in track(tight, trajectory).doubts[0]
-
-
-@pytest.mark.parametrize("noise", ["clean", "5", "white"])
-def test_the_size_of_a_repaired_row_has_no_effect_on_forces_and_bounds(noise: str) -> None:
-    """A row that is off by 0.05 m or 5 m, of about 500."""
-    one, found = case(0), []
-    i = len(one.time) // 2
-    for size in (0.05, 5.0):
-        values = (one.true[0] if noise == "clean" else logged(one, noise, 0)).copy()
-        values[i, 2] += size
-        trajectory, _ = read(one.time, values)
-        F, sd = ss.inverse_dynamics(one.robot, trajectory.motion).F, ss.force_std(one.robot, trajectory)
-        assert np.all(np.abs(F - one.F) <= 5.0 * sd + 1e-3 * np.abs(one.F).max())
-        found.append((F, sd))
-    (F, sd), (other, other_sd) = found
-    np.testing.assert_allclose(other, F, atol=1e-3 * np.abs(F).max())
-    assert other_sd.max() < 2.0 * sd.max() + 1e-6 * np.abs(F).max()
-    near = slice(i - 5, i + 6)
-    usual = ss.force_std(
-        one.robot, read(one.time, one.true[0] if noise == "clean" else logged(one, noise, 0))[0]
-    )
-    assert other_sd[near].max() < 3.0 * usual.max() + 0.01 * np.abs(F).max()
-
-
-@pytest.mark.parametrize("noise", ["clean", "5", "white"])
-@pytest.mark.parametrize("count", [4, 5, 9])
+@pytest.mark.parametrize("noise", ["5", "white"])
+@pytest.mark.parametrize("count", [4, 9])
 def test_frozen_rows_are_named_and_not_used(noise: str, count: int) -> None:
-    for seed in range(2):
-        one = case(seed)
-        i = len(one.time) // 2
-        values = (one.true[0] if noise == "clean" else logged(one, noise, seed)).copy()
-        values[i : i + count] = values[i - 1]
-        found, told = read(one.time, values)
-        (line,) = (line for line in told if "the log is frozen" in line)
-        assert line.startswith(f"poses: lines {i} to {i + count - 1} (")
-        assert not any(OFF in line or "constant numbers" in line for line in told), told
-        F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_std(one.robot, found)
-        peak = np.abs(one.F).max()
-        assert np.all(np.abs(F - one.F) <= 5.0 * sd + 0.01 * peak)
-        assert np.abs(F - one.F).max() < 0.2 * peak
-        (span,) = found.noise.replaced
-        assert span.start == one.time[i - 1]
-        assert span.end == one.time[i + count]
+    seed = 0
+    one = case(seed)
+    i = len(one.time) // 2
+    values = (one.true[0] if noise == "clean" else logged(one, noise, seed)).copy()
+    values[i : i + count] = values[i - 1]
+    found, told = read(one.time, values)
+    (line,) = (line for line in told if "the log is frozen" in line)
+    assert line.startswith(f"poses: lines {i} to {i + count - 1} (")
+    assert not any(OFF in line or "constant numbers" in line for line in told), told
+    F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_std(one.robot, found)
+    peak = np.abs(one.F).max()
+    assert np.all(np.abs(F - one.F) <= 5.0 * sd + 0.01 * peak)
+    assert np.abs(F - one.F).max() < 0.2 * peak
+    (span,) = found.noise.replaced
+    assert span.start == one.time[i - 1]
+    assert span.end == one.time[i + count]
 
 
 def test_a_rest_is_not_a_frozen_log() -> None:
-    """Moves with rests of five rows and more, without noise and rounded, also with speeds that jump."""
+    """Moves with rests of five rows and more, also with speeds that jump."""
     time = np.arange(0.0, 6.0, 0.01)
     for profile in (
         lambda s: s**3 * (10.0 - 15.0 * s + 6.0 * s**2),
         lambda s: s,
         lambda s: s * s * (3.0 - 2.0 * s),
     ):
-        for rest in (0.05, 0.2, 1.0):
+        for rest in (0.05, 1.0):
             s = np.clip((time % (1.0 + rest)) / 1.0, 0.0, 1.0)
             path = np.where(time // (1.0 + rest) % 2.0, 1.0 - profile(s), profile(s))
-            values = path[:, None] * np.array([0.01, 0.02, 0.03, 0.1, 0.05, 0.2]) + (
-                0.0,
-                0.0,
-                1.0,
-                0.0,
-                0.0,
-                0.0,
-            )
-            for rounded in (values, np.round(values, 5)):
-                assert not any("frozen" in line for line in read(time, rounded)[1]), rest
+            values = path[:, None] * np.array([0.01, 0.02, 0.03, 0.1, 0.05, 0.2]) + np.eye(6)[2]
+            assert not any("frozen" in line for line in read(time, np.round(values, 5))[1]), rest
 
 
 def test_without_smoothing_bad_rows_are_named_and_left() -> None:
@@ -192,7 +138,7 @@ def profiles(seed: int) -> tuple[Array, Array]:
 
 def test_good_logs_are_neither_faulty_nor_correlated() -> None:
     rng = np.random.default_rng(0)
-    for seed in range(3):
+    for seed in range(2):
         one = case(seed)
         for time, true in ((one.time, one.true[0]), profiles(seed)):
             for noise in ("clean", "9", "5", "4", "3", "counts", "white"):
@@ -205,31 +151,6 @@ def test_good_logs_are_neither_faulty_nor_correlated() -> None:
                 assert slower_sampling(time, values, rounding_steps(values)) is None, (seed, noise)
 
 
-def test_a_fault_is_found_with_its_size_and_its_rows() -> None:
-    time = np.arange(400) / 200.0
-    clean = np.stack([np.sin(3.0 * time), np.cos(2.0 * time)], axis=-1)
-    given = [Fault(0, 100, 101, 0.01), Fault(1, 200, None, -0.02), Fault(0, 300, 303, 0.05)]
-    found = faults(time, clean + offsets(given, clean.shape), np.zeros(2))
-    assert [each[:3] for each in found] == [each[:3] for each in given]
-    np.testing.assert_allclose([each.size for each in found], [each.size for each in given], rtol=1e-3)
-
-
-@pytest.mark.parametrize("rows", [(200, 201), (200, 201, 202), (200, 202), (200, 202, 204)])
-@pytest.mark.parametrize("digits", [5, 15])
-def test_repeated_rows_near_each_other_are_off_each_by_its_own_amount(
-    rows: tuple[int, ...], digits: int
-) -> None:
-    time = np.arange(400) / 200.0
-    true = np.round(0.3 * np.sin(np.outer(time, np.arange(1.0, 7.0))), digits)
-    values = true.copy()
-    for i in rows:
-        values[i] = values[i - 1]
-    sigma = np.full(6, 10.0**-digits / np.sqrt(12.0))
-    found = faults(time, values, sigma)
-    assert {each.first for each in found} == set(rows)
-    np.testing.assert_allclose(values - offsets(found, values.shape), true, atol=8.0 * sigma[0] + 1e-9)
-
-
 def correlated(rng: np.random.Generator, shape: tuple[int, ...], share: float) -> Array:
     """Noise of deviation 1 of which each sample keeps a share of the one before."""
     noise = rng.normal(size=shape)
@@ -238,9 +159,9 @@ def correlated(rng: np.random.Generator, shape: tuple[int, ...], share: float) -
     return noise
 
 
-@pytest.mark.parametrize("keeps", [0.5, 0.9])
-def test_correlated_noise_is_told_and_its_deviations_cover_the_errors(keeps: float) -> None:
+def test_correlated_noise_is_told_and_its_deviations_cover_the_errors() -> None:
     """At 200 rows in the shortest period the noise shows beside the motion."""
+    keeps = 0.9
     inside = []
     for seed in range(3):
         rng = np.random.default_rng([seed, 4])
@@ -253,45 +174,6 @@ def test_correlated_noise_is_told_and_its_deviations_cover_the_errors(keeps: flo
         F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion_of(true)))
         inside.append(np.mean(np.abs(F - expected) < 1.96 * ss.force_std(one.robot, found)))
     assert np.mean(inside) > 0.88
-
-
-@pytest.mark.parametrize(("times", "kinds"), [(10.0, slice(0, 6)), (5.0, slice(0, 6)), (10.0, slice(0, 3))])
-def test_noise_that_grows_for_a_while_is_named_and_deviations_follow_it(times: float, kinds: slice) -> None:
-    inside, beyond = [], []
-    for seed in range(4):
-        rng, one = np.random.default_rng([seed, 9]), case(seed)
-        time = np.arange(600) * 0.01
-        true = coordinates(rng, 0.5, time, 1.0)
-        true[0, :, :3] += one.true[0, 0, :3]
-        sigma = np.full(true[0].shape, WHITE)
-        sigma[200:350, kinds] *= times
-        found, said = read(time, true[0] + sigma * rng.normal(size=sigma.shape))
-        told = [line for line in said if "times as large from" in line]
-        assert len(told) == (kinds.stop // 3)
-        (numbers,) = re.findall(r"is (\S+) times as large from (\S+) s to (\S+) s", told[0])
-        factor, first, last = map(float, numbers)
-        assert factor == pytest.approx(times, rel=0.35)
-        assert (first, last) == (pytest.approx(2.0, abs=0.5), pytest.approx(3.5, abs=0.5))
-        F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion_of(true)))
-        z = np.abs(F - expected) / ss.force_std(one.robot, found)
-        inside.append(np.mean(z < 1.96))
-        beyond.append(np.mean(z[200:350] > 4.0))
-    assert np.mean(inside) > 0.9
-    assert np.mean(beyond) < 2e-3
-
-
-def test_noise_that_stays_does_not_vary() -> None:
-    """Beside smooth motions, moves whose accelerations jump, and rest."""
-    for seed in range(20):
-        rng, one = np.random.default_rng(seed), case(seed)
-        time = np.arange(len(one.time)) * (one.time[1] - one.time[0])
-        starts = np.sort(rng.uniform(0.0, time[-1], (8, 1, 3)), axis=0)
-        ramps = np.maximum(time[:, None] - starts, 0.0) ** 2
-        moves = np.tensordot([1, -1, -1, 1, -1, 1, 1, -1], ramps, axes=1)
-        for true in (one.true[0, :, :3], one.true[0, :, 3:], moves / np.ptp(moves), 0.0 * moves):
-            for noise in (1e-3, 1e-5):
-                values = np.round(true + noise * rng.normal(size=true.shape), 7)
-                assert varying_noise(time, values, np.full(3, 3e-8)) is None, (seed, noise)
 
 
 def held(values: Array, every: int) -> Array:
@@ -309,7 +191,7 @@ def test_rows_between_measured_ones_are_told_and_count_for_nothing(
     fill: Callable[[Array, int], Array], words: str, noise: str
 ) -> None:
     every, inside = 4, []
-    for seed in range(3):
+    for seed in range(2):
         one = case(seed)
         values = fill(logged(one, noise, seed), every)
         time = one.time[0] + np.arange(len(values)) * (one.time[1] - one.time[0]) / every
@@ -318,98 +200,6 @@ def test_rows_between_measured_ones_are_told_and_count_for_nothing(
         F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_std(one.robot, found)
         inside.append(np.mean(np.abs(F[::every] - one.F) < 1.96 * sd[::every]))
     assert 0.88 < np.mean(inside) <= 1.0
-
-
-@pytest.mark.parametrize("fill", [held, interpolated])
-@pytest.mark.parametrize(("name", "slow"), [("positions", slice(0, 3)), ("angles", slice(3, 6))])
-def test_a_slow_sensor_beside_a_fast_one_is_told_and_forces_hold_within_their_deviations(
-    fill: Callable[[Array, int], Array], name: str, slow: slice
-) -> None:
-    every, one = 5, case(0)
-    step = (one.time[1] - one.time[0]) / 4
-    time = step * np.arange(200 * every)
-    true = coordinates(np.random.default_rng(3), 0.5, time, 0.012 / step)
-    true[0, :, :3] += one.true[0, 0, :3]
-    values = np.round(true[0], 6)
-    values[:, slow] = fill(values[::every, slow], every)
-    found, told = read(time, values)
-    assert any(line.startswith(f"poses: {name} of 1000 rows are ") for line in told), told
-    assert any(" between 200 measured ones" in line for line in told), told
-    assert not any(OFF in line for line in told)
-    F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion_of(true)))
-    sd = ss.force_std(one.robot, found)
-    assert np.abs(F - expected)[:-every].max() < 0.005 * np.abs(expected).max()
-    assert np.all(np.abs(F - expected)[-every:] < 3.0 * sd[-every:] + 0.001 * np.abs(expected).max())
-    assert np.mean(np.abs(F - expected) < 1.96 * sd) > 0.85
-
-
-def test_a_slow_sensor_beside_a_slower_one_has_rows_of_its_own() -> None:
-    one = case(0)
-    values = held(logged(one, "5", 0), 2)
-    values[:, :3] = held(values[::6, :3], 6)[: len(values)]
-    time = one.time[0] + np.arange(len(values)) * (one.time[1] - one.time[0]) / 2
-    _, told = read(time, values)
-    count = len(values)
-    assert any(f"{count} rows are held between {count // 2} measured" in line for line in told), told
-    assert any(f"positions of {count} rows are held between {-(-count // 6)} " in line for line in told), told
-
-
-@pytest.mark.parametrize("apart", [104, 105, 106])
-def test_rows_that_are_missing_do_not_make_the_others_interpolated(apart: int) -> None:
-    """Counts of a sensor, which bend at missing rows alone, of which two are near each other."""
-    time = np.delete(np.arange(1000) / 500.0, [1, 100, apart, 200, 300, 400, 500, 600, 700])
-    counts = 5e-6 * np.rint(1e3 * np.sin(np.outer(time, np.arange(3.0, 9.0)) + np.arange(6.0)))
-    assert slower_sampling(time, counts, np.full(6, 5e-6)) is None
-
-
-def test_leg_lengths_of_a_slower_sensor_are_told() -> None:
-    time = np.arange(0.0, 4.0, 0.01)
-    lengths = 1.0 + 0.1 * np.sin(3.0 * time[:, None] + np.arange(6.0))
-    log = Log("legs", range(len(time)), time, {"L": [*held(lengths[::4], 4).T]})
-    with pytest.warns(ss.TrajectoryWarning, match="400 rows are held between 100 measured ones"):
-        found, _ = rates_of(log, log.vector("L"), log.steps("L"))
-    np.testing.assert_allclose(found[0, :-4], lengths[:-4], atol=1e-5)
-
-
-@pytest.mark.parametrize(("size", "last"), [(2e-4, 1), (2e-3, 1), (1e-2, 1), (5e-4, None)])
-def test_lengths_that_no_motion_makes_are_named_by_row_and_replaced(size: float, last: int | None) -> None:
-    """A row, or a step of one leg, in noise of 0.01 mm: accelerations are those without it."""
-    time = np.arange(0.0, 2.0, 0.002)
-    turn = np.linspace(5.0, 9.0, 6)
-    angle = time[:, None] * turn + np.arange(6.0)
-    lengths = 0.2 + 0.005 * np.sin(angle) + 1e-5 * np.random.default_rng(1).normal(size=angle.shape)
-    lengths[400 : None if last is None else 400 + last, 2] += size
-    log = Log("legs", range(2, len(time) + 2), time, {"L": [*lengths.T]})
-    with pytest.warns(ss.TrajectoryWarning) as caught:
-        found, noise = rates_of(log, log.vector("L"), log.steps("L"))
-    told = [str(each.message) for each in caught]
-    (line,) = (each for each in told if OFF in each)
-    assert f"{OFF}: line 402{' on' if last is None else ''} (0.8 s): L_3 by " in line
-    assert float(line.split("L_3 by ")[1].split()[0]) == pytest.approx(size, rel=0.1)
-    assert not any("accelerations jump" in each for each in told)
-    sd = np.sqrt([np.interp(time, noise.grid, each) for each in noise.covariance[:, :, 5].T]).T
-    off = np.abs(found[2] + 0.005 * turn**2 * np.sin(angle)) / sd
-    assert np.mean(off < 1.96) > 0.9
-    assert off.max() < 5.0
-
-
-def no_repair(told: list[str]) -> list[str]:
-    return [line for line in told if "no repair, and the results are not to be trusted" in line]
-
-
-def test_faults_of_many_rows_and_large_steps_are_said_to_be_no_repair() -> None:
-    one = case(0)
-    many, step, few = (one.true[0].copy() for _ in range(3))
-    many[5:-5:12, 2] += 0.05
-    step[len(step) // 2 :, 2] += 0.5
-    few[len(few) // 2, 2] += 0.5
-    (line,) = no_repair(read(one.time, many)[1])
-    assert re.search(
-        r": \d+ of \d+ rows \(\d\.\d %\) are replaced, and numbers change by up to 0\.05 m", line
-    )
-    (line,) = no_repair(read(one.time, step)[1])
-    assert "change by up to 0.5 m" in line
-    assert no_repair(read(one.time, few)[1]) == []
 
 
 def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays() -> None:
@@ -425,33 +215,6 @@ def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays(
     share = np.mean((values[:, 3] == -0.13) | (values[:, 3] == 0.15))
     assert line.startswith("poses: theta_x gets to -0.13 and 0.15 rad or away at full speed")
     assert f"for {share * time[-1]:.3g} s in all ({100 * share:.2g} % of the rows; first at line " in line
-
-
-def test_short_steps_between_rests_are_no_clipping() -> None:
-    time = np.arange(0.0, 20.0, 0.01)
-    s = np.clip((time % 2.0 - 1.0) / 0.04, 0.0, 1.0)
-    values = (s**3 * (10.0 - 15.0 * s + 6.0 * s**2) * np.where(time % 4.0 < 2.0, 1.0, -1.0))[:, None]
-    assert plateaus(time, values, np.zeros(1)) == []
-    assert plateaus(time, np.abs(values), np.zeros(1)) == []
-
-
-@pytest.mark.parametrize("digits", [2, 3, 5, 12])
-def test_rest_at_an_extreme_and_rounding_are_no_clipping(digits: int) -> None:
-    time = np.arange(0.0, 12.0, 0.005)
-    s = np.clip(np.stack([time - 1.0, time / 2.0 - 2.0, 7.0 - time], axis=-1), 0.0, 1.0)
-    rests = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
-    stops = np.clip(time[:, None], 0.0, 5.0)  # at once, and to the log's end
-    swings = np.sin(np.outer(time, [0.7, 1.3, 5.0]))
-    values = np.round(np.hstack([rests, stops, swings]), digits)
-    assert plateaus(time, values, np.full(7, 10.0**-digits)) == []
-
-
-def test_values_between_rows_are_those_of_a_polynomial() -> None:
-    time = np.linspace(0.0, 1.0, 41)
-    polynomial = np.polynomial.Polynomial([1.0, -2.0, 0.5, 3.0, -1.0, 0.7])
-    true = np.stack([polynomial.deriv(k)(time) if k else polynomial(time) for k in range(3)])[..., None]
-    rows = np.arange(0, 41, 4)
-    np.testing.assert_allclose(spread(time, rows, true[:, rows]), true, atol=1e-11)
 
 
 @pytest.mark.parametrize("gap", [False, True])

@@ -8,15 +8,11 @@ import numpy as np
 import pytest
 from command_line import Run
 from log_files import NAMES, write
-from noisy_logs import Array, case, read
+from noisy_logs import Array, read
 from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import read_csv
-from stewart_sym.motion.noise.in_log import doubt_of_noise
-from stewart_sym.motion.noise.lines import lines
-from stewart_sym.motion.noise.still_rows import still_rows
-from stewart_sym.motion.noise_level import decided_noise
 from stewart_sym.motion.trajectory import Trajectory
 
 SIGMA = np.repeat([2e-5, 2e-4], 3)
@@ -60,46 +56,17 @@ def read_standing(
     return z, [line for line in said if "constant numbers from" in line]
 
 
-@pytest.mark.parametrize("rate", [100, 500])
 @pytest.mark.parametrize("held", ["exact", "noisy"])
-@pytest.mark.parametrize("rest", [0.3, 1.0])
-def test_rows_at_rest_tell_nothing_of_the_noise(rate: int, held: str, rest: float) -> None:
+def test_rows_at_rest_tell_nothing_of_the_noise(held: str) -> None:
+    rest = 1.0
+    rate = 100
     time = np.arange(round((1.0 - rest) * rate), round((3.5 + rest) * rate)) / rate
     z, said = read_standing(time, rate, RESTS, range(6), held)
     assert 0.3 < np.sqrt(np.mean(z**2)) < 1.3
     assert len(said) == 1
 
 
-@pytest.mark.parametrize("columns", [[3, 4, 5], [0, 1, 2], [2], [0, 4]])
-@pytest.mark.parametrize("rests", [RESTS[1:2], RESTS[2:], RESTS])
-def test_columns_at_rest_tell_nothing_of_noise(columns: list[int], rests: list[tuple[float, float]]) -> None:
-    _, said = read_standing(np.arange(0.3, 4.5, 0.005), len(columns), rests, columns)
-    names = ", ".join(f"{'t' if column < 3 else 'theta'}_{'xyz'[column % 3]}" for column in columns)
-    assert sum(f" of {names}: constant numbers" in line for line in said) == 1
-
-
-@pytest.mark.parametrize(("rate", "decimals"), [(200, 4), (1000, 5)])
-def test_rounded_rows_and_few_equal_ones_are_not_said_to_stand_still(rate: int, decimals: int) -> None:
-    time = np.arange(4 * rate) / rate
-    u = np.clip((time - 1.0) / 0.6, 0.0, 1.0) - np.clip((time - 2.6) / 0.5, 0.0, 1.0)
-    true = (u**3 * (10.0 - 15.0 * u + 6.0 * u**2))[:, None] * WAYS
-    assert not np.any(still_rows(time, np.round(true, decimals), np.full(6, 10.0**-decimals)))
-    noisy = true + SIGMA * np.random.default_rng(0).normal(size=true.shape)
-    noisy[300:304] = noisy[300]
-    assert not np.any(still_rows(time, noisy, np.full(6, 1e-9)))
-
-
-def test_rows_that_hardly_scatter_beside_noisy_ones_end_in_no_error() -> None:
-    time = np.arange(200, 760) / 200.0
-    true, _ = there_and_back(time)
-    moves = ((time > 1.0) & (time < 1.9)) | ((time > 2.6) & (time < 3.5))
-    rng = np.random.default_rng(0)
-    noisy = true + SIGMA * np.where(moves, 1.0, 1e-7)[:, None] * rng.normal(size=true.shape)
-    trajectory, _ = read(time, noisy)
-    assert np.isfinite(np.asarray(trajectory.motion.a)).all()
-
-
-@pytest.mark.parametrize(("frequency", "amplitude"), [(20.0, 1.5), (33.0, 1.5), (33.0, 50.0), (42.0, 50.0)])
+@pytest.mark.parametrize(("frequency", "amplitude"), [(33.0, 1.5), (33.0, 50.0)])
 def test_vibration_is_named_and_its_forces_are_in_the_deviations(frequency: float, amplitude: float) -> None:
     """At 100 Hz; amplitude over the deviation of the noise."""
     time = np.arange(450) / 100.0
@@ -114,35 +81,6 @@ def test_vibration_is_named_and_its_forces_are_in_the_deviations(frequency: floa
     assert np.abs(z).max() < 4.0
 
 
-@pytest.mark.parametrize("count", [60, 300, 1000])
-def test_white_noise_has_no_line(count: int) -> None:
-    rng, time = np.random.default_rng(count), np.arange(count) / 100.0
-    assert not any(lines(time, rng.normal(size=(count, 6)), np.ones(6)) for _ in range(400))
-
-
-def test_a_motion_whose_accelerations_jump_has_no_line() -> None:
-    time = np.arange(1600) / 400.0
-    ramps = np.maximum(time[:, None] - [0.7, 0.825, 1.3, 1.425], 0.0)
-    true = (ramps**2 @ np.array([1.0, -1.0, -1.0, 1.0]))[:, None] * np.ones(6)
-    for seed in range(5):
-        _, said = read(time, true + 5e-5 * np.random.default_rng(seed).normal(size=true.shape))
-        assert not any("vibration" in line for line in said)
-
-
-@pytest.mark.parametrize("share", [0.06, 0.1])
-def test_small_noise_beside_a_motion_of_few_rows_a_period_is_found(share: float) -> None:
-    """A sinusoid of 5 Hz and 1 mm with noise of 1 um."""
-    rate, phase = 5.0 / share, np.array([0.3, 1.0, 2.0, 3.0, 4.0, 5.0])
-    time = np.arange(150) / rate
-    wave = 1e-3 * np.sin(10.0 * np.pi * time[:, None] + phase)
-    values = np.round(wave + 1e-6 * np.random.default_rng(3).normal(size=wave.shape), 9)
-    trajectory, _ = read(time, values)
-    np.testing.assert_allclose(trajectory.noise.sigma, 1e-6, rtol=0.4)
-    z = off(trajectory, -((10.0 * np.pi) ** 2) * wave)
-    assert np.sqrt(np.mean(z**2)) < 1.4
-    assert np.abs(z).max() < 5.0
-
-
 def sinusoids(per_period: float, frequency: float, start: float) -> tuple[Array, Array, Array]:
     """Times, coordinates and second rates, (n, 6), of eight periods."""
     time = start + np.arange(8.0 * per_period) / per_period / frequency
@@ -151,9 +89,9 @@ def sinusoids(per_period: float, frequency: float, start: float) -> tuple[Array,
     return time, values, -(w**2) * values
 
 
-@pytest.mark.parametrize("per_period", [5.0, 6.3, 7.1, 8.0, 9.3, 10.0, 12.0])
-@pytest.mark.parametrize("start", [0.0, 0.037, 0.081])
-def test_few_rows_a_period_are_named_and_their_errors_held(per_period: float, start: float) -> None:
+@pytest.mark.parametrize("per_period", [5.0, 8.0, 12.0])
+def test_few_rows_a_period_are_named_and_their_errors_held(per_period: float) -> None:
+    start = 0.037
     time, values, second = sinusoids(per_period, 2.0, start)
     trajectory, said = read(time, values)
     assert sum("rows too far apart" in line for line in said) == 1, said
@@ -164,23 +102,12 @@ def test_few_rows_a_period_are_named_and_their_errors_held(per_period: float, st
     assert np.all(off[wrong] < 3.5 * sd[wrong])
 
 
-@pytest.mark.parametrize("per_period", [16.0, 30.0, 200.0])
+@pytest.mark.parametrize("per_period", [16.0, 200.0])
 def test_many_rows_a_period_are_not_named(per_period: float) -> None:
     time, values, _ = sinusoids(per_period, 2.0, 0.0)
     trajectory, said = read(time, values)
     assert said == []
     assert trajectory.noise is None
-
-
-@pytest.mark.parametrize("decimals", [9, 11, 13])
-def test_rounding_that_no_acceleration_shows_is_not_smoothed_beside_jumps(decimals: int) -> None:
-    """A trapezoid of speed after rest: the rows at rest stay at rest."""
-    time = np.arange(100) / 100.0
-    u, V = np.clip(time - 0.12, 0.0, 0.76), 1.0 / 0.57
-    way = np.where(u < 0.19, u**2 / 0.38, np.where(u < 0.57, u - 0.095, 0.57 - (0.76 - u) ** 2 / 0.38)) * V
-    trajectory, _ = read(time, np.round(way[:, None] * WAYS, decimals))
-    rest = np.abs(trajectory.motion.a[:6]).max()
-    assert rest < 0.005 * np.abs(trajectory.motion.a).max()
 
 
 FORM = ss.TrajectoryFormat(length_unit="mm", angle_unit="deg")
@@ -202,48 +129,13 @@ def told(log: Path, known: ss.SmoothingOptions, words: str, form: ss.TrajectoryF
     return [str(each.message) for each in caught if words in str(each.message)]
 
 
-@pytest.mark.slow
-def test_a_good_statement_of_noise_is_never_doubted() -> None:
-    decided = 0
-    for seed in range(50):
-        one, rng = case(seed), np.random.default_rng([seed, 7])
-        sigma = 10.0 ** rng.uniform(-6.0, -2.5)
-        step = float(rng.choice([0.0, 0.1, 1.0, 5.0])) * sigma
-        values = one.true[0, :, :3] + sigma * rng.normal(size=(len(one.time), 3))
-        values = np.round(values / step) * step if step else values
-        found = decided_noise(one.time, values, np.full(3, step))
-        decided += found > 0.0
-        doubts = [doubt_of_noise(k * sigma, one.time, values, np.full(3, step), str) for k in (1.0, 0.5)]
-        assert doubts[0] is None
-        assert (doubts[1] is not None) == (found > 0.0)
-    assert decided > 5
-
-
-def low_passed(noise: Array, share: float) -> Array:
-    out = np.zeros_like(noise)
-    for i in range(1, len(noise)):
-        out[i] = out[i - 1] + share * (noise[i] - out[i - 1])
-    return out
-
-
-@pytest.mark.parametrize("share", [0.3, 0.1, 0.02])
-def test_noise_that_a_filter_cut_off_is_not_compared(share: float) -> None:
-    """What differences show of it is a small part of what is stated rightly."""
-    rng = np.random.default_rng(1)
-    time = np.arange(2000) * 1e-2
-    noise = low_passed(low_passed(rng.normal(size=(2000, 3)), share), share)
-    assert decided_noise(time, 0.1 * np.sin(time[:, None] + np.arange(3)) + 1e-3 * noise, np.zeros(3)) == 0.0
-
-
 @pytest.mark.parametrize(
     ("position", "angle", "words"),
     [
         (1e-4, 0.02, "stated noise of positions of 0.0001 mm, but they scatter by 0.1 mm"),
         (100.0, 0.02, "stated noise of positions of 1e+02 mm, but they scatter by 0.1 mm"),
         (0.1, 0.02 * np.pi / 180, "stated noise of angles of 0.00035 deg, but they scatter by 0.02 deg"),
-        (0.03, 0.02, "by 0.1 mm: stated too small, it leaves noise in the accelerations"),
         (0.1, 0.02, None),
-        (0.08, 0.06, None),
     ],
 )
 def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
@@ -254,24 +146,6 @@ def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
     assert len(found) == (words is not None)
     if words is not None:
         assert words in found[0].replace("0.099", "0.1")
-
-
-@pytest.mark.parametrize("decimals", [3, None])
-def test_a_statement_is_compared_with_motion_without_scatter(tmp_path: Path, decimals: int | None) -> None:
-    time = np.linspace(0.0, 4.0, 401)
-    table = np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.05 * np.sin(time[:, None] + np.arange(6))])
-    log = write(tmp_path / "log.csv", NAMES, table if decimals is None else np.round(table, decimals))
-    meters = ss.TrajectoryFormat()
-    words = "stated noise of positions of 0.1 m, but they move over 0.1 m in all: is its unit right?"
-    assert words in told(log, ss.SmoothingOptions(0.1), "stated", meters)[0]
-    assert not told(log, ss.SmoothingOptions(1e-3, 1e-3), "stated", meters)
-    found = told(log, ss.SmoothingOptions(5e-5, 5e-5), "stated", meters)
-    if decimals == 3:
-        words = "noise of positions of 5e-05 m, but they are rounded to 0.001 m, which alone makes 0.00029 m"
-        assert words in found[0]
-    assert len(found) == (2 if decimals == 3 else 0)
-    with pytest.raises(ValueError, match=r"noise of positions of 1e\+300 m: expected less than 10 m"):
-        read_csv(log, meters, ss.SmoothingOptions(1e300))
 
 
 def test_options_of_noise_are_in_the_units_of_the_log(tmp_path: Path, run: Run) -> None:
@@ -288,14 +162,6 @@ def test_options_of_noise_are_in_the_units_of_the_log(tmp_path: Path, run: Run) 
     np.testing.assert_allclose(table["F_1_std"], expected[:, 0], rtol=1e-9)
 
 
-@pytest.mark.parametrize(
-    "known", [ss.SmoothingOptions(cutoff_frequency=3.0), ss.SmoothingOptions(2e-5, np.radians(0.004))]
-)
-def test_no_row_is_wrong_that_is_within_the_scatter(tmp_path: Path, known: ss.SmoothingOptions) -> None:
-    """Whatever is stated of the noise, and whatever the cut-off."""
-    assert not told(written(tmp_path, 0.1, 0.02), known, "off as no motion makes them")
-
-
 @pytest.mark.parametrize("sigma", [0.0, 0.1])
 def test_a_cutoff_that_removes_motion_is_a_warning(tmp_path: Path, sigma: float) -> None:
     """The fastest motion is of 0.5 Hz."""
@@ -304,14 +170,6 @@ def test_a_cutoff_that_removes_motion_is_a_warning(tmp_path: Path, sigma: float)
     assert words in told(log, ss.SmoothingOptions(cutoff_frequency=0.3), "cut-off")[0]
     for cutoff in (1.0, 2.0, 10.0, 50.0):
         assert not told(log, ss.SmoothingOptions(cutoff_frequency=cutoff), "cut-off")
-
-
-def test_vibration_may_be_cut_off(tmp_path: Path) -> None:
-    log = written(tmp_path, 0.1, 0.02)
-    table = np.loadtxt(log, delimiter=",", skiprows=1)
-    table[:, 1:4] += np.sin(2.0 * np.pi * 40.0 * table[:, :1])
-    write(log, NAMES, table)
-    assert not told(log, ss.SmoothingOptions(cutoff_frequency=5.0), "cut-off")
 
 
 def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> None:
@@ -323,7 +181,7 @@ def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> Non
         read_csv(log, FORM, ss.SmoothingOptions(1e-6, cutoff_frequency=1000.0))
 
 
-@pytest.mark.parametrize("option", ["--position-std", "--angle-std", "--cutoff"])
+@pytest.mark.parametrize("option", ["--position-std", "--cutoff"])
 def test_what_is_known_of_noise_is_not_silently_ignored(tmp_path: Path, run: Run, option: str) -> None:
     log = written(tmp_path, 0.1, 0.02)
     out = ["-o", str(tmp_path / "f.csv"), "--no-smoothing", option, "0.1"]

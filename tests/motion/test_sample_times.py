@@ -7,8 +7,8 @@ from stewart_sym.motion.even_clock import even_clock
 from stewart_sym.motion.sample_times import least_step, time_text
 
 
-@pytest.mark.parametrize("start", [0.0, -2.0, 1e3, 1.7e9])
-@pytest.mark.parametrize("step", [1e-5, 1e-3, 0.0125, 0.5, 30.0])
+@pytest.mark.parametrize("start", [-2.0, 1.7e9])
+@pytest.mark.parametrize("step", [1e-5, 0.0125, 30.0])
 def test_different_instants_of_a_log_have_different_texts(start: float, step: float) -> None:
     times = start + step * np.arange(5000)
     least = least_step(times)
@@ -27,50 +27,14 @@ def test_no_digits_are_printed_that_are_rounding() -> None:
 
 
 @pytest.mark.parametrize("missing", [0, 7])
-@pytest.mark.parametrize("start", [0.0, 12.345, 1_763_876_184.5])
-@pytest.mark.parametrize("rate", [59.94, 60.0, 90.0, 240.0, 480.0])
+@pytest.mark.parametrize("start", [12.345, 1_763_876_184.5])
+@pytest.mark.parametrize("rate", [59.94, 90.0, 480.0])
 def test_the_even_clock_of_times_in_milliseconds_is_found(rate: float, start: float, missing: int) -> None:
     rows = np.sort(np.random.default_rng(0).choice(600, 600 - missing, replace=False))
     found = even_clock(np.round(start + rows / rate, 3))
     assert found.rounded == 1e-3
     assert found.step == pytest.approx(1.0 / rate, rel=2e-4)
     np.testing.assert_allclose(found.times - found.times[0], (rows - rows[0]) / rate, rtol=0.0, atol=2e-4)
-
-
-@pytest.mark.parametrize("rows", [100, 1000])
-@pytest.mark.parametrize("rate", [51.0, 59.94, 60.0, 75.0, 80.0, 90.0])
-def test_a_clock_of_one_to_two_units_is_found_by_the_order_of_its_steps(rate: float, rows: int) -> None:
-    i = np.arange(rows)
-    found = even_clock(np.round(i / rate, 2))
-    np.testing.assert_allclose(found.times - found.times[0], i / rate, rtol=0.0, atol=5e-3)
-    assert found.sure or rows == 100
-
-
-def test_rows_missing_at_random_are_seldom_those_of_a_clock_and_never_surely() -> None:
-    rng, found = np.random.default_rng(0), []
-    for _ in range(1000):
-        there = rng.random(rng.integers(30, 200)) > rng.choice([0.02, 0.05, 0.1, 0.3, 0.5])
-        found.append(even_clock(np.flatnonzero(there) / 100.0))
-    clocks = [each for each in found if each is not None]
-    assert len(clocks) < 5
-    assert not any(each.sure for each in clocks)
-
-
-def test_even_times_with_rows_missing_and_times_of_no_clock_are_left() -> None:
-    rng = np.random.default_rng(1)
-    i = np.arange(400)
-    for times in (
-        i / 1000.0,
-        i / 60.0,
-        np.delete(i, [100, 101, 250]) / 1000.0,
-        np.delete(i, [100, 101, 250]) / 200.0,
-        np.round(i / 60.0 + 5e-4 * rng.normal(size=400), 3),
-        np.round(i / 60.0 + 5e-4 * rng.normal(size=400), 6),
-        np.cumsum(rng.integers(1, 9, 400)) / 1000.0,
-        np.round(np.cumsum(rng.uniform(0.01, 0.03, 400)), 3),
-        np.array([0.0, 0.017, 0.033]),
-    ):
-        assert even_clock(times) is None
 
 
 @pytest.mark.parametrize("rows", range(20, 41))

@@ -7,15 +7,14 @@ import numpy as np
 import pytest
 from command_line import Run
 from log_files import LENGTHS, NAMES, write
-from machines import machine_in_motion, random_motion, random_robot
-from motion_fields import FIELDS, motion_of, waves
+from machines import machine_in_motion
+from motion_fields import motion_of, waves
 from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.kinematics.robot_logs import read_log_of, trajectory_for
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_about_axes
-from stewart_sym.studies.accuracy.budget import read_budget
 
 TOOL = np.array([0.1, -0.2, 0.4])
 LOADS = [f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz"]
@@ -50,18 +49,6 @@ def test_the_motion_of_another_point_has_the_rates_of_its_place() -> None:
     at = waving(np.array([0.4 - step, 0.4, 0.4 + step])).at_point(TOOL)
     np.testing.assert_allclose((at.t[2] - at.t[0]) / (2 * step), at.v[1], atol=1e-9)
     np.testing.assert_allclose((at.v[2] - at.v[0]) / (2 * step), at.a[1], atol=1e-8)
-
-
-def test_about_a_point_and_back_is_the_motion() -> None:
-    rng = np.random.default_rng(30)
-    motion = random_motion(rng, random_robot(rng), (4,))
-    back = motion.at_point(TOOL).at_point(-TOOL)
-    for name in FIELDS:
-        np.testing.assert_allclose(getattr(back, name), getattr(motion, name), rtol=1e-12, atol=1e-12)
-    bare = ss.Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v).at_point(TOOL)
-    assert bare.a is bare.alpha is bare.F_ext is bare.M_ext is None
-    with pytest.raises(ValueError, match="read-only"):
-        bare.t[...] = 0.0
 
 
 def test_a_machine_named_by_another_reference_point_needs_the_same_forces() -> None:
@@ -156,15 +143,6 @@ def test_relative_lengths_are_less_those_of_the_home_pose(robot: ss.Robot, tmp_p
     bare = dataclasses.replace(robot, home_position=None)
     with pytest.raises(ValueError, match=r"log\.csv: relative lengths: add home_position"):
         read_log_of(bare, path, ss.TrajectoryFormat(length_mode="relative"))
-
-
-def test_the_motions_of_a_budget_are_those_of_the_reference_point(robot: ss.Robot, tmp_path: Path) -> None:
-    time = np.linspace(0.0, 1.0, 101)
-    saved_poses(tmp_path / "log.csv", time, tool_poses(time))
-    written(robot, tmp_path / "robot.toml")
-    scene = tmp_path / "scene.toml"
-    scene.write_text('schema = 1\nrobot = "robot.toml"\nmotions = ["log.csv"]\ntolerance = 0.01\n')
-    np.testing.assert_allclose(read_budget(scene).motions["log.csv"].t, waving(time).t, atol=1e-15)
 
 
 @pytest.mark.parametrize("order", ["zyx", "xyz"])

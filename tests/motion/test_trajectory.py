@@ -1,21 +1,17 @@
 """Trajectories: blends as (39) and (40), splines, quintics between instants; bad CSV by row and column."""
 
-import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from command_line import error_of, rejects
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from log_files import NAMES, RATES, write
 from log_files import NAMES as POSE
+from log_files import RATES, write
 from machines import Array, rotation
-from motion_fields import FIELDS, UNLOADED, skew_part
+from motion_fields import skew_part
 
 import stewart_sym as ss
-from stewart_sym.io.extras import install
 from stewart_sym.motion.interpolation import followed, interpolate
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import (
@@ -69,8 +65,8 @@ def test_paper_paths_have_the_paper_blends() -> None:
     np.testing.assert_allclose(ss.PAPER_PATHS["III"].path.sample(6.0).t, [0.8, 1.8, 1.8])
 
 
-@pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PAPER_PATHS.values())])
-def test_sample_follows_39_and_40(path: ss.StraightLinePath) -> None:
+def test_sample_follows_39_and_40() -> None:
+    path = line()
     direction = np.subtract(path.t1, path.t0) / path.distance
     blend = path.tau_f - path.distance / path.V
     assert path.tau_t == pytest.approx(blend)
@@ -81,17 +77,6 @@ def test_sample_follows_39_and_40(path: ss.StraightLinePath) -> None:
     np.testing.assert_allclose(cruise.v, path.V * direction, rtol=1e-12, atol=1e-15)
     np.testing.assert_allclose(cruise.t, 0.5 * np.add(path.t0, path.t1), rtol=1e-12)
     np.testing.assert_allclose(start.v, 0.3 * path.V * direction, rtol=1e-12, atol=1e-15)
-
-
-@pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PAPER_PATHS.values())])
-def test_velocity_and_pose_are_continuous_at_the_breaks(path: ss.StraightLinePath) -> None:
-    inner = path.breakpoints()[1:-1]
-    h = 1e-9 * path.tau_f
-    before, after = path.sample(inner - h), path.sample(inner + h)
-    for name in ("t", "R", "v", "omega"):
-        np.testing.assert_allclose(getattr(before, name), getattr(after, name), atol=2e-8)
-    jumps = np.linalg.norm(np.subtract(accelerations(after), accelerations(before)), axis=-1).max(axis=0)
-    assert np.all(jumps > 1e-2 * path.V)
 
 
 @pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PAPER_PATHS.values())])
@@ -110,49 +95,6 @@ def test_between_breaks_accelerations_integrate_to_velocities(path: ss.StraightL
         np.testing.assert_allclose(integral, np.diff(value, axis=0), atol=1e-13)
 
 
-@settings(deadline=None)
-@given(
-    share=st.floats(1e-6, 1.0),
-    tau_f=st.floats(1e-3, 1e3),
-    end=st.tuples(*[st.floats(-5.0, 5.0)] * 3).filter(lambda x: np.linalg.norm(x) > 1e-3),
-    tau=st.floats(0.0, 1.0),
-)
-def test_paths_are_symmetric(share: float, tau_f: float, end: tuple[float, float, float], tau: float) -> None:
-    speed = float(np.linalg.norm(end)) / tau_f * (1.0 + share)
-    path = ss.StraightLinePath((0, 0, 0), (0, 0, 0), end, (0, 0, 0), tau_f, V=speed, Omega=1.0)
-    size = float(np.linalg.norm(end))
-    there, back = path.sample([tau * tau_f, tau_f - tau * tau_f])
-    np.testing.assert_allclose(there.t + back.t, np.array(end), atol=1e-12 * size)
-    np.testing.assert_allclose(there.v, back.v, atol=1e-12 * speed / share)
-    assert np.linalg.norm(there.v) <= speed * (1.0 + 1e-12)
-
-
-def test_part_without_distance_rests() -> None:
-    path = line(theta1=(0.0, -0.1, 0.2), Omega=0.0)
-    motion = path.sample([0.0, 0.1, 1.0, 2.0])
-    np.testing.assert_array_equal(motion.R, np.tile(rotation_from_rpy(path.theta0), (4, 1, 1)))
-    np.testing.assert_array_equal(motion.omega, np.zeros((4, 3)))
-    np.testing.assert_array_equal(accelerations(motion)[1], np.zeros((4, 3)))
-    np.testing.assert_allclose(path.breakpoints(), [0.0, path.tau_t, 2.0 - path.tau_t, 2.0])
-    at_rest = line(t1=(0.1, 0.2, 0.3), theta1=(0.0, -0.1, 0.2))
-    np.testing.assert_array_equal(at_rest.breakpoints(), [0.0, 2.0])
-    np.testing.assert_array_equal(at_rest.sample(1.0).t, at_rest.t0)
-
-
-def test_breaks_are_where_the_accelerations_jump() -> None:
-    path = line()
-    expected = [0.0, path.tau_t, path.tau_theta, 2.0 - path.tau_theta, 2.0 - path.tau_t, 2.0]
-    np.testing.assert_allclose(path.breakpoints(), np.sort(expected))
-    triangle = line(V=path.distance, Omega=path.angle)
-    np.testing.assert_allclose(triangle.breakpoints(), [0.0, 1.0, 2.0])
-
-
-def test_at_a_break_the_acceleration_is_the_following_one() -> None:
-    path, _ = ss.PAPER_PATHS["II"]
-    alpha = accelerations(path.sample([0.0, 0.1, 0.5, 0.6]))[1]
-    np.testing.assert_allclose(alpha[:, 2], [8.0, 0.0, -8.0, -8.0])
-
-
 @pytest.mark.parametrize("name", list(ss.PAPER_PATHS))
 def test_grid_of_the_paper_has_61_times(name: str) -> None:
     path, dtau = ss.PAPER_PATHS[name]
@@ -160,11 +102,6 @@ def test_grid_of_the_paper_has_61_times(name: str) -> None:
     assert len(times) == 61
     np.testing.assert_allclose(times, np.arange(61) * dtau, rtol=1e-15)
     assert times[-1] == path.tau_f
-
-
-def test_grid_ends_at_tau_f_when_the_step_does_not_fit() -> None:
-    np.testing.assert_allclose(line().time_grid(0.6), [0.0, 0.6, 1.2, 1.8, 2.0])
-    np.testing.assert_array_equal(line().time_grid(2.0), [0.0, 2.0])
 
 
 @pytest.mark.parametrize(
@@ -182,12 +119,6 @@ def test_steps_and_times_outside_of_the_path_and_no_numbers_are_named(
         assert error_of(lambda time=time: getattr(line(), name)(time)).startswith(words)
 
 
-def test_any_shape_of_times() -> None:
-    assert line().sample(1.0).shape == ()
-    assert line().sample(np.zeros((4, 2))).shape == (4, 2)
-    assert line().sample([]).shape == (0,)
-
-
 @pytest.mark.parametrize(
     ("changes", "expected"),
     [
@@ -199,30 +130,18 @@ def test_any_shape_of_times() -> None:
             {"t1": (0.1, 0.2, 1.3), "V": 1.001},
             "V: 1.001 m/s is too large for tau_f = 2 s, expected more than 0.5 and at most 1 m/s",
         ),
-        ({"V": -0.5}, "V: -0.5 m/s is too small"),
         (
             {"Omega": 0.0},
             "Omega: 0 rad/s is too small for tau_f = 2 s, expected more than 0.3937 and at most 0.787401",
         ),
-        ({"Omega": 9.0}, "Omega: 9 rad/s is too large"),
         ({"tau_f": 0.0}, "tau_f: expected a duration > 0 s"),
-        ({"axes": 2.0 * np.eye(3)}, "axes: expected a rotation matrix, axes^T axes differs"),
         ({"axes": -np.eye(3)}, "axes: expected a rotation matrix, this one is a reflection"),
         ({"tau_f": "2"}, "tau_f: expected a finite number, got '2'"),
-        ({"V": float("nan")}, "V: expected a finite number, got nan"),
         ({"t0": (0.0, 1.0)}, "t0: expected three numbers, got (0.0, 1.0)"),
-        ({"theta1": 1.0}, "theta1: expected three numbers, got 1.0"),
-        ({"theta1": (0, 0, float("inf"))}, "theta1: expected a finite number, got inf"),
     ],
 )
 def test_impossible_path_is_named(changes: dict[str, Any], expected: str) -> None:
     assert error_of(lambda: line(**changes)).startswith(expected)
-
-
-def test_top_speed_may_be_twice_the_mean() -> None:
-    path = line(t1=(0.1, 0.2, 1.3), V=1.0)
-    assert path.tau_t == 1.0
-    assert np.linalg.norm(path.sample(1.0).v) == pytest.approx(1.0)
 
 
 # CSV
@@ -252,7 +171,7 @@ def test_csv_with_derivatives_and_loads_is_taken_as_it_is(tmp_path: Path) -> Non
         np.testing.assert_array_equal(getattr(motion, name), getattr(expected, name))
 
 
-@pytest.mark.parametrize(("n", "degree"), [(4, 3), (5, 3), (6, 5), (40, 5)])
+@pytest.mark.parametrize(("n", "degree"), [(4, 3), (40, 5)])
 def test_spline_differentiates_polynomials_of_its_degree(tmp_path: Path, n: int, degree: int) -> None:
     time, x, x_dot, x_ddot = smooth(n, degree)
     path = write(tmp_path / "pose.csv", POSE, np.column_stack([time, x]))
@@ -304,20 +223,15 @@ BAD: list[tuple[str, str]] = [
     (with_line(4, "0.2,0.1,0,0.5,0,0"), "line 4: expected 7 columns, got 6"),
     (with_line(5, "0.1,0.1,0,0.5,0,0,0"), "line 5: time: expected increasing times, got 0.1 after 0.2"),
     (with_line(3, "0.1,left,0,0.5,0,0,0"), "line 3: t_x: expected a finite number, got 'left'"),
-    (with_line(3, "0.1,1_0,0,0.5,0,0,0"), "line 3: t_x: expected a finite number, got '1_0'"),
     (with_line(7, "0.5,0.1,0,0.5,0,0,nan"), "line 7: theta_z: expected a finite number, got 'nan'"),
-    (with_line(7, "0.5,0.1,0,1e999,0,0,0"), "line 7: t_z: expected a finite number, got '1e999'"),
     (GOOD[1] + "\n" + GOOD[2], "unknown column '0'"),
     (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y"), "missing column theta_z"),
-    (with_line(1, "t_x,t_y,t_z,theta_x,theta_y,theta_z,F_ext_x"), "missing column time"),
     (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y,yaw"), "unknown column 'yaw'"),
     (with_line(1, "time,t_x,t_x,t_z,theta_x,theta_y,theta_z"), "column t_x is given twice"),
-    (with_line(1, GOOD[0] + ",F_ext_x"), "missing column F_ext_y"),
     (
         with_line(1, ",".join(POSE + RATES[:6]), FULL),
         "missing column a_x: expected velocities and accelerations",
     ),
-    ("\n".join(GOOD[:2]), "expected at least 4 rows to fit a spline, got 1"),
     ("\n".join(GOOD[:4]), "expected at least 4 rows to fit a spline, got 3"),
     (with_line(3, '0.1,"' + "9" * 200_000 + '",0,0.5,0,0,0'), "line 3: not valid CSV"),
 ]
@@ -329,21 +243,6 @@ def test_bad_csv_is_named(tmp_path: Path, text: str, expected: str) -> None:
     path = tmp_path / "traj.csv"
     path.write_text(text, encoding="utf-8")
     assert error_of(lambda: read_csv(path)).startswith(f"{path}: {expected}")
-
-
-@pytest.mark.parametrize(
-    "known",
-    [
-        "t_x t_y t_z",
-        "q_w q_x q_y q_z",
-        "L_1 to L_6, L_dot_*, L_ddot_*",
-        "columns NAME=HEADER,...",
-    ],
-)
-def test_an_unknown_column_is_answered_with_all_that_are_known(tmp_path: Path, known: str) -> None:
-    path = tmp_path / "traj.csv"
-    path.write_text(with_line(1, "zeit,t_x,t_y,t_z,theta_x,theta_y,theta_z"), encoding="utf-8")
-    assert known in error_of(lambda: read_csv(path))
 
 
 def test_a_row_that_makes_no_motion_is_named(tmp_path: Path) -> None:
@@ -363,22 +262,6 @@ def test_rows_are_counted_as_in_the_file(tmp_path: Path) -> None:
     assert error_of(lambda: read_csv(path)) == f"{path}: line 6: expected 7 columns, got 2"
 
 
-def test_without_scipy_the_error_says_what_to_install(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path = tmp_path / "traj.csv"
-    path.write_text("\n".join(GOOD), encoding="utf-8")
-    monkeypatch.setitem(sys.modules, "scipy", None)
-    monkeypatch.setitem(sys.modules, "scipy.interpolate", None)
-    with pytest.raises(ImportError) as caught:
-        read_csv(path)
-    assert install("sim") in str(caught.value)
-    assert "\n" not in str(caught.value)
-    full = tmp_path / "full.csv"
-    full.write_text("\n".join(FULL), encoding="utf-8")
-    assert read_csv(full)[1].shape == (2,)
-
-
 def wild(count: int = 7) -> Trajectory:
     """Random rotations of up to a half turn from one instant to the next, loads included."""
     rng = np.random.default_rng(0)
@@ -387,13 +270,6 @@ def wild(count: int = 7) -> Trajectory:
     names = ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
     motion = ss.Motion(R=R, **dict(zip(names, rng.normal(size=(7, count, 3)), strict=True)))
     return Trajectory(time, motion, "wild.csv", tuple(range(2, count + 2)))
-
-
-def test_instants_are_kept() -> None:
-    trajectory = wild()
-    found = interpolate(trajectory)(trajectory.time)
-    for name in FIELDS:
-        np.testing.assert_allclose(getattr(found, name), getattr(trajectory.motion, name), atol=1e-12)
 
 
 def test_rates_and_accelerations_are_those_of_the_poses() -> None:
@@ -405,28 +281,6 @@ def test_rates_and_accelerations_are_those_of_the_poses() -> None:
     np.testing.assert_allclose((after.omega - before.omega) / (2 * h), at.alpha, atol=1e-5)
     spin = (after.R - before.R) / (2 * h) @ np.swapaxes(at.R, -1, -2)
     np.testing.assert_allclose(skew_part(spin), at.omega, atol=1e-6)
-
-
-def test_the_papers_path_comes_back_between_its_samples() -> None:
-    path = ss.PAPER_PATHS["III"].path
-    time = path.time_grid(0.1)
-    found = interpolate(Trajectory(time, path.sample(time), "III", tuple(range(61))))
-    inside = np.linspace(3.6, 4.1, 101)
-    for name, tolerance in zip(UNLOADED, (1e-14, 1e-14, 1e-13, 1e-13, 1e-11, 1e-11), strict=True):
-        expected = getattr(path.sample(inside), name)
-        np.testing.assert_allclose(getattr(found(inside), name), expected, atol=tolerance)
-
-
-def test_positions_are_the_spline_that_gave_the_rates(tmp_path) -> None:
-    from scipy.interpolate import make_interp_spline
-
-    rng = np.random.default_rng(1)
-    time, t = np.cumsum(rng.uniform(0.1, 0.3, 9)), rng.normal(size=(9, 3))
-    log = write(tmp_path / "t.csv", NAMES, np.hstack([time[:, None], t, 0.1 * t]))
-    path = interpolate(read_csv(log))
-    times = np.linspace(time[0], time[-1], 200)
-    spline = make_interp_spline(time - time[0], t, k=5)
-    np.testing.assert_allclose(path(times).t, spline(times - time[0]), atol=1e-9)
 
 
 def test_times_outside_and_single_instants_are_rejected() -> None:
@@ -444,16 +298,3 @@ def test_times_outside_and_single_instants_are_rejected() -> None:
         odd = Trajectory(time, at, "odd.csv", (2, 3)[: len(time)])
         for function in (interpolate, followed, lambda odd: ss.resample(odd, 10.0)):
             rejects(f"^odd.csv: expected {text}$", function, odd)
-
-
-def test_one_time_after_the_other_gives_the_same_motion_since_the_first_instant() -> None:
-    trajectory = wild()
-    path, one = interpolate(trajectory), followed(trajectory)
-    for time in np.linspace(*trajectory.time[[0, -1]], 23)[:-1]:
-        expected, found = path(time), one(time - trajectory.time[0])
-        for name in FIELDS:
-            np.testing.assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-9, atol=1e-9)
-    after = one(1e3)
-    np.testing.assert_array_equal(after.t, trajectory.motion.t[-1])
-    np.testing.assert_array_equal(after.F_ext, trajectory.motion.F_ext[-1])
-    assert not after.omega.any()

@@ -118,7 +118,7 @@ def test_a_row_of_units_that_contradicts_its_numbers_is_an_error_with_the_option
     assert fault(robot, path, ss.TrajectoryFormat(**{name: stated})) == ""
 
 
-@pytest.mark.parametrize("command", ["forces", "size-actuators", "singularities", "view", "identify"])
+@pytest.mark.parametrize("command", ["forces", "identify"])
 def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path: Path, fails: Fails) -> None:
     robot = dasgupta()
     written(robot, tmp_path / "robot.toml")
@@ -128,15 +128,3 @@ def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path:
     assert f"{path}: lengths of " in line
     assert line.endswith("length_unit=mm, or length_unit=m if m is right")
     assert not (tmp_path / "out.html").exists()
-
-
-def test_forces_names_the_unit_of_time_before_it_writes(tmp_path: Path, fails: Fails) -> None:
-    robot = dasgupta()
-    written(robot, tmp_path / "robot.toml")
-    path = log(tmp_path / "log.csv", poses(*moves(robot, 0.02, 0.05)))
-    rows = path.read_text().splitlines()
-    late = [f"{1e3 * float(time)},{rest}" for time, rest in (row.split(",", 1) for row in rows[1:])]
-    path.write_text("\n".join([rows[0], *late]))
-    line = fails("forces", tmp_path / "robot.toml", path, "-o", tmp_path / "out.csv")
-    assert line.endswith("if read in s; give time_unit=ms, or time_unit=s if s is right")
-    assert not (tmp_path / "out.csv").exists()

@@ -188,10 +188,3 @@ def test_the_least_time_is_named_where_a_duration_is_shorter() -> None:
     robot, path, quick = case(0)
     with pytest.raises(ValueError, match=f"duration: expected at least the least time, {quick.duration:.3g}"):
         parameterize_path(robot, path, minimize="energy", duration=0.5 * quick.duration, grid_size=100)
-
-
-@pytest.mark.slow
-def test_in_the_least_time_there_is_one_motion() -> None:
-    robot, path, quick = case(0)
-    plan = parameterize_path(robot, path, minimize="energy", duration=quick.duration, grid_size=100)
-    assert work(plan) == pytest.approx(work(quick), rel=1e-6)

@@ -100,7 +100,6 @@ JUMP = (
 @pytest.mark.parametrize(
     ("path", "message"),
     [
-        (changed(v=0.5, omega=0.5), RATES),
         (changed(v=1.01), RATES),
         (changed(alpha=0.5), JUMP),
         (through(make_interp_spline(*rows(), 1)), JUMP + r"changes by \S+ m from s = 0.45"),
@@ -119,12 +118,8 @@ def test_rates_that_contradict_the_poses_or_jump_are_named(path: Path, message: 
     "path",
     [
         *(through(smooth(degree)) for degree in (2, 3, 5)),
-        *(through(make_interp_spline(*rows(60), degree)) for degree in (2, 3)),
         through(PchipInterpolator(*rows(30))),
         through(smooth(), size=1e-5),
-        through(
-            lambda s, order=0: (90.0**order * np.sin(90.0 * s + 0.5 * np.pi * order) * np.ones((6, 1))).T / 99
-        ),
         within_a_straight_line,
     ],
 )

@@ -14,17 +14,13 @@ from command_line import Run
 from motion_fields import FIELDS, motion_of, waves
 from pages import DOCS
 
-import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.drives.effort import DriveLimitWarning, drive_effort
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
-from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
 from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
-from stewart_sym.planning.path_parameterization import TimedPath
-from stewart_sym.planning.plan_certificate import PlanCertificate, certify_plan
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
@@ -43,6 +39,7 @@ def via(folder: Path, text: str = VIA) -> str:
     return str(folder / "via.toml")
 
 
+@pytest.mark.slow
 def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path) -> None:
     out = folder / "out"
     assert main(["plan", via(folder), "-o", str(out), "--no-plots"]) == 0
@@ -56,33 +53,6 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
     F = inverse_dynamics(Robot.from_toml(folder / "hexapod.toml"), log.motion).F
     assert np.abs(F).max() <= 500.0 * (1.0 + 1e-9)
     assert np.abs(F).max() > 450.0
-
-
-def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are_broken(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, run: Run
-) -> None:
-    file = folder / "hexapod.toml"
-    text = file.read_text().replace("[base]", "home_position = [0.0, 0.0, 0.65]\n[base]")
-    file.write_text(text.replace("force_limit", "joint_angle_limit = [0.5, 0.6]\nforce_limit"))
-    found = []
-
-    def beyond(plan: TimedPath) -> PlanCertificate:
-        found.append(dataclasses.replace(certify_plan(plan), angles_ok=False))
-        return found[0]
-
-    monkeypatch.setattr(ss, "certify_plan", beyond)
-    out = run("plan", via(folder, SHORT), "-o", folder / "out", "--no-plots", code=1).out
-    assert "certificate  not valid: joint angles beyond their limits\n" in out
-    report = json.loads((folder / "out" / "report.json").read_text())
-    assert report["certificate"]["lengths_ok"]
-    assert not report["certificate"]["angles_ok"]
-    for end, limit in (("base", 0.5), ("platform", 0.6)):
-        angle = getattr(found[0], f"{end}_angle")
-        leg = int(np.argmax(angle.value))
-        most = f"angle      at the {end} up to {np.degrees(angle.value[leg]):.6g} degrees, leg {leg + 1} at "
-        assert most in out
-        assert [each[f"peak_{end}_angle_rad"] for each in report["legs"]] == angle.value.tolist()
-        assert {each[f"{end}_angle_limit_rad"] for each in report["legs"]} == {limit}
 
 
 @pytest.mark.slow
@@ -150,54 +120,8 @@ def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list
     assert not (folder / "out").exists()
 
 
-@pytest.mark.slow
-def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
-    text = SHORT.replace("[limits]", "[limits]\njerk = 200.0")
-    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-plots"]) == 0
-    found = json.loads((folder / "out" / "report.json").read_text())
-    assert found["certificate"]["is_valid"]
-    assert found["certificate"]["max_utilization"] > 0.99
-    log = read_csv(folder / "out" / "trajectory.csv")
-    legs = inverse_kinematics(Robot.from_toml(folder / "hexapod.toml"), log.motion).L_ddot
-    assert np.abs(legs[0]).max() < 1e-6
-    assert np.abs(np.diff(legs, axis=0)).max() * 200.0 <= 200.0 * (1.0 + 1e-6)
-
-
-def test_an_overflow_on_the_way_to_a_finite_plan_is_no_warning(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, run: Run
-) -> None:
-    def overflowing(*arguments: object, **options: object) -> TimedPath:
-        assert np.isinf(np.array([1e300]) ** 2)
-        return timing(*arguments, **options)
-
-    timing = ss.parameterize_path
-    monkeypatch.setattr(ss, "parameterize_path", overflowing)
-    assert run("plan", via(folder, PLAN), "-o", folder / "out", "--no-plots").err == ""
-
-
-def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, run: Run) -> None:
-    text = "rate = 2.0\n" + PLAN
-    (line,) = run("plan", via(folder, text), "-o", folder / "out", "--no-plots").err.splitlines()
-    duration = json.loads((folder / "out" / "report.json").read_text())["duration_s"]
-    rows = len(read_csv(folder / "out" / "trajectory.csv").time)
-    assert line.endswith(
-        f"via.toml: rate: expected 10 or more rows in trajectory.csv of a motion of {duration:.4g} s, "
-        f"got {rows} at 2 Hz"
-    )
-
-
-def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> None:
-    text = VIA.replace("theta = [0.10, -0.10, 0.20]", "theta = [5.7, -5.7, 11.5]")
-    warning, error = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
-    assert "via.toml: via: theta_z from -0.55 to 11.5 rad: are angles in degrees?" in warning
-    assert "via.toml: via 2: out of reach" in error
-    assert error.endswith(
-        "theta_z from -0.55 to 11.5 rad: are angles in degrees? Radians are expected (at line 14)"
-    )
-
-
-@pytest.mark.parametrize("limited", [True, False])
-def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run, limited: bool) -> None:
+def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run) -> None:
+    limited = False
     robot = folder / "hexapod.toml"
     if not limited:
         lines = robot.read_text().splitlines()
@@ -268,25 +192,14 @@ def limited(limit: str) -> str:
             )
         ),
         (PLAN + FIRST, "via 2: the path turns back at the pose"),
-        ('minimize = "energy"\n' + PLAN, 'via.toml: minimize: expected a duration for "energy" (at line 1)'),
-        ("rate = 1e9\n" + PLAN, "via.toml: rate: expected at most 10,000,000 samples, got "),
         (HEAD + FIRST + FIRST, "via 2: expected another pose than via pose 1 (at line 6)"),
         (limited("force = 10.0"), "at rest at s ="),
         (limited("max_condition = 1.1"), "via 1: expected a condition number of at most 1.1"),
-        (limited("forces = 1.0"), 'did you mean "force"?'),
         ("", "the file is empty"),
     ],
 )
 def test_bad_input_is_one_line_and_leaves_nothing_behind(folder: Path, text: str, words: str) -> None:
     check_rejected(folder, text, words)
-
-
-def test_a_singular_start_is_rejected(folder: Path) -> None:
-    """The platform in the plane of its base, level: no leg bears weight."""
-    robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
-    (folder / "flat.toml").write_text(robot)
-    text = PLAN.replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
-    check_rejected(folder, text, "via 1: expected a regular pose, got a singular pose")
 
 
 HEXAPOD = DOCS / "examples" / "hexapod.toml"
@@ -334,11 +247,6 @@ def test_forces_of_the_written_trajectory_are_the_plans_own(tmp_path: Path) -> N
         np.testing.assert_allclose(found[f"F_{leg}"], expected[f"F_{leg}"], rtol=0.0, atol=1e-9)
 
 
-def test_a_free_pose_may_be_given_out_of_reach(folder: Path) -> None:
-    text = HEAD + FIRST + SECOND.replace("0.1", "1.0") + "tolerance.x = [-0.95, 0.0]\n"
-    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-plots"]) == 0
-
-
 def test_near_gimbal_lock_poses_and_load_are_written_without_rates(tmp_path: Path) -> None:
     robot, time = Robot.from_toml(HEXAPOD), np.linspace(0.0, 2.0, 41)
     upright = waving(time, 0.5 * np.pi - 0.04)
@@ -347,3 +255,11 @@ def test_near_gimbal_lock_poses_and_load_are_written_without_rates(tmp_path: Pat
     assert not {"theta_x", "v_x"} & names
     for name in ("R", "t", "F_ext", "M_ext"):
         np.testing.assert_allclose(getattr(found, name), getattr(upright, name), atol=1e-12)
+
+
+def test_a_singular_start_is_rejected(folder: Path) -> None:
+    """The platform in the plane of its base, level: no leg bears weight."""
+    robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
+    (folder / "flat.toml").write_text(robot)
+    text = PLAN.replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
+    check_rejected(folder, text, "via 1: expected a regular pose, got a singular pose")

@@ -1,7 +1,6 @@
 """Absurd robots are doubted with their likely cause, sound ones and published ones are not."""
 
 import dataclasses
-import json
 from collections.abc import Callable
 from pathlib import Path
 
@@ -10,11 +9,8 @@ import pytest
 from command_line import Run, Told
 from plausible_machines import (
     ABSURD,
-    BASE,
-    PLATFORM,
     machine_of,
     published,
-    ring,
     sound,
     sound_machine,
     unlimited,
@@ -37,23 +33,13 @@ def check(tmp_path: Path, run: Run) -> Check:
 
 def test_check_warns_of_no_sound_machine(check: Check) -> None:
     rng = np.random.default_rng(200)
-    for i in range(share(100, 10)):
+    for i in range(share(100, 25)):
         assert check(sound_machine(rng)).err == "", i
 
 
-def test_check_names_both_sides_where_nothing_settles_which(check: Check) -> None:
-    flat = ss.robots.dasgupta1998()
-    flat = dataclasses.replace(
-        flat, b=flat.b * [1, 1, 0], p=flat.p * [1, 1, 0], g=np.zeros(3), suppressed_warnings=()
-    )
-    told = check(flat)
-    assert "gravity is 0, the side (0, 0, 1) of the base is taken; (0, 0, -1) is as plausible" in told.out
-    assert "as plausible" not in told.err
-
-
-@pytest.mark.parametrize("limited", [True, False])
 @pytest.mark.parametrize("name", published())
-def test_published_machines_are_not_doubted(name: str, limited: bool) -> None:
+def test_published_machines_are_not_doubted(name: str) -> None:
+    limited = True
     rng = np.random.default_rng(1)
     for joint in ("universal", "spherical"):
         assert find_implausible(machine_of(rng, *published()[name], joint, limited)) == []
@@ -80,15 +66,7 @@ def test_absurd_machines_are_doubted_with_their_likely_cause_most_without_limits
         assert "\n" not in said.text
 
 
-@pytest.mark.parametrize("limited", [True, False])
-@pytest.mark.parametrize("size", [0.005, 0.02, 20.0])
-def test_a_machine_of_that_size_is_not_doubted(size: float, limited: bool) -> None:
-    rng = np.random.default_rng(10)
-    b, p, t = ring(size, BASE), ring(0.6 * size, PLATFORM), np.array([0.0, 0.0, 1.4 * size])
-    assert find_implausible(machine_of(rng, b, p, t, limited=limited)) == []
-
-
-@pytest.mark.parametrize("size", [5e-324, 1e-200, 1e-100, 1e100, 1e160, 1e308])
+@pytest.mark.parametrize("size", [5e-324, 1e308])
 def test_numbers_near_the_ends_of_double_are_doubted_and_nothing_else_happens(size: float) -> None:
     for name in ("g", "b", "p", "M", "R_0", "I_p", "r_d0", "I_u0", "m_u", "C_p"):
         values = np.asarray(getattr(unlimited(), name))
@@ -130,7 +108,7 @@ def arguments_of(command: str, robot: Path, folder: Path) -> list[str]:
     }[command]
 
 
-@pytest.mark.parametrize("command", ["check", "generate", "forces", "singularities", "simulate"])
+@pytest.mark.parametrize("command", ["check", "forces", "simulate"])
 def test_every_subcommand_warns_of_a_doubtful_robot(command: str, tmp_path: Path, run: Run) -> None:
     for change, count in ((ABSURD["speed limit in mm/s"][0], 1), (lambda robot: robot, 0)):
         folder = tmp_path / str(count)
@@ -143,66 +121,6 @@ def test_every_subcommand_warns_of_a_doubtful_robot(command: str, tmp_path: Path
             if "[speed-limit]" in line
         ]
         assert len(told) == count
-
-
-def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run) -> None:
-    path, numbers = (
-        tmp_path / "robot.toml",
-        {"screw_coulomb": 40.0, "motor_coulomb": 0.08, "stribeck_force": 5.0},
-    )
-    numbers |= {"torque_limit": 12.0, "rated_torque": 4.0, "speed_limit": 628.0, "power_limit": 900.0}
-    numbers |= {"current_limit": 15.0, "torque_constant": 0.9, "stribeck_speed": 0.1}
-    lead = 0.005 * np.array([1, 1, 1, -1, 1, 1])
-    drive = ss.Drive(lead=lead, **numbers)
-    angles = np.tile([0.5, 0.6], (6, 1))
-    robot = dataclasses.replace(
-        sound(),
-        drive=drive,
-        home_position=[0.0, 0.0, 0.7],
-        joint_angle_limit=angles,
-        suppressed_warnings=("drive-limit",),
-    )
-    written(robot, path)
-    told = run("check", path, "-o", tmp_path / "out", "--no-plots").out
-    assert "drives       0.005 m per turn of the motor (leg 4: -0.005), reflected mass 0 kg, " in told
-    assert "dry friction along the leg 40 N, more at rest 5 N, dry friction of the motor 0.08 N m\n" in told
-    assert (
-        "motors       torque up to 12 N m, rated torque up to 4 N m, speed up to 628 rad/s, current" in told
-    )
-    assert "joint angles from home 28.65 and 34.38 degrees (base and platform joint)\n" in told
-    data = json.loads((tmp_path / "out" / "report.json").read_text())
-    assert data["joint_angle_limit_rad"] == angles.tolist()
-    assert data["drive_lead_m"] == lead.tolist()
-    stated = (
-        "speed_limit_rad_per_s",
-        "current_limit_A",
-        "power_limit_W",
-        "screw_coulomb_N",
-        "rated_torque_N_m",
-    )
-    assert [data[f"drive_{name}"][0] for name in stated] == [628.0, 15.0, 900.0, 40.0, 4.0]
-
-
-@pytest.mark.parametrize(("gravity", "stands", "hangs"), [(-9.81, "+z", "-z"), (9.81, "-z", "+z")])
-def test_check_says_on_which_side_of_the_base_a_platform_stands(
-    gravity: float, stands: str, hangs: str, check: Check
-) -> None:
-    told = check(dataclasses.replace(sound(), g=[0.0, 0.0, gravity]))
-    assert f"a platform on the {stands} side of the base stands on its legs (compression)" in told.out
-    assert f"one on the {hangs} side hangs from them (tension)" in told.out
-    (side,) = (line for line in told.out.splitlines() if line.startswith("side "))
-    sign = -np.sign(gravity)
-    assert f"(0, 0, {sign:g}) of the base, against gravity: the platform stands on its legs" in side
-    assert side.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
-    assert told.err == ""
-    there = dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home_position=[0.0, 0.0, -0.4 * sign])
-    stated = f"(0, 0, {-sign:g}) of the base, at the home pose of the robot file: "
-    assert f"{stated}the platform hangs below its base; on the other side, " in check(there).out
-
-
-@pytest.mark.parametrize("gravity", [[9.81, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 6.0, -7.0]])
-def test_check_names_no_side_where_gravity_is_not_across_the_base(gravity: list[float], check: Check) -> None:
-    assert "side of the base stands" not in check(dataclasses.replace(unlimited(), g=gravity)).out
 
 
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:
@@ -219,12 +137,3 @@ def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_b
             dataclasses.replace(sound(), drive=ss.Drive(lead=0.005, torque_limit=2.0, rated_torque=1e-4))
         )[0].text
     )
-
-
-def test_an_accepted_doubt_hides_no_other() -> None:
-    robot = ss.robots.dasgupta1998()
-    weak = dataclasses.replace(robot, g=10.0 * robot.g, force_limit=np.full(6, 10.0))
-    assert [doubt.name for doubt in find_implausible(weak)] == ["gravity"]
-    assert [
-        doubt.name for doubt in find_implausible(dataclasses.replace(weak, suppressed_warnings=("gravity",)))
-    ] == ["force-limit"]

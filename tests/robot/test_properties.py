@@ -206,23 +206,6 @@ def test_results_follow_the_order_of_the_legs(seed: int, order: list[int]) -> No
 # --- there and back
 
 
-@FEW
-@given(seed=seeds)
-def test_lengths_lead_back_to_the_motion(seed: int) -> None:
-    robot, motion = machine(seed, (2,))
-    legs = ss.inverse_kinematics(robot, motion)
-    near = (motion.R @ rotation(np.full(3, 1e-3)), motion.t * (1 + 1e-3))
-    pose = ss.forward_kinematics(robot, legs.L, near)
-    condition = ss.condition_number(ss.wrench_matrix(robot, motion))[:, None]
-    assert (np.abs(pose.t - motion.t) <= 1e-13 * condition * np.abs(motion.t).max()).all()
-    v, omega = ss.forward_velocity(robot, motion.R, motion.t, legs.L_dot)
-    a, alpha = ss.forward_acceleration(robot, motion.R, motion.t, motion.v, motion.omega, legs.L_ddot)
-    for found, name in ((v, "v"), (omega, "omega"), (a, "a"), (alpha, "alpha")):
-        expected = getattr(motion, name)
-        scale = np.abs(motion.v).max() ** 2 + np.abs(motion.a).max() + np.abs(expected).max()
-        assert (np.abs(found - expected) <= 1e-11 * condition * scale).all(), name
-
-
 # --- extremes: finite, or a status
 
 
@@ -293,30 +276,21 @@ def circle() -> list[Any]:
 WRONG: dict[str, Any] = {
     "None": None,
     "text": "x",
-    "bytes": b"x",
     "complex": 1j,
     "nothing": [],
     "table": {},
-    "set": {1.0},
     "object": object(),
     "nan": np.nan,
     "infinite": -np.inf,
     "five": np.zeros(5),
     "ragged": [[1], [1, 2]],
-    "empty": np.zeros(0),
     "True": True,
     "many digits": 16**5000,
-    "objects": np.array([None] * 6),
-    "dates": np.array(["2020-01-01"] * 6, dtype="M8[D]"),
-    "nan of legs": np.full(6, np.nan),
     "nan vector": np.full(3, np.nan),
     "nan matrix": np.full((3, 3), np.nan),
     "zero matrix": np.zeros((3, 3)),
     "seven vectors": np.zeros((7, 3)),
-    "a generator": (i for i in range(3)),
-    "a type": float,
     "a module": np,
-    "texts": ["a"] * 6,
     "record": np.zeros(3, dtype=[("a", float)]),
     "circle": circle(),
 }

@@ -1,7 +1,6 @@
 """Scenes: what a file says is what is run; what is wrong with one is one line and leaves nothing behind."""
 
 import dataclasses
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +9,6 @@ from command_line import Fails, Run, folder_state, read
 from robot_files import scene_of
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
-from stewart_sym.io.extras import install
 from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
@@ -84,21 +81,6 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
 
 
-def test_tables_need_no_matplotlib(scene: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
-    monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    before = folder_state(scene.parent)
-    assert install("plot") in fails("simulate", scene, "-o", scene.parent / "out")
-    assert folder_state(scene.parent) == before
-    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-plots"]) == 0
-    assert sorted(path.name for path in (scene.parent / "out").glob("[!.]*")) == [
-        "run.csv",
-        "summary.json",
-        "summary.txt",
-    ]
-
-
 def test_tracking_starts_on_its_path_and_stays_there(scene: Path) -> None:
     scene.write_text(TRACK)
     done = read_scene(scene)
@@ -130,29 +112,6 @@ def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     assert done.run().stop.reason == "completed"
 
 
-def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> None:
-    """As `forces` does: those of rows so far apart that no curve through the poses has their rates."""
-    motion = ss.PAPER_PATHS["II"].path.sample([0.0, 0.2, 0.4])
-    F_ext, M_ext = np.array([[3.0, 1.0, -40.0]] * 3) * [[1.0], [0.5], [0.0]], np.full((3, 3), 2.0)
-    loaded = dataclasses.replace(motion, F_ext=F_ext, M_ext=M_ext)
-    robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
-    columns = trajectory_columns(robot, np.array([0.0, 0.2, 0.4]), loaded)
-    (scene.parent / "path.csv").write_text("".join(csv_lines(columns)))
-    scene.write_text(
-        TRACK.replace('"II"', '"path.csv"').replace("paper", "exact").replace("rate = 500.0", "")
-    )
-    tracked, needed = read_scene(scene).run(), ss.inverse_dynamics(robot, loaded).F
-    np.testing.assert_allclose(tracked.F[0], needed[0], rtol=1e-12)
-    np.testing.assert_allclose(
-        tracked.t[-1], followed(read_csv(scene.parent / "path.csv"))(0.05).t, atol=1e-9
-    )
-    text = scene.read_text()
-    scene.write_text(text.replace("[actuation]", "[load]\nF_ext = [0.0, 0.0, -500.0]\n[actuation]"))
-    heavier = read_scene(scene).run()
-    np.testing.assert_allclose(heavier.F[0], needed[0], rtol=1e-12)
-    assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4
-
-
 def test_constant_forces_and_a_load(scene: Path) -> None:
     legs = (
         '[actuation]\ntype = "constant_force"\nforces = [1, 2, 3, 4, 5, 6]\n[load]\nF_ext = [0.0, 0.0, 392.4]'
@@ -180,16 +139,7 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None
     [
         ("", "", ""),
         ("[0.2, 0.0, 0.8]", "[200.0, 0.0, 800.0]", "state.t: lengths of 824.6 m compared with a machine of "),
-        ("[0.2, 0.0, 0.8]", "[0.2, 0.0, -0.8]", "state.t: the platform starts on the other side of the base"),
         ("[0.1, 0.0, 0.2]", "[5.0, 0.0, 0.2]", "state.theta: 5 rad about x: in degrees, expected radians?"),
-        ("v = [0.05", "v = [50.0", "state.v: 50 m/s, 12 times what a fall through the length of a leg gives"),
-        ("theta = ", "omega = [0.0, 40.0, 0.0]\ntheta = ", "state.omega: 40 rad/s, "),
-        (
-            "= 4e4",
-            "= 4e4\nrest_length = 900.0",
-            "actuation.rest_length: lengths of 900 m compared with a machine of ",
-        ),
-        ("= 4e4", "= 4e4\nrest_length = 0.0", ""),
     ],
 )
 def test_a_start_that_is_no_machines_is_warned_of(
@@ -210,7 +160,6 @@ def test_a_start_that_is_no_machines_is_warned_of(
     [
         ("schema = 1", "schema = ", "not valid TOML"),
         ("duration = 0.1", "", "duration: missing"),
-        ("duration = 0.1", "duration = 1e9", "duration: expected at most 86400 s, a day, got 1000000000.0"),
         ("duration = 0.1", "duraton = 0.1", 'duraton: unknown key, did you mean "duration"?'),
         ("output_step = 0.01", 'method = "Euler"', 'method: expected "DOP853" or "Radau", got \'Euler\''),
         (
@@ -220,19 +169,10 @@ def test_a_start_that_is_no_machines_is_warned_of(
         ),
         ("stiffness = 4e4", "stiffness = -1", "actuation.stiffness: expected numbers >= 0, got -1"),
         (
-            "stiffness = 4e4",
-            "stiffness = 4e4\ndamping = -2",
-            "actuation.damping: expected numbers >= 0, got -2",
-        ),
-        ("output_step = 0.01", "rtol = 0.5", "rtol: expected a number in [1e-13, 0.01], got 0.5"),
-        ("stiffness = 4e4", "stiffness = 4e4\nrate = 9", "actuation.rate: unknown key"),
-        (
             "[actuation]",
             "[stop_conditions]\nmax_condition = 0.5\n[actuation]",
             "stop_conditions.max_condition: expected",
         ),
-        ("[actuation]", "[load]\nF_ext = 3\n[actuation]", "load.F_ext: expected 3 finite numbers, got 3"),
-        ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
     ],
 )
 def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
@@ -252,8 +192,6 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
     [
         ('path = "II"', 'path = "none.csv"', "actuation.path: expected a file, there is no "),
         ('path = "II"', "", "actuation.path: missing"),
-        ("k_p = 400", "k_p = -1", "actuation.k_p: expected a number >= 0, got -1"),
-        ("rate = 500.0", "rate = 1e9", "rate: expected at most 2e+08 Hz, for at most 10000000 calls"),
         (
             'model_formulation = "paper"',
             'model_formulation = "best"',
@@ -267,12 +205,24 @@ def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str,
     assert not (scene.parent / "out").exists()
 
 
-def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, fails: Fails) -> None:
-    legs = '[actuation]\ntype = "constant_force"\nforces = [0, 0, 0, 0, 0, 0]\n'
-    # Platform point 2 on base point 2.
-    state = SWING.partition("[actuation]")[0].replace("[0.2, 0.0, 0.8]", "[-0.2, 0.3, 0.1]")
-    scene.write_text(state.replace("[0.1, 0.0, 0.2]", "[0.0, 0.0, 0.0]") + legs)
-    before = folder_state(scene.parent)
-    line = fails("simulate", scene, "-o", scene.parent / "out")
-    assert "initial_state: no accelerations: a leg has length zero" in line
-    assert folder_state(scene.parent).keys() == before.keys()
+def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> None:
+    """As `forces` does: those of rows so far apart that no curve through the poses has their rates."""
+    motion = ss.PAPER_PATHS["II"].path.sample([0.0, 0.2, 0.4])
+    F_ext, M_ext = np.array([[3.0, 1.0, -40.0]] * 3) * [[1.0], [0.5], [0.0]], np.full((3, 3), 2.0)
+    loaded = dataclasses.replace(motion, F_ext=F_ext, M_ext=M_ext)
+    robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
+    columns = trajectory_columns(robot, np.array([0.0, 0.2, 0.4]), loaded)
+    (scene.parent / "path.csv").write_text("".join(csv_lines(columns)))
+    scene.write_text(
+        TRACK.replace('"II"', '"path.csv"').replace("paper", "exact").replace("rate = 500.0", "")
+    )
+    tracked, needed = read_scene(scene).run(), ss.inverse_dynamics(robot, loaded).F
+    np.testing.assert_allclose(tracked.F[0], needed[0], rtol=1e-12)
+    np.testing.assert_allclose(
+        tracked.t[-1], followed(read_csv(scene.parent / "path.csv"))(0.05).t, atol=1e-9
+    )
+    text = scene.read_text()
+    scene.write_text(text.replace("[actuation]", "[load]\nF_ext = [0.0, 0.0, -500.0]\n[actuation]"))
+    heavier = read_scene(scene).run()
+    np.testing.assert_allclose(heavier.F[0], needed[0], rtol=1e-12)
+    assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4

@@ -10,7 +10,6 @@ from machines import dasgupta, home_position, machine_size, offset_case, random_
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.actuator_models import along
 from stewart_sym.studies.reports.run import springs_drift
@@ -41,6 +40,7 @@ def test_springs_that_push_away_are_rejected_in_one_line() -> None:
             ss.LegSprings.in_equilibrium(robot, home(robot), k)
 
 
+@pytest.mark.slow
 def test_exact_keeps_the_energy_and_paper_does_not() -> None:
     """Over 4 s: `exact` to 1e-9 of the mean kinetic energy; `paper` is off by more than 0.1 of it."""
     robot = machine(friction=False)
@@ -172,7 +172,7 @@ def test_a_leg_at_its_speed_limit_stops_the_run() -> None:
     assert np.abs(L_dot[:-1]).max() < 0.5
 
 
-@pytest.mark.parametrize("joint", [None, "spherical", "universal"], ids=["plain", "offsets", "U-C-U"])
+@pytest.mark.parametrize("joint", [None, "universal"], ids=["plain", "U-C-U"])
 @pytest.mark.parametrize("end", ["base", "platform"])
 def test_a_joint_at_its_largest_angle_stops_the_run_at_the_root(end: str, joint: str | None) -> None:
     robot = machine(base_joint="spherical") if joint is None else offset_case(3, joint)[0]
@@ -224,23 +224,6 @@ def test_tracking_path_III_stops_at_its_singular_pose() -> None:
     H = ss.wrench_matrix(robot, run.motion)[-1]
     condition = ss.scaled_condition_number(H, ss.characteristic_length(robot))
     assert condition == pytest.approx(1e6, rel=1e-3)
-
-
-def test_a_machine_that_falls_stops_where_det_H_first_changes_its_sign() -> None:
-    robot = machine(base_joint="spherical", friction=False)
-    state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
-    law = ss.LegSprings(robot, 100.0, ss.inverse_kinematics(robot, state).L)
-    run = ss.simulate(robot, state, law, 5.0)
-    assert run.stop.reason == "singular"
-    at = run.at(np.linspace(0.0, run.stop.time, 5000))
-    sides = np.sign(np.linalg.det(ss.wrench_matrix(robot, at.motion)))
-    assert (sides == sides[0]).all()
-    # Just after the stop the other side is reached.
-    last = ss.Motion(R=run.R[-1], t=run.t[-1], omega=run.omega[-1], v=run.v[-1])
-    after = ss.Motion(
-        R=rotation_from_vector(1e-4 * last.omega) @ last.R, t=last.t + 1e-4 * last.v, omega=ZERO, v=ZERO
-    )
-    assert np.sign(np.linalg.det(ss.wrench_matrix(robot, after))) == -sides[0]
 
 
 def test_zero_length_legs_and_legs_along_their_axes_stop_the_run() -> None:
@@ -316,17 +299,6 @@ def test_forces_and_loads_that_are_no_numbers_end_the_run_by_name(name: str, rat
     assert f"{name}: expected six finite numbers at {run.stop.time:.6g}" in run.stop.message
 
 
-def test_a_constant_load_is_the_same_as_one_by_function() -> None:
-    robot = machine()
-    load = np.array([30.0, 20.0, -10.0, 5.0, -3.0, 8.0])
-    state = dataclasses.replace(home(robot), F_ext=load[:3], M_ext=load[3:])
-    held = ss.simulate(robot, state, np.zeros(6), 0.1)
-    given = ss.simulate(robot, home(robot), np.zeros(6), 0.1, load=lambda time, state: load)
-    free = ss.simulate(robot, home(robot), np.zeros(6), 0.1)
-    np.testing.assert_array_equal(held.t, given.t)
-    assert np.abs(held.t[-1] - free.t[-1]).max() > 1e-5
-
-
 def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
     robot = machine()
     run = ss.simulate(robot, home(robot), np.zeros(6), 0.25, output_step=0.1)
@@ -339,16 +311,10 @@ def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
     ("wrong", "words"),
     [
         ({"duration": 0.0}, r"^duration: expected a number > 0, got 0.0$"),
-        ({"duration": 1e9}, r"^duration: expected at most 86400 s, a day, got 1000000000.0$"),
         ({"forces": lambda time, state: np.zeros(3)}, r"^forces: expected six numbers from the law at 0 s"),
         ({"control_rate": -1.0}, r"^control_rate: expected a number > 0"),
         ({"output_step": 1e-12}, r"^output_step: expected at least 1e-08 s, for at most 10000000 samples"),
         ({"rtol": 1e-14}, r"^rtol: expected a number in \[1e-13, 0.01\], got 1e-14$"),
-        ({"rtol": 0.1}, r"^rtol: expected"),
-        (
-            {"initial_state": ss.PAPER_PATHS["I"].path.sample([0.0, 1.0])},
-            r"^initial_state: expected one state",
-        ),
         ({"load": lambda time, state: 1.0}, r"^load: expected six numbers"),
     ],
 )
@@ -358,25 +324,10 @@ def test_bad_arguments_are_named(wrong: dict[str, Any], words: str) -> None:
     rejects(words, ss.simulate, robot, **arguments)
 
 
-@pytest.mark.parametrize("name", ["forces", "load"])
-def test_forces_and_loads_that_are_no_numbers_at_the_start_are_named(name: str) -> None:
-    robot = machine()
-    odd = {name: lambda time, state: np.full(6, np.nan)}
-    with pytest.raises(ValueError, match=f"^{name}: expected six finite numbers at 0 s, got"):
-        ss.simulate(robot, home(robot), **{"forces": np.zeros(6), "duration": 0.1} | odd)
-
-
-def test_times_outside_a_run_are_rejected() -> None:
-    robot = machine()
-    run = ss.simulate(robot, home(robot), np.zeros(6), 0.1)
-    rejects(r"^time: expected times in \[0, 0.1\] s, got 0.2$", run.at, [0.05, 0.2])
-
-
 @pytest.mark.parametrize(
     ("wrong", "words"),
     [
         ({"max_condition": 1.0}, r"^max_condition: expected a number > 1"),
-        ({"min_length": 0.0}, r"^min_length"),
         ({"min_joint_sine": 1.0}, r"^min_joint_sine: expected a number > 0 and < 1"),
     ],
 )

@@ -12,11 +12,9 @@ from robot_files import PRESS
 import stewart_sym as ss
 from stewart_sym.drives.friction import friction_force
 from stewart_sym.drives.rotors import leg_rates, rotors_by_acceleration
-from stewart_sym.dynamics.equations import ForwardDynamics
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.actuator_models import ForceLaw
-from stewart_sym.simulation.stick_slip import StickSlip
 
 DRIVE = ss.Drive(
     **{"lead": 5e-3, "efficiency": 0.9, "backdrive_efficiency": 0.8},
@@ -113,24 +111,10 @@ def test_what_turns_the_rotors_is_that_of_the_reference(base_joint: str) -> None
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize("modes", [(1, -1, 1, 1, -1, 1), (0, 1, 0, -1, 0, 1)])
-def test_states_solved_together_are_those_solved_alone(modes: tuple[int, ...]) -> None:
-    rng = np.random.default_rng(6)
-    robot = with_random_rotors(rng, random_robot(rng))
-    assert robot.drive is not None
-    robot = dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, efficiency=0.8))
-    plant = ForwardDynamics(robot).one_state()
-    sticking = StickSlip(robot, robot.drive, plant, lambda time, state: state)
-    states, motor = sticking.moving(random_motion(rng, robot, (3,)), modes), 50.0 * rng.normal(size=(3, 6))
-    together = sticking.solved(states, motor, modes)
-    for i, state in enumerate(states):
-        alone = sticking.solved(state, motor[i], modes)
-        for found, expected in zip(together[:-1], alone[:-1], strict=True):
-            np.testing.assert_allclose(found[i], expected, rtol=0.0, atol=1e-11 * np.abs(expected).max())
-
-
 @pytest.mark.slow
-def test_friction_that_is_smoothed_less_and_less_comes_to_the_same(bare: ss.Robot, robot: ss.Robot) -> None:
+def test_friction_that_is_smoothed_over_a_small_speed_comes_to_nearly_the_same(
+    bare: ss.Robot, robot: ss.Robot
+) -> None:
     law = swinging(bare)
 
     def smoothed(within: float) -> Callable[[float, ss.Motion], np.ndarray]:
@@ -147,15 +131,8 @@ def test_friction_that_is_smoothed_less_and_less_comes_to_the_same(bare: ss.Robo
 
     times = np.linspace(0.0, 0.04, 13)
     ours = ss.simulate(robot, HOME, law, 0.04).at(times).L
-    off = [
-        np.abs(
-            ss.simulate(bare, HOME, smoothed(v), 0.04, method="Radau", rtol=1e-7, atol=1e-11).at(times).L
-            - ours
-        ).max()
-        for v in (1e-3, 1e-4)
-    ]
-    assert off[1] < 4e-6
-    assert 7.0 < off[0] / off[1] < 13.0
+    run = ss.simulate(bare, HOME, smoothed(1e-3), 0.04, method="Radau", rtol=1e-7, atol=1e-11)
+    assert 1e-6 < np.abs(run.at(times).L - ours).max() < 5e-5
 
 
 @pytest.mark.slow
@@ -183,28 +160,6 @@ def test_a_screw_that_locks_itself_is_rejected(bare: ss.Robot, holding: np.ndarr
         ValueError, match="leg 1: backdrive_efficiency: expected a number > 0 in a simulation"
     ):
         ss.simulate(locked, HOME, holding, 0.1)
-
-
-@pytest.mark.slow
-def test_motors_of_a_run_do_the_work_that_its_drives_account_for(bare: ss.Robot, robot: ss.Robot) -> None:
-    from stewart_sym.studies.reports.run import motors_of, report
-
-    law = swinging(bare)
-    run = ss.simulate(robot, HOME, law, 0.1, output_step=1e-4)
-    found, drives = motors_of(robot, run), run.drive_work
-    assert found is not None
-    assert drives is not None
-    np.testing.assert_allclose(found.summary.energy, drives.done, atol=2e-3 * np.abs(drives.done).max())
-    expected = np.abs(run.F).max(axis=0) * 5e-3 / (2.0 * np.pi)
-    np.testing.assert_allclose(found.summary.peaks["torque"], expected, rtol=1e-12)
-    written = report(robot, run, law)
-    assert "RMS torque" in written.text
-    done, lost = drives.done.sum(), drives.lost.sum()
-    took = f"motors     work of {done:.6g} J, friction of the drives took {lost:.6g} J"
-    assert took in written.text
-    assert written.data["drive_friction_J"] == drives.lost.sum()
-    assert written.data["legs"][0]["motor_peak_torque_N_m"] == found.summary.peaks["torque"][0]
-    assert motors_of(bare, ss.simulate(bare, HOME, law, 1e-3)) is None
 
 
 def test_offsets_beside_friction_of_the_drives_are_named(robot: ss.Robot) -> None:

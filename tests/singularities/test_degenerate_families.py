@@ -30,10 +30,6 @@ from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
 
 import stewart_sym as ss
-from stewart_sym.backend import native
-from stewart_sym.backend.c_kernel import c_sources
-from stewart_sym.derive.kernel.tree.constants import constants
-from stewart_sym.dynamics import forces as force_kernels
 from stewart_sym.precision.truth import digits
 from stewart_sym.results import OK
 from stewart_sym.studies.robustness import study
@@ -97,40 +93,6 @@ def test_no_kernel_of_the_sweep_answers_for_a_singular_machine() -> None:
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_backend_answers_for_a_singular_machine(family: str) -> None:
     assert backends_that_answer(family, share(20), share(240)) == {}
-
-
-@pytest.mark.parametrize("precision", PRECISIONS)
-def test_a_quarter_of_the_limit_of_a_small_pivot_would_find_singular_machines(
-    precision: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    assert answered_with_limit(monkeypatch, precision, 0.25, machines=share(60, 60)) == 0
-    assert answered_with_limit(monkeypatch, precision, 0.0, machines=1) > 0
-
-
-def answered_with_limit(
-    monkeypatch: pytest.MonkeyPatch, precision: str, factor: float, machines: int, poses: int = 20
-) -> int:
-    """Poses of so many machines of each family that the force kernel answers with another pivot limit."""
-    defines: dict[str, str | int] = {
-        "STEWART_SUSPECT": f"((stewart_real){factor * constants(precision)['SUSPECT']!r})"
-    }
-    if precision == "float":
-        defines["STEWART_FLOAT"] = 1
-
-    def function(name: str, part: str, _: str, what: str) -> Any:
-        library = native.load(f"stewart_{name}_limit", c_sources(f"{name}_{part}"), ["-O0"], defines)
-        return getattr(library, f"stewart_{name}_{what}")
-
-    monkeypatch.setattr(force_kernels, "function", function)
-    rng = np.random.default_rng(41)
-    answered = 0
-    for number in range(machines):
-        for family in FAMILIES:
-            robot = singular_machine(rng, family, *size_and_mass(rng, number), LEGS[number % len(LEGS)])
-            motion = joined([random_motion(rng, robot) for _ in range(poses)])
-            status = ss.ForceKernel(robot, "exact", precision).forces_and_status(motion)[1]
-            answered += int(np.sum(status == OK))
-    return answered
 
 
 def backends_that_answer(family: str, machines: int, poses: int) -> dict[str, int]:

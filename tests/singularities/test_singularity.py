@@ -7,7 +7,7 @@ import pytest
 from command_line import rejects
 from machines import Array, dasgupta, machine_in_motion, machine_size, rotation
 from sweep_machines import joined
-from sweeps import share, sweep
+from sweeps import FULL, share, sweep
 from unsolvable_poses import hexagons, semiregular
 
 import stewart_sym as ss
@@ -92,11 +92,9 @@ def test_a_twist_that_does_not_turn_is_a_translation() -> None:
     np.testing.assert_array_equal(arm, np.zeros((2, 3)))
 
 
-@pytest.mark.parametrize("height", [0.4, 1.0, 2.5])
-@pytest.mark.parametrize("turn", [90.0, -90.0])
-def test_similar_hexagons_turned_by_90_degrees_are_singular_at_every_height(
-    turn: float, height: float
-) -> None:
+@pytest.mark.parametrize("height", [1.0, 2.5])
+def test_similar_hexagons_turned_by_90_degrees_are_singular_at_every_height(height: float) -> None:
+    turn = 90.0
     robot, R = hexagons(np.radians(turn))
     found = ss.singularity(robot, (R, [0.0, 0.0, height]))
     assert found.lost_dof == 1
@@ -114,8 +112,8 @@ def test_the_same_hexagons_turned_otherwise_are_not() -> None:
         assert found.condition_number < 1e4
 
 
-@pytest.mark.parametrize("turn", [0.3, 1.0, 2.0])
-def test_legs_between_corresponding_corners_of_similar_hexagons_are_singular_everywhere(turn: float) -> None:
+def test_legs_between_corresponding_corners_of_similar_hexagons_are_singular_everywhere() -> None:
+    turn = 1.0
     corners = semiregular([-12, 12, 108, 132, 228, 252], 1.0)
     robot = dataclasses.replace(dasgupta(), b=corners, p=0.6 * corners)
     found = ss.singularity(robot, (rotation(np.array([0.1, -0.2, turn])), [0.1, 0.2, 1.0]))
@@ -139,8 +137,8 @@ LARGEST_CONDITION = {"double": 1e12, "float": 1e12 * np.finfo(np.float64).eps / 
 """Up to these condition numbers of H no pose is singular to rounding."""
 
 
-LOST = [family for family in FAMILIES if family not in NEARLY]
-"""Families without pivots that are small for another reason."""
+LOST = [family for family in FAMILIES if family not in NEARLY][:: 1 if FULL else 6]
+"""Families without pivots that are small for another reason; ``test_degenerate_families`` has all."""
 
 
 def machine(
@@ -192,9 +190,9 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> dict[str, Array]:
 @pytest.mark.parametrize("family", LOST)
 def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family: str) -> None:
     """Wherever its points are measured from."""
-    for seed in range(share(100, 25)):
+    for seed in range(share(100, 50)):
         rng = np.random.default_rng(seed)
-        radii = (0.0, 1e2, 1e4, 1e6)[seed % 4]
+        radii = (0.0, 1e6, 1e2, 1e4)[seed % 4]
         for name, status in statuses(*from_afar(rng, *machine(rng, family), radii)).items():
             assert (status != results.OK).all(), (name, seed)
             assert radii or (status == results.SINGULAR).all(), (name, seed)
@@ -202,10 +200,10 @@ def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family
 
 def test_good_poses_are_not_singular_from_far_away() -> None:
     """Up to the distance at which rounding of the points is that of a condition number of 1e12."""
-    for seed, radii in enumerate(10.0 ** np.arange(1, 9)):
+    for seed, radii in enumerate(10.0 ** np.arange(1, 9, 1 if FULL else 3)):
         rng = np.random.default_rng(seed)
         robot = random_machine(rng)
-        far = from_afar(rng, robot, joined([random_motion(rng, robot) for _ in range(40)]), radii)
+        far = from_afar(rng, robot, joined([random_motion(rng, robot) for _ in range(10)]), radii)
         for name, status in statuses(*far).items():
             if radii <= LARGEST_CONDITION[name.split()[0]] / 1e3:
                 assert (status == results.OK).all(), (name, radii)
@@ -213,7 +211,7 @@ def test_good_poses_are_not_singular_from_far_away() -> None:
 
 @pytest.mark.parametrize("family", LOST)
 def test_no_pose_of_a_moderate_condition_number_is_singular(family: str) -> None:
-    for seed, apart in enumerate((1e-11, 1e-8, 1e-2)):
+    for seed, apart in enumerate((1e-11, 1e-8, 1e-2) if FULL else (1e-11, 1e-2)):
         robot, motion = machine(np.random.default_rng(seed), family, apart)
         condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
         for name, status in statuses(robot, motion).items():

@@ -16,58 +16,17 @@ from stewart_sym.robot.drive import NUMBERS
 from stewart_sym.robot.offsets import SHAPES
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
-RECORDS = {
-    *(
-        "BaseParametersResult",
-        "EquationsByParameterResult",
-        "EquationsOfMotionResult",
-        "IdentificationResult",
-        "Excitation",
-    ),
-    *(
-        "Experiment",
-        "ForceDerivativesResult",
-        "InverseDynamicsResult",
-        "LinearizationResult",
-        "ParameterVector",
-        "ForwardKinematicsResult",
-    ),
-    *(
-        "JointReactionsResult",
-        "SimulationResult",
-        "StopEvent",
-        "StateHistory",
-        "SingularityApproach",
-        "PoseCertificate",
-        "SingularityCrossing",
-        "ForceErrorBoundsResult",
-    ),
-    *(
-        "LegExtreme",
-        "PathSingularitiesResult",
-        "SingularityResult",
-        "Polytope",
-        "JointAnglesResult",
-        "ActuatorRequirementsResult",
-    ),
-    *(
-        "WorkspaceResult",
-        "WorkspaceWarning",
-        "DriveEffortResult",
-        "DriveIdentificationResult",
-        "DriveLimitWarning",
-    ),
-    *(
-        "ImportedModel",
-        "TrajectoryWarning",
-        "ExportedModel",
-        "MotorAnglesResult",
-        "ForceSaturation",
-        "SmoothSamplesResult",
-    ),
-    *("PlanCertificate", "PlannedPath", "PosePath", "TimedPath", "Viewer", "PAPER_PATHS", "RobotWarning"),
-    *("AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
-}
+_RECORDS = """
+BaseParametersResult EquationsByParameterResult EquationsOfMotionResult IdentificationResult Excitation
+Experiment ForceDerivativesResult InverseDynamicsResult LinearizationResult ParameterVector
+ForwardKinematicsResult JointReactionsResult SimulationResult StopEvent StateHistory SingularityApproach
+PoseCertificate SingularityCrossing ForceErrorBoundsResult LegExtreme PathSingularitiesResult
+SingularityResult Polytope JointAnglesResult ActuatorRequirementsResult WorkspaceResult WorkspaceWarning
+DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
+ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult PlanCertificate PlannedPath PosePath
+TimedPath Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning results robots
+"""
+RECORDS = frozenset(_RECORDS.split())
 
 
 @dataclass(frozen=True)

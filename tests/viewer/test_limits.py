@@ -147,6 +147,7 @@ def test_warnings_and_json_are_those_of_forces(case: Case) -> None:
             assert leg[name] == (value if value is None else pytest.approx(value, rel=1e-9)), name
 
 
+@pytest.mark.slow
 def test_the_page_says_what_the_command_warns_of(case: Case, opened: Opened) -> None:
     lines = opened.page.locator("#limits li")
     assert lines.all_inner_texts() == case.warned
@@ -172,6 +173,7 @@ def marks(opened: Opened, table: str, column: int) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 def test_every_instant_has_the_verdicts_of_its_numbers(case: Case, opened: Opened) -> None:
     drive, seen = case.robot.drive, set()
     assert drive is not None
@@ -197,6 +199,7 @@ def columns(case: Case, name: str) -> Array:
     return np.stack([case.table[f"{stem}_{leg}{ending}"] for leg in range(1, 7)], axis=-1)
 
 
+@pytest.mark.slow
 def test_deviations_stand_beside_the_values(case: Case, opened: Opened) -> None:
     opened.do("viewer.clock.seek(0.75)")
     cells = opened.page.locator("table td").all_inner_texts()
@@ -213,52 +216,6 @@ def test_deviations_stand_beside_the_values(case: Case, opened: Opened) -> None:
     ]
     assert np.allclose([x for x, _ in numbers], np.abs(columns(case, "F")[i]), atol=0.05)
     assert np.allclose([sd for _, sd in numbers], columns(case, "F_std")[i], rtol=0.06)
-
-
-def test_deviations_that_no_digit_shows_stand_nowhere_but_in_json(
-    browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    names, columns = moves(noisy=False)
-    table = {"header": ",".join(names[:7]), "delimiter": ",", "comments": ""}
-    np.savetxt("log.csv", columns[:, :7], fmt="%.11f", **table)
-    text = (EXAMPLES / "hexapod.toml").read_text(encoding="utf-8") + DRIVE + "rated_torque = 0.01\n"
-    Path("robot.toml").write_text(text.replace("force_limit = 500.0", "force_limit = 1.0"), encoding="utf-8")
-    told = io.StringIO()
-    with contextlib.redirect_stderr(told), contextlib.redirect_stdout(told):
-        for command, *more in (
-            ("forces", "-o", "F.csv"),
-            ("view", "-o", "F.html"),
-            ("size-actuators", "--no-plots"),
-        ):
-            whole = [command, "robot.toml", "log.csv", *more, "--json", f"{command}.json"]
-            assert main(whole) == 0
-    assert told.getvalue().count("exceeded by") == 4
-    assert told.getvalue().count("Exceeded: ") == 12
-    assert "+-" not in told.getvalue()
-    for command in ("forces", "view"):
-        legs = legs_of(tmp_path / f"{command}.json")
-        assert all(leg["peak_force_std_N"] > 0.0 and leg["motor_rms_torque_std_N_m"] > 0.0 for leg in legs)
-    opened = Opened(browser, tmp_path / "F.html")
-    assert all(sd > 0.0 for sd in opened.do("return viewer.page.motors.rmsDeviation"))
-    cells = opened.page.locator("table td").all_inner_texts()
-    assert cells
-    assert not any("\u00b1" in cell for cell in cells)
-    opened.close()
-
-
-def test_collars_tell_what_noise_leaves_open(case: Case, opened: Opened) -> None:
-    """Of the light theme: orange without blue, which nothing else of the picture is."""
-    found = opened.do("const { F_paper, ...shown } = viewer.motion.verdicts; return shown")
-    codes = np.max([*found.values()], axis=0).reshape(-1, 6)
-    chosen = {0: np.argmax((codes < 2).all(axis=1)), 2: np.argmax((codes == 2).sum(axis=1))}
-    for code, i in chosen.items():
-        opened.do(f"viewer.clock.seek({case.time[int(i)]})")
-        red, green, blue = np.moveaxis(opened.drawn()[..., :3], -1, 0)
-        orange = np.count_nonzero(
-            (blue < 10) & (red > 150) & (np.abs(green / np.maximum(red, 1) - 0.7) < 0.03)
-        )
-        assert (orange > 50) == bool(code == 2 and case.noisy), code
 
 
 def test_a_path_and_a_machine_without_limits_say_nothing_of_limits() -> None:

@@ -130,29 +130,6 @@ def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser,
     opened.close()
 
 
-def test_lower_parts_end_where_the_robot_states(browser: Browser, tmp_path: Path) -> None:
-    lengths = np.linspace(0.4, 0.65, 6)
-    robot = dataclasses.replace(dasgupta(), lower_length=lengths, upper_length=np.full(6, 0.6))
-    opened, F = still(browser, tmp_path / "parts.html", robot)
-    picture, thick = opened.drawn(), opened.do("return viewer.page.machine.thick")
-    S = robot.p + REST.t[0] - robot.b
-    s = S / np.linalg.norm(S, axis=-1, keepdims=True)
-    # The collar at the end is of another color.
-    tips = robot.b + (lengths[:, None] - 0.7 * thick) * s
-    seen = pixels(np.stack([robot.b, tips], axis=1).reshape(-1, 3), *eye(opened)).reshape(6, 2, 2)
-    missed = []
-    for leg, line in enumerate(seen):
-        found = of_color(picture, color(float(F[leg]), float(np.abs(F).max())))
-        way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
-        far = np.abs((found - line[0]) @ np.array([-way[1], way[0]]))
-        far[off(found, np.stack([line[0], 2.0 * line[1] - line[0]])) > 12.0] = 0.0
-        wide = found[far > 0.8 * far.max()]
-        missed.append(float(((wide - line[1]) @ way).max()))
-    assert np.median(np.abs(missed)) < 3.0, missed
-    assert "lengths of the robot file" in opened.page.inner_text("footer")
-    opened.close()
-
-
 def of_color(picture: NDArray[np.int64], wanted: Array) -> Array:
     """Middles of the dots of a color, pixels, (n, 2)."""
     rows, columns = np.nonzero(np.abs(picture - wanted).max(axis=-1) <= 2)
@@ -181,39 +158,3 @@ def test_bodies_of_legs_have_the_forces_colors(
     for picture, lines, leg, wanted in legs_seen(opened, *shown[:2]):
         on = off(of_color(picture, wanted), lines[leg]) < 12.0
         assert on.sum() > 100, (leg, on.sum())
-
-
-@pytest.mark.parametrize("name", ["rubin_m2", "tsai2000"])
-def test_other_machines_project_too(browser: Browser, tmp_path: Path, name: str) -> None:
-    robot = ss.robots.load(name)
-    found = view(robot)
-    found.save(tmp_path / "home.html")
-    page = Opened(browser, tmp_path / "home.html")
-    page.do(STILL + LINES)
-    picture = page.drawn()
-    lines = projected(page, robot, found.history, 0)
-    inside = (lines > 0.0).all() and (lines < np.array(picture.shape[1::-1]) / DOTS).all()
-    assert inside
-    for leg in range(6):
-        wanted = force_color(found.history, "exact", 0, leg)
-        assert ends_off(picture, wanted, lines, leg) <= 1.0
-    page.close()
-
-
-def test_formulations_have_colors_side_by_side(
-    opened: Opened, shown: tuple[Robot, MotionHistory, str]
-) -> None:
-    robot, history, _ = shown
-    opened.page.select_option("#sets", "side by side")
-    opened.do(LINES)
-    i, leg = 0, int(np.argmax(np.abs(history.forces["exact"][0] - history.forces["paper"][0])))
-    opened.do("viewer.clock.seek(0)")
-    picture = opened.drawn()
-    colors = [force_color(history, name, i, leg) for name in ("exact", "paper")]
-    assert np.abs(colors[0] - colors[1]).max() > 4
-    for which in (0, 1):
-        line = projected(opened, robot, history, i, which)[leg]
-        x, y = np.floor(DOTS * (line[0] + 0.1 * (line[1] - line[0]))).astype(int)
-        assert np.abs(picture[y, x] - colors[which]).max() <= 2
-    opened.page.select_option("#sets", "exact")
-    opened.do(LINES)

@@ -1,8 +1,6 @@
 """``--html``: one file with text, tables that sort, figures and the motion, that makes no request."""
 
-import base64
 import dataclasses
-import json
 import shutil
 from pathlib import Path
 
@@ -57,22 +55,6 @@ def test_size_has_its_needs_as_a_table_and_every_motion(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_plan_has_the_planned_motion(browser: Browser, folder: Path) -> None:
-    poses = "[[via]]\nt = [{}, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
-    head = 'schema = 1\nrobot = "hexapod.toml"\n'
-    (folder / "via.toml").write_text(head + poses.format(0.0) + poses.format(0.1))
-    assert main(["plan", "via.toml", "-o", "plan", "--no-plots", "--html", "plan.html"]) == 0
-    found = json.loads((folder / "plan" / "report.json").read_text(encoding="utf-8"))
-    page = Opened(browser, folder / "plan.html", (1000, 800))
-    inside = page.page.frame_locator("iframe")
-    inside.locator("#time").press("End")
-    assert inside.locator("#at").inner_text().startswith(f"{found['duration_s']:.3f}"[:4])
-    assert page.page.locator("caption", has_text="legs").count() == 1
-    assert page.said == []
-    page.close()
-
-
-@pytest.mark.slow
 def test_axe_finds_nothing_in_a_report(browser: Browser, tmp_path: Path) -> None:
     figure = Picture(lambda: Figure(figsize=(5.0, 2.0)))
     lists = {"legs": [{"leg": leg, "peak_force_N": 7.0 * leg, "known": leg > 1} for leg in range(3)]}
@@ -111,22 +93,6 @@ def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fail
     assert "exists with other content" in line
     assert (folder / "mine.html").read_text() == "<p>mine"
     assert not (folder / "forces.csv").exists()
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        ((), "ROBOT.toml: expected either a robot file or --example"),
-        (("hexapod.toml", "IV"), "expected I, II, III, a CSV file"),
-        (("hexapod.toml", "--example"), "ROBOT.toml: expected either a robot file or --example"),
-        (("hexapod.toml", "-o", "hexapod.toml"), "the file name must end in .html"),
-        (("hexapod.toml", "hexapod.toml"), "unknown column"),
-    ],
-)
-def test_view_fails_in_one_line(folder: Path, fails: Fails, arguments: tuple[str, ...], words: str) -> None:
-    before = sorted(folder.iterdir())
-    assert words in fails("view", *arguments)
-    assert sorted(folder.iterdir()) == before
 
 
 def test_the_example_opens_a_browser_or_says_the_path(
@@ -175,6 +141,20 @@ def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
     assert event.time == pytest.approx(3.6705041, abs=1e-3)
 
 
+def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
+    said = fails("view", "trajectory.csv", "-o", "out.html")
+    assert "trajectory.csv: expected a robot file, got 'time," in said
+    Path("report.json").write_text('{\n "generator": "x"\n}\n', encoding="utf-8")
+    said = fails("view", "hexapod.toml", "report.json", "-o", "out.html")
+    assert said.endswith("report.json: expected a CSV file with a header line, got '{'")
+    said = fails("view", "hexapod.toml", "-o", "out.txt")
+    assert said.endswith("-o out.txt: the file name must end in .html")
+    said = fails("forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf")
+    assert said.endswith("--html out.pdf: the file name must end in .html")
+    said = fails("view", "report.json", "-o", "out.html")
+    assert said.endswith("report.json: expected a robot file, got '{'")
+
+
 def test_a_robot_with_rotors_is_shown_in_exact_alone(folder: Path) -> None:
     robot = dataclasses.replace(dasgupta(), drive=ss.Drive(lead=0.005, rotor_inertia=1.7e-5))
     shown = ss.view(robot, "I").history
@@ -191,78 +171,3 @@ def test_a_robot_with_rotors_is_shown_in_exact_alone(folder: Path) -> None:
         text = (folder / name).read_text(encoding="utf-8")
         assert "F_exact" in text
         assert "F_paper" not in text
-
-
-def test_with_z_down_the_same_is_shown_upside_down() -> None:
-    """Gravity is down on the screen whatever axes the file has."""
-    from stewart_sym.viewer.content import content
-
-    robot = ss.robots.load("dasgupta1998")
-    Q = np.diag([1.0, -1.0, -1.0])
-    names = {name: getattr(robot, name) @ Q for name in ("g", "R_0", "b", "p", "k")}
-    down = dataclasses.replace(robot, **names, I_p=Q @ robot.I_p @ Q)
-    one, other = (ss.view(each, "I") for each in (robot, down))
-    assert np.allclose(one.history.forces["paper"], other.history.forces["paper"], rtol=1e-9)
-    ups = [content(each.robot, each.history, each.limits)["machine"]["up"] for each in (one, other)]
-    assert np.allclose(ups, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
-
-
-@pytest.mark.slow
-def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
-    from stewart_sym.viewer.content import content
-
-    offsets = ss.JointOffsets(
-        platform_joint="universal",
-        platform_axis=np.tile([1.0, 0.0, 0.0], (6, 1)),
-        wrist_offset=np.full(6, 0.03),
-        axis_offset=np.linspace(0.01, 0.06, 6),
-    )
-    robot = dataclasses.replace(dasgupta(), offsets=offsets)
-    path, _ = ss.PAPER_PATHS["I"]
-    time = np.linspace(0.0, 6.0, 7)
-    view = ss.view(robot, path.sample(time), time)
-    shown = view.history
-    assert list(shown.forces) == ["exact"]
-    columns = content(robot, shown, view.limits)["columns"]
-    moving, foot, end, y = (
-        np.frombuffer(base64.b64decode(columns[name]["data"]), np.float32).reshape(7, 6, 3)
-        for name in ("moving", "foot", "end", "lower")
-    )
-    tips = shown.motion.t[:, None] + robot.p @ np.swapaxes(shown.motion.R, -1, -2)
-    for points, length in (
-        (moving - robot.b, offsets.axis_offset),
-        (foot - moving, 0.0),
-        (end - foot, shown.L),
-        (tips - end, offsets.wrist_offset),
-    ):
-        assert np.allclose(np.linalg.norm(points, axis=-1), length, atol=1e-6)
-    assert np.allclose(np.sum(y * robot.k, axis=-1), 0.0, atol=1e-6)
-    assert np.allclose(np.sum(y * (end - foot), axis=-1), 0.0, atol=1e-6)
-
-
-def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
-    said = fails("view", "trajectory.csv", "-o", "out.html")
-    assert "trajectory.csv: expected a robot file, got 'time," in said
-    Path("report.json").write_text('{\n "generator": "x"\n}\n', encoding="utf-8")
-    said = fails("view", "hexapod.toml", "report.json", "-o", "out.html")
-    assert said.endswith("report.json: expected a CSV file with a header line, got '{'")
-    said = fails("view", "hexapod.toml", "-o", "out.txt")
-    assert said.endswith("-o out.txt: the file name must end in .html")
-    said = fails("forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf")
-    assert said.endswith("--html out.pdf: the file name must end in .html")
-    said = fails("view", "report.json", "-o", "out.html")
-    assert said.endswith("report.json: expected a robot file, got '{'")
-
-
-def test_limits_far_from_the_curves_are_said(browser: Browser, tmp_path: Path) -> None:
-    limits = {"force_limit": np.full(6, 4e4), "speed_limit": np.full(6, 30.0)}
-    robot = dataclasses.replace(dasgupta(), **limits)
-    time = np.linspace(0.0, 2.0, 41)
-    path, _ = ss.PAPER_PATHS["I"]
-    ss.view(robot, path.sample(time), time).save(tmp_path / "out.html")
-    page = Opened(browser, tmp_path / "out.html")
-    heads = page.page.locator("figcaption").all_inner_texts()
-    page.close()
-    assert heads[0] == "Force, N limit \u00b140000 N, outside the picture"
-    assert heads[1] == "Length, mm"
-    assert heads[2].endswith("limit \u00b13e+4 mm/s, outside the picture") or "\u00b130000 mm/s" in heads[2]
