@@ -230,7 +230,8 @@ def test_forces_of_one_sample_are_no_path_and_take_no_energy(robot: Path, crossi
 def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> None:
     folder = robot.parent / "found"
     told = run("singularities", robot, "III", "-o", folder).out
-    assert results(folder) == ["path.csv", "path.png", "report.json", "report.txt"]
+    names = ["crossing_1.png", "events.csv", "path.csv", "path.png", "report.json", "report.txt"]
+    assert results(folder) == names
     text = (folder / "report.txt").read_text()
     assert told.startswith(text)
     assert "Crossing 1 at 3.670504110" in text
@@ -240,6 +241,9 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     (crossing,) = json.loads((folder / "report.json").read_text())["crossings"]
     assert (crossing["side_before"], crossing["side_after"]) == (-1, 1)
     assert crossing["residue_N_s"][0] == pytest.approx(-27554.33, rel=1e-6)
+    (event,) = read(folder / "events.csv")
+    assert (event["crossing"], event["sign_before"], event["sign_after"]) == ("1", "-1", "1")
+    assert [float(event[f"A_{leg}"]) for leg in range(1, 7)] == crossing["residue_N_s"]
     sides = [
         float(row["F_2"]) for row in read(folder / "path.csv") if abs(float(row["time"]) - 3.6705) < 0.05
     ]
@@ -250,7 +254,7 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
 def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path, run: Run) -> None:
     folder = robot.parent / "found"
     out = run("singularities", robot, trajectory, "-o", folder, "--no-plots").out
-    assert results(folder) == ["path.csv", "report.json", "report.txt"]
+    assert results(folder) == ["events.csv", "path.csv", "report.json", "report.txt"]
     assert "crossings  0" in out
     assert "Nearest approach at" in out
     assert json.loads((folder / "report.json").read_text())["crossings"] == []

@@ -16,7 +16,7 @@ from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
-from ..common.drawing import DARK, Axes, Figure, as_written, legend_below, new_figure, plot_legs
+from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
 from ..common.output import aligned, csv_text
 from ..common.report import SMALL, Picture, Report
 
@@ -42,6 +42,7 @@ _FURTHER = {
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
 _DIGITS = 4
 """Number of digits in the table."""
+_LEGS = np.arange(1, LEGS + 1)
 _MOST = 4000
 """Largest number of drawn points per leg."""
 
@@ -196,20 +197,55 @@ def _table(needs: ActuatorRequirementsResult) -> str:
 
 
 def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
-    """Draw the force of each leg over its speed, and with drives the motor torque over the motor speed."""
+    """Draw force over speed, strokes, joint angles, and with drives the motor torque over the motor speed."""
     course, drive = needs.history, robot.drive
-    driven = course.torque is not None and course.motor_speed is not None and drive is not None
-    drawn = new_figure(12.0 if driven else 6.4, 4.8)
-    panels = drawn.subplots(1, 2 if driven else 1, squeeze=False)[0]
+    drawn = new_figure(15.0, 4.8) if drive is None else new_figure(11.0, 8.6)
+    panels = drawn.subplots(1, 3) if drive is None else drawn.subplots(2, 2).ravel()
     _plane(panels[0], course.L_dot, course.F, robot.speed_limit, robot.force_limit)
     panels[0].set(xlabel="rate of length, m/s", ylabel="actuator force, N")
+    _strokes(panels[1], robot, needs)
+    _angles(panels[2], robot, needs)
     if course.torque is not None and course.motor_speed is not None and drive is not None:
         speed, torque = (np.asarray(limit) for limit in (drive.speed_limit, drive.torque_limit))
-        _plane(panels[1], course.motor_speed, course.torque, speed, torque)
-        panels[1].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
-    drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed", fontsize=10.0)
+        _plane(panels[3], course.motor_speed, course.torque, speed, torque)
+        panels[3].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
+    margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
+    drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed; {margin}", fontsize=10.0)
     legend_below(drawn)
     return drawn
+
+
+def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
+    """Draw the lengths of each leg, its stroke with the margin, and the limits of the lengths."""
+    (low, high), (least, most) = needs.length.T, robot.length_limits.T
+    stroke = (1.0 + needs.margin) * needs.stroke
+    # Half of the margin is at each end, unless a limit shifts it to the other end.
+    bottom = np.minimum(np.maximum(0.5 * (low + high - stroke), least), most - stroke)
+    bottom = np.minimum(np.maximum(bottom, high - stroke), low)
+    axes.bar(_LEGS, stroke, bottom=bottom, color=LEG_COLORS, alpha=0.3, width=0.6)
+    axes.bar(_LEGS, high - low, bottom=low, color=LEG_COLORS, width=0.6)
+    _dashes(axes, _LEGS, least, 0.4)
+    _dashes(axes, _LEGS, most, 0.4)
+    axes.use_sticky_edges = False
+    axes.set(xlabel="leg", ylabel="length, m", xticks=_LEGS)
+
+
+def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
+    """Draw the largest angles of the joints at the base, left, and at the platform, right and hatched."""
+    style: dict[str, Any] = {"color": LEG_COLORS, "width": 0.36}
+    ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
+    for (angles, shift, hatch), limits in zip(ends, robot.joint_angle_limit.T, strict=True):
+        axes.bar(_LEGS + shift, np.degrees((1.0 + needs.margin) * angles), alpha=0.3, **style)
+        axes.bar(_LEGS + shift, np.degrees(angles), hatch=hatch, edgecolor="white", **style)
+        _dashes(axes, _LEGS + shift, np.degrees(limits), 0.2)
+    axes.set(xlabel="leg; base joint left, platform joint right, hatched", ylabel="joint angle, degrees")
+    axes.set_xticks(_LEGS)
+
+
+def _dashes(axes: Axes, places: Array, limits: Array, half: float) -> None:
+    """Draw the limit of each leg across its place, shape (6,), as far as it is given."""
+    given = np.isfinite(limits) & (limits > 0.0)
+    axes.hlines(limits[given], places[given] - half, places[given] + half, **_LIMIT)
 
 
 def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort: Array) -> None:
