@@ -11,7 +11,6 @@ from collections.abc import Iterator
 
 from ..io.arguments import safe_text
 from ..io.progress import Progress, silent
-from ..studies.common.not_finite import results_noted
 
 PROGRAM = "stewart-sym"
 
@@ -69,8 +68,7 @@ def _bar(share: float, passed: float) -> str:
 def warnings_in_lines(*sources: object) -> Iterator[None]:
     """Print the warnings of the block at its end, one line each, before the error message of the block.
 
-    NumPy's overflow warnings are combined into one line that names the inputs ``sources``. This line is
-    printed only if a result of the block contains a non-finite number.
+    NumPy's overflow warnings are combined into one line that names the inputs ``sources``.
     """
     lines: list[str] = []
     overflows: list[str] = []
@@ -82,9 +80,8 @@ def warnings_in_lines(*sources: object) -> Iterator[None]:
     with warnings.catch_warnings():
         warnings.showwarning = keep
         try:
-            with results_noted() as noted:
-                yield
-            if overflows and noted:
+            yield
+            if overflows:
                 place = ", ".join(map(str, sources)) or "inputs"
                 lines.append(
                     f"{place}: numbers overflow on the way: do not rely on results that are inf or nan"

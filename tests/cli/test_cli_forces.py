@@ -164,22 +164,6 @@ def test_a_rejected_compiler_flag_is_not_blamed_on_the_trajectory(
     assert str(trajectory) not in line
 
 
-@pytest.mark.parametrize("big", [{"M": 1e308}, {"g": [0.0, 0.0, -1e308]}, {"C_p": np.full(6, 1e307)}])
-def test_numbers_of_a_robot_that_overflow_are_not_blamed_on_the_trajectory(
-    big: dict[str, object], robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    machine = ss.Robot.from_toml(robot)
-    written(dataclasses.replace(machine, **big), robot)  # type: ignore[arg-type]
-    code = main(["forces", str(robot), str(trajectory), "-o", str(robot.parent / "f.csv")])
-    told = capsys.readouterr().err
-    assert "encountered" not in told
-    if code:
-        error = told.splitlines()[-1]
-        assert error.startswith(f"stewart-sym: error: robot {machine.name}: forces overflow at")
-    else:
-        assert "C_p" in big
-
-
 def test_an_overflow_that_affects_results_is_one_warning_and_none_with_an_error(
     capsys: pytest.CaptureFixture[str],
 ) -> None:

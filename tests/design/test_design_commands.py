@@ -126,7 +126,7 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
     ("options", "words"),
     [
         (("--position", 0, 0, 700), "its legs are 700 to 700 m long: change --position"),
-        (("--max-condition", 1.5), "condition number: expected at most 1.5, got "),
+        (("--max-condition", 1.5), "condition number: expected at most 1.5, "),
         (
             (*FREE, "--max-condition", 20, "--rpy", 0, 0, 2.5),
             "condition number: det H has another sign than at the home pose",

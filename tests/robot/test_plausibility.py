@@ -164,7 +164,7 @@ def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run)
     )
     written(robot, path)
     told = run("check", path, "-o", tmp_path / "out", "--no-plots").out
-    assert "drives       0.005 m per turn of the motor (leg 4: -0.005), reflected mass 0 kg, " in told
+    assert "drives       -0.005 to 0.005 m per turn of the motor, reflected mass 0 kg, " in told
     assert "dry friction along the leg 40 N, more at rest 5 N, dry friction of the motor 0.08 N m\n" in told
     assert (
         "motors       torque up to 12 N m, rated torque up to 4 N m, speed up to 628 rad/s, current" in told
@@ -183,13 +183,9 @@ def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run)
     assert [data[f"drive_{name}"][0] for name in stated] == [628.0, 15.0, 900.0, 40.0, 4.0]
 
 
-@pytest.mark.parametrize(("gravity", "stands", "hangs"), [(-9.81, "+z", "-z"), (9.81, "-z", "+z")])
-def test_check_says_on_which_side_of_the_base_a_platform_stands(
-    gravity: float, stands: str, hangs: str, check: Check
-) -> None:
+@pytest.mark.parametrize("gravity", [-9.81, 9.81])
+def test_check_says_on_which_side_of_the_base_a_platform_stands(gravity: float, check: Check) -> None:
     told = check(dataclasses.replace(sound(), g=[0.0, 0.0, gravity]))
-    assert f"a platform on the {stands} side of the base stands on its legs (compression)" in told.out
-    assert f"one on the {hangs} side hangs from them (tension)" in told.out
     (side,) = (line for line in told.out.splitlines() if line.startswith("side "))
     sign = -np.sign(gravity)
     assert f"(0, 0, {sign:g}) of the base, against gravity: the platform stands on its legs" in side

@@ -3,7 +3,6 @@
 import functools
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,7 @@ from ...robot.robot import LEGS, Robot
 from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
 from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
-from ..common.output import aligned, csv_text
+from ..common.output import Columns, aligned, columns_of
 from ..common.report import SMALL, Picture, Report
 
 _UNITS = (
@@ -38,6 +37,15 @@ _FURTHER = {
     "torque": {"torque, rms": "rms_torque"},
 }
 """Rows that follow the quantiles of a requirement."""
+
+_GEOMETRY: tuple[tuple[str, str, str, Callable[[Array], Array]], ...] = (
+    ("stroke", "m", "stroke", np.asarray),
+    ("shortest leg", "m", "length", lambda length: length[:, 0]),
+    ("longest leg", "m", "length", lambda length: length[:, 1]),
+    ("base joint", "degrees", "base_angle", np.degrees),
+    ("platform joint", "degrees", "platform_angle", np.degrees),
+)
+"""Name, unit, and attribute of the rows about lengths and angles, and the function that selects them."""
 
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
 _DIGITS = 4
@@ -88,38 +96,27 @@ def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> lis
     return [*found, f"{source}: {told}; {lines[0]}"] if lines else found
 
 
-def rows(needs: ActuatorRequirementsResult | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
-    """Yield name, unit, and values, shape (6,), of every requirement, or of its standard deviations."""
+def rows(needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str, Array, Array | None]]:
+    """Yield name, unit, values, and standard deviations, if any, shape (6,), of every requirement."""
+    std = needs.std or {}
     for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
-        unit, values = _UNITS[name], getattr(needs, name)
-        for share, at in zip(needs.quantiles, () if values is None else values, strict=values is not None):
+        unit, values, sd = _UNITS[name], getattr(needs, name), std.get(name)
+        for k, share in enumerate(needs.quantiles if values is not None else ()):
             words = "peak" if share == 1.0 else f"{100.0 * float(share):g} % of time"
-            yield f"{name.replace('_', ' ')}, {words}", unit, at
+            yield f"{name.replace('_', ' ')}, {words}", unit, values[k], None if sd is None else sd[k]
         for words, more in _FURTHER.get(name, {}).items():
             if getattr(needs, more) is not None:
-                yield words, unit, getattr(needs, more)
-    yield "stroke", "m", needs.stroke
-    yield "shortest leg", "m", needs.length[:, 0]
-    yield "longest leg", "m", needs.length[:, 1]
-    yield "base joint", "degrees", np.degrees(needs.base_angle)
-    yield "platform joint", "degrees", np.degrees(needs.platform_angle)
-
-
-def _deviations(needs: ActuatorRequirementsResult) -> Iterator[Array | None]:
-    """Yield the standard deviations of ``rows``, shape (6,), or None without noise."""
-    if needs.std is None:
-        yield from (None for _ in rows(needs))
-        return
-    optional = dict.fromkeys(("torque", "motor_speed", "motor_power", "current", "rms_torque"))
-    sd = SimpleNamespace(quantiles=needs.quantiles, **(optional | dict(needs.std)))
-    yield from (values for _, _, values in rows(sd))
+                yield words, unit, getattr(needs, more), std.get(more)
+    for words, unit, name, pick in _GEOMETRY:
+        sd = std.get(name)
+        yield words, unit, pick(getattr(needs, name)), None if sd is None else pick(sd)
 
 
 def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> str:
     no_margin = ("shortest leg", "longest leg")
     more = 1.0 + needs.margin
     cells, noisy = [], False
-    for (name, unit, values), sd in zip(rows(needs), _deviations(needs), strict=True):
+    for name, unit, values, sd in rows(needs):
         last = "" if name in no_margin else f"{more * np.nanmax(values):.{_DIGITS}g}"
         cells.append((f"{name}, {unit}", *(f"{value:.{_DIGITS}g}" for value in values), last))
         seen = np.zeros(LEGS, dtype=bool) if sd is None else shows(values, sd, _DIGITS)
@@ -188,12 +185,11 @@ def _data_of_noise(found: LimitMargins, needs: ActuatorRequirementsResult) -> di
     }
 
 
-def _table(needs: ActuatorRequirementsResult) -> str:
+def _table(needs: ActuatorRequirementsResult) -> Columns:
     legs = [f"leg{leg + 1}" for leg in range(LEGS)]
     header = ("need", "unit", *legs, *(f"{leg}_std" for leg in legs if needs.std is not None))
-    pairs = zip(rows(needs), _deviations(needs), strict=True)
-    found = [(*row, *values.tolist(), *([] if sd is None else sd.tolist())) for (*row, values), sd in pairs]
-    return csv_text([header, *found])
+    found = [(*row, *values, *(() if sd is None else sd)) for *row, values, sd in rows(needs)]
+    return columns_of([header, *found])
 
 
 def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:

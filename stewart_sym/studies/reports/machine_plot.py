@@ -24,17 +24,11 @@ from ..common.drawing import (
     new_figure,
     vertical,
 )
-from ..common.report import SMALL, Picture
 
 BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 
 # Length of axes and arrows, and distance below which points coincide, relative to the size of the machine.
 _AXIS, _SAME = 0.12, 1e-3
-
-
-def picture(robot: Robot, home: HomePose) -> Picture:
-    """Return the plot of the machine at its home pose."""
-    return Picture(lambda: figure(robot, home), SMALL)
 
 
 def figure(robot: Robot, home: HomePose) -> Figure:
