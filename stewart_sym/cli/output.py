@@ -13,6 +13,7 @@ from ..io.atomic_write import ResultFolder, begins_with, must_be_replaceable, wr
 from ..io.extras import need
 from ..io.json_text import json_text
 from ..io.progress import Progress
+from ..studies.common.not_finite import in_figures, in_text, note_not_finite
 from ..studies.common.report import Report, write
 from ..viewer.page import BEGINNING as HTML_BEGINNING
 from .terminal import PROGRAM, progress_line
@@ -66,6 +67,8 @@ def results(
         )
         if report.text:
             lines.append(report.text.rstrip("\n"))
+        if in_figures(report.data) or in_text(report.text):
+            note_not_finite()
         if folder is not None and stem is not None:
             write(report, folder, stem, progress)
             lines.append(f"Written to {output}: {', '.join(sorted(folder.names))}")

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from ..io.arguments import safe_text
 from ..io.progress import Progress, silent
+from ..studies.common.not_finite import results_noted
 
 PROGRAM = "stewart-sym"
 
@@ -68,7 +69,8 @@ def _bar(share: float, passed: float) -> str:
 def warnings_in_lines(*sources: object) -> Iterator[None]:
     """Print the warnings of the block at its end, one line each, before the error message of the block.
 
-    NumPy's overflow warnings are combined into one line that names the inputs ``sources``.
+    NumPy's overflow warnings are combined into one line that names the inputs ``sources``. This line is
+    printed only if a result of the block contains a non-finite number.
     """
     lines: list[str] = []
     overflows: list[str] = []
@@ -80,8 +82,9 @@ def warnings_in_lines(*sources: object) -> Iterator[None]:
     with warnings.catch_warnings():
         warnings.showwarning = keep
         try:
-            yield
-            if overflows:
+            with results_noted() as noted:
+                yield
+            if overflows and noted:
                 place = ", ".join(map(str, sources)) or "inputs"
                 lines.append(
                     f"{place}: numbers overflow on the way: do not rely on results that are inf or nan"
