@@ -87,7 +87,7 @@ def _sampled(name: str, columns: Mapping[str, Any]) -> tuple[str, list[Sequence[
     """Return a caption with the number of rows, and the displayed rows of columns."""
     count = max(map(len, columns.values()), default=0)
     some = np.unique(np.linspace(0, max(count - 1, 0), min(count, MOST_ROWS)).astype(np.int64))
-    rows = list(zip(*(plain(column[some]) for column in columns.values()), strict=True))
+    rows: list[Sequence[Any]] = [*zip(*(plain(column[some]) for column in columns.values()), strict=True)]
     shown = f"{count}" if len(some) == count else f"{len(some)} of {count}"
     return f"{name}: {shown} rows", rows
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
 from ...design.limit_margins import LimitMargins, compared, states_limits
@@ -238,7 +239,7 @@ def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None
     axes.set_xticks(_LEGS)
 
 
-def _dashes(axes: Axes, places: Array, limits: Array, half: float) -> None:
+def _dashes(axes: Axes, places: NDArray[Any], limits: Array, half: float) -> None:
     """Draw the limit of each leg across its place, shape (6,), as far as it is given."""
     given = np.isfinite(limits) & (limits > 0.0)
     axes.hlines(limits[given], places[given] - half, places[given] + half, **_LIMIT)
