@@ -67,8 +67,7 @@ def results(
         )
         if report.text:
             lines.append(report.text.rstrip("\n"))
-        texts = [report.text, *(each for each in report.tables.values() if isinstance(each, str))]
-        if in_figures(report.data) or any(map(in_text, texts)):
+        if in_figures(report.data) or in_text(report.text):
             note_not_finite()
         if folder is not None and stem is not None:
             write(report, folder, stem, progress)

@@ -19,7 +19,7 @@ from stewart_sym.design.limit_margins import compared
 from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, WITHIN, legs_text
 from stewart_sym.io.arguments import status_text
 from stewart_sym.motion.trajectory import Trajectory
-from stewart_sym.studies.design.actuator_report import report
+from stewart_sym.studies.design.actuator_report import figure, report
 from stewart_sym.studies.reports.track import Digest, in_parts
 
 
@@ -252,6 +252,20 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list
             {(name, verdict) for (name, _), verdict in lines.items()}
         )
     assert seen == {WITHIN, EXCEEDED, INCONCLUSIVE_NOISE}
+
+
+def test_the_picture_has_room_for_a_stroke_with_its_margin_where_the_limits_do() -> None:
+    robot, time, motion = along(0)
+    needs, rng = ss.actuator_requirements(robot, [(time, motion)], margin=0.5), np.random.default_rng(0)
+    room = needs.stroke[:, None] * rng.uniform(0.0, 0.5, (6, 2)) * [-1.0, 1.0]
+    limited = dataclasses.replace(robot, length_limits=needs.length + room)
+    short = names(compared(limited, needs).margin_missing)
+    pale: list[Any] = [bar for bar in figure(limited, needs).axes[1].patches if bar.get_alpha() is not None]
+    for leg, ((low, high), bar) in enumerate(zip(limited.length_limits, pale, strict=True)):
+        bottom, top = bar.get_y(), bar.get_y() + bar.get_height()
+        assert top - bottom == pytest.approx(1.5 * needs.stroke[leg])
+        within = low - 1e-12 <= bottom and top <= high + 1e-12
+        assert within == (f"stroke of leg {leg + 1}" not in short)
 
 
 def limited_near(

@@ -225,7 +225,7 @@ def test_measured_forces_are_identified_beside_a_wrong_file(
     [
         ("time,F_1", "time,G1", "missing column F_1"),
         ("\n0.0,", "\n0.001,", "line 2: time: expected the time 0"),
-        ("\n0.0,", "\nms,N,N,N,N,N,N\n0.0,", "all 0.001 times as large, expected their unit in"),
+        ("\n0.0,", "\nms,N,N,N,N,N,N\n0.0,", "check the units of both files"),
         ("\n0.0,", "\n-1.0,1,1,1,1,1,1\n0.0,", "expected 60 rows"),
     ],
 )

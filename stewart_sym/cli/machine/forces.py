@@ -59,17 +59,15 @@ def run(arguments: argparse.Namespace) -> int:
         lines = [digest.summary()]
         if trajectory.noise is not None and trajectory.noise.sigma.any():
             lines.append(f"{noise_text(trajectory.noise)}; F_std is the remaining standard deviation")
-        tables, figures = {}, {}
-        if digest.drive is not None:
-            tables["motors"] = digest.drive.csv()
-            if arguments.plot is not None:
-                figures["motor_torque"] = Picture(digest.drive.figure)
-                draw(figures["motor_torque"], arguments.plot.with_suffix(""))
-                lines.append(f"Drawn as {arguments.plot}")
+        figures = {}
+        if digest.drive is not None and arguments.plot is not None:
+            figures["motor_torque"] = Picture(digest.drive.figure)
+            draw(figures["motor_torque"], arguments.plot.with_suffix(""))
+            lines.append(f"Drawn as {arguments.plot}")
         doubts = digest.doubts(arguments.noise_threshold)
         views = {"motion": lambda: ss.view(robot, trajectory)}
         data = {**digest.as_json(), "warnings": doubts}
-        take(Report("\n".join(lines), tables, data, figures, views))
+        take(Report("\n".join(lines), data=data, figures=figures, views=views))
     for line in doubts:
         warn(line)
     return 0

@@ -20,12 +20,14 @@ from ...simulation.scene import read_scene
 from ...studies.reports import run as runs
 from ...studies.reports.scene_checks import start_doubts
 from ..inputs import warn_of_doubts
-from ..options import input_file, output
+from ..options import flag, input_file, output
 from ..output import results
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     input_file(parser, "scene")
+    text = "compare the energy drift of both formulations, without friction and damping (springs only)"
+    flag(parser, "energy-drift", text)
     output(parser, "DIR", "folder of the results", Path("simulation"), plots=True, html=True)
 
 
@@ -35,12 +37,15 @@ def run(arguments: argparse.Namespace) -> int:
     warn_of_doubts(scene.robot, arguments.scene)
     for doubt in start_doubts(scene):
         warn(f"{arguments.scene}: {doubt}")
+    if arguments.energy_drift and not isinstance(scene.law, ss.LegSprings):
+        raise ValueError("--energy-drift: the actuation of the scene is not springs; change the scene")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
         done = scene.run(lambda share: progress("simulating", share))
         if done.stop.reason != "completed" and done.stop.time == 0.0:
             why = f"the run stops at its start, nothing was written: {done.stop.message}"
             raise ValueError(f"{arguments.scene}: {why}; start within the limits")
-        report = runs.report(scene.robot, done, scene.law)
+        drifts = runs.energy_drift(scene) if arguments.energy_drift else None
+        report = runs.report(scene.robot, done, scene.law, drifts)
         views = {"run": lambda: ss.view(scene.robot, done)}
         take(dataclasses.replace(report, views=views))
     return 0

@@ -1,7 +1,7 @@
 """Find singular poses along a path and their unconstrained twists.
 
 Between samples of a trajectory, the path is the quintic through poses, rates, and accelerations.
-Output: report, a table of the path, and a plot. SI units.
+Output: report, tables of events and of the path, and drawings. SI units.
 
 Example: stewart-sym singularities hexapod.toml trajectory.csv -o singularities
 """
@@ -32,7 +32,7 @@ def run(arguments: argparse.Namespace) -> int:
     robot = robot_of(arguments.robot)
     name, file = arguments.path, Path(arguments.path)
     read = [] if name in ss.PAPER_PATHS else [file]
-    with results(arguments, "report", "path.csv", read=read) as (take, progress):
+    with results(arguments, "report", "events.csv", "path.csv", read=read) as (take, progress):
         path: MotionPath
         if name in ss.PAPER_PATHS:
             if arguments.pose_guess is not None:

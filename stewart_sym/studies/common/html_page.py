@@ -1,13 +1,10 @@
 """Report as one HTML file with text, sortable tables, plots, and motions as in ``view``."""
 
 import base64
-import contextlib
-import csv
 import html
-import io
-import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -17,7 +14,7 @@ from ...io.json_text import plain
 from ...io.progress import Progress, silent
 from ...viewer.page import document, filled, generator
 from ...viewer.view import frame
-from .report import Picture, Report, svg
+from .report import Picture, Report, drawn
 
 MOST_ROWS = 500
 """Largest number of rows of a table over time; longer tables are sampled evenly."""
@@ -29,7 +26,7 @@ _MOST_NUMBERS = 6
 def html_page(title: str, report: Report, progress: Progress = silent) -> str:
     """Format a report as HTML; raises ImportError for plots without Matplotlib.
 
-    Lists of records in the data and text tables become tables, and columns over time collapsed tables.
+    Lists of records in the data become tables, and columns collapsed tables; CSV text is omitted.
     """
     result = f'<pre class="wide" tabindex="0">{_text(report.text)}</pre>'
     parts = [_section("Result", result)] if report.text else []
@@ -44,14 +41,11 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
         found = [list(map(record.get, keys)) for record in records]
         parts.append(_section(_words(name), _table(_words(name), map(_words, keys), found)))
     for name, table in report.tables.items():
-        if isinstance(table, Mapping):
-            caption, rows = _sampled(f"{name}.csv", columns=table)
-            body = f"<summary>{_text(caption)}</summary>\n{_table(caption, table, rows)}"
-            parts.append(f"<details>\n{body}\n</details>\n")
-        else:
-            names, *lines = csv.reader(io.StringIO(table))
-            caption, rows = _sampled(_words(name), lines=[list(map(_number, line)) for line in lines])
-            parts.append(_section(_words(name), _table(caption, map(_words, names), rows)))
+        if isinstance(table, str):
+            continue
+        caption, rows = _sampled(f"{name}.csv", table)
+        body = f"<summary>{_text(caption)}</summary>\n{_table(caption, table, rows)}"
+        parts.append(f"<details>\n{body}\n</details>\n")
     values = {"title": _text(title), "parts": "\n".join(parts), "generator": _text(generator())}
     inner = ["main"] if report.views else []
     return document(title, filled("report.html", values), "sort", ("style.css", "report.css"), inner)
@@ -64,9 +58,9 @@ def _section(title: str, body: str) -> str:
 
 
 def _figure(name: str, picture: Picture) -> str:
-    stream = io.BytesIO()
-    svg(picture, stream)
-    data = base64.b64encode(stream.getvalue()).decode()
+    # Text as outlines has the same appearance in all programs.
+    outlines = replace(picture, kinds=("svg",), style={**picture.style, "svg.fonttype": "path"})
+    data = base64.b64encode(drawn(outlines)["svg"]).decode()
     return f'<figure><img alt="{_text(name)}" src="data:image/svg+xml;base64,{data}"></figure>\n'
 
 
@@ -89,24 +83,13 @@ def _is_list_of_tables(data: Any) -> TypeGuard[list[Mapping[str, Any]]]:
     return isinstance(data, list) and bool(data) and all(isinstance(row, Mapping) for row in data)
 
 
-def _number(text: str) -> float | str:
-    with contextlib.suppress(ValueError):
-        return text if math.isnan(float(text)) else float(text)
-    return text
-
-
-def _sampled(
-    caption: str, columns: Mapping[str, Any] | None = None, lines: Sequence[Sequence[Any]] = ()
-) -> tuple[str, list[Sequence[Any]]]:
-    """Return a caption with the number of rows, and the displayed rows of columns or lines."""
-    count = len(lines) if columns is None else max(map(len, columns.values()), default=0)
+def _sampled(name: str, columns: Mapping[str, Any]) -> tuple[str, list[Sequence[Any]]]:
+    """Return a caption with the number of rows, and the displayed rows of columns."""
+    count = max(map(len, columns.values()), default=0)
     some = np.unique(np.linspace(0, max(count - 1, 0), min(count, MOST_ROWS)).astype(np.int64))
-    if columns is None:
-        rows = [lines[i] for i in some]
-    else:
-        rows = list(zip(*(plain(np.asarray(column)[some]) for column in columns.values()), strict=True))
+    rows: list[Sequence[Any]] = [*zip(*(plain(column[some]) for column in columns.values()), strict=True)]
     shown = f"{count}" if len(some) == count else f"{len(some)} of {count}"
-    return f"{caption}: {shown} rows", rows
+    return f"{name}: {shown} rows", rows
 
 
 def _table(caption: str, names: Iterable[str], rows: Iterable[Sequence[Any]]) -> str:

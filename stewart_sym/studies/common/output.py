@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...motion.rotation import quaternion_from_rotation
 from ...robot.robot import LEGS
-from .not_finite import note_not_finite
+from .not_finite import in_figures, note_not_finite
 
 _ROWS = 1024
 
@@ -47,14 +47,19 @@ def of_rotations(R: NDArray[Any]) -> Columns:
 def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Iterator[str]:
     """Yield the text of a CSV file in blocks of lines, header first, with all digits of floats."""
     if header:
-        yield ",".join(columns) + "\n"
+        yield csv_text([[*columns]])
     # Rows are converted to Python numbers in blocks, because these require four times the memory of arrays.
     for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
         part = [column[start : start + _ROWS] for column in columns.values()]
-        if not all(np.isfinite(values).all() for values in part):
+        if in_figures(part):
             note_not_finite()
-        rows = zip(*(values.tolist() for values in part), strict=True)
-        yield "".join(",".join(map(str, row)) + "\n" for row in rows)
+        yield csv_text(zip(*(values.tolist() for values in part), strict=True))
+
+
+def columns_of(rows: Sequence[Sequence[object]]) -> Columns:
+    """Return the columns of rows of texts and numbers; the first row is the header."""
+    header, *found = rows
+    return dict(zip(map(str, header), map(np.array, zip(*found, strict=True)), strict=True))
 
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from io import BytesIO
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
@@ -93,11 +93,3 @@ def drawn(picture: Picture) -> dict[str, bytes]:
         for kind, stream in files.items():
             figure.savefig(stream, format=kind, dpi=picture.dpi, metadata=_METADATA[kind])
     return {kind: stream.getvalue() for kind, stream in files.items()}
-
-
-def svg(picture: Picture, stream: IO[bytes]) -> None:
-    """Draw a plot as SVG with text as outlines, which has the same appearance in all programs."""
-    import matplotlib
-
-    with matplotlib.rc_context({**_SVG, **picture.style, "svg.fonttype": "path"}):
-        picture.draw().savefig(stream, format="svg", metadata=_METADATA["svg"])

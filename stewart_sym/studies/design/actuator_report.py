@@ -3,10 +3,10 @@
 import functools
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
 from ...design.limit_margins import LimitMargins, compared, states_limits
@@ -16,8 +16,8 @@ from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
-from ..common.drawing import DARK, Axes, Figure, as_written, legend_below, new_figure, plot_legs
-from ..common.output import aligned, csv_text
+from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
+from ..common.output import Columns, aligned, columns_of
 from ..common.report import SMALL, Picture, Report
 
 _UNITS = (
@@ -39,9 +39,19 @@ _FURTHER = {
 }
 """Rows that follow the quantiles of a requirement."""
 
+_GEOMETRY: tuple[tuple[str, str, str, Callable[[Array], Array]], ...] = (
+    ("stroke", "m", "stroke", np.asarray),
+    ("shortest leg", "m", "length", lambda length: length[:, 0]),
+    ("longest leg", "m", "length", lambda length: length[:, 1]),
+    ("base joint", "degrees", "base_angle", np.degrees),
+    ("platform joint", "degrees", "platform_angle", np.degrees),
+)
+"""Name, unit, and attribute of the rows about lengths and angles, and the function that selects them."""
+
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
 _DIGITS = 4
 """Number of digits in the table."""
+_LEGS = np.arange(1, LEGS + 1)
 _MOST = 4000
 """Largest number of drawn points per leg."""
 
@@ -87,38 +97,27 @@ def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> lis
     return [*found, f"{source}: {told}; {lines[0]}"] if lines else found
 
 
-def rows(needs: ActuatorRequirementsResult | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
-    """Yield name, unit, and values, shape (6,), of every requirement, or of its standard deviations."""
+def rows(needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str, Array, Array | None]]:
+    """Yield name, unit, values, and standard deviations, if any, shape (6,), of every requirement."""
+    std = needs.std or {}
     for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
-        unit, values = _UNITS[name], getattr(needs, name)
-        for share, at in zip(needs.quantiles, () if values is None else values, strict=values is not None):
+        unit, values, sd = _UNITS[name], getattr(needs, name), std.get(name)
+        for k, share in enumerate(needs.quantiles if values is not None else ()):
             words = "peak" if share == 1.0 else f"{100.0 * float(share):g} % of time"
-            yield f"{name.replace('_', ' ')}, {words}", unit, at
+            yield f"{name.replace('_', ' ')}, {words}", unit, values[k], None if sd is None else sd[k]
         for words, more in _FURTHER.get(name, {}).items():
             if getattr(needs, more) is not None:
-                yield words, unit, getattr(needs, more)
-    yield "stroke", "m", needs.stroke
-    yield "shortest leg", "m", needs.length[:, 0]
-    yield "longest leg", "m", needs.length[:, 1]
-    yield "base joint", "degrees", np.degrees(needs.base_angle)
-    yield "platform joint", "degrees", np.degrees(needs.platform_angle)
-
-
-def _deviations(needs: ActuatorRequirementsResult) -> Iterator[Array | None]:
-    """Yield the standard deviations of ``rows``, shape (6,), or None without noise."""
-    if needs.std is None:
-        yield from (None for _ in rows(needs))
-        return
-    optional = dict.fromkeys(("torque", "motor_speed", "motor_power", "current", "rms_torque"))
-    sd = SimpleNamespace(quantiles=needs.quantiles, **(optional | dict(needs.std)))
-    yield from (values for _, _, values in rows(sd))
+                yield words, unit, getattr(needs, more), std.get(more)
+    for words, unit, name, pick in _GEOMETRY:
+        sd = std.get(name)
+        yield words, unit, pick(getattr(needs, name)), None if sd is None else pick(sd)
 
 
 def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> str:
     no_margin = ("shortest leg", "longest leg")
     more = 1.0 + needs.margin
     cells, noisy = [], False
-    for (name, unit, values), sd in zip(rows(needs), _deviations(needs), strict=True):
+    for name, unit, values, sd in rows(needs):
         last = "" if name in no_margin else f"{more * np.nanmax(values):.{_DIGITS}g}"
         cells.append((f"{name}, {unit}", *(f"{value:.{_DIGITS}g}" for value in values), last))
         seen = np.zeros(LEGS, dtype=bool) if sd is None else shows(values, sd, _DIGITS)
@@ -187,29 +186,63 @@ def _data_of_noise(found: LimitMargins, needs: ActuatorRequirementsResult) -> di
     }
 
 
-def _table(needs: ActuatorRequirementsResult) -> str:
+def _table(needs: ActuatorRequirementsResult) -> Columns:
     legs = [f"leg{leg + 1}" for leg in range(LEGS)]
     header = ("need", "unit", *legs, *(f"{leg}_std" for leg in legs if needs.std is not None))
-    pairs = zip(rows(needs), _deviations(needs), strict=True)
-    found = [(*row, *values.tolist(), *([] if sd is None else sd.tolist())) for (*row, values), sd in pairs]
-    return csv_text([header, *found])
+    found = [(*row, *values, *(() if sd is None else sd)) for *row, values, sd in rows(needs)]
+    return columns_of([header, *found])
 
 
 def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
-    """Draw the force of each leg over its speed, and with drives the motor torque over the motor speed."""
+    """Draw force over speed, strokes, joint angles, and with drives the motor torque over the motor speed."""
     course, drive = needs.history, robot.drive
-    driven = course.torque is not None and course.motor_speed is not None and drive is not None
-    drawn = new_figure(12.0 if driven else 6.4, 4.8)
-    panels = drawn.subplots(1, 2 if driven else 1, squeeze=False)[0]
+    drawn = new_figure(15.0, 4.8) if drive is None else new_figure(11.0, 8.6)
+    panels = drawn.subplots(1, 3) if drive is None else drawn.subplots(2, 2).ravel()
     _plane(panels[0], course.L_dot, course.F, robot.speed_limit, robot.force_limit)
     panels[0].set(xlabel="rate of length, m/s", ylabel="actuator force, N")
+    _strokes(panels[1], robot, needs)
+    _angles(panels[2], robot, needs)
     if course.torque is not None and course.motor_speed is not None and drive is not None:
         speed, torque = (np.asarray(limit) for limit in (drive.speed_limit, drive.torque_limit))
-        _plane(panels[1], course.motor_speed, course.torque, speed, torque)
-        panels[1].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
-    drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed", fontsize=10.0)
+        _plane(panels[3], course.motor_speed, course.torque, speed, torque)
+        panels[3].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
+    margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
+    drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed; {margin}", fontsize=10.0)
     legend_below(drawn)
     return drawn
+
+
+def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
+    """Draw the lengths of each leg, its stroke with the margin, and the limits of the lengths."""
+    (low, high), (least, most) = needs.length.T, robot.length_limits.T
+    stroke = (1.0 + needs.margin) * needs.stroke
+    # Half of the margin is at each end, unless a limit shifts it to the other end.
+    bottom = np.minimum(np.maximum(0.5 * (low + high - stroke), least), most - stroke)
+    bottom = np.minimum(np.maximum(bottom, high - stroke), low)
+    axes.bar(_LEGS, stroke, bottom=bottom, color=LEG_COLORS, alpha=0.3, width=0.6)
+    axes.bar(_LEGS, high - low, bottom=low, color=LEG_COLORS, width=0.6)
+    _dashes(axes, _LEGS, least, 0.4)
+    _dashes(axes, _LEGS, most, 0.4)
+    axes.use_sticky_edges = False
+    axes.set(xlabel="leg", ylabel="length, m", xticks=_LEGS)
+
+
+def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
+    """Draw the largest angles of the joints at the base, left, and at the platform, right and hatched."""
+    style: dict[str, Any] = {"color": LEG_COLORS, "width": 0.36}
+    ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
+    for (angles, shift, hatch), limits in zip(ends, robot.joint_angle_limit.T, strict=True):
+        axes.bar(_LEGS + shift, np.degrees((1.0 + needs.margin) * angles), alpha=0.3, **style)
+        axes.bar(_LEGS + shift, np.degrees(angles), hatch=hatch, edgecolor="white", **style)
+        _dashes(axes, _LEGS + shift, np.degrees(limits), 0.2)
+    axes.set(xlabel="leg; base joint left, platform joint right, hatched", ylabel="joint angle, degrees")
+    axes.set_xticks(_LEGS)
+
+
+def _dashes(axes: Axes, places: NDArray[Any], limits: Array, half: float) -> None:
+    """Draw the limit of each leg across its place, shape (6,), as far as it is given."""
+    given = np.isfinite(limits) & (limits > 0.0)
+    axes.hlines(limits[given], places[given] - half, places[given] + half, **_LIMIT)
 
 
 def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort: Array) -> None:

@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,7 +18,7 @@ from ...kinematics.offset_legs import leg_lengths
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
 from ..common.drawing import DARK, Z_DOWN, Axes, Figure, as_written, legend_below, new_figure, vertical
-from ..common.output import aligned, csv_text
+from ..common.output import Columns, aligned
 from ..common.report import SMALL, Picture, Report
 
 POINTS = 121
@@ -60,15 +60,16 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
     R = rotation_from_rpy(found.rpy[None])
     t = found.position - R @ found.tool
     code = int(examiner.broken_limits(R, t)[0])
+    text = status_text(REASONS[code])
     if code == LENGTH:
         L = leg_lengths(examiner.robot, R, t)
-        legs = f"its legs are {L.min():.4g} to {L.max():.4g} m long"
-        return f"{legs}: change --position (m)"
-    number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
-    if code == CONDITION and number > most:
-        return f"{status_text(REASONS[code])}: expected at most {most:g}, got {number:.4g}"
-    beyond = ": det H has another sign than at the home pose" if code == CONDITION else ""
-    return f"{status_text(REASONS[code])}{beyond}"
+        return f"its legs are {L.min():.4g} to {L.max():.4g} m long: change --position (m)"
+    if code == CONDITION:
+        number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
+        if number <= most:
+            return f"{text}: det H has another sign than at the home pose"
+        return f"{text}: expected at most {most:g}, got {number:.4g}"
+    return text
 
 
 def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: Progress) -> list[Slice]:
@@ -186,15 +187,16 @@ def _clear_unit(found: WorkspaceResult) -> str:
     return {"constant_orientation": "m", "orientation": "rad", "six_dof": ""}[found.kind]
 
 
-def _table(planes: list[Slice]) -> str:
-    """Format one row for each pose of the planes."""
-    rows: list[Sequence[object]] = [("axes", "first", "second", "first_limit", "scaled_condition")]
+def _table(planes: list[Slice]) -> Columns:
+    """Return one row for each pose of the planes."""
+    parts = []
     for plane in planes:
-        axes = "-".join(AXES[i] for i in plane.axes)
         first, second = np.meshgrid(plane.first, plane.second, indexing="ij")
-        numbers = (each.ravel().tolist() for each in (first, second, plane.codes, plane.condition))
-        rows += [(axes, a, b, REASONS[code], kappa) for a, b, code, kappa in zip(*numbers, strict=True)]
-    return csv_text(rows)
+        axes = np.full(first.shape, "-".join(AXES[i] for i in plane.axes))
+        parts.append((axes, first, second, np.array(REASONS)[plane.codes], plane.condition))
+    names = ("axes", "first", "second", "first_limit", "scaled_condition")
+    columns = (np.concatenate([each.ravel() for each in column]) for column in zip(*parts, strict=True))
+    return dict(zip(names, columns, strict=True))
 
 
 def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:

@@ -13,12 +13,9 @@ from ...kinematics.mounting import DECISIVE, AssemblyModeWarning
 from ...motion.text.unit_row import LENGTH_UNITS
 from ...results import STATUS_TEXT
 from ...robot.drive import Drive
-from ...robot.robot import Robot, legs_text
-from ..common.report import Report
-from .machine_plot import picture
-
-# Smallest fraction of gravity along an axis of the base frame for which gravity acts along that axis.
-_ALONG = 0.9
+from ...robot.robot import Robot
+from ..common.report import SMALL, Picture, Report
+from .machine_plot import figure
 
 
 class _Unit(NamedTuple):
@@ -41,7 +38,7 @@ def report(robot: Robot, length_unit: str = "m") -> Report:
         home = home_pose(robot)
     data = {**_data(robot), "home_pose": _home_data(robot, home)}
     unit = _Unit(length_unit, LENGTH_UNITS[length_unit])
-    figures = {"machine": picture(robot, home)}
+    figures = {"machine": Picture(lambda: figure(robot, home), SMALL)}
     return Report(_description(robot, home, unit), data=data, figures=figures)
 
 
@@ -79,12 +76,11 @@ def _drive_data(robot: Robot) -> dict[str, Any]:
     """Return the drives for the JSON data; nothing without drives."""
     if robot.drive is None:
         return {}
-    names = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "backdrive_efficiency": ""}
-    names |= {name: unit for name, (_, unit) in _DRIVE_FRICTION.items()}
-    names |= {name: unit for name, (_, unit) in _DRIVE_LIMITS.items()}
+    units = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "backdrive_efficiency": ""}
+    units |= {name: unit for name, (_, unit) in (_DRIVE_FRICTION | _DRIVE_LIMITS).items()}
     return {
         "_".join(["drive", name, *unit.replace("/", " per ").split()]): getattr(robot.drive, name)
-        for name, unit in names.items()
+        for name, unit in units.items()
     }
 
 
@@ -123,7 +119,6 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ("joints", f"{robot.base_joint} at the base, {_platform_joint(robot)} at the platform"),
         *_offsets(robot, unit),
         ("gravity", f"{_vector(robot.g)} m/s^2"),
-        *_sides(robot),
         ("platform", f"{robot.M:g} kg, center of mass {unit.vector(robot.R_0)} {unit.name}"),
         ("legs", f"{_range(masses)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})"),
         ("mass ratio", f"platform to one leg {robot.M / np.mean(masses):.3g}"),
@@ -135,18 +130,6 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ("inertias", inertias),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
-
-
-def _sides(robot: Robot) -> list[tuple[str, str]]:
-    """Return a row about the effect of gravity on both sides of a base normal to an axis."""
-    axis = int(np.argmax(np.abs(robot.g)))
-    flat = np.ptp(robot.b[:, axis]) < 0.5 * radius(robot.b)
-    if not flat or abs(robot.g[axis]) <= _ALONG * np.linalg.norm(robot.g):
-        return []
-    above, below = "+-" if robot.g[axis] < 0.0 else "-+"
-    name = "xyz"[axis]
-    stands = f"a platform on the {above}{name} side of the base stands on its legs (compression)"
-    return [("sides", f"{stands}, one on the {below}{name} side hangs from them (tension)")]
 
 
 def _platform_joint(robot: Robot) -> str:
@@ -203,11 +186,6 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
         back, forth = np.min(home.L - shortest), np.min(longest - home.L)
         span = f"{-back / unit.meters:.4g} to {forth / unit.meters:+.4g} {unit.name}"
         rows.append(("stroke left", span))
-    parts = robot.r_d0[:, 0] - robot.r_u0[:, 0]
-    short = np.flatnonzero(home.L < parts).tolist()
-    if short:
-        named = legs_text(short)
-        rows.append(("overlap", f"lower and upper centers of mass pass each other in {named}: a low pose"))
     if home.status:
         rows.append(("condition", f"unsolvable: {STATUS_TEXT[home.status]}"))
     else:
@@ -264,21 +242,18 @@ _DRIVE_LIMITS = {
 
 def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
     """Return rows about the drives and, if any are given, the limits of their motors."""
-    lead = drive.lead / drive.gear_ratio / unit.meters
-    most = lead > 0.0 if 2 * np.count_nonzero(lead > 0.0) >= len(lead) else lead < 0.0
-    turn = f"{_range(lead[most])} {unit.name} per turn of the motor"
-    if not most.all():
-        turn += f" ({legs_text(np.flatnonzero(~most).tolist())}: {_range(lead[~most])})"
-    back = _short_range(drive.backdrive_efficiency)
-    parts = [turn, f"reflected mass {_short_range(drive.reflected_mass)} kg"]
-    parts.append(f"efficiency {_range(drive.efficiency)} driving, {back} back")
+    parts = [
+        f"{_range(drive.lead / drive.gear_ratio / unit.meters)} {unit.name} per turn of the motor",
+        f"reflected mass {_range(drive.reflected_mass, 4)} kg",
+        f"efficiency {_range(drive.efficiency)} driving, {_range(drive.backdrive_efficiency, 4)} back",
+    ]
     parts += [
         f"{words} {_range(getattr(drive, name))} {per}"
         for name, (words, per) in _DRIVE_FRICTION.items()
         if np.any(getattr(drive, name))
     ]
     limits = [
-        f"{words} up to {_short_range(getattr(drive, name))} {per}"
+        f"{words} up to {_range(getattr(drive, name), 4)} {per}"
         for name, (words, per) in _DRIVE_LIMITS.items()
         if np.isfinite(getattr(drive, name)).any()
     ]
@@ -286,35 +261,29 @@ def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
 
 
 def _limits(robot: Robot, length: _Unit) -> str:
+    angles = np.degrees(robot.joint_angle_limit).T
     parts = []
     for name, limits, unit in (
         ("length", (robot.length_limits / length.meters).T, length.name),
         ("force", robot.force_limit[None], "N"),
         ("speed", robot.speed_limit[None] / length.meters, f"{length.name}/s"),
+        ("joint angles from home", angles, "degrees (base and platform joint)"),
     ):
         given = np.isfinite(limits[-1])
-        legs = int(np.count_nonzero(given))
-        some = "" if legs == len(given) else f" ({legs} of 6 legs)"
-        span = " to ".join(_range(limit[given]) for limit in limits) if legs else ""
-        parts.append(f"{name} {span} {unit}{some}" if legs else f"{name} none")
-    angles = np.degrees(robot.joint_angle_limit)
-    given = np.isfinite(angles[:, 0])
-    if given.any():
-        ends = " and ".join(_short_range(end) for end in angles[given].T)
-        some = "" if given.all() else f" ({np.count_nonzero(given)} of 6 legs)"
-        parts.append(f"joint angles from home {ends} degrees (base and platform joint){some}")
+        if given.any():
+            some = "" if given.all() else f" ({np.count_nonzero(given)} of 6 legs)"
+            between, digits = (" and ", 4) if limits is angles else (" to ", 6)
+            span = between.join(_range(end[given], digits) for end in limits)
+            parts.append(f"{name} {span} {unit}{some}")
+        elif limits is not angles:
+            parts.append(f"{name} none")
     return "; ".join(parts)
 
 
-def _range(values: Array) -> str:
-    low, high = (f"{value:g}" for value in (np.min(values), np.max(values)))
+def _range(values: Array, digits: int = 6) -> str:
+    low, high = (f"{value:.{digits}g}" for value in (np.min(values), np.max(values)))
     between = " to " if low.startswith("-") else "-"
     return low if low == high else f"{low}{between}{high}"
-
-
-def _short_range(values: Array) -> str:
-    """Format a range with four digits."""
-    return _range(np.array([float(f"{value:.4g}") for value in values.tolist()]))
 
 
 def _vector(values: Array, digits: int = 4) -> str:

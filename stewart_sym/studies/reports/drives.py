@@ -13,7 +13,7 @@ from ...io.array_types import Array, Flags
 from ...motion.sample_times import elapsed, least_step
 from ...robot.robot import LEGS, Robot
 from ..common.drawing import DARK, Figure, as_written, new_figure, plot_legs
-from ..common.output import Columns, csv_text, leg_table, of_legs
+from ..common.output import Columns, leg_table, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 _HEADINGS = {"power": "shaft power"}
@@ -94,12 +94,6 @@ class DriveDigest:
         found: dict[str, Any] = {f"motor_{name}_limit": self.summary.verdicts(name) for name in self._known()}
         rated = self.summary.verdicts("rated_torque") if self.lasts else [None] * LEGS
         return found | {"motor_rated_torque": rated}
-
-    def csv(self) -> str:
-        """Format numbers and limit status of all motors as CSV, one motor per row."""
-        columns = {"motor": range(1, LEGS + 1), **self.columns(), **self.verdicts()}
-        names = [name.removeprefix("motor_") for name in columns]
-        return csv_text([names, *zip(*(np.asarray(each).tolist() for each in columns.values()), strict=True)])
 
     def figure(self) -> Figure:
         """Plot torque over time, and torque over speed with the limits of the motor as a frame."""

@@ -23,7 +23,7 @@ from ...motion.smooth_motion import PoseNoise, estimate_pose_noise, smoothed
 from ...motion.trajectory import IN_SI, Trajectory
 from ...robot.robot import Robot, about_point
 from ..common.motion_columns import trajectory_columns
-from ..common.output import aligned, csv_text, of_legs
+from ..common.output import Columns, aligned, columns_of, of_legs
 from ..common.report import Report
 
 # Fraction of a normal distribution within one, two, and three standard deviations.
@@ -93,7 +93,7 @@ def from_measurement(
 
 
 def _need_equal_times(trajectory: Trajectory, time: Array, source: str, lines: Sequence[int] | None) -> None:
-    """Reject forces at other times than the trajectory, with the ratio of the units if it is evident."""
+    """Reject forces at other times than the trajectory."""
     if len(time) != len(trajectory.time):
         raise ValueError(
             f"{source}: expected {len(trajectory.time)} rows, as many as {trajectory.source}, got {len(time)}"
@@ -105,12 +105,8 @@ def _need_equal_times(trajectory: Trajectory, time: Array, source: str, lines: S
     i = int(np.argmax(off))
     expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
     line = i + 2 if lines is None else lines[i]
-    said = f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}"
-    for factor in (1e-6, 1e-3, 1e3, 1e6):
-        if np.allclose(time, factor * trajectory.time, _SAME_TIME, _SAME_TIME * factor * span):
-            said += f": all {factor:g} times as large, expected their unit in a row of units below the "
-            said += "header, or for both files in --time-unit"
-    raise ValueError(said)
+    remedy = "check the units of both files, a row below the header or --time-unit"
+    raise ValueError(f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}; {remedy}")
 
 
 def _dry_friction(robot: Robot) -> list[str]:
@@ -219,11 +215,11 @@ def measured_report(
         agreement = f"{agrees}, for the fit is rejected"
         departure = np.full_like(departure, np.nan)
     named = f"; farther off than {_FAR:g} sigma: {', '.join(far)}" if far else ""
-    tables: dict[str, str | Mapping[str, Array]] = {}
+    tables: dict[str, Columns] = {}
     if found.parameters is not None:
         bodies = found.parameters
         full = zip(bodies.names, bodies.units, bodies.values.tolist(), strict=True)
-        tables["bodies"] = csv_text([("name", "unit", "value"), *full])
+        tables["bodies"] = columns_of([("name", "unit", "value"), *full])
     lines = [_count(robot, base), _noise(sigma, noise), *verdict(found), f"robot file: {agreement}{named}"]
     if robot is not given:
         lines.append("C_p of the robot file: with the viscous friction of its drives")
@@ -264,7 +260,7 @@ def _report(
     lines: list[str],
     base: BaseParametersResult,
     numbers: Mapping[str, Array],
-    tables: Mapping[str, str | Mapping[str, Array]],
+    tables: Mapping[str, Columns],
     data: Mapping[str, Any],
 ) -> Report:
     """Create a report of text lines and a table of the base parameters with columns (n,) by name."""
@@ -281,7 +277,7 @@ def _report(
     merged = [text for name, text in zip(base.names, base.formulas, strict=True) if text != name]
     return Report(
         "\n".join([*lines, "", table, "", "Parameters stand for these combinations:", *merged]),
-        {"parameters": csv_text([head, *rows]), **tables},
+        {"parameters": columns_of([head, *rows]), **tables},
         {**data, "parameters": [dict(zip(head, row, strict=True)) for row in rows]},
     )
 

@@ -1,4 +1,4 @@
-"""Plot of a machine at its home pose, in perspective and from above, with numbered legs."""
+"""Plots of a machine: home pose in perspective and from above, and a pose with its unconstrained twist."""
 
 from typing import Any
 
@@ -9,6 +9,7 @@ from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
+from ...singularities.singular_poses import SingularityResult
 from ...viewer.content import around
 from ..common.drawing import (
     BLUE,
@@ -23,17 +24,11 @@ from ..common.drawing import (
     new_figure,
     vertical,
 )
-from ..common.report import SMALL, Picture
 
 BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 
 # Length of axes and arrows, and distance below which points coincide, relative to the size of the machine.
 _AXIS, _SAME = 0.12, 1e-3
-
-
-def picture(robot: Robot, home: HomePose) -> Picture:
-    """Return the plot of the machine at its home pose."""
-    return Picture(lambda: figure(robot, home), SMALL)
 
 
 def figure(robot: Robot, home: HomePose) -> Figure:
@@ -51,6 +46,30 @@ def figure(robot: Robot, home: HomePose) -> Figure:
     _from_above(above, robot, tips)
     _frame(in_space, robot, np.concatenate(extent))
     return drawn
+
+
+def twist_figure(robot: Robot, pose: Motion, at: SingularityResult, title: str) -> Figure:
+    """Draw the machine at a pose with the velocities of the platform points under its unconstrained twist."""
+    figure = new_figure(6.6, 5.8)
+    axes: Any = figure.add_subplot(projection="3d")
+    points = pose.t + robot.p @ pose.R.T
+    extent = _draw_legs(axes, robot, points)
+    size = float(np.max(np.ptp(np.concatenate(extent), axis=0)))
+    velocities = at.twist[:3] + np.cross(at.twist[3:], points - pose.t)
+    arrows = 2.5 * _AXIS * size * velocities / np.max(np.linalg.norm(velocities, axis=-1))
+    axes.quiver(*points.T, *arrows.T, color=MARK, linewidth=1.6, arrow_length_ratio=0.25)
+    extent.append(points + arrows)
+    screw = "a translation"
+    if np.isfinite(at.screw_pitch):
+        screw = f"screw axis dashed, pitch {float(at.screw_pitch):.4g} m/rad"
+        line = at.screw_point + np.outer([-0.45 * size, 0.45 * size], at.screw_axis)
+        if np.linalg.norm(at.screw_point - pose.t) < size:
+            axes.plot(*line.T, color=MARK, linewidth=1.0, linestyle=(0, (4, 2)))
+            extent.append(line)
+    motion = "unconstrained twist" if at.lost_dof else "twist that the legs resist least"
+    axes.set_title(f"{as_written(title)}\n{motion}, {screw}", fontsize=9.0)
+    _frame(axes, robot, np.concatenate(extent))
+    return figure
 
 
 def _draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:

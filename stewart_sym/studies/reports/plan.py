@@ -24,7 +24,7 @@ from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
-from ..common.drawing import BLUE, GREY, RED, Figure, legend_below, log_numbers, new_figure, plot_legs
+from ..common.drawing import BLUE, GREY, RED, Axes, Figure, legend_below, log_numbers, new_figure, plot_legs
 from ..common.motion_columns import trajectory_columns
 from ..common.output import Columns, by_leg, of_legs
 from ..common.report import Picture, Report
@@ -117,6 +117,7 @@ def report(plan: Plan) -> Report:
     figures = {
         "condition": Picture(lambda: condition_figure(plan)),
         "forces": Picture(lambda: forces_figure(plan)),
+        "phase_plane": Picture(lambda: phase_figure(plan)),
     }
     view = {"motion": lambda: Viewer(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))}
     return Report(text, tables, data(plan), figures, view)
@@ -235,10 +236,8 @@ def condition_figure(plan: Plan) -> Figure:
     drawn = ((planned.initial_path, "straight spline", GREY), (planned.path, "planned", BLUE))
     for path, name, color in drawn:
         axes.semilogy(s, conditions(plan.robot, path(s)), color=color, linewidth=1.4, label=name)
-    for via in planned.path.via:
-        axes.axvline(via, color=GREY, linewidth=0.7, linestyle=(0, (4, 3)))
-    label = "path parameter s; via poses dashed"
-    axes.set(xlim=(0.0, 1.0), xlabel=label, ylabel="scaled condition number of H")
+    _mark_via(axes, plan)
+    axes.set(xlim=(0.0, 1.0), xlabel=_PARAMETER, ylabel="scaled condition number of H")
     log_numbers(axes.yaxis)
     legend_below(figure)
     return figure
@@ -259,3 +258,29 @@ def forces_figure(plan: Plan) -> Figure:
     axes.set(xlim=(0.0, plan.timed.duration), xlabel="time, s", ylabel=label)
     legend_below(figure)
     return figure
+
+
+def phase_figure(plan: Plan) -> Figure:
+    """Plot s' over s: the motion, and its limits for feasible accelerations and for stopping at the end."""
+    figure = new_figure(8.0, 4.6)
+    axes, profile = figure.subplots(), plan.timed.profile
+    s, rate = profile.nodes.s, profile.nodes.rate
+    top = 1.6 * float(rate.max())
+    if profile.ease is None:
+        limits = {"no acceleration keeps the limits above": profile.phase.most}
+        limits["rest at the end is out of reach above"] = profile.phase.stops
+        for (name, square), color in zip(limits.items(), (GREY, RED), strict=True):
+            axes.plot(s, np.minimum(np.sqrt(square), 2.0 * top), color=color, linestyle="--", label=name)
+    axes.plot(s, rate, color=BLUE, label="motion")
+    _mark_via(axes, plan)
+    axes.set(xlim=(0.0, 1.0), ylim=(0.0, top), xlabel=_PARAMETER, ylabel="its rate, 1/s")
+    legend_below(figure)
+    return figure
+
+
+_PARAMETER = "path parameter s; via poses dashed"
+
+
+def _mark_via(axes: Axes, plan: Plan) -> None:
+    for via in plan.planned.path.via:
+        axes.axvline(via, color=GREY, linewidth=0.7, linestyle=(0, (4, 3)))

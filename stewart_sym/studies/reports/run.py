@@ -1,19 +1,27 @@
-"""Report of ``simulate``: columns by name, a summary, and a plot."""
+"""Report of ``simulate``: columns by name, a summary, plots, and the energy drift of both formulations."""
 
-from typing import Any
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, cast
 
 import numpy as np
 
+from ...backend.kernel import FORMULATIONS
 from ...drives.motor_states import of_motor_forces
+from ...dynamics.inverse_dynamics import Formulation
 from ...io.array_types import Array
+from ...motion.motion import Motion
 from ...motion.rotation import rpy_from_rotation
 from ...motion.sample_times import least_step, time_text
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
+from ...simulation.scene import Scene
 from ...simulation.state_history import SimulationResult, StateHistory, leg_states
-from ..common.drawing import Figure, new_figure
+from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.output import Columns, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
+from ..paper.reproduce import without_friction
 from .drives import DriveDigest
 
 _EVEN = 1001
@@ -32,16 +40,43 @@ def run_columns(run: SimulationResult) -> Columns:
     return columns | {"kinetic_energy": run.kinetic_energy, "potential_energy": run.potential_energy}
 
 
-def report(robot: Robot, run: SimulationResult, law: ForceLaw) -> Report:
-    """Create the report of a run."""
-    fine = run.dense_history
+def report(
+    robot: Robot, run: SimulationResult, law: ForceLaw, drifts: Mapping[str, Columns] | None = None
+) -> Report:
+    """Create the report of a run; ``drifts`` is the result of ``energy_drift``, if any."""
+    drifts, fine = drifts or {}, run.dense_history
     text, figures = summary(run, fine, law), {}
     motors = motors_of(robot, fine, run.dense_weights)
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
     if len(run.time) > 1:
         figures["run"] = Picture(lambda: figure(run, law))
-    return Report(text, {"run": run_columns(run)}, _data(run, fine, law, motors), figures)
+    for name, drift in drifts.items():
+        text += f"\n{name:<10} without friction, in {drift['time'][-1]:.6g} s: {_drift_text(drift['drift'])}"
+    data = _data(run, fine, law, motors)
+    if drifts:
+        if all(len(drift["time"]) > 1 for drift in drifts.values()):
+            figures["energy_drift"] = Picture(lambda: drift_figure(drifts))
+        data["energy_drift"] = {name: np.abs(drift["drift"]).max() for name, drift in drifts.items()}
+    tables = {f"energy_drift_{name}": drift for name, drift in drifts.items()}
+    return Report(text, {"run": run_columns(run), **tables}, data, figures)
+
+
+def energy_drift(scene: Scene) -> dict[str, Columns]:
+    """Simulate a machine on springs in both formulations, without friction, dampers, and load.
+
+    Returns times (s) and the change of the energy of machine and springs, shape (n,), relative to the mean
+    kinetic energy in ``exact``; correct equations conserve this energy.
+    """
+    law, state = cast(LegSprings, scene.law), scene.state
+    robot = without_friction(scene.robot)
+    law = replace(law, robot=robot, damping=0.0)
+    state = Motion(R=state.R, t=state.t, omega=state.omega, v=state.v)
+    free = replace(scene, robot=robot, law=law, state=state, load=None, on_force_limit="stop")
+    names = cast(tuple[Formulation, ...], FORMULATIONS)
+    runs = {name: replace(free, formulation=name).run() for name in names}
+    scale = _mean_kinetic_energy(runs["exact"], law)
+    return {name: {"time": run.time, "drift": _drift(run, law, scale)} for name, run in runs.items()}
 
 
 def motors_of(robot: Robot, run: StateHistory, weights: Array | None = None) -> DriveDigest | None:
@@ -80,7 +115,7 @@ def _data(
         "kinetic_energy_peak_J": fine.kinetic_energy.max(),
         "springs_energy_drift": springs_drift(run, fine, law),
         **work,
-        "units": {"springs_energy_drift": "share of the mean kinetic energy"},
+        "units": dict.fromkeys(("springs_energy_drift", "energy_drift"), "share of the mean kinetic energy"),
     }
 
 
@@ -92,13 +127,28 @@ def springs_drift(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> f
     """
     if not isinstance(law, LegSprings) or (run.saturation.max_excess > 0.0).any():
         return None
+    return float(np.abs(_drift(fine, law, _mean_kinetic_energy(run, law))).max())
+
+
+def _drift(run: StateHistory, law: LegSprings, scale: float) -> Array:
+    """Return the change of the energy of machine and springs over ``scale`` (J), shape (n,)."""
+    energy = run.energy + law.energy(run.L)
+    return np.asarray((energy - energy[0]) / scale)
+
+
+def _mean_kinetic_energy(run: SimulationResult, law: LegSprings) -> float:
+    """Return the mean kinetic energy (J), or inf if the motion is only rounding errors."""
     even = run.at(np.linspace(0.0, run.stop.time, _EVEN))
     mean = float(even.kinetic_energy.mean())
     stored = float((np.abs(even.potential_energy) + np.abs(law.energy(even.L))).max())
-    if mean <= _STILL * stored:
-        return 0.0
-    energy = fine.energy + law.energy(fine.L)
-    return float(np.abs(energy - energy[0]).max()) / mean
+    return mean if mean > _STILL * stored else math.inf
+
+
+def _drift_text(drift: Array | float) -> str:
+    largest = np.max(np.abs(drift))
+    if largest == 0.0:
+        return "nothing moved, so that no energy can drift"
+    return f"energy with that of the springs changes by up to {largest:.2e} of the mean kinetic energy"
 
 
 def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
@@ -123,11 +173,8 @@ def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
         if run.saturation.max_excess[i] > 0.0
     ]
     drift = springs_drift(run, fine, law)
-    if drift == 0.0:
-        lines.append("springs    nothing moved, so that no energy can drift")
-    elif drift is not None and isinstance(law, LegSprings):
-        text = f"energy with that of the springs changes by up to {drift:.2e} of the mean kinetic energy"
-        lines.append(f"springs    {text}{_taken(run, law)}")
+    if drift is not None and isinstance(law, LegSprings):
+        lines.append(f"springs    {_drift_text(drift)}{_taken(run, law) if drift else ''}")
     return "\n".join(lines)
 
 
@@ -180,3 +227,18 @@ def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...
         parts["springs"] = law.energy(run.L)
     gained = np.stack([energy - energy[0] for energy in parts.values()], axis=-1)
     return np.column_stack([gained, gained.sum(axis=-1)]), (*parts, "sum")
+
+
+def drift_figure(drifts: Mapping[str, Columns]) -> Figure:
+    """Plot the magnitudes of the energy drifts of both formulations over time."""
+    picture = new_figure(8.0, 4.2)
+    axes = picture.subplots()
+    for (name, found), color in zip(drifts.items(), (BLUE, RED), strict=True):
+        # The drift of the first sample is zero, which has no logarithm.
+        size = np.maximum(np.abs(found["drift"][1:]), _STILL)
+        label = f"{name}, largest {size.max():.1e}"
+        axes.semilogy(found["time"][1:], size, color=color, linewidth=1.3, label=label)
+    axes.set(xlabel="time, s", ylabel="change of energy / mean kinetic energy")
+    log_numbers(axes.yaxis)
+    legend_below(picture)
+    return picture

@@ -1,5 +1,7 @@
 """Report of ``singularities``: singular poses that a path crosses, and the degrees of freedom lost there."""
 
+import functools
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,8 +25,9 @@ from ...singularities.path_singularities import (
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import SingularityResult
 from ..common.drawing import BLUE, DARK, RED, Figure, as_written, log_numbers, new_figure
-from ..common.output import Columns, aligned, by_leg, of_legs
-from ..common.report import Picture, Report
+from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
+from ..common.report import SMALL, Picture, Report
+from .machine_plot import twist_figure
 
 NEAREST = ("least held", "dearest wrench", "idlest forces")
 """Titles in place of unconstrained twist, lost wrench, and idle forces if a pose is not singular."""
@@ -32,6 +35,8 @@ NEAREST = ("least held", "dearest wrench", "idlest forces")
 _EVEN = 401
 _NEAR = 150
 _MARKS = 50
+_MOST_DRAWN = 6
+"""Largest number of drawn crossings; an oscillating path may have many."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,11 +90,45 @@ def report(found: Examination) -> str:
 
 
 def full_report(found: Examination) -> Report:
-    """Create the report with text and curves over time, and their plot."""
+    """Create the report with text, events, and curves over time, their plot, and drawings of crossings."""
     columns = curves(found)
-    return Report(
-        report(found), {"path": columns}, _data(found), {"path": Picture(lambda: path_figure(found, columns))}
-    )
+    figures = {"path": Picture(lambda: path_figure(found, columns))}
+    for name, time, at in _drawn(found):
+        pose = found.path(np.array([time]))[0]
+        title = f"{found.robot.name}, path {found.name}, at {time:.9f} s"
+        figures[name] = Picture(functools.partial(twist_figure, found.robot, pose, at, title), SMALL)
+    return Report(report(found), {"events": events(found), "path": columns}, _data(found), figures)
+
+
+def _drawn(found: Examination) -> Iterator[tuple[str, float, SingularityResult]]:
+    """Yield name, time, and pose of each drawing: the first crossings, or the nearest pose."""
+    for number, crossing in enumerate(found.along.crossings[:_MOST_DRAWN], 1):
+        yield f"crossing_{number}", crossing.time, crossing.singularity
+    if not found.along.crossings:
+        yield "nearest", found.along.nearest.time, found.along.nearest.singularity
+
+
+def events(found: Examination) -> Columns:
+    """Return columns (n,) with a row for each crossing (1) and each local minimum (0), sorted by time."""
+    along, none = found.along, np.full(LEGS, np.nan)
+    rows = [
+        (item.time, 1, item.time_error, item.sign_before, item.sign_after, item.singularity, A)
+        for item, A in zip(along.crossings, found.residues, strict=True)
+    ]
+    minima = [*along.approaches, *([] if along.crossings else [along.nearest])]
+    for approach in {item.time: item for item in minima}.values():
+        side = int(np.sign(approach.singularity.determinant))
+        rows.append((approach.time, 0, np.nan, side, side, approach.singularity, none))
+    *numbers, poses, residues = zip(*sorted(rows, key=lambda row: row[0]), strict=True)
+    names = ("time", "crossing", "time_error", "sign_before", "sign_after")
+    columns: Columns = {name: np.array(values) for name, values in zip(names, numbers, strict=True)}
+    for name in ("condition_number", "smallest_singular_value", "lost_dof", "screw_pitch"):
+        columns[name] = np.array([getattr(pose, name) for pose in poses])
+    twists = np.array([pose.twist for pose in poses])
+    columns |= of_axes("v", twists[:, :3]) | of_axes("omega", twists[:, 3:])
+    for name in ("screw_axis", "screw_point"):
+        columns |= of_axes(name, np.array([getattr(pose, name) for pose in poses]))
+    return columns | of_legs("A", np.array(residues))
 
 
 def _data(found: Examination) -> dict[str, Any]:

@@ -1,6 +1,5 @@
 """Inverse dynamics along a trajectory for ``forces``: columns, exceeded limits, and a summary."""
 
-import dataclasses
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
@@ -22,8 +21,7 @@ from ...drives.leg_limits import (
 )
 from ...drives.limit_status import SURE, amount_text, unknown_forces
 from ...drives.motor_states import MotorStates, motor_states
-from ...drives.noise import Deviations, MotorDeviations, at_replaced, deviations_in_parts
-from ...dynamics.home_pose import home_pose
+from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.arguments import status_text
 from ...io.array_types import Array, Codes, Flags
@@ -92,20 +90,13 @@ class Part(NamedTuple):
 
 
 def header_lines() -> list[str]:
-    """Return the header of each kind of CSV file."""
-    none, legs, vectors = np.zeros(0), np.zeros((0, LEGS)), np.zeros((0, LEGS, 3))
-    status = none.astype(np.int32)
-    reactions = JointReactionsResult(vectors, vectors, vectors, vectors, vectors, legs, status)
-    drives: list[tuple[MotorStates | None, MotorDeviations | None]] = [(None, None)]
-    for current in (None, legs):
-        effort = MotorStates(*(legs,) * len(MotorStates._fields))._replace(current=current)
-        drives.append((effort, MotorDeviations(*(legs,) * 7)._replace(current=current)))
-    return [
-        next(csv_lines(Part(slice(0), none, legs, legs, legs, none, status, more, effort, sd).columns))
-        for more in (None, reactions, dataclasses.replace(reactions, M_s=vectors))
-        for effort, motors in drives
-        for sd in (None, Deviations(legs, legs, legs, legs, motors=motors))
-    ]
+    """Return the beginning of the header of CSV files, without and with standard deviations."""
+    F, F_std, L = (
+        ",".join(of_legs(name, np.zeros((0, LEGS)), ending))
+        for name, ending in (("F", ""), ("F", "_std"), ("L", ""))
+    )
+    rest = f"{L},condition_number,status"
+    return [f"time,{F},{rest}", f"time,{F},{F_std},{rest}"]
 
 
 def in_parts(
@@ -134,9 +125,6 @@ def in_parts(
             status = np.where(status == OK, more.status, status)
         if status.any() and not told:
             at, reason = first_fault(status, robot, motion)
-            if status[at] == NOT_FINITE and not allow_singular:
-                row = f"line {trajectory.rows[start + at[0]]} of {trajectory.source}"
-                _need_forces(robot, row)
             text = f"{trajectory.source}: line {trajectory.rows[start + at[0]]}: {reason}"
             if not allow_singular:
                 raise ValueError(text)
@@ -320,19 +308,6 @@ def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, the
         f"a warning beyond {100.0 * share:.3g} % (--noise-threshold {share:g})"
         + (f"; {others} more leg{'s' if others > 1 else ''} likewise" if others else "")
     )
-
-
-def _need_forces(robot: Robot, where: str) -> None:
-    """Reject a robot with numbers so large that forces overflow at home, at rates of 1 in SI units."""
-    with warnings.catch_warnings(action="ignore"):
-        slow = Motion(
-            R=np.eye(3), t=home_pose(robot).t, **dict.fromkeys(("omega", "v", "alpha", "a"), np.ones(3))
-        )
-        found = inverse_dynamics(robot, slow, backend="numpy", on_singular="nan")
-    if found.status == NOT_FINITE:
-        raise ValueError(
-            f"robot {robot.name}: forces overflow at {where}; use smaller numbers in the robot file"
-        )
 
 
 def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
