@@ -138,7 +138,7 @@ class Public(SphinxDirective):
             # Members with entries of their own would appear twice.
             own = [each for each in vars(value) if each in ss.__all__]
             excluded = f"   :exclude-members: {', '.join(own)}\n" if own else ""
-            return f".. automodule:: stewart_sym.{name}\n   :members:\n   :no-value:\n{excluded}\n"
+            return f".. automodule:: stewart_sym.{name}\n   :members:\n{excluded}\n"
         if inspect.isclass(value):
             return f".. autoclass:: stewart_sym.{name}\n   :members:\n\n"
         if callable(value):
