@@ -135,7 +135,10 @@ class Public(SphinxDirective):
     def _entry(name: str) -> str:
         value = getattr(ss, name)
         if inspect.ismodule(value):
-            return f".. automodule:: stewart_sym.{name}\n   :members:\n\n"
+            # Members with entries of their own would appear twice.
+            own = [each for each in vars(value) if each in ss.__all__]
+            excluded = f"   :exclude-members: {', '.join(own)}\n" if own else ""
+            return f".. automodule:: stewart_sym.{name}\n   :members:\n{excluded}\n"
         if inspect.isclass(value):
             return f".. autoclass:: stewart_sym.{name}\n   :members:\n\n"
         if callable(value):
@@ -170,8 +173,11 @@ def _named_defaults(
     signature: str | None,
     returned: str | None,
 ) -> tuple[str, str | None] | None:
-    """Write functions among the defaults of a signature with their names."""
-    return None if signature is None else (re.sub(r"<function (\w+)>", r"\1", signature), returned)
+    """Write functions among the defaults with their names, other objects as dots; omit private parameters."""
+    if signature is None:
+        return None
+    named = re.sub(r"<function (\w+)>", r"\1", signature)
+    return re.sub(r", _\w+(?=[,)])", "", named.replace("<factory>", "...")), returned
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -141,13 +141,13 @@ def identify(
 
     Notes
     -----
-    The model is F = H^-1 (Y pi - [R F_ext; R M_ext]) with the regressor Y (``regressor``). For the conditions
-    of physically possible bodies see [1]_.
+    The model is F = H^-1 (Y pi - [R F_ext; R M_ext]) with the regressor Y (``regressor``). Wensing, Kim, and
+    Slotine (2018) derive the conditions of physically possible bodies.
 
     References
     ----------
-    .. [1] P. M. Wensing, S. Kim, and J.-J. E. Slotine, "Linear matrix inequalities for physically consistent
-       inertial parameter identification", IEEE Robotics and Automation Letters 3(1), 2018.
+    P. M. Wensing, S. Kim, and J.-J. E. Slotine, "Linear matrix inequalities for physically consistent
+    inertial parameter identification", IEEE Robotics and Automation Letters 3(1), 2018.
 
     Examples
     --------

@@ -32,7 +32,7 @@ from .text.unit_row import ANGLE_UNITS, LENGTH_UNITS, TIME_UNITS, UNITS, units_o
 DELIMITERS = dict(zip(("comma", "semicolon", "tab"), MARKS, strict=True))
 DECIMALS = {"point": ".", "comma": ","}
 LENGTHS = ("absolute", "relative")
-"""Leg lengths by themselves, and less those at the home pose."""
+"""Leg lengths: absolute, or relative to the lengths at the home pose."""
 _SI = {"length_unit": "m", "angle_unit": "rad", "time_unit": "s"}
 EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
 
@@ -52,28 +52,30 @@ class HeaderError(ValueError):
 
 @dataclass(frozen=True)
 class TrajectoryFormat:
-    """How a log is written.
+    """Format of a log: columns, units, delimiter, and Euler angles.
 
     Attributes
     ----------
     columns : dict, optional
-        Name that is expected -> name in the header; with any given, other columns are skipped.
+        Names in the header by the expected names. If any are given, other columns are ignored.
     length_unit, angle_unit, time_unit : str, optional
-        Of ``LENGTH_UNITS``, ``ANGLE_UNITS``, ``TIME_UNITS``; rates are per second. None: those of the row of
-        units below the header, else m, rad, s.
-    delimiter, decimal : str, optional
-        Of ``DELIMITERS``, ``DECIMALS``; None: detected.
+        Units: "m", "cm", "mm", or "in"; "rad" or "deg"; "s", "ms", or "us". Rates are per second. None: the
+        units in the row below the header, otherwise m, rad, and s.
+    delimiter : {"comma", "semicolon", "tab"}, optional
+        Delimiter of columns. None: detected.
+    decimal : {"point", "comma"}, optional
+        Decimal separator. None: detected.
     euler_order : str, optional
-        Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38); rates are those of its angles. None: that
-        of the robot, "zyx" where a log is read without one.
-    length_mode : str, optional
-        Leg lengths: of ``LENGTHS``; relative ones are less those of the robot's home pose. None: those of
-        the robot, "absolute" where a log is read without one.
+        Order of rotations, for example "zyx" for R = Rz Ry Rx, (38). Rates are time derivatives of these
+        angles. None: the order of the robot, or "zyx" if no robot is given.
+    length_mode : {"absolute", "relative"}, optional
+        Leg lengths, absolute or relative to the home pose of the robot. None: the mode of the robot, or
+        "absolute" if no robot is given.
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If an argument is invalid. The message names it.
     """
 
     columns: Mapping[str, str] = field(default_factory=dict)
@@ -98,7 +100,7 @@ class TrajectoryFormat:
 
     @property
     def units(self) -> dict[str, str | None]:
-        """Given units by the names of their arguments."""
+        """Given units by argument name."""
         return {name: getattr(self, name) for name in _SI}
 
     @property
@@ -108,26 +110,26 @@ class TrajectoryFormat:
 
     @property
     def meters_per_unit(self) -> float:
-        """Meters in the unit of length."""
+        """Length unit in meters."""
         return LENGTH_UNITS[self.length_unit or "m"]
 
     @property
     def radians_per_unit(self) -> float:
-        """Radians in the unit of angle."""
+        """Angle unit in radians."""
         return ANGLE_UNITS[self.angle_unit or "rad"]
 
     def with_units(self, units: Mapping[str, str]) -> Self:
-        """The same with a unit of each kind: the given one, else that of a row of units, else SI.
+        """Return the format with all units: given units, otherwise units of the file, otherwise SI.
 
         Parameters
         ----------
         units : Mapping
-            Units of a row of units by the name of their argument, such as ``length_unit``.
+            Units of the file by argument name, for example ``length_unit``.
 
         Returns
         -------
         TrajectoryFormat
-            With all units.
+            Format with three units.
         """
         chosen: dict[str, Any]
         chosen = {name: given or units.get(name, _SI[name]) for name, given in self.units.items()}

@@ -1,4 +1,4 @@
-"""Motion of the platform at one or many samples: pose, velocities, accelerations and external load."""
+"""Motion of the platform at one or many samples: pose, velocities, accelerations, and external load."""
 
 from __future__ import annotations
 
@@ -17,39 +17,49 @@ from . import rotation
 
 ROTATION_TOLERANCE = 1e-9
 FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
-"""Of R given as float32: its own rounding and that of the few operations that made it."""
+"""Tolerance of R^T R = E for R of type float32: rounding of R and of the operations before."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Motion(Frozen):
-    """Motion of the platform's reference point and frame; SI units, base frame unless said otherwise.
+    """Motion of the platform: pose, velocities, accelerations, and load of the reference point.
 
-    Leading shapes broadcast, as in NumPy, to one ``shape``; every array is a read-only private copy of that
-    shape. ``motion[index]`` slices it.
-
-    R given as float32 is a rotation only to float32's rounding (R^T R = E to 2e-6): it is made orthonormal in
-    double, by the nearest rotation, and stored so.
+    Vectors are in the base frame, except the load. The leading shapes of the arguments broadcast to one
+    ``shape``. The arrays are read-only copies of this shape, and ``motion[index]`` slices them.
 
     Attributes
     ----------
-    R : ndarray
-        Orientation, platform to base, (..., 3, 3).
-    t : ndarray
-        Position of the reference point, m, (..., 3).
-    omega, v : ndarray
-        Angular velocity, rad/s, and velocity of the reference point, m/s, (..., 3).
-    alpha, a : ndarray, optional
-        Angular acceleration, rad/s^2, and acceleration of the reference point, m/s^2, (..., 3); both None
-        when the motion has no accelerations, as for forward dynamics.
-    F_ext, M_ext : ndarray, optional
-        External force, N, and moment, N m, at the reference point, in the platform frame, (..., 3); None for
-        no load.
+    R : ndarray, shape (..., 3, 3)
+        Rotation matrix from the platform frame to the base frame.
+    t : ndarray, shape (..., 3)
+        Position of the reference point (m).
+    omega, v : ndarray, shape (..., 3)
+        Angular velocity (rad/s), and velocity of the reference point (m/s).
+    alpha, a : ndarray, shape (..., 3), optional
+        Angular acceleration (rad/s^2), and acceleration of the reference point (m/s^2). Both are None if the
+        motion has no accelerations, for example for forward dynamics.
+    F_ext, M_ext : ndarray, shape (..., 3), optional
+        External force (N) and moment (N m) at the reference point in the platform frame. None means no load.
 
     Raises
     ------
     ValueError
-        Naming the argument: shapes that do not fit, entries that are no finite numbers, R that is no rotation
-        (R^T R = E to 1e-9 and det R > 0), one of alpha and a without the other.
+        If shapes do not broadcast, a number is not finite, R is not a rotation (R^T R = E to 1e-9 and
+        det R > 0), or only one of alpha and a is given. The message names the argument.
+
+    Notes
+    -----
+    R of type float32 may differ from a rotation by 2e-6. It is replaced by the nearest rotation in double
+    precision.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> rest = np.zeros(3)
+    >>> motion = ss.Motion(R=np.eye(3), t=[[0.0, 0.0, 0.5], [0.0, 0.0, 0.6]], omega=rest, v=rest)
+    >>> motion.shape, motion[1].t.tolist()
+    ((2,), [0.0, 0.0, 0.6])
     """
 
     R: Array
@@ -74,7 +84,7 @@ class Motion(Frozen):
         self._spread(arrays)
 
     def _spread(self, arrays: dict[str, Array]) -> None:
-        """Set checked arrays, which nobody else holds, broadcast to one leading shape."""
+        """Store checked arrays without other owners, broadcast to one leading shape."""
         order = [field.name for field in fields(self) if field.name in arrays]
         shape = _leading_shape({name: arrays[name] for name in order})
         for name in order:
@@ -83,20 +93,20 @@ class Motion(Frozen):
 
     @classmethod
     def _sound(cls, arrays: dict[str, Array]) -> Motion:
-        """Make a motion of arrays already known to be finite, R a rotation, which nobody else holds."""
+        """Create a motion from checked arrays without other owners."""
         motion = cls._unchecked(*(np.empty(0),) * 4)
         motion._spread(arrays)
         return motion
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The leading shape, () for one sample."""
+        """Leading shape of the arrays; () for one sample."""
         return self.t.shape[:-1]
 
     def __getitem__(self, index: Any) -> Motion:
-        """Slice the leading shape, as a NumPy array of ``shape`` would be sliced."""
+        """Slice the leading shape like a NumPy array of this shape."""
         index = index if isinstance(index, tuple) else (index,)
-        # The vectors' own axes are spelled out, so that no index can reach them.
+        # Indices apply to the leading shape only, so the axes of the vectors are added.
         rest = () if any(item is Ellipsis for item in index) else (Ellipsis,)
         picked: dict[str, Any] = {}
         for field in fields(self):
@@ -106,34 +116,34 @@ class Motion(Frozen):
         return Motion._unchecked(**picked)
 
     def external_wrench(self) -> Array:
-        """External load in base axes, [R F_ext; R M_ext].
+        """Return the external load in the base frame, [R F_ext; R M_ext].
 
         Returns
         -------
-        ndarray
-            Force, N, and moment about the reference point, N m, (..., 6); 0 without a load.
+        ndarray, shape (..., 6)
+            Force (N) and moment (N m) about the reference point; 0 without a load.
         """
         load = [np.zeros(3) if vector is None else vector for vector in (self.F_ext, self.M_ext)]
         turned = [np.einsum("...ij,...j->...i", self.R, vector) for vector in load]
         return np.concatenate(turned, axis=-1)
 
     def in_rotated_frames(self, Q: ArrayLike) -> Motion:
-        """Return the motion in base and platform frames turned by a rotation: x becomes Q x.
+        """Transform the motion to rotated base and platform frames: a vector x becomes Q x.
 
         Parameters
         ----------
-        Q : array_like
-            The rotation, (3, 3).
+        Q : array_like, shape (3, 3)
+            Rotation matrix.
 
         Returns
         -------
         Motion
-            Of the same shape.
+            Motion of the same shape.
 
         Raises
         ------
         ValueError
-            For what is no rotation, a reflection among them: angular velocities would change their sign.
+            If Q is not a rotation. Reflections are rejected, because they would change the sign of omega.
         """
         Q = rotations(Q, "Q", batch=False)
         vectors = {
@@ -189,21 +199,9 @@ class Motion(Frozen):
         F_ext: Array | None = None,
         M_ext: Array | None = None,
     ) -> Motion:
-        """Make a motion of arrays already known to be sound and of one leading shape; nothing is copied.
+        """Create a motion from checked arrays of one leading shape, without copies.
 
-        For inner loops, where the checks would cost more than the dynamics.
-
-        Parameters
-        ----------
-        R, t, omega, v : ndarray
-            As in ``Motion``.
-        alpha, a, F_ext, M_ext : ndarray, optional
-            As in ``Motion``.
-
-        Returns
-        -------
-        Motion
-            Its arrays are those given.
+        For inner loops, in which the checks would cost more time than the dynamics.
         """
         motion = object.__new__(cls)
         motion.__dict__.update(R=R, t=t, omega=omega, v=v, alpha=alpha, a=a, F_ext=F_ext, M_ext=M_ext)
@@ -221,34 +219,42 @@ class Motion(Frozen):
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
     ) -> Motion:
-        """Make a motion from roll-pitch-yaw angles, (38), and their rates.
+        """Create a motion from roll, pitch, and yaw, (38), and their rates.
 
         Parameters
         ----------
-        t : array_like
-            Position of the reference point, m, base frame, (..., 3).
-        theta : array_like
-            Angles (theta_x, theta_y, theta_z), rad, (..., 3).
-        v : array_like
-            Velocity of the reference point, m/s, base frame, (..., 3).
-        theta_dot : array_like
-            Rates of the angles, rad/s, (..., 3).
-        a : array_like, optional
-            Acceleration of the reference point, m/s^2, base frame, (..., 3).
-        theta_ddot : array_like, optional
-            Second rates of the angles, rad/s^2, (..., 3); given together with a or not at all.
-        F_ext, M_ext : array_like, optional
-            As in ``Motion``.
+        t : array_like, shape (..., 3)
+            Position of the reference point in the base frame (m).
+        theta : array_like, shape (..., 3)
+            Angles (theta_x, theta_y, theta_z) (rad), R = Rz(theta_z) Ry(theta_y) Rx(theta_x).
+        v : array_like, shape (..., 3)
+            Velocity of the reference point in the base frame (m/s).
+        theta_dot : array_like, shape (..., 3)
+            Time derivatives of the angles (rad/s), which differ from the angular velocity.
+        a : array_like, shape (..., 3), optional
+            Acceleration of the reference point in the base frame (m/s^2).
+        theta_ddot : array_like, shape (..., 3), optional
+            Second time derivatives of the angles (rad/s^2); required if and only if a is given.
+        F_ext, M_ext : array_like, shape (..., 3), optional
+            Load, as in ``Motion``.
 
         Returns
         -------
         Motion
-            Without accelerations where a is not given.
+            Motion; without accelerations if a is not given.
 
         Raises
         ------
         ValueError
-            Naming the argument, as ``Motion``.
+            If an argument is invalid, as in ``Motion``.
+
+        Examples
+        --------
+        >>> import stewart_sym as ss
+        >>> rest = [0.0, 0.0, 0.0]
+        >>> motion = ss.Motion.from_rpy(t=rest, theta=[0.1, 0.0, 0.0], v=rest, theta_dot=[0.0, 0.0, 1.0])
+        >>> motion.omega.tolist()
+        [0.0, 0.0, 1.0]
         """
         turns = _turns((3,), {"theta": theta, "theta_dot": theta_dot, "theta_ddot": theta_ddot}, a)
         *shape, _ = np.broadcast_shapes(*(array.shape for array in turns))
@@ -283,34 +289,34 @@ class Motion(Frozen):
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
     ) -> Motion:
-        """Make a motion from quaternions, platform to base, and their rates: no orientation is special.
+        """Create a motion from quaternions and their rates, without a singular orientation.
 
         Parameters
         ----------
-        t : array_like
-            As for ``from_rpy``.
-        e : array_like
-            Quaternions, scalar first, (..., 4), of any length but zero.
-        v : array_like
-            As for ``from_rpy``.
-        e_dot : array_like
-            Rates of e, 1/s, (..., 4).
-        a : array_like, optional
-            As for ``from_rpy``.
-        e_ddot : array_like, optional
-            Second rates of e, 1/s^2, (..., 4); given together with a or not at all.
-        F_ext, M_ext : array_like, optional
-            As in ``Motion``.
+        t : array_like, shape (..., 3)
+            Position of the reference point in the base frame (m).
+        e : array_like, shape (..., 4)
+            Quaternions from the platform frame to the base frame, scalar first, of any length except zero.
+        v : array_like, shape (..., 3)
+            Velocity of the reference point in the base frame (m/s).
+        e_dot : array_like, shape (..., 4)
+            Time derivatives of e (1/s).
+        a : array_like, shape (..., 3), optional
+            Acceleration of the reference point in the base frame (m/s^2).
+        e_ddot : array_like, shape (..., 4), optional
+            Second time derivatives of e (1/s^2); required if and only if a is given.
+        F_ext, M_ext : array_like, shape (..., 3), optional
+            Load, as in ``Motion``.
 
         Returns
         -------
         Motion
-            Without accelerations where a is not given.
+            Motion; without accelerations if a is not given.
 
         Raises
         ------
         ValueError
-            As ``Motion``, and for a quaternion of length zero.
+            If an argument is invalid, as in ``Motion``, or a quaternion has length zero.
         """
         turns = _turns((4,), {"e": e, "e_dot": e_dot, "e_ddot": e_ddot}, a)
         alpha = None if a is None else rotation.angular_acceleration_from_quaternion(*turns)
@@ -330,34 +336,34 @@ class Motion(Frozen):
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
     ) -> Motion:
-        """Make a motion from rotation vectors, R = exp([phi]x), and their rates.
+        """Create a motion from rotation vectors, R = exp([phi]x), and their rates.
 
         Parameters
         ----------
-        t : array_like
-            As for ``from_rpy``.
-        phi : array_like
-            Rotation vectors, rad, (..., 3): turns about phi by its magnitude; phi may be zero.
-        v : array_like
-            As for ``from_rpy``.
-        phi_dot : array_like
-            Rates of phi, rad/s, (..., 3).
-        a : array_like, optional
-            As for ``from_rpy``.
-        phi_ddot : array_like, optional
-            Second rates of phi, rad/s^2, (..., 3); given together with a or not at all.
-        F_ext, M_ext : array_like, optional
-            As in ``Motion``.
+        t : array_like, shape (..., 3)
+            Position of the reference point in the base frame (m).
+        phi : array_like, shape (..., 3)
+            Rotation vectors (rad): rotation about the direction of phi by its magnitude. phi may be zero.
+        v : array_like, shape (..., 3)
+            Velocity of the reference point in the base frame (m/s).
+        phi_dot : array_like, shape (..., 3)
+            Time derivatives of phi (rad/s).
+        a : array_like, shape (..., 3), optional
+            Acceleration of the reference point in the base frame (m/s^2).
+        phi_ddot : array_like, shape (..., 3), optional
+            Second time derivatives of phi (rad/s^2); required if and only if a is given.
+        F_ext, M_ext : array_like, shape (..., 3), optional
+            Load, as in ``Motion``.
 
         Returns
         -------
         Motion
-            Without accelerations where a is not given.
+            Motion; without accelerations if a is not given.
 
         Raises
         ------
         ValueError
-            As ``Motion``.
+            If an argument is invalid, as in ``Motion``.
         """
         turns = _turns((3,), {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}, a)
         second = np.zeros(3) if a is None else turns[2]
@@ -371,13 +377,13 @@ class Motion(Frozen):
 def at_rest(
     R: ArrayLike, t: ArrayLike, F_ext: ArrayLike | None = None, M_ext: ArrayLike | None = None
 ) -> Motion:
-    """Poses at rest, under a load: all rates and accelerations are 0."""
+    """Create poses at rest under a load: all rates and accelerations are 0."""
     zero = np.zeros(3)
     return Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero, F_ext=F_ext, M_ext=M_ext)  # type: ignore[arg-type]
 
 
 def pose_of(value: object, name: str, expected: str) -> Motion:
-    """A pose (R, t) as a motion at rest without accelerations; ValueError that begins with the name."""
+    """Convert a pose (R, t) to a motion at rest without accelerations; errors begin with ``name``."""
     if not isinstance(value, tuple | list) or len(value) != 2:
         raise ValueError(f"{name}: expected {expected}, got {type(value).__name__}")
     R, t = value
@@ -386,7 +392,7 @@ def pose_of(value: object, name: str, expected: str) -> Motion:
 
 
 def _turns(core: tuple[int, ...], given: dict[str, ArrayLike | None], a: ArrayLike | None) -> list[Array]:
-    """An orientation and its rates, checked; the second rate only along with a."""
+    """Check an orientation and its rates; the second rate and a must be given together."""
     second = list(given)[-1]
     if (a is None) != (given[second] is None):
         missing = "a" if a is None else second
@@ -401,14 +407,15 @@ def _leading_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
 
 
 def rotations(value: ArrayLike, name: str, batch: bool = True) -> Array:
-    """Return rotations, (3, 3) or of a leading shape, from what a caller gave under a name.
+    """Check the rotation matrices of an argument, shape (..., 3, 3), and return them.
 
-    Those of single precision are made orthonormal in double. Raises ValueError for what is no rotation.
+    Matrices of single precision are made orthonormal in double precision. Other matrices that are no
+    rotations raise ValueError.
     """
     R = finite_array(value, (3, 3), name, batch)
     in_float = np.asarray(value).dtype == np.float32
     _check_rotation(R, FLOAT_TOLERANCE if in_float else ROTATION_TOLERANCE, name)
-    # Newton's step squares what is off: twice, and only rounding of a double is left.
+    # A Newton step squares the error, so two steps leave only rounding errors of a double.
     return rotation.orthonormal(rotation.orthonormal(R)) if in_float else R
 
 

@@ -14,7 +14,7 @@ from .sample_times import elapsed
 
 
 class TrajectoryWarning(UserWarning):
-    """Noise in a log, or numbers in it that no machine makes."""
+    """Warning of noise or implausible numbers in a log."""
 
 
 LEAST_SAMPLES = 40

@@ -42,25 +42,24 @@ _TOO_SMALL = 2.0
 
 @dataclass(frozen=True, eq=False)
 class PoseNoise:
-    """How the poses of a motion were measured.
+    """Noise of measured poses.
 
     Attributes
     ----------
-    time : ndarray
-        Times, s, (n,), increasing.
+    time : ndarray, shape (n,)
+        Increasing times (s).
     position, angle : float
-        Standard deviation of each coordinate of the measured position, m, and of the rotation about each
-        axis, rad; independent between samples.
+        Standard deviations of each coordinate of the position (m) and of the rotation about each axis (rad).
+        Samples are independent.
     period : float, optional
-        Of a periodic motion, s, which is then a Fourier series; None: of any other, which is then a spline of
-        degree 5.
+        Period (s). A periodic motion is modeled by a Fourier series, other motions by a spline of degree 5.
     harmonics : int, optional
-        Of the series; None: as many as the measurement calls for.
+        Number of harmonics of the series. None: chosen from the measurement.
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If an argument is invalid. The message names it.
     """
 
     time: Array
@@ -89,7 +88,7 @@ class PoseNoise:
 
     @property
     def weights(self) -> Array:
-        """One over the deviation of each coordinate, (6,)."""
+        """Reciprocal standard deviation of each coordinate (1/m, 1/rad), shape (6,)."""
         return 1.0 / np.repeat([self.position, self.angle], 3)
 
 
@@ -106,7 +105,7 @@ class Basis(NamedTuple):
 
     @property
     def size(self) -> int:
-        """How many functions, m."""
+        """Number of functions, m."""
         return int(self.value.shape[1])
 
     @property
@@ -129,28 +128,31 @@ class Basis(NamedTuple):
 def estimate_pose_noise(
     time: ArrayLike, motion: Motion, period: float | None = None, harmonics: int | None = None
 ) -> PoseNoise:
-    """Estimate the noise of measured poses from their scatter about the smooth motion fitted to them.
+    """Estimate the noise of measured poses from their scatter about a fitted smooth motion.
+
+    The number of fitted functions grows as long as another function reduces the residual by more than noise
+    does.
 
     Parameters
     ----------
-    time : array_like
-        Times, s, (n,).
+    time : array_like, shape (n,)
+        Increasing times (s).
     motion : Motion
-        Its poses count, (n,). The fit has as many functions as lower the residual by more than noise would.
+        Measured poses, shape (n,); rates are ignored.
     period : float, optional
-        s; None for a motion without one.
+        Period (s); None for a motion that is not periodic.
     harmonics : int, optional
-        Of the Fourier series.
+        Number of harmonics of the Fourier series. None: chosen from the measurement.
 
     Returns
     -------
     PoseNoise
-        Times, deviations and period.
+        Times, standard deviations, and period.
 
     Raises
     ------
     ValueError
-        Naming the argument, and for poses without scatter.
+        If an argument is invalid, or if the poses do not scatter.
     """
     scale = PoseNoise(time, 1.0, 1.0, period, harmonics)  # type: ignore[arg-type]
     q = coordinates(motion, scale)

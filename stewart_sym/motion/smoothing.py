@@ -65,19 +65,18 @@ _LEAST_BENT = 1e-6
 
 
 class SmoothSamplesResult(NamedTuple):
-    """Columns of samples smoothed: (n, c) each, and what noise leaves open.
+    """Smoothed columns of samples with their derivatives and covariances.
 
     Attributes
     ----------
-    values, derivatives, second_derivatives : ndarray
-        Of the spline at the samples' times.
-    noise_std : ndarray
-        Standard deviation of the noise, (c,).
-    covariance_time : ndarray
-        Times, (g,), at which covariance, (g, c, 6), is given: of value, rate and second rate, the lower
-        triangle row by row.
-    covariance : ndarray
-        Of value, rate and second rate at the times of ``covariance_time``, (g, c, 6).
+    values, derivatives, second_derivatives : ndarray, shape (n, c)
+        Values and time derivatives of the spline at the times of the samples.
+    noise_std : ndarray, shape (c,)
+        Standard deviations of the noise.
+    covariance_time : ndarray, shape (g,)
+        Times (s) of ``covariance``.
+    covariance : ndarray, shape (g, c, 6)
+        Covariance of value, first, and second derivative of each column: lower triangle, row by row.
     """
 
     values: Array
@@ -91,30 +90,29 @@ class SmoothSamplesResult(NamedTuple):
 def smooth_samples(
     time: ArrayLike, values: ArrayLike, noise_std: ArrayLike | None = None, cutoff: float | None = None
 ) -> SmoothSamplesResult:
-    """Smooth columns of samples, zero phase, right up to both ends.
+    """Smooth columns of samples without phase shift, including both ends.
 
     Parameters
     ----------
-    time : array_like
-        Increasing, s, (n,), n > 3.
-    values : array_like
-        (n, c).
-    noise_std : array_like, optional
-        Standard deviation of the noise of each column, (c,) or one for all, > 0; None: as ``noise_level`` and
-        the samples show it.
+    time : array_like, shape (n,)
+        Increasing times (s), at least four.
+    values : array_like, shape (n, c)
+        Samples. A column without noise is rejected, because it needs interpolation instead of smoothing.
+    noise_std : array_like, shape (c,) or (), optional
+        Standard deviation of the noise of each column, > 0. None: estimated from the samples.
     cutoff : float, optional
-        Frequency, Hz, at which the amplitude is halved; None: the likeliest. With a cut-off and no sigma the
-        noise is that of the residuals. A column without noise is rejected: interpolate it.
+        Frequency (Hz) at which the amplitude is halved. None: most likely value. If ``cutoff`` is given
+        without ``noise_std``, the noise is estimated from the residuals.
 
     Returns
     -------
     SmoothSamplesResult
-        Smoothed columns with rates, second rates and covariances.
+        Smoothed columns with derivatives and covariances.
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If an argument is invalid. The message names it.
     """
     when, columns = real_array(time, "time"), real_array(values, "values")
     if when.ndim != 1 or len(when) < 4 or not (np.diff(when) > 0.0).all():

@@ -1,4 +1,4 @@
-"""The paper's straight-line paths, (39), (40): lines with parabolic blends; Paths I, II and III."""
+"""Straight-line paths of the paper, (39), (40), with parabolic blends; Paths I, II, and III."""
 
 from __future__ import annotations
 
@@ -18,37 +18,45 @@ from .motion import Motion, rotations
 
 Vector = tuple[float, float, float]
 Rows = tuple[Vector, Vector, Vector]
-# Times that differ by rounding only are the same time: share of tau_f.
+# Fraction of tau_f below which two times are equal, because they differ only by rounding.
 _ROUNDING = 1e-12
-# Ten million samples take up a gigabyte as motions do.
+# Limit of memory: a motion with ten million samples requires about a gigabyte.
 MOST_STEPS = 10_000_000
 
 
 @dataclass(frozen=True)
 class StraightLinePath:
-    """A straight line in position and in roll-pitch-yaw angles, linear in time with parabolic blends.
+    """Straight line of position and of roll, pitch, and yaw with trapezoidal velocity profiles.
 
-    Position and angles each speed up with constant acceleration, go at constant speed and slow down; both
-    start at 0 and end at tau_f, (39), (40).
+    Position and angles each accelerate at a constant rate, move at constant speed, and decelerate, (39),
+    (40). Both start at time 0 and end at tau_f.
 
     Attributes
     ----------
     t0, t1 : tuple of float
-        First and last position of the reference point, m, base frame.
+        First and last position of the reference point in the base frame (m).
     theta0, theta1 : tuple of float
-        First and last angles (theta_x, theta_y, theta_z), rad.
+        First and last angles (theta_x, theta_y, theta_z) (rad).
     tau_f : float
-        Duration, s.
+        Duration (s).
     V, Omega : float
-        Top speed of position, m/s, and of the vector of angles, rad/s. Each must lie in (d/tau_f, 2 d/tau_f]
-        for its distance d; where d = 0 that part rests and its speed is not used.
-    axes : Rows, optional
-        Rotation, by rows, from the axes of position and angles to those of base and platform.
+        Largest speed of the position (m/s) and of the vector of angles (rad/s). For the distance d, the
+        speed must be in (d/tau_f, 2 d/tau_f]. If d = 0, the speed is not used.
+    axes : tuple of tuple of float, optional
+        Rotation matrix, by rows, from the frames of the path to the base and platform frames.
 
     Raises
     ------
     ValueError
-        Naming the argument; for V and Omega it says which range works.
+        If an argument is invalid. The message names it, and the permitted range of V and Omega.
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> path, step = ss.PAPER_PATHS["I"]
+    >>> motion = path.sample(path.time_grid(step))
+    >>> motion.shape, motion.t[-1].tolist()
+    ((61,), [0.3, 0.0, 0.6])
     """
 
     t0: Vector
@@ -76,31 +84,31 @@ class StraightLinePath:
 
     @property
     def distance(self) -> float:
-        """Length of the line of positions, m."""
+        """Length of the line of positions (m)."""
         return math.dist(self.t0, self.t1)
 
     @property
     def angle(self) -> float:
-        """Length of the line of angles, rad."""
+        """Length of the line of angles (rad)."""
         return math.dist(self.theta0, self.theta1)
 
     @property
     def tau_t(self) -> float:
-        """Duration of each blend of the position, s, (39); 0 when the position rests."""
+        """Duration of each blend of the position (s), (39); 0 if the position is constant."""
         return _blend(self.distance, self.V, self.tau_f)
 
     @property
     def tau_theta(self) -> float:
-        """Duration of each blend of the angles, s, as (39); 0 when the angles rest."""
+        """Duration of each blend of the angles (s), (39); 0 if the angles are constant."""
         return _blend(self.angle, self.Omega, self.tau_f)
 
     def breakpoints(self) -> Array:
-        """Return the times at which an acceleration jumps, with 0 and tau_f.
+        """Return the times at which an acceleration jumps, including 0 and tau_f.
 
         Returns
         -------
-        ndarray
-            Increasing, s, (n,).
+        ndarray, shape (n,)
+            Increasing times (s).
         """
         times = {0.0, self.tau_f}
         for distance, blend in ((self.distance, self.tau_t), (self.angle, self.tau_theta)):
@@ -111,22 +119,22 @@ class StraightLinePath:
         return np.append(distinct[:-1], self.tau_f)
 
     def time_grid(self, dtau: float) -> Array:
-        """Return the times 0, dtau, 2 dtau, ..., and tau_f as the last.
+        """Return the times 0, dtau, 2 dtau, ..., and tau_f.
 
         Parameters
         ----------
         dtau : float
-            Step, s, > 0 and at most tau_f.
+            Time step (s), > 0 and at most tau_f.
 
         Returns
         -------
-        ndarray
-            Times, s, (n,).
+        ndarray, shape (n,)
+            Times (s); the last one is tau_f.
 
         Raises
         ------
         ValueError
-            For any other step, and for more than ten million steps.
+            If dtau is outside its range, or if there are more than ten million steps.
         """
         dtau = number(dtau, "dtau")
         if not 0.0 < dtau <= self.tau_f * (1.0 + _ROUNDING):
@@ -142,23 +150,23 @@ class StraightLinePath:
         return np.append(np.arange(math.floor(self.tau_f / dtau) + 1) * dtau, self.tau_f)
 
     def sample(self, tau: ArrayLike) -> Motion:
-        """Return the motion at some times, without external load.
+        """Compute the motion at given times, without external load.
 
         Parameters
         ----------
-        tau : array_like
-            Times, s, of any shape.
+        tau : array_like, shape (...)
+            Times (s).
 
         Returns
         -------
         Motion
-            Of the shape of tau. Where an acceleration jumps, the value is the one that follows, at tau_f the
-            one before.
+            Motion with the shape of tau. At a jump it has the acceleration after the jump, at tau_f the
+            acceleration before.
 
         Raises
         ------
         ValueError
-            For times outside [0, tau_f].
+            If a time is outside [0, tau_f].
         """
         time = self._checked(tau)
         t, v, a = _line(self.t0, self.t1, self.distance, self.V, self.tau_t, self.tau_f, time)
@@ -216,7 +224,7 @@ def _line(
     )
     x_dot = np.select(phases, [acceleration * time, acceleration * left], speed)
     x_ddot = np.select(phases, [acceleration, -acceleration], 0.0)
-    # Measured from the end that is near, both end values come out exact.
+    # Both end values are exact, because coordinates are computed from the nearer end.
     from_end = x[..., None] * direction
     coordinates = np.where(ending[..., None], np.array(end), origin) + from_end
     return coordinates, x_dot[..., None] * direction, x_ddot[..., None] * direction
@@ -231,7 +239,7 @@ def _triple(value: object, name: str) -> Vector:
 
 
 class PaperPath(NamedTuple):
-    """A path of the paper's section 5 and its time step dtau, s."""
+    """Path of section 5 of the paper, and its time step dtau (s)."""
 
     path: StraightLinePath
     dtau: float
@@ -262,4 +270,4 @@ PAPER_PATHS: Mapping[str, PaperPath] = MappingProxyType(
         "III": PaperPath(_THIRD, dtau=0.1),
     }
 )
-"""Paths I, II and III of section 5."""
+"""Paths I, II, and III of section 5 of the paper, as tuples (path, dtau) with the time step dtau (s)."""

@@ -1,4 +1,4 @@
-"""Trajectories: motions, coordinates or leg lengths over time; what noise leaves open; a log as read."""
+"""Trajectories (motions, coordinates, or leg lengths over time), their uncertainty, and logs as read."""
 
 from __future__ import annotations
 
@@ -26,30 +26,30 @@ POSE = ("t", "theta")
 DERIVATIVES = ("v", "theta_dot", "a", "theta_ddot")
 LOADS = ("F_ext", "M_ext")
 ANGLES = ("theta", "theta_dot", "theta_ddot")
-# Numbers of which the rates of a profile are made, at most.
+# Largest number of distinct values in the rates of a piecewise constant profile.
 _LIMITS = 8
 
 
 @dataclass(frozen=True)
 class SmoothingOptions:
-    """What is known of a log's noise, and what is done about it.
+    """Noise and smoothing of a log.
 
     Attributes
     ----------
     position_std, angle_std : float, optional
-        Standard deviation of each coordinate, m and rad; leg lengths count as positions. None: as the
-        decimals and the scatter of the numbers show.
+        Standard deviation of each position or leg length (m), and of each angle (rad). None: estimated from
+        the decimals and the scatter of the numbers.
     cutoff_frequency : float, optional
-        Frequency, Hz, at which the amplitude is halved; None: the likeliest.
+        Frequency (Hz) at which the amplitude is halved. None: most likely value.
     enabled : bool, optional
-        False interpolates whatever the noise.
+        If False, the log is interpolated at any noise level.
     repair : bool, optional
-        True replaces rows that no motion makes even without smoothing.
+        If True, rows that cannot belong to a motion are replaced, even without smoothing.
 
     Raises
     ------
     ValueError
-        Naming the argument.
+        If a number is not > 0. The message names the argument.
     """
 
     position_std: float | None = None
@@ -64,24 +64,23 @@ class SmoothingOptions:
                 raise ValueError(f"{name}: expected a number > 0, got {getattr(self, name):g}")
 
     def stated(self, name: str) -> float | None:
-        """What is stated of the noise of one kind of coordinates.
+        """Return the given standard deviation of one kind of coordinates.
 
         Parameters
         ----------
         name : {"t", "theta", "L"}
-            Positions, angles or leg lengths.
+            Positions, angles, or leg lengths.
 
         Returns
         -------
         float or None
-            Standard deviation, ``angle_std``, rad, of ``theta``, else ``position_std``, m; None where none is
-            stated.
+            ``angle_std`` (rad) for "theta", otherwise ``position_std`` (m); None if not given.
         """
         return self.angle_std if name == "theta" else self.position_std
 
 
 class Replaced(NamedTuple):
-    """A span of time, s, in which deviations hold what replaced rows change, and how a line names these."""
+    """Time interval (s) whose standard deviations include the change by replaced rows, and these rows."""
 
     start: float
     end: float
@@ -89,13 +88,26 @@ class Replaced(NamedTuple):
 
 
 class Uncertainty(NamedTuple):
-    """What the noise of a log leaves open about six coordinates: t and theta, or leg lengths.
+    """Uncertainty of six coordinates of a log: position and angles, or leg lengths.
 
-    coordinates: values, rates and second rates, (3, n, 6). grid: times, s, (g,), at which covariance,
-    (g, 6, 6), is given: of value, rate and second rate, the lower triangle row by row. sigma: standard
-    deviation of the log's numbers, (6,). in_joints: whether these are leg lengths. replaced: rows that are
-    not as the log has them; covariance holds by how much. tool: point whose pose t and theta are, m, platform
-    frame; None for the reference point. order: as in ``PoseLog``.
+    Attributes
+    ----------
+    coordinates : ndarray, shape (3, n, 6)
+        Values, rates, and second rates.
+    grid : ndarray, shape (g,)
+        Times (s) of ``covariance``.
+    covariance : ndarray, shape (g, 6, 6)
+        Covariance of value, rate, and second rate of each coordinate: lower triangle, row by row.
+    sigma : ndarray, shape (6,)
+        Standard deviations of the numbers in the log.
+    in_joints : bool
+        True for leg lengths.
+    replaced : tuple of Replaced
+        Intervals with replaced rows. ``covariance`` includes the change of these rows.
+    tool : ndarray, shape (3,), or None
+        Point of the platform whose pose the coordinates are (m), platform frame. None: reference point.
+    order : str
+        Order of rotations, as in ``PoseLog``.
     """
 
     coordinates: Array
@@ -108,21 +120,31 @@ class Uncertainty(NamedTuple):
     order: str = "zyx"
 
     def covariances(self, time: Array) -> Array:
-        """At times, (n, 6, 6)."""
+        """Interpolate the covariance to times (n,) (s), shape (n, 6, 6)."""
         flat = self.covariance.reshape(len(self.grid), -1)
         found = np.stack([np.interp(time, self.grid, x) for x in flat.T], axis=-1)
         return found.reshape(-1, *self.covariance.shape[1:])
 
     def variances(self, time: Array) -> Array:
-        """Of each coordinate's value at times, (n, 6)."""
+        """Return the variances of the coordinates at times (n,) (s), shape (n, 6)."""
         return self.covariances(time)[..., 0]
 
 
 class Trajectory(NamedTuple):
-    """A trajectory of n samples: time, s, (n,), and the motion, of shape (n,).
+    """Trajectory of n samples as a motion.
 
-    source: the file it comes from. rows: line of each sample in the file. noise: None for
-    a log without.
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        Times (s).
+    motion : Motion
+        Motion of shape (n,).
+    source : str
+        Name of the file.
+    rows : sequence of int
+        Line of each sample in the file.
+    noise : Uncertainty or None
+        Uncertainty of the coordinates. None for a log without noise.
     """
 
     time: Array
@@ -132,18 +154,34 @@ class Trajectory(NamedTuple):
     noise: Uncertainty | None = None
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
-        """The motion at some of the samples."""
+        """Return the motion at selected samples."""
         return self.motion[index]
 
 
 class PoseLog(NamedTuple):
-    """A trajectory as coordinates, whose motion is made where it is needed: a third of the room.
+    """Trajectory of n samples as coordinates, which require a third of the memory of a motion.
 
-    coordinates: t and theta with rates and second rates, (3, n, 6). F_ext, M_ext: external load, N and
-    N m, platform frame, (n, 3), or None. in_radians: whether theta are the log's own numbers. tool: point of
-    t and of the load, m, platform frame, (3,); None for the reference point, whose motion ``at`` returns in
-    any case. order: in which the turns by theta are multiplied, "zyx" for (38). The rest as in
-    ``Trajectory``.
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        Times (s).
+    coordinates : ndarray, shape (3, n, 6)
+        Position and angles, their rates, and their second rates.
+    F_ext, M_ext : ndarray, shape (n, 3), or None
+        External force (N) and moment (N m) in the platform frame.
+    source : str
+        Name of the file.
+    rows : sequence of int
+        Line of each sample in the file.
+    noise : Uncertainty or None
+        Uncertainty of the coordinates. None for a log without noise.
+    in_radians : bool
+        True if the log contains the angles in radians.
+    tool : ndarray, shape (3,), or None
+        Point of the platform whose position and load the log contains (m), platform frame. None: reference
+        point. Motions always belong to the reference point.
+    order : str
+        Order of rotations, as ``euler_order`` of ``TrajectoryFormat``; "zyx" is (38).
     """
 
     time: Array
@@ -158,7 +196,7 @@ class PoseLog(NamedTuple):
     order: str = "zyx"
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
-        """The motion at some of the samples; ValueError of one line that names file and line."""
+        """Compute the motion at selected samples; the ValueError for invalid samples names file and line."""
         names, chosen = ("t", "theta", *DERIVATIVES), self.coordinates[:, index]
         # Arguments of ``Motion.from_rpy``.
         numbers = {name: chosen[i // 2, ..., 3 * (i % 2) :][..., :3] for i, name in enumerate(names)}
@@ -173,7 +211,7 @@ class PoseLog(NamedTuple):
         return motion if self.tool is None else motion.at_point(-self.tool)
 
     def of_tool(self, tool: Array) -> PoseLog:
-        """The same log, its rows being poses of a point, m, platform frame, (3,)."""
+        """Return the log with rows that are poses of a point (3,) (m) in the platform frame."""
         if not tool.any():
             return self
         noise = None if self.noise is None else self.noise._replace(tool=tool)
@@ -181,22 +219,23 @@ class PoseLog(NamedTuple):
 
     @property
     def motion(self) -> Motion:
-        """The motion at all samples."""
+        """Motion at all samples."""
         return self.at(slice(None))
 
 
 def need_trajectory(value: object) -> None:
-    """Reject, by ValueError, what is neither a Trajectory nor a PoseLog."""
+    """Raise ValueError unless the value is a Trajectory or a PoseLog."""
     if not isinstance(value, PoseLog):
         instance(value, Trajectory, "trajectory")
 
 
 class JointTrajectory(NamedTuple):
-    """A trajectory in joint space of n samples: time, s, (n,), and the legs' motion, (n, 6) each.
+    """Trajectory of n samples in joint space.
 
-    L, L_dot, L_ddot: lengths, m, rates, m/s, and accelerations, m/s^2. F_ext, M_ext: external load, N and
-    N m, platform frame, (n, 3), or None. source, rows, noise: as in ``Trajectory``. relative: whether L are
-    less those of the robot's home pose.
+    ``L``, ``L_dot``, and ``L_ddot``, shape (n, 6), are lengths (m), rates (m/s), and accelerations (m/s^2).
+    ``F_ext`` and ``M_ext``, shape (n, 3) or None, are the external force (N) and moment (N m) in the platform
+    frame. ``relative`` is True if the lengths at the home pose are subtracted from L. Other fields are
+    described in ``Trajectory``.
     """
 
     time: Array
@@ -212,14 +251,14 @@ class JointTrajectory(NamedTuple):
 
 
 IN_SI = TrajectoryFormat().with_units({})
-"""How a log in SI units is written."""
+"""Format of a log in SI units."""
 
 
 @dataclass(frozen=True, eq=False)
 class Log:
-    """A trajectory as read: the components of vectors by name, (n,) each, as written.
+    """Trajectory as read from a file: components of vectors, shape (n,) each, in the units of the file.
 
-    given_units: names of the units in an option. unit_line: line of the row of units; None if there is none.
+    ``given_units`` names the units given by options. ``unit_line`` is the line of the row of units, or None.
     """
 
     source: str
@@ -232,31 +271,31 @@ class Log:
     unit_line: int | None = None
 
     def scale(self, name: str) -> float:
-        """SI units in the unit in which vectors of that name are written."""
+        """Return the factor that converts vectors of this name to SI units."""
         if name in ("q", *LOADS):
             return 1.0
         return self.form.radians_per_unit if name in ANGLES else self.form.meters_per_unit
 
     def vector(self, name: str) -> Array:
-        """A vector in SI units, (n, 3), (n, 4) or (n, 6)."""
+        """Return a vector in SI units, shape (n, 3), (n, 4), or (n, 6)."""
         return np.stack(self.written[name], axis=-1) * self.scale(name)
 
     def kinds(self) -> tuple[tuple[str, slice], ...]:
-        """Names of the vectors that are six coordinates, with their columns."""
+        """Return the names of the vectors of the six coordinates, with their columns."""
         return (("L", slice(0, 6)),) if "L" in self.written else (("t", slice(0, 3)), ("theta", slice(3, 6)))
 
     def unit(self, name: str) -> str | None:
-        """The unit in which coordinates of that name are written."""
+        """Return the unit of coordinates of this name in the file."""
         return self.form.angle_unit if name == "theta" else self.form.length_unit
 
     def kind(self, name: str) -> tuple[str, Callable[[float], str]]:
-        """What vectors of that name are called, and how a number of them is written in the log's units."""
+        """Return the plural noun for coordinates of this name, and a function that formats their numbers."""
         scale, unit = self.scale(name), self.unit(name)
         what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
         return what, lambda number: f"{number / scale:.2g} {unit}"
 
     def other_unit(self, name: str, finding: str, units: Sequence[str]) -> ValueError:
-        """Return the error for numbers that fit other units; ``name`` is such as ``length_unit``."""
+        """Return the error for numbers that fit other units; ``name`` is, for example, ``length_unit``."""
         unit = self.form.units[name]
         remedies = [f"{name}={each}" for each in units]
         place = f"{self.source}: {finding} if read in {unit}"
@@ -266,17 +305,17 @@ class Log:
         return ValueError(f"{place}; {remedy}")
 
     def warn(self, text: str) -> None:
-        """Warn of the log."""
+        """Issue a warning that begins with the name of the file."""
         warn(f"{self.source}: {text}", TrajectoryWarning)
 
     def load(self, name: str) -> Array | None:
-        """An external force or moment, (n, 3)."""
+        """Return an external force (N) or moment (N m), shape (n, 3), or None."""
         return self.vector(name) if name in self.written else None
 
     def steps(self, name: str) -> Array:
-        """Steps to which the components are rounded, SI units; those that stay the same have the finest."""
+        """Return the rounding steps of the components (SI); constant components have the smallest step."""
         columns = self.written[name]
-        # A few limits, of which accelerations of a profile are made, are no rounding.
+        # Piecewise constant accelerations have few distinct values, which do not show the rounding.
         moving = np.array([np.ptp(values) > 0.0 for values in columns])
         if name not in (*POSE, "q", "L"):
             moving &= [len(np.unique(values)) > _LIMITS for values in columns]
@@ -290,9 +329,9 @@ class Log:
         return steps * self.scale(name)
 
     def angles(self) -> tuple[Array, Array, str]:
-        """Unwrapped angles, rad, (n, 3), the steps to which they are rounded, (3,), and their order.
+        """Return unwrapped angles (n, 3) (rad), their rounding steps (3,) (rad), and their order.
 
-        The order is the log's own, of quaternions (38), unless two turns of it come near to one axis.
+        The order is the order of the log, and (38) for quaternions. Another order is used near gimbal lock.
         """
         order = self.form.rotation_order
         if "q" in self.written:
@@ -302,7 +341,7 @@ class Log:
                 row = self.rows[int(np.argmin(norms))]
                 raise ValueError(f"{self.source}: line {row}: q: expected a quaternion, got length 0")
             theta, order = rotation.far_from_lock(rotation.rotation_from_quaternion(q))
-            # The vector of a small rotation is twice that of its quaternion.
+            # The vector of a small rotation is twice the vector part of its quaternion.
             step = np.full(3, 2.0 * self.steps("q").max() / float(np.median(norms)))
         else:
             theta, step = self.vector("theta"), self.steps("theta")
@@ -313,18 +352,18 @@ class Log:
 
 
 MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)
-"""Tilts and turn beyond which no platform goes, rad."""
+"""Largest plausible ranges of theta_x, theta_y, and theta_z (rad)."""
 
 
 def turn_doubt(theta: Array) -> str | None:
-    """Range of angles (n, 3), rad, that no platform has, as ``angle_range`` says it; None: there is none."""
+    """Describe a range of angles (n, 3) (rad) that exceeds ``MOST_TURNS``; None if there is none."""
     spans = np.ptp(theta, axis=0)
     axis = int(np.argmax(spans / MOST_TURNS))
     return angle_range(theta, axis) if spans[axis] > MOST_TURNS[axis] * (1.0 + 1e-9) else None
 
 
 def angle_range(theta: Array, axis: int) -> str:
-    """Least and largest of one of angles (n, 3), rad, in words: ``theta_x from -4 to 5 rad``."""
+    """Describe the range of one of the angles (n, 3) (rad), for example ``theta_x from -4 to 5 rad``."""
     low, high = theta[:, axis].min(), theta[:, axis].max()
     return f"theta_{'xyz'[axis]} from {low:.4g} to {high:.4g} rad"
 
@@ -333,7 +372,7 @@ LONG_STEPS = {"ms": 0.5, "us": 500.0}
 
 
 def _motion_of(numbers: Mapping[str, Array], order: str) -> Motion:
-    """The motion of arguments of ``Motion.from_rpy`` whose angles are of any order."""
+    """Create a motion from the arguments of ``Motion.from_rpy`` with angles of any order."""
     if order == "zyx":
         return Motion.from_rpy(**numbers)
     theta, theta_dot, theta_ddot = (numbers[name] for name in ANGLES)
@@ -343,7 +382,7 @@ def _motion_of(numbers: Mapping[str, Array], order: str) -> Motion:
 
 
 def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64], order: str) -> str:
-    """Name the first row that makes no motion by itself, as a prefix."""
+    """Return the prefix of a message that names the first invalid row."""
     for i, row in enumerate(rows):
         try:
             _motion_of({name: values[i] for name, values in numbers.items()}, order)
