@@ -214,12 +214,6 @@ def test_links_in_circles_sockets_and_closed_files_are_rejected(name: str, tmp_p
         assert "cannot read" in rejected(read, closed)
 
 
-@pytest.mark.parametrize("name", READERS)
-@pytest.mark.parametrize("path", [3, 1.5, None, [], len, np.zeros(3)], ids=lambda x: type(x).__name__)
-def test_what_is_no_name_of_a_file_is_named(name: str, path: object) -> None:
-    rejects(r"\Apath: expected the name of a file, got \w+\Z", READERS[name][0], path)
-
-
 def test_a_pipe_is_read_to_its_end_and_no_further_than_a_file(tmp_path: Path) -> None:
     script = "from stewart_sym.robot.robot import Robot; print(Robot.from_toml('/dev/stdin').M)"
     command = [sys.executable, "-W", "ignore", "-c", script]
