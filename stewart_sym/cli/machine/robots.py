@@ -6,24 +6,22 @@ In Python: ss.robots.NAME().
 Example: stewart-sym robots --show tsai2000 -o tsai2000.toml
 """
 
-import argparse
-
 import stewart_sym as ss
 
 from ...io.arguments import option
 from ...io.atomic_write import write_file
 from ...studies.common.output import aligned
 from ...studies.common.report import Report
-from ..options import output, valued
+from ..options import Arguments, Parser
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    valued(parser, "show", str, "name of the robot whose file is printed", metavar="NAME")
-    output(parser, "ROBOT.toml", "copy of the file of --show", "standard output")
+def add_arguments(parser: Parser) -> None:
+    parser.valued("show", str, "name of the robot whose file is printed", metavar="NAME")
+    parser.output("ROBOT.toml", "copy of the file of --show", otherwise="standard output")
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> int:
     if arguments.show is None:
         if arguments.output is not None:
             raise ValueError("-o: requires the name of a robot; add --show NAME")
