@@ -115,9 +115,7 @@ class Parser(argparse.ArgumentParser):
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         if action.choices is not None and value not in action.choices:
-            new = renamed.VALUES.get(value)
-            text = f"{value}: renamed; use {new}" if new in action.choices else ""
-            raise argparse.ArgumentError(action, text or no_option(value, [*action.choices]))
+            raise argparse.ArgumentError(action, no_option(value, [*action.choices]))
 
     def error(self, message: str) -> NoReturn:
         """Exit with code 2."""

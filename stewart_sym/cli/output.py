@@ -18,8 +18,8 @@ from ..studies.common.report import Report, write
 from ..viewer.page import BEGINNING as HTML_BEGINNING
 from .terminal import PROGRAM, progress_line
 
-Taker = Callable[[Report], None]
-"""Function that writes a report to its destinations."""
+Taker = Callable[..., None]
+"""Function that writes a report, and the content of a single file if there is one, to their destinations."""
 
 
 @contextlib.contextmanager
@@ -61,7 +61,9 @@ def results(
         beginning = json_text(made_by).removesuffix("\n}\n") + ","
         need_own_file(arguments.json, [beginning], arguments.force, inputs)
 
-    def take(report: Report) -> None:
+    def take(report: Report, content: str | None = None) -> None:
+        if content is not None and output is not None:
+            write_file(output, content)
         report = dataclasses.replace(
             report, data={**made_by, **report.data}, figures=report.figures if plots else {}
         )

@@ -46,5 +46,4 @@ def run(arguments: Arguments) -> None:
             write_file(loops_path(path), file.loop_closures)
             files.append(str(loops_path(path)))
             text = f"Written to {files[-1]}"
-        write_file(path, file.text)
-        take(Report(text, data={"format": arguments.format, "files": files}))
+        take(Report(text, data={"format": arguments.format, "files": files}), file.text)

@@ -10,7 +10,6 @@ Example: stewart-sym import hexapod.xml -o imported.toml
 import stewart_sym as ss
 
 from ...io.arguments import safe_text
-from ...io.atomic_write import write_file
 from ...io.toml_text import toml_text
 from ...studies.common.report import Report
 from ..inputs import warn_of_doubts
@@ -31,6 +30,7 @@ def run(arguments: Arguments) -> None:
         tables = found.robot.to_dict()
         lines = [f"{_BEGINNING} from {safe_text(arguments.model.name)}."]
         lines += [f"# {safe_text(line)}" for line in found.assumptions]
-        write_file(arguments.output, "\n".join(lines) + "\n" + toml_text(tables))
+        text = "\n".join(lines) + "\n" + toml_text(tables)
         warn_of_doubts(found.robot, arguments.output)
-        take(Report("\n".join(found.assumptions), data={"assumptions": found.assumptions, "robot": tables}))
+        data = {"assumptions": found.assumptions, "robot": tables}
+        take(Report("\n".join(found.assumptions), data=data), text)

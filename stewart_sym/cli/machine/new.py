@@ -14,7 +14,6 @@ import tomllib
 
 import stewart_sym as ss
 
-from ...io.atomic_write import write_file
 from ...robot.draft import Draft
 from ...studies.common.report import Report
 from ...studies.reports.describe import report
@@ -57,9 +56,8 @@ def run(arguments: Arguments) -> None:
     text = draft.text()
     with results(arguments, beginnings=[text]) as (take, _):
         robot = ss.Robot.from_dict(tomllib.loads(text))
-        write_file(arguments.output, text)
         warn_of_doubts(robot, arguments.output)
-        take(Report("", data=report(robot).data))
+        take(Report("", data=report(robot).data), text)
 
 
 def _asked(name: str, unit: str) -> float:

@@ -16,7 +16,6 @@ from pathlib import Path
 import stewart_sym as ss
 
 from ...dynamics.home_pose import home_pose
-from ...io.atomic_write import write_file
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...studies.common.report import Report
@@ -52,8 +51,7 @@ def run(arguments: Arguments) -> None:
         robot = ss.robots.dasgupta1998() if arguments.example else robot_of(arguments.robot)
         shown = ss.Viewer(robot, _motion(robot, arguments, progress))
         progress("writing the page")
-        write_file(path, shown.html)
-        take(Report(shown.title, data=view_data(shown)))
+        take(Report(shown.title, data=view_data(shown)), shown.html)
     for _, line in shown.limits.told:
         warn(line)
     if shown_at_once and not _opened(path):
