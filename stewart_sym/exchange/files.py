@@ -16,7 +16,7 @@ from ..dynamics.left_out import effect
 from ..io.arguments import instance, option, shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
-from ..io.toml_reader import read_text
+from ..io.toml_reader import file_name, read_text
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.fields import LEGS
@@ -199,7 +199,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     >>> imported.assumptions[-1]
     'home: the pose in the file'
     """
-    source = os.fsdecode(path)
+    source = file_name(path)
     text, beside = read_text(source, "model", _MOST_BYTES), loops_path(source)
     loops = read_text(str(beside), "loops", _MOST_BYTES) if beside.is_file() else None
     with errors_of(f"{source}: "):

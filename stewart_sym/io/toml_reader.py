@@ -27,6 +27,14 @@ MOST_BYTES = 1 << 18
 """Largest size of a TOML file (bytes), thirty times the size of a robot file with all numbers of each leg."""
 
 
+def file_name(path: object) -> str:
+    """Return a path as text; raise ValueError for other types."""
+    try:
+        return os.fsdecode(path)  # type: ignore[arg-type]
+    except TypeError:
+        raise ValueError(f"path: expected the name of a file, got {type(path).__name__}") from None
+
+
 @contextlib.contextmanager
 def opened(source: str, what: str, most: int) -> Iterator[BinaryIO]:
     """Open a file of at most ``most`` bytes for repeated reading; ``what`` describes the file in messages.

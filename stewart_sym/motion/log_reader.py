@@ -11,7 +11,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.extras import need
 from ..io.progress import Progress, silent
-from ..io.toml_reader import opened
+from ..io.toml_reader import file_name, opened
 from .even_clock import Clock, even_clock
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import TrajectoryFormat, need_columns, read_columns, stated_units
@@ -109,7 +109,7 @@ def read_poses(
 def _read(
     path: str | os.PathLike[str], form: TrajectoryFormat, smoothing: SmoothingOptions, progress: Progress
 ) -> Log:
-    source = os.fsdecode(path)
+    source = file_name(path)
     if form.columns:
         _check_header([*form.columns], "columns", "")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
@@ -123,7 +123,7 @@ def _read(
 
 def with_units_of(path: str | os.PathLike[str], form: TrajectoryFormat) -> TrajectoryFormat:
     """The form with all units: given ones, else those of the file's row of units, else SI; a pipe is SI."""
-    source = os.fsdecode(path)
+    source = file_name(path)
     if not os.path.isfile(source):
         return form.with_units({})
     with opened(source, "trajectory", _MOST_BYTES) as stream:
@@ -179,7 +179,7 @@ def read_leg_columns(
     columns and, without a row of units, the unit of time. Returns times (n,), the columns (n, 6),
     their names, and the lines of the file. Raises ``ValueError`` that names the file and the line or column.
     """
-    source = os.fsdecode(path)
+    source = file_name(path)
     group = groups[0]
 
     def check(header: list[str], source: str) -> None:

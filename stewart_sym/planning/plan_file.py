@@ -98,7 +98,7 @@ def read_plan(path: str | os.PathLike[str]) -> Iterator[PlanRequest]:
         If this file or a file named in it cannot be read or violates its schema. The message is one line,
         ``file: key: expected value (at line n)``.
     """
-    source = os.fsdecode(path)
+    source = toml_reader.file_name(path)
     with toml_reader.toml_tables(source, "file of via poses") as d:
         yield _request(d, source)
 

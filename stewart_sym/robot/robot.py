@@ -209,7 +209,7 @@ class Robot(Frozen):
             About inertias that no body can have and densities that almost no body has, unless the file
             suppresses these warnings.
         """
-        source = os.fsdecode(path)
+        source = toml_reader.file_name(path)
         with toml_reader.toml_tables(source, "robot file") as d:
             robot = cls._read(d, source)
         _warn(robot, d, source)

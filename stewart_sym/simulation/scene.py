@@ -128,7 +128,7 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     ImportError
         If a spline requires SciPy, which is not installed.
     """
-    source = os.fsdecode(path)
+    source = toml_reader.file_name(path)
     with toml_reader.toml_tables(source, "scene of simulate") as d:
         return _scene(d, source)
 

@@ -16,7 +16,7 @@ from ..dynamics.force_noise import force_std
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
-from ..io.toml_reader import opened
+from ..io.toml_reader import file_name, opened
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.mounting import path_for
@@ -183,7 +183,7 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
 
     Raises ValueError with one line that contains the file and the row or column.
     """
-    source = os.fsdecode(path)
+    source = file_name(path)
 
     def check(header: list[str], source: str) -> None:
         need_columns(header, ["time", *itertools.chain(*_NAMES.values())], source)
@@ -209,7 +209,7 @@ def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> MotionHistory:
     if not same.all():
         row, leg = (int(found[0]) for found in np.nonzero(~same))
         raise ValueError(
-            f"{os.fsdecode(path)}: expected a run of {robot.name}, got one of another machine: at "
+            f"{file_name(path)}: expected a run of {robot.name}, got one of another machine: at "
             f"{time[row]:g} s leg {leg + 1} is {own[row, leg]:.6g} m long, L{leg + 1} is {L[row, leg]:.6g} m"
         )
     return _history(robot, "simulated run", time, motion, _path_of(time, motion), time, {"run": F})
