@@ -13,7 +13,7 @@ from ..io.atomic_write import ResultFolder, begins_with, must_be_replaceable, wr
 from ..io.extras import need
 from ..io.json_text import json_text
 from ..io.progress import Progress
-from ..studies.common.not_finite import in_figures, in_text, note_not_finite
+from ..studies.common.not_finite import in_figures, note_not_finite
 from ..studies.common.report import Report, write
 from ..viewer.page import BEGINNING as HTML_BEGINNING
 from .terminal import PROGRAM, progress_line
@@ -69,8 +69,7 @@ def results(
         )
         if report.text:
             lines.append(report.text.rstrip("\n"))
-        texts = [report.text, *(each for each in report.tables.values() if isinstance(each, str))]
-        if in_figures(report.data) or any(map(in_text, texts)):
+        if in_figures(report.data):
             note_not_finite()
         if folder is not None and stem is not None:
             write(report, folder, stem, progress)
