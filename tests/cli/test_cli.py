@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from command_files import edit, results
 from command_line import Fails, Run, folder_state, read
+from kits import few_vectors
 
 from stewart_sym.cli import main as cli
 from stewart_sym.io.extras import install
@@ -94,6 +95,7 @@ def test_generate_names_the_option_that_is_wrong(robot: Path, fails: Fails) -> N
     assert not (robot.parent / "kit").exists()
 
 
+@few_vectors()
 def test_generate_lists_the_files_and_writes_none(robot: Path, run: Run) -> None:
     target = robot.parent / "kit"
     asked = ["generate", str(robot), "-o", str(target), "--functions", "kinematics, reactions"]
