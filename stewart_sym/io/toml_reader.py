@@ -168,6 +168,7 @@ _RENAMED = {
     "accept": "suppress_warnings",
     "friction": "damping",
     "leg_defaults": "legs",
+    "stribeck": "stribeck_force",
     "smoothing": "regularization_speed",
     "cross": "axis_offset",
     "along": "slide_offset_y",
