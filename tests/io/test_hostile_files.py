@@ -108,7 +108,6 @@ def test_odd_bytes_are_rejected(name: str, tmp_path: Path) -> None:
     [
         b"1e400",
         b"true",
-        b"1979-05-27T07:32:00Z",
         b"[" * 50_000 + b"]" * 50_000,
         b"{a=" * 20_000 + b"1" + b"}" * 20_000,
         b'"' + b"x" * 100_000 + b'"',
