@@ -52,7 +52,6 @@ from .identification.parameters import equations_by_parameter as equations_by_pa
 from .identification.parameters import inertial_parameters as inertial_parameters
 from .identification.parameters import regressor as regressor
 from .identification.parameters import rotor_regressor as rotor_regressor
-from .io.error_policy import SingularPoseWarning as SingularPoseWarning
 from .kinematics.clearance import JointAnglesResult as JointAnglesResult
 from .kinematics.clearance import joint_angles as joint_angles
 from .kinematics.clearance import leg_distances as leg_distances
@@ -101,6 +100,7 @@ from .results import ForceDerivativesResult as ForceDerivativesResult
 from .results import InverseDynamicsResult as InverseDynamicsResult
 from .results import JointReactionsResult as JointReactionsResult
 from .results import LinearizationResult as LinearizationResult
+from .results import SingularPoseWarning as SingularPoseWarning
 from .robot.drive import Drive as Drive
 from .robot.offsets import JointOffsets as JointOffsets
 from .robot.robot import Robot as Robot

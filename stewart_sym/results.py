@@ -1,13 +1,17 @@
-"""Results of the dynamics functions: records of arrays, identical for every backend.
+"""Results of the dynamics functions, identical for every backend, and treatment of unsolvable poses.
 
 The arrays belong to the caller, who may write to them; no other object refers to them.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple
+
+import numpy as np
 
 from .generated.interface import STATUS
 from .io.array_types import Array, Codes
+from .io.error_policy import warn
 
 OK, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR, BAD_ARGUMENT, MASS_MATRIX_INDEFINITE, NOT_CONVERGED = (
     code for code, _ in STATUS.values()
@@ -19,6 +23,39 @@ STATUS_TEXT = dict(STATUS.values()) | {
     UNREACHABLE: "a leg with its joint offsets cannot reach its platform point",
 }
 """Meaning of each status code: 0 to 7 from kernels, 8 and 9 from forward kinematics and offset joints."""
+
+OnFault = Literal["raise", "warn", "nan"]
+ON_FAULT = ("raise", "warn", "nan")
+OnSingular = Literal["raise", "warn", "nan", "damped"]
+ON_SINGULAR = (*ON_FAULT, "damped")
+"""Treatments of unsolvable poses for solves of H x = c; "damped" warns of poses without a solution."""
+
+Index = tuple[int, ...]
+
+
+class SingularPoseWarning(UserWarning):
+    """Warning of poses without a finite solution; their results are NaN."""
+
+
+def report_faults(status: Codes, name: str, reason: Callable[[Index], str], choice: str) -> None:
+    """Raise ValueError or warn if a status is not 0, as ``choice`` of ON_SINGULAR specifies.
+
+    ``name`` is the argument with the pose, and ``reason`` returns the reason for the pose at an index.
+    """
+    if choice == "nan" or not status.any():
+        return
+    where, text = first_fault(status, reason)
+    place = f"{name}[{', '.join(map(str, where))}]" if where else name
+    if choice == "raise":
+        raise ValueError(f"{place}: {text}")
+    warn(f"{place}: {text}", SingularPoseWarning)
+
+
+def first_fault(status: Codes, reason: Callable[[Index], str]) -> tuple[Index, str]:
+    """Return the index of the first status that is not 0, and its reason with the number of the others."""
+    where = tuple(int(i) for i in np.argwhere(status)[0])
+    more = int(np.count_nonzero(status)) - 1
+    return where, f"{reason(where)}; {more} more poses are unsolvable too" if more else reason(where)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,20 +6,18 @@ for SIGTERM, 129 for SIGHUP). A subcommand imports SymPy, SciPy, and Matplotlib 
 """
 
 import argparse
-import difflib
-import itertools
-import re
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from importlib import import_module
 from importlib.metadata import version
 from importlib.resources import files
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from ..backend.native import CompilerError
-from ..io.arguments import no_option, shown
+from ..io.arguments import shown
 from ..io.extras import needed_for
 from . import renamed
+from .options import Parser, hint
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
 GROUPS = {
@@ -38,7 +36,7 @@ SUBCOMMANDS = {
 """Folder and module of each subcommand.
 
 A module has a docstring, which is its help and ends with an example, a function ``add_arguments`` that
-defines its options, and a function ``run`` that returns the exit code.
+defines its options, and a function ``run`` that returns the exit code or None for 0.
 """
 
 
@@ -54,7 +52,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     inputs = (getattr(arguments, name, None) for name in ("robot", "trajectory"))
     try:
         with warnings_in_lines(*filter(None, inputs)), needed_for(arguments.subcommand):
-            code: int = arguments.run(arguments)
+            code: int = arguments.run(arguments) or 0
         sys.stdout.flush()
         return code
     except BrokenPipeError:
@@ -69,43 +67,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         except OSError:
             give_up_stdout()
         return 2
-
-
-class Parser(argparse.ArgumentParser):
-    """Parser whose errors are one line that names the help, and a similar or the present name of a word."""
-
-    def __init__(self, **options: Any) -> None:
-        """Read -1e-3 as a number, not as an option."""
-        super().__init__(formatter_class=argparse.RawDescriptionHelpFormatter, **options)
-        self._negative_number_matcher = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
-
-    def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
-        """Reject former and unknown names of options first, because a required one may be misspelled."""
-        known = self._option_string_actions
-        for word in itertools.takewhile("--".__ne__, args):
-            name = word.partition("=")[0]
-            new = renamed.OPTIONS.get(name, "")
-            if name not in known and new.partition(" ")[0] in known:
-                self.error(f"{name}: renamed; use {new}")
-            if name.startswith("--") and not any(each.startswith(name) for each in known):
-                self.error(f"unrecognized arguments: {name}{_hint(name, known)}")
-        return super().parse_known_args(args, namespace)
-
-    def _check_value(self, action: argparse.Action, value: Any) -> None:
-        if action.choices is not None and value not in action.choices:
-            new = renamed.VALUES.get(value)
-            text = f"{value}: renamed; use {new}" if new in action.choices else ""
-            raise argparse.ArgumentError(action, text or no_option(value, [*action.choices]))
-
-    def error(self, message: str) -> NoReturn:
-        """Exit with code 2."""
-        self.exit(2, f"{PROGRAM}: error: {one_line(message)} (see {self.prog} --help)\n")
-
-
-def _hint(text: str, names: Iterable[str]) -> str:
-    """Return a hint with the name closest to an unknown one."""
-    near = difflib.get_close_matches(text, names, n=1)
-    return f", did you mean {near[0]}?" if near else ""
 
 
 def subcommand_parser(name: str) -> argparse.ArgumentParser:
@@ -147,7 +108,7 @@ def _unknown(name: str) -> NoReturn:
     new = renamed.SUBCOMMANDS.get(name)
     if new is not None:
         raise argparse.ArgumentTypeError(f"{name}: renamed; use {new}")
-    raise argparse.ArgumentTypeError(f"expected a subcommand, got {shown(name)}{_hint(name, SUBCOMMANDS)}")
+    raise argparse.ArgumentTypeError(f"expected a subcommand, got {shown(name)}{hint(name, SUBCOMMANDS)}")
 
 
 if __name__ == "__main__":

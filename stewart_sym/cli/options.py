@@ -1,11 +1,21 @@
-"""Options common to several subcommands, and the types of their values."""
+"""Parser of a subcommand with the options common to several subcommands, and the types of their values."""
 
 import argparse
 import contextlib
+import difflib
+import itertools
 import math
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
+
+from ..io.arguments import no_option
+from . import renamed
+from .terminal import PROGRAM, one_line
+
+Arguments = argparse.Namespace
+Group = argparse._ArgumentGroup
 
 _FILES = {
     "robot": ("ROBOT.toml", "robot file"),
@@ -16,78 +26,24 @@ _FILES = {
 }
 """Placeholder and help of each kind of input file."""
 
-
-def input_file(parser: argparse.ArgumentParser, kind: str, name: str = "", **more: Any) -> None:
-    """Add an input file, a positional argument unless ``name`` is the name of an option."""
-    metavar, text = _FILES[kind]
-    parser.add_argument(name or kind, **{"metavar": metavar, "type": Path, "help": text, **more})
-
-
-def output(
-    parser: argparse.ArgumentParser,
-    metavar: str,
-    what: str,
-    default: Path | str | None,
-    plots: bool = False,
-    html: bool = False,
-) -> None:
-    """Add ``-o``, ``--json``, and ``--force``, and on request ``--no-plots`` and ``--html``.
-
-    ``default`` is a path, a description of the default behavior, or None if the option is required.
-    """
-    text = what if default is None else f"{what}; default: {default}"
-    path = default if isinstance(default, Path) else None
-    kind = folder_name if metavar == "DIR" else path_name
-    required = default is None
-    parser.add_argument(
-        "-o", "--output", metavar=metavar, type=kind, required=required, default=path, help=text
-    )
-    if plots:
-        text = "write tables and CSV files only, without Matplotlib"
-        parser.add_argument("--no-plots", dest="plots", action="store_false", help=text)
-    if html:
-        valued(parser, "html", path_name, "HTML file of text, tables, figures, and motions", metavar="FILE")
-    json_file(parser)
-
-
-def json_file(parser: argparse.ArgumentParser) -> None:
-    """Add ``--json``, and ``--force``, which applies to all written files."""
-    text = (
-        "JSON file of all numbers; units are in the keys or under `units`, non-finite numbers are null; "
-        "without FILE or with -, standard output instead of the text"
-    )
-    parser.add_argument("--json", metavar="FILE", nargs="?", type=path_name, const=Path("-"), help=text)
-    flag(parser, "force", "replace also files of other programs and edited files, except inputs")
-
-
-def flag(parser: argparse._ActionsContainer, name: str, text: str) -> None:
-    """Add an option without a value."""
-    parser.add_argument(f"--{name}", action="store_true", help=text)
-
-
-def seed(parser: argparse._ActionsContainer) -> None:
-    """Add ``--seed``."""
-    valued(parser, "seed", whole, "random seed", 0, "N")
-
-
-def valued(
-    parser: argparse._ActionsContainer,
-    name: str,
-    kind: Callable[[str], Any],
-    text: str,
-    default: Any = None,
-    metavar: str | None = None,
-) -> None:
-    """Add an option with a value, and append its default, if any, to the help."""
-    said = f"{text}; default: {f'{default:g}' if isinstance(default, float) else default}"
-    said = text if default is None else said
-    parser.add_argument(f"--{name}", type=kind, default=default, metavar=metavar, help=said)
-
-
-def chosen(parser: argparse._ActionsContainer, name: str, choices: Sequence[str], text: str = "") -> None:
-    """Add an option whose value is one of ``choices``; the first one is the default."""
-    said = "; ".join(filter(None, (text, f"default: {choices[0]}")))
-    parser.add_argument(f"--{name}", choices=choices, default=choices[0], help=said)
+LOG_FORM = {
+    "length-unit": ("unit of length", "the unit row below the header, otherwise m", ("m", "cm", "mm", "in")),
+    "angle-unit": ("unit of angle", "the unit row below the header, otherwise rad", ("rad", "deg")),
+    "time-unit": ("unit of time", "the unit row below the header, otherwise s", ("s", "ms", "us")),
+    "delimiter": ("delimiter", "detected", ("comma", "semicolon", "tab")),
+    "decimal": ("decimal mark", "detected", ("point", "comma")),
+    "euler-order": (
+        "order of the rotation product",
+        "from the robot file, otherwise zyx (R = Rz Ry Rx)",
+        ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
+    ),
+    "length-mode": (
+        "zero of the leg lengths, absolute or the home pose",
+        "from the robot file or absolute",
+        ("absolute", "relative"),
+    ),
+}
+"""Meaning, default, and values of each option that describes a trajectory file."""
 
 
 def path_name(text: str) -> Path:
@@ -122,64 +78,7 @@ positive = _number(float, lambda x: 0.0 < x < math.inf, "a number > 0")
 whole = _number(int, lambda n: n >= 0, "a whole number >= 0")
 
 
-def log_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options for reading the file of a trajectory."""
-    group = log_form(parser)
-    text = "sampling rate of the resampled log (Hz); default: no resampling"
-    valued(group, "rate", positive, text, metavar="HZ")
-    text = "standard deviation of the {} of the log (--{}-unit); default: estimated"
-    noise_options(group, text, "positions or leg lengths", "angles")
-    text = "frequency at half amplitude of the smoothing filter (Hz); default: the most likely"
-    valued(group, "cutoff", positive, text, metavar="HZ")
-    text = "interpolate the samples without smoothing"
-    group.add_argument("--no-smoothing", dest="smoothing", action="store_false", help=text)
-
-
-def noise_options(parser: argparse._ActionsContainer, text: str, position: str, angle: str) -> None:
-    """Add ``--position-std`` and ``--angle-std``.
-
-    ``text`` is a help template with placeholders for the quantity and its unit.
-    """
-    for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
-        valued(parser, f"{name}-std", positive, text.format(what, kind), metavar="STD")
-
-
-LOG_FORM = {
-    "length-unit": ("unit of length", "the unit row below the header, otherwise m", ("m", "cm", "mm", "in")),
-    "angle-unit": ("unit of angle", "the unit row below the header, otherwise rad", ("rad", "deg")),
-    "time-unit": ("unit of time", "the unit row below the header, otherwise s", ("s", "ms", "us")),
-    "delimiter": ("delimiter", "detected", ("comma", "semicolon", "tab")),
-    "decimal": ("decimal mark", "detected", ("point", "comma")),
-    "euler-order": (
-        "order of the rotation product",
-        "from the robot file, otherwise zyx (R = Rz Ry Rx)",
-        ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
-    ),
-    "length-mode": (
-        "zero of the leg lengths, absolute or the home pose",
-        "from the robot file or absolute",
-        ("absolute", "relative"),
-    ),
-}
-"""Meaning, default, and values of each option that describes a trajectory file."""
-
-
-def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
-    """Add the options for columns, units, and delimiters of a trajectory file, and for the initial pose
-    guess.
-    """
-    group = parser.add_argument_group("trajectory file")
-    names = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
-    text = "pose near the first leg lengths (m and rad); default: above the base, nearly parallel to it"
-    group.add_argument("--pose-guess", nargs=6, type=finite, metavar=names, help=text)
-    text = "names of the columns in the header, as in time=ms,t_x=X; all other columns are ignored"
-    group.add_argument("--columns", type=column_names, default={}, metavar="NAME=HEADER,...", help=text)
-    for name, (what, default, choices) in LOG_FORM.items():
-        group.add_argument(f"--{name}", choices=choices, help=f"{what}; default: {default}")
-    return group
-
-
-def column_names(text: str) -> dict[str, str]:
+def _column_names(text: str) -> dict[str, str]:
     """Parse pairs NAME=HEADER, separated by commas."""
     pairs = [[part.strip() for part in pair.partition("=")] for pair in text.split(",")]
     names = {name: header for name, _, header in pairs}
@@ -188,6 +87,139 @@ def column_names(text: str) -> dict[str, str]:
     return names
 
 
-def formulation(parser: argparse.ArgumentParser) -> None:
-    """Add ``--formulation``."""
-    chosen(parser, "formulation", ("exact", "paper"), "equations: exact (corrected), or paper (as printed)")
+def hint(text: str, names: Iterable[str]) -> str:
+    """Return a hint with the name closest to an unknown one."""
+    near = difflib.get_close_matches(text, names, n=1)
+    return f", did you mean {near[0]}?" if near else ""
+
+
+class Parser(argparse.ArgumentParser):
+    """Parser whose errors are one line that names the help, and a similar or the present name of a word."""
+
+    def __init__(self, **options: Any) -> None:
+        """Read -1e-3 as a number, not as an option."""
+        super().__init__(formatter_class=argparse.RawDescriptionHelpFormatter, **options)
+        self._negative_number_matcher = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
+        """Reject former and unknown names of options first, because a required one may be misspelled."""
+        known = self._option_string_actions
+        for word in itertools.takewhile("--".__ne__, args):
+            name = word.partition("=")[0]
+            new = renamed.OPTIONS.get(name, "")
+            if name not in known and new.partition(" ")[0] in known:
+                self.error(f"{name}: renamed; use {new}")
+            if name.startswith("--") and not any(each.startswith(name) for each in known):
+                self.error(f"unrecognized arguments: {name}{hint(name, known)}")
+        return super().parse_known_args(args, namespace)
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is not None and value not in action.choices:
+            raise argparse.ArgumentError(action, no_option(value, [*action.choices]))
+
+    def error(self, message: str) -> NoReturn:
+        """Exit with code 2."""
+        self.exit(2, f"{PROGRAM}: error: {one_line(message)} (see {self.prog} --help)\n")
+
+    def file(self, kind: str, name: str = "", **more: Any) -> None:
+        """Add an input file, a positional argument unless ``name`` is the name of an option."""
+        metavar, text = _FILES[kind]
+        self.add_argument(name or kind, **{"metavar": metavar, "type": Path, "help": text, **more})
+
+    def flag(self, name: str, text: str) -> None:
+        """Add an option without a value."""
+        self.add_argument(f"--{name}", action="store_true", help=text)
+
+    def valued(
+        self,
+        name: str,
+        kind: Callable[[str], Any],
+        text: str,
+        default: Any = None,
+        metavar: str | None = None,
+        group: Group | None = None,
+    ) -> None:
+        """Add an option with a value, and append its default, if any, to the help."""
+        if default is not None:
+            text += f"; default: {f'{default:g}' if isinstance(default, float) else default}"
+        (group or self).add_argument(f"--{name}", type=kind, default=default, metavar=metavar, help=text)
+
+    def chosen(self, name: str, choices: Sequence[str], text: str = "") -> None:
+        """Add an option whose value is one of ``choices``; the first one is the default."""
+        said = "; ".join(filter(None, (text, f"default: {choices[0]}")))
+        self.add_argument(f"--{name}", choices=choices, default=choices[0], help=said)
+
+    def seed(self) -> None:
+        """Add ``--seed``."""
+        self.valued("seed", whole, "random seed", 0, "N")
+
+    def formulation(self) -> None:
+        """Add ``--formulation``."""
+        self.chosen("formulation", ("exact", "paper"), "equations: exact (corrected), or paper (as printed)")
+
+    def output(
+        self,
+        metavar: str,
+        text: str,
+        default: str | None = None,
+        otherwise: str | None = None,
+        plots: bool = False,
+        html: bool = False,
+    ) -> None:
+        """Add ``-o``, ``--json``, and ``--force``, and on request ``--no-plots`` and ``--html``.
+
+        ``otherwise`` describes the command without ``-o``. Without it and a ``default``, ``-o`` is required.
+        """
+        shown = default or otherwise
+        self.add_argument(
+            *("-o", "--output"),
+            metavar=metavar,
+            type=folder_name if metavar == "DIR" else path_name,
+            required=shown is None,
+            default=default and Path(default),
+            help=f"{text}; default: {shown}" if shown else text,
+        )
+        if plots:
+            text = "write tables and CSV files only, without Matplotlib"
+            self.add_argument("--no-plots", dest="plots", action="store_false", help=text)
+        if html:
+            self.valued("html", path_name, "HTML file of text, tables, figures, and motions", metavar="FILE")
+        self.json()
+
+    def json(self) -> None:
+        """Add ``--json``, and ``--force``, which applies to all written files."""
+        text = (
+            "JSON file of all numbers; units are in the keys or under `units`, non-finite numbers are null; "
+            "without FILE or with -, standard output instead of the text"
+        )
+        self.add_argument("--json", metavar="FILE", nargs="?", type=path_name, const=Path("-"), help=text)
+        self.flag("force", "replace also files of other programs and edited files, except inputs")
+
+    def log_form(self) -> Group:
+        """Add the options for columns and units of a trajectory file, and for the initial pose guess."""
+        group = self.add_argument_group("trajectory file")
+        names = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
+        text = "pose near the first leg lengths (m and rad); default: above the base, nearly parallel to it"
+        group.add_argument("--pose-guess", nargs=6, type=finite, metavar=names, help=text)
+        text = "names of the columns in the header, as in time=ms,t_x=X; all other columns are ignored"
+        group.add_argument("--columns", type=_column_names, default={}, metavar="NAME=HEADER,...", help=text)
+        for name, (what, default, choices) in LOG_FORM.items():
+            group.add_argument(f"--{name}", choices=choices, help=f"{what}; default: {default}")
+        return group
+
+    def noise(self, text: str, position: str, angle: str, group: Group | None = None) -> None:
+        """Add ``--position-std`` and ``--angle-std``; ``text`` has placeholders for quantity and unit."""
+        for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
+            self.valued(f"{name}-std", positive, text.format(what, kind), metavar="STD", group=group)
+
+    def log(self) -> None:
+        """Add the options for reading the file of a trajectory."""
+        group = self.log_form()
+        text = "sampling rate of the resampled log (Hz); default: no resampling"
+        self.valued("rate", positive, text, metavar="HZ", group=group)
+        text = "standard deviation of the {} of the log (--{}-unit); default: estimated"
+        self.noise(text, "positions or leg lengths", "angles", group)
+        text = "frequency at half amplitude of the smoothing filter (Hz); default: the most likely"
+        self.valued("cutoff", positive, text, metavar="HZ", group=group)
+        text = "interpolate the samples without smoothing"
+        group.add_argument("--no-smoothing", dest="smoothing", action="store_false", help=text)

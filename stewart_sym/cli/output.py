@@ -13,13 +13,13 @@ from ..io.atomic_write import ResultFolder, begins_with, must_be_replaceable, wr
 from ..io.extras import need
 from ..io.json_text import json_text
 from ..io.progress import Progress
-from ..studies.common.not_finite import in_figures, in_text, note_not_finite
+from ..studies.common.not_finite import in_figures, note_not_finite
 from ..studies.common.report import Report, write
 from ..viewer.page import BEGINNING as HTML_BEGINNING
 from .terminal import PROGRAM, progress_line
 
-Taker = Callable[[Report], None]
-"""Function that writes a report to its destinations."""
+Taker = Callable[..., None]
+"""Function that writes a report, and the content of a single file if there is one, to their destinations."""
 
 
 @contextlib.contextmanager
@@ -61,13 +61,15 @@ def results(
         beginning = json_text(made_by).removesuffix("\n}\n") + ","
         need_own_file(arguments.json, [beginning], arguments.force, inputs)
 
-    def take(report: Report) -> None:
+    def take(report: Report, content: str | None = None) -> None:
+        if content is not None and output is not None:
+            write_file(output, content)
         report = dataclasses.replace(
             report, data={**made_by, **report.data}, figures=report.figures if plots else {}
         )
         if report.text:
             lines.append(report.text.rstrip("\n"))
-        if in_figures(report.data) or in_text(report.text):
+        if in_figures(report.data):
             note_not_finite()
         if folder is not None and stem is not None:
             write(report, folder, stem, progress)

@@ -12,17 +12,18 @@ from numpy.typing import ArrayLike
 
 from ..io.arguments import instance, leading_shape, option, real_array
 from ..io.array_types import Array
-from ..io.error_policy import ON_FAULT, OnFault
 from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
 from ..reference import newton_euler
 from ..results import (
     OK,
+    ON_FAULT,
     SINGULAR,
     Accelerations,
     EquationsOfMotionResult,
     ForceDerivativesResult,
     LinearizationResult,
+    OnFault,
 )
 from ..robot.robot import Robot
 from . import inverse_dynamics

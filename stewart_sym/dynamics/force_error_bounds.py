@@ -13,8 +13,8 @@ from ..backend.c_kernel import function, prepared_model, results_of
 from ..backend.kernel import robot_kernel, takes_rotors
 from ..generated.interface import MODELS
 from ..io.arguments import option
-from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
+from ..results import ON_FAULT, OnFault
 from ..robot.robot import Robot
 from .forces import Precision
 from .inverse_dynamics import need_motion, need_universal, report_faults

@@ -17,10 +17,10 @@ from ..backend.fidelity import force_kernel_name
 from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
 from ..generated.interface import MODELS
 from ..io.arguments import instance, option, whole_number
-from ..io.error_policy import ON_SINGULAR, OnSingular, warn
+from ..io.error_policy import warn
 from ..io.frozen import Frozen
 from ..motion.motion import Motion
-from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
+from ..results import NOT_FINITE, OK, ON_SINGULAR, SINGULAR, UNREACHABLE, OnSingular
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .columns import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of

@@ -19,13 +19,13 @@ from ..backend.c_kernel import CKernel
 from ..backend.kernel import FORMULATIONS, need_offset_formulation, robot_kernel
 from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
-from ..io import error_policy
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Codes
-from ..io.error_policy import ON_SINGULAR, OnSingular, warn
+from ..io.error_policy import warn
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
+from ..results import ON_SINGULAR, OnSingular
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .damping import damped_least_squares
@@ -456,7 +456,9 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
 
 def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str) -> None:
     """Raise or warn according to ``on_singular`` if a pose has no solution."""
-    error_policy.report(status, "motion", lambda at: _reason(int(status[at]), robot, motion[at]), on_singular)
+    results.report_faults(
+        status, "motion", lambda at: _reason(int(status[at]), robot, motion[at]), on_singular
+    )
 
 
 def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
@@ -464,8 +466,7 @@ def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int,
 
     ``status`` has the shape of the motion and contains at least one nonzero code of ``STATUS_TEXT``.
     """
-    where, others = error_policy.first(status)
-    return where, _reason(int(status[where]), robot, motion[where]) + others
+    return results.first_fault(status, lambda at: _reason(int(status[at]), robot, motion[at]))
 
 
 def _reason(code: int, robot: Robot, motion: Motion) -> str:

@@ -24,11 +24,10 @@ from ..generated import exact_regressor
 from ..generated import rotor_regressor as exact_rotors
 from ..io.arguments import instance, option, real_array, shown
 from ..io.array_types import Array, Codes, Flags
-from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
 from ..reference.equations_of_motion import coriolis, with_rates
 from ..reference.equations_of_motion import regressor as reference_regressor
-from ..results import NOT_FINITE, OK
+from ..results import NOT_FINITE, OK, ON_FAULT, OnFault
 from ..robot.robot import LEGS, Robot
 
 _UPPER = np.triu_indices(3)

@@ -1,17 +1,13 @@
 """Progress of long computations: the current step and, if known, the completed fraction."""
 
 from collections.abc import Callable, Collection, Iterator
-from typing import Protocol, TypeVar
+from typing import TypeVar
 
 T = TypeVar("T")
 
-
-class Progress(Protocol):
-    """Callback with the current step."""
-
-    def __call__(self, text: str, share: float | None = None) -> None:
-        """Report a step and the completed fraction of the task, which does not decrease, or None."""
-        ...
+Progress = Callable[..., None]
+"""Callback ``progress(text, share=None)`` with the current step and the completed fraction of the task, which
+does not decrease."""
 
 
 def silent(text: str, share: float | None = None) -> None:

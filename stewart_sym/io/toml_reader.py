@@ -3,11 +3,14 @@
 Every message begins with the given prefix: ``file: key: expected X, got Y``.
 """
 
+import bisect
 import contextlib
 import difflib
+import functools
 import io
 import math
 import os
+import re
 import stat
 import tomllib
 import unicodedata
@@ -19,7 +22,6 @@ import numpy as np
 
 from .arguments import number_in, safe_text, shown
 from .array_types import Array
-from .key_lines import key_text, line_of
 
 MOST_BYTES = 1 << 18
 """Largest size of a TOML file (bytes), thirty times the size of a robot file with all numbers of each leg."""
@@ -109,32 +111,77 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
 
 
+# Line numbers
+
+
+_STRING = r"""\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+"{3,5}+|'{3}(?:[^']|'(?!''))*+'{3,5}+"""
+_STRING += r"""|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+'"""
+_TOKEN = re.compile(rf"#[^\n]*+|{_STRING}|[\[\]{{}}\n]")
+
+
+def key_names(value: Any, name: str = "", mark: str = "") -> Iterator[str]:
+    """Yield the names of keys, tables, and array entries in messages: ``leg 3``, ``leg 3: lower.mass``."""
+    found: list[tuple[str, str, Any]] = []
+    if isinstance(value, dict):
+        found = [(f"{name}{mark}{key_text(key)}", ".", each) for key, each in value.items()]
+    elif isinstance(value, list):
+        found = [(f"{name} {number}", ": ", each) for number, each in enumerate(value, 1)]
+    for inner, after, each in found:
+        yield inner
+        yield from key_names(each, inner, after)
+
+
+def key_text(key: object) -> str:
+    """Format a key for messages."""
+    plain = isinstance(key, str) and key.isprintable() and len(key) <= 60
+    return str(key) if plain else shown(key)
+
+
+def line_of(message: str, text: str) -> int:
+    """Return the line, from 1, of the last key of valid TOML whose name begins the message, or 1.
+
+    ``tomllib`` provides no lines, so beginnings of the text are parsed to find the key.
+    """
+    names = [name for name in key_names(tomllib.loads(text)) if message.startswith(name)]
+    name = max((name for name in names if message[len(name) :][:1] in (":", ".", " ")), key=len, default="")
+    # The text can be cut after each line that ends outside of strings if its brackets are closed.
+    cuts, closing = [(0, "")], ""
+    for token in _TOKEN.finditer(text):
+        if token[0] in ("[", "{"):
+            closing = ("]" if token[0] == "[" else "}") + closing
+        elif token[0] in ("]", "}"):
+            closing = closing[1:]
+        elif token[0] == "\n":
+            cuts.append((token.end(), closing))
+
+    def has_key(cut: tuple[int, str]) -> bool:
+        return not name or name in key_names(tomllib.loads(text[: cut[0]] + cut[1]))
+
+    first = bisect.bisect_left(cuts, True, key=has_key)
+    return text.count("\n", 0, cuts[max(first, 1) - 1][0]) + 1
+
+
+# Tables
+
+
 _RENAMED = {
     "accept": "suppress_warnings",
-    "home": "home_position",
     "friction": "damping",
-    "lengths": "length_mode",
     "leg_defaults": "legs",
-    "gear": "gear_ratio",
     "stribeck": "stribeck_force",
     "smoothing": "regularization_speed",
-    "back_efficiency": "backdrive_efficiency",
     "cross": "axis_offset",
     "along": "slide_offset_y",
     "across": "slide_offset_z",
-    "wrist": "wrist_offset",
     "legs": "actuation",
     "law": "type",
-    "model": "model_formulation",
     "start": "initial_state",
     "thresholds": "stop_conditions",
     "price": "smoothness_weight",
     "least": "minimize",
     "free": "tolerance",
-    "condition": "max_condition",
-    "clearance": "min_clearance",
 }
-"""Former keys of files with their present names."""
+"""Former keys of files with their present names, except names that ``_similar`` finds."""
 
 
 def checked_table(
@@ -181,10 +228,8 @@ def file_beside(value: object, source: str, key: str) -> Path:
 def one_line(value: object, where: str) -> str:
     """Return a nonblank text of one line, without control characters."""
     text = value if isinstance(value, str) else ""
-    hidden = next((each for each in text if unicodedata.category(each) in ("Cc", "Cs", "Zl", "Zp")), "")
-    if not text.strip() or hidden:
-        having = f", which has U+{ord(hidden):04X}" if hidden else ""
-        raise ValueError(f"{where}: expected one line of text, got {shown(value)}{having}")
+    if not text.strip() or any(unicodedata.category(each) in ("Cc", "Cs", "Zl", "Zp") for each in text):
+        raise ValueError(f"{where}: expected one line of text, got {shown(value)}")
     return text
 
 
@@ -200,11 +245,18 @@ def need_schema(value: object, known: Sequence[int], where: str) -> int:
     return int(value)
 
 
-def number(value: Any, where: str, expected: str = "a finite number") -> float:
-    """Return a finite number; reject Booleans."""
+def number(value: Any, where: str, rule: str = "", allowed: Callable[[float], bool] = math.isfinite) -> float:
+    """Return a finite number; reject Booleans, and numbers that are not allowed by the ``rule``."""
     is_open = "limit" in where and isinstance(value, float) and math.isinf(value)
     remedy = " (no limit: omit the key)" if is_open else ""
-    return number_in(value, where, f"{expected}{remedy}", -math.inf)
+    found = number_in(value, where, f"a finite number{remedy}", -math.inf)
+    if not allowed(found):
+        raise ValueError(f"{where}: expected a number {rule}, got {found:g}")
+    return found
+
+
+positive = functools.partial(number, rule="> 0", allowed=lambda x: x > 0.0)
+not_negative = functools.partial(number, rule=">= 0", allowed=lambda x: x >= 0.0)
 
 
 def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
@@ -221,24 +273,8 @@ def vector(value: object, where: str) -> Array:
     return numbers(value, (3,), where)
 
 
-def number_that(allowed: Callable[[float], bool], expected: str) -> Callable[[object, str], float]:
-    """Return a validator of finite numbers that are allowed."""
-
-    def checked(value: object, where: str) -> float:
-        given = number(value, where)
-        if not allowed(given):
-            raise ValueError(f"{where}: expected a number {expected}, got {given:g}")
-        return given
-
-    return checked
-
-
-positive = number_that(lambda x: x > 0.0, "> 0")
-not_negative = number_that(lambda x: x >= 0.0, ">= 0")
-
-
 def per_leg(value: object, where: str) -> Array:
     """Return one finite number for all legs or six numbers as shape (6,)."""
     if isinstance(value, list | tuple | np.ndarray):
         return numbers(value, (6,), where)
-    return np.full(6, number(value, where, "one finite number or six"))
+    return np.full(6, number_in(value, where, "one finite number or six", -math.inf))

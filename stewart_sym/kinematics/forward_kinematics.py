@@ -12,20 +12,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..io import error_policy
 from ..io.arguments import finite_array, instance, leading_shape, option, truth
 from ..io.array_types import Array, Codes, Flags
-from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion, pose_of
 from ..results import (
     NOT_CONVERGED,
     NOT_FINITE,
     OK,
+    ON_FAULT,
     OUT_OF_LIMITS,
     SINGULAR,
     STATUS_TEXT,
     Accelerations,
+    OnFault,
     Velocities,
+    report_faults,
 )
 from ..robot.robot import Robot
 from .conditioning import condition_number, moments_over
@@ -185,7 +186,7 @@ def forward_kinematics(
         leg_lengths = np.broadcast_to(lengths, (*shape, 6))[at]
         return fault(robot, leg_lengths, int(result.status[at]), guess is not None)
 
-    error_policy.report(result.status, "L", reason, on_failure)
+    report_faults(result.status, "L", reason, on_failure)
     return result
 
 
@@ -367,7 +368,7 @@ def _rates(
     status = np.where(unsettled, SINGULAR, np.where(finite, OK, NOT_FINITE))
     solution[status != OK] = np.nan
 
-    error_policy.report(status, name, lambda at: REASONS[int(status[at])], on_failure)
+    report_faults(status, name, lambda at: REASONS[int(status[at])], on_failure)
     return solution[..., :3], solution[..., 3:]
 
 

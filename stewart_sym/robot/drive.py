@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -31,11 +32,15 @@ class _Key(NamedTuple):
     """``length`` or ``angle`` if the unit of this name in the file applies."""
 
 
+_NOT_ZERO = partial(toml_reader.number, rule="other than 0", allowed=lambda x: x != 0.0)
+_FRACTION = partial(toml_reader.number, rule="> 0 and <= 1", allowed=lambda x: 0.0 < x <= 1.0)
+_AT_MOST_1 = partial(toml_reader.number, rule="<= 1", allowed=lambda x: x <= 1.0)
+
 NUMBERS: Mapping[str, _Key] = {
-    "lead": _Key(toml_reader.number_that(lambda x: x != 0.0, "other than 0"), math.nan, "length"),
+    "lead": _Key(_NOT_ZERO, math.nan, "length"),
     "rotor_inertia": _Key(toml_reader.not_negative, 0.0),
-    "efficiency": _Key(toml_reader.number_that(lambda x: 0.0 < x <= 1.0, "> 0 and <= 1"), 1.0),
-    "backdrive_efficiency": _Key(toml_reader.number_that(lambda x: x <= 1.0, "<= 1"), 1.0),
+    "efficiency": _Key(_FRACTION, 1.0),
+    "backdrive_efficiency": _Key(_AT_MOST_1, 1.0),
     "screw_coulomb": _Key(toml_reader.not_negative, 0.0),
     "screw_viscous": _Key(toml_reader.not_negative, 0.0),
     "motor_coulomb": _Key(toml_reader.not_negative, 0.0),

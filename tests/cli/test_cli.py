@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from command_files import edit, results
 from command_line import Fails, Run, folder_state, read
+from kits import few_vectors
 
 from stewart_sym.cli import main as cli
-from stewart_sym.cli import terminal
 from stewart_sym.io.extras import install
 
 # reproduce
@@ -32,33 +32,13 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     assert float(rows[0]["F_3"]) == pytest.approx(1419.36, abs=0.005)
 
 
-@pytest.mark.parametrize(("command", "instead"), [("reproduce", ", or use --no-plots"), ("benchmark", "")])
 def test_without_matplotlib_a_study_says_how_to_get_it_and_writes_nothing(
-    tmp_path: Path,
-    fails: Fails,
-    monkeypatch: pytest.MonkeyPatch,
-    command: str,
-    instead: str,
+    tmp_path: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    line = fails(command, "-o", tmp_path / "out")
-    assert line.endswith(f"{install('plot')}{instead}")
+    line = fails("reproduce", "-o", tmp_path / "out")
+    assert line.endswith(f"{install('plot')}, or use --no-plots")
     assert not list(tmp_path.iterdir())
-
-
-def test_reproduce_interrupted_is_quiet_and_leaves_nothing(
-    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def interrupted(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("stewart_sym.studies.paper.reproduce.reproduce", interrupted)
-    captured = run("reproduce", "--no-plots", "-o", tmp_path / "out", code=130)
-    assert (captured.out, captured.err) == ("", "")
-    assert not list(tmp_path.iterdir())
-
-
-# check
 
 
 def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Path, run: Run) -> None:
@@ -68,14 +48,7 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Pa
     assert accepted in text
     robot.write_text(text.replace(accepted, ""), encoding="utf-8")
     captured = run("check", robot)
-    for words in (
-        "universal at the base, spherical at the platform",
-        "4 kg each",
-        "friction     on",
-        "length none",
-        "home pose",
-    ):
-        assert words in captured.out
+    assert "universal at the base, spherical at the platform" in captured.out
     warnings = captured.err.splitlines()
     assert len(warnings) == 3
     assert all(line.startswith(f"stewart-sym: warning: {robot}: ") for line in warnings)
@@ -84,20 +57,13 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Pa
 def test_bad_robot_files_are_rejected_by_all_subcommands(robot: Path, trajectory: Path, fails: Fails) -> None:
     edit(robot, "mass = 40.0", "mass = -40.0")
     before = folder_state(robot.parent)
-    missing = robot.parent / "none.toml"
-    for file, words in ((robot, "platform.body.mass"), (missing, "cannot read the robot file")):
-        for subcommand in (
-            ["check", file],
-            ["forces", file, trajectory, "-o", robot.parent / "f.csv"],
-            ["generate", file, "-o", robot.parent / "kit"],
-        ):
-            line = fails(*subcommand)
-            assert str(file) in line
-            assert words in line
+    for subcommand in (
+        ["check", robot],
+        ["forces", robot, trajectory, "-o", robot.parent / "f.csv"],
+        ["generate", robot, "-o", robot.parent / "kit"],
+    ):
+        assert f"{robot}: platform.body.mass: " in fails(*subcommand)
     assert folder_state(robot.parent) == before
-
-
-# derive
 
 
 def test_derive_check_tells_what_differs(tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -122,25 +88,14 @@ def _two_files(progress: Callable[[str, float, float], None], _processes: int) -
     return {"exact.py": f"OPERATIONS: dict = {counts}\n", "c/stewart_exact.c": "int x;\n"}
 
 
-# generate
-
-
-def test_generate_says_what_folding_the_numbers_in_saves(robot: Path, run: Run) -> None:
-    target = robot.parent / "kit"
-    count = run("generate", robot, "-o", target, "--bake", "--fidelity", "massless").out.splitlines()[-1]
-    found = re.fullmatch(r"operations per pose: (\d+), with the numbers folded in (\d+)", count)
-    assert found is not None
-    assert int(found[2]) < int(found[1])
-
-
 def test_generate_names_the_option_that_is_wrong(robot: Path, fails: Fails) -> None:
     asked = ("generate", robot, "-o", robot.parent / "kit")
-    assert "error: bake: expected language c, " in fails(*asked, "--bake", "--language", "rust")
     error = fails(*asked, "--fidelity", "rigid")
     assert "error: fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
 
 
+@few_vectors()
 def test_generate_lists_the_files_and_writes_none(robot: Path, run: Run) -> None:
     target = robot.parent / "kit"
     asked = ["generate", str(robot), "-o", str(target), "--functions", "kinematics, reactions"]
@@ -152,12 +107,7 @@ def test_generate_lists_the_files_and_writes_none(robot: Path, run: Run) -> None
 # the command as a whole
 
 
-@pytest.mark.parametrize("name", [name for name in cli.SUBCOMMANDS if name != "cmake-dir"])
-def test_help_shows_an_example(name: str, run: Run) -> None:
-    assert f"Example: stewart-sym {name}" in " ".join(run(name, "--help").out.split())
-
-
-@pytest.mark.parametrize("arguments", [[], ["chek"], ["check"], ["forces", "a", "b"], ["check", "a", "--x"]])
+@pytest.mark.parametrize("arguments", [[], ["chek"], ["check"], ["forces", "a", "b"]])
 def test_a_wrong_command_is_one_line_that_names_the_help(arguments: list[str], fails: Fails) -> None:
     assert "--help" in fails(*arguments)
 
@@ -191,16 +141,15 @@ def test_an_unknown_option_or_choice_names_what_there_is_and_its_subcommands_hel
     assert fails(*arguments) == f"stewart-sym: error: {text.format('stewart-sym')}"
 
 
-@pytest.mark.parametrize("name", cli.SUBCOMMANDS)
-def test_no_folder_is_called_like_standard_output(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, run: Run, fails: Fails
+def test_every_subcommand_has_an_example_and_no_folder_is_called_like_standard_output(
+    run: Run, fails: Fails
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    options = re.findall(r"^  (?:-o.*, )?(--\w+) DIR", run(name, "--help").out, re.MULTILINE)
-    for option in options:
-        error = fails(name, option, "-")
-        assert error.endswith(f"expected a folder, got - for standard output (see stewart-sym {name} --help)")
-    assert not list(tmp_path.iterdir())
+    for name in cli.SUBCOMMANDS:
+        text = run(name, "--help").out
+        assert "cmake-dir" in name or f"Example: stewart-sym {name}" in " ".join(text.split())
+        for option in re.findall(r"^  (?:-o.*, )?(--\w+) DIR", text, re.MULTILINE):
+            error = fails(name, option, "-")
+            assert error.endswith(f"got - for standard output (see stewart-sym {name} --help)")
 
 
 def test_checking_a_robot_loads_nothing_heavy(robot: Path) -> None:
@@ -210,15 +159,3 @@ def test_checking_a_robot_loads_nothing_heavy(robot: Path) -> None:
     )
     loaded = set(done.stdout.split())
     assert not loaded & {"sympy", "scipy", "matplotlib"}
-
-
-def test_progress_shows_on_a_terminal_and_leaves_no_line(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    with terminal.progress_line() as progress:
-        progress("working")
-    assert capsys.readouterr().err == ""
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    with terminal.progress_line() as progress:
-        progress("working")
-    assert capsys.readouterr().err == "\r\x1b[Kworking ...\r\x1b[K"

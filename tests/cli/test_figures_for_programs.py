@@ -8,9 +8,7 @@ import numpy as np
 import pytest
 from command_line import Run
 
-from stewart_sym.cli import main as cli
 from stewart_sym.cli import terminal
-from stewart_sym.cli.main import SUBCOMMANDS
 from stewart_sym.io.json_text import json_text
 from stewart_sym.io.progress import tracked
 
@@ -25,41 +23,13 @@ def strict(text: str) -> object:
     return json.loads(text, parse_constant=constant)
 
 
-def test_every_subcommand_but_that_of_a_path_has_it() -> None:
-    with_json = {name for name in SUBCOMMANDS if "--json" in cli.subcommand_parser(name).format_help()}
-    assert with_json == SUBCOMMANDS.keys() - {"cmake-dir"}
-
-
-@pytest.mark.parametrize("option", [["--json"], ["--json", "-"]])
-def test_on_standard_output_stands_nothing_but_the_figures(robot: Path, run: Run, option: list[str]) -> None:
-    found = strict(run("check", robot, *option).out)
+def test_on_standard_output_stands_nothing_but_the_figures(robot: Path, run: Run) -> None:
+    found = strict(run("check", robot, "--json").out)
     assert isinstance(found, dict)
     assert found["platform_mass_kg"] == 40.0
     # The paper's machine has no limits, and JSON has no infinity.
     assert found["force_limit_N"] == [None] * 6
     assert len(found["home_pose"]["holding_forces_N"]) == 6
-
-
-def test_a_file_has_the_figures_beside_the_text(robot: Path, trajectory: Path, run: Run) -> None:
-    csv, figures = robot.parent / "forces.csv", robot.parent / "figures.json"
-    printed = run("forces", robot, trajectory, "-o", csv, "--json", figures).out
-    found = strict(figures.read_text())
-    assert isinstance(found, dict)
-    for leg, row in zip(found["legs"], printed.splitlines()[3:], strict=False):
-        assert row.split()[:2] == [str(leg["leg"]), f"{leg['peak_force_N']:.6g}"]
-    written = np.genfromtxt(csv, delimiter=",", names=True)
-    assert abs(found["legs"][2]["peak_force_N"]) == np.abs(written["F_3"]).max()
-
-
-def test_a_folder_has_the_same_figures(robot: Path, trajectory: Path, run: Run) -> None:
-    folder = robot.parent / "out"
-    asked = ["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-plots", "--json"]
-    text = run(*asked).out
-    found = strict(text)
-    assert isinstance(found, dict)
-    assert text == (folder / "report.json").read_text()
-    assert found["crossings"] == []
-    assert found["nearest"]["scaled_condition_number"] > 1.0
 
 
 def test_what_is_not_finite_is_null() -> None:

@@ -35,10 +35,6 @@ def test_a_new_file_has_the_numbers_given_and_no_doubt(tmp_path: Path, run: Run)
     assert (robot.M, robot.home_position.tolist()) == (40.0, [0.0, 0.0, 0.7])
     assert robot.m_d + robot.m_u == pytest.approx(4.0)
     assert np.ptp(robot.length_limits, axis=-1) == pytest.approx(0.3)
-    L = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
-    assert robot.length_limits.mean(axis=-1) == pytest.approx(L)
-    assert np.ptp(L) < 1e-15
-    assert f"{float(f'{L[0]:.4g}')!r} m from joint to joint" in path.read_text()
     assert run("check", path).err == ""
 
 
@@ -63,37 +59,24 @@ def test_millimeters_and_meters_make_the_same_machine(tmp_path: Path) -> None:
 
 
 def test_z_may_point_down(tmp_path: Path, run: Run) -> None:
-    """The same machine turned about x."""
     up, down = tmp_path / "up.toml", tmp_path / "down.toml"
     assert main(["new", "-o", str(up), *options(NUMBERS)]) == 0
     assert main(["new", "-o", str(down), "--z-down", *options(NUMBERS)]) == 0
     assert "gravity = [0.0, 0.0, 9.81]      # base frame: z is down\n" in down.read_text()
     assert run("check", down).err == ""
-    forces = []
-    for path, upward in ((up, 1.0), (down, -1.0)):
-        robot = ss.Robot.from_toml(path)
-        a = np.array([0.0, 0.0, 2.0 * upward])
-        motion = ss.Motion.from_rpy(robot.home_position, [0.0] * 3, [0.0] * 3, [0.0] * 3, a, [0.0] * 3)
-        forces.append(ss.inverse_dynamics(robot, motion).F)
-    np.testing.assert_allclose(*forces, rtol=1e-12)
+    robots = [ss.Robot.from_toml(path) for path in (up, down)]
+    np.testing.assert_allclose(robots[0].home_position, -robots[1].home_position)
+    np.testing.assert_allclose(robots[0].g, -robots[1].g)
 
 
-@pytest.mark.parametrize(
-    ("changed", "told"),
-    [
-        (
-            {"--stroke": 1.0},
-            "stroke: expected a number below 0.5433, since a leg is longer than its stroke",
-        ),
-        ({"--base-angle": 130.0}, "base_angle: expected 0 to 120 degrees, got 130.0"),
-        ({"--height": -1.0}, "argument --height: expected a number > 0, got '-1.0'"),
-    ],
-)
-def test_numbers_that_no_machine_has_are_named_by_their_option(
-    changed: dict[str, float], told: str, tmp_path: Path, fails: Fails
-) -> None:
+def test_numbers_that_no_machine_has_are_named_by_their_option(tmp_path: Path, fails: Fails) -> None:
     path = tmp_path / "robot.toml"
-    assert told in fails("new", "-o", str(path), *options({**NUMBERS, **changed}))
+    for name, value, told in (
+        ("--stroke", 1.0, "stroke: expected a number below 0.5433, since a leg is longer than its stroke"),
+        ("--base-angle", 130.0, "base_angle: expected 0 to 120 degrees, got 130.0"),
+        ("--height", -1.0, "argument --height: expected a number > 0, got '-1.0'"),
+    ):
+        assert told in fails("new", "-o", str(path), *options({**NUMBERS, name: value}))
     assert not path.exists()
 
 
@@ -147,11 +130,3 @@ def test_check_draws_the_machine_into_a_folder(tmp_path: Path, run: Run) -> None
     assert (tmp_path / "out" / "report.txt").read_text() in text
     assert main(["check", str(file), "-o", str(tmp_path / "bare"), "--no-plots"]) == 0
     assert not (tmp_path / "bare" / "machine.png").exists()
-
-
-def test_check_says_how_trajectories_are_read_and_what_stroke_is_left(
-    run: Run,
-) -> None:
-    told = run("check", Path(robots.__file__).parent / "rubin_camera.toml").out
-    assert "poses of the point (0, 0, -2758.4) mm of the platform, R = Rx Ry Rz" in told
-    assert "stroke left  -14.1 to +14.1 mm" in told

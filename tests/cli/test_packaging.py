@@ -1,13 +1,9 @@
 """A plain install carries everything: both folders beside the package, the C sources and the robot files."""
 
-import email
-import re
 import shutil
 import subprocess
 import sys
 import tarfile
-import tomllib
-import zipfile
 from pathlib import Path
 
 import pytest
@@ -32,7 +28,6 @@ folder = sys.argv[1]  # setuptools changes sys.argv
 build_meta.build_sdist(folder)
 build_meta.build_wheel(folder)
 """
-PROJECT = tomllib.loads((REPOSITORY / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 LARGEST_FILE = 512 * 1024
 """Largest file of a source archive (bytes)."""
 LARGEST_SDIST = 4 * 1024**2
@@ -88,21 +83,6 @@ def test_archives_are_small_and_pass_the_checks_of_the_package_index(archives: t
     ):
         done = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr
-
-
-@pytest.mark.slow
-def test_the_description_on_the_package_index_has_no_relative_link(archives: tuple[Path, Path]) -> None:
-    _, wheel = archives
-    with zipfile.ZipFile(wheel) as archive:
-        (name,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
-        message = email.message_from_bytes(archive.read(name))
-    text = str(message.get_payload())
-    assert message["Description-Content-Type"] == "text/markdown"
-    assert text.startswith("# stewart-sym\n")
-    assert re.findall(r"\]\((?!https?://)", text) == []
-    pictures = re.findall(r"^!\[.*\]\((.*)\)$", (REPOSITORY / "README.md").read_text(encoding="utf-8"), re.M)
-    assert pictures
-    assert all((REPOSITORY / path).exists() for path in pictures)
 
 
 @pytest.mark.slow

@@ -1,11 +1,9 @@
 """What a reader of help(ss), dir(ss) and of a result at the prompt sees."""
 
-import importlib.metadata
 import signal
 import subprocess
 import sys
 import types
-from pathlib import Path
 
 import pytest
 
@@ -17,18 +15,6 @@ def test_dir_shows_what_is_public_and_nothing_else() -> None:
     assert not any(
         isinstance(getattr(ss, name), types.ModuleType) for name in set(dir(ss)) - {"results", "robots"}
     )
-
-
-def test_the_version_is_that_of_the_package() -> None:
-    assert ss.__version__ == importlib.metadata.version("stewart-sym")
-    with pytest.raises(AttributeError, match="attribute version"):
-        _ = ss.version  # type: ignore[attr-defined]
-
-
-def test_no_public_name_is_hidden_by_the_module_of_that_name() -> None:
-    """Importing a submodule sets it as an attribute of the package, whatever was there."""
-    modules = {path.stem for path in Path(ss.__file__).parent.iterdir()} - {"results", "robots"}
-    assert not modules & set(dir(ss))
 
 
 def interruptible() -> None:
@@ -49,26 +35,23 @@ def test_importing_the_package_imports_none_of_its_modules_and_no_numpy() -> Non
     assert done.stdout == "[]\n", done.stderr
 
 
-@pytest.mark.parametrize("error", ["ImportError", "MemoryError"])
-def test_a_command_line_that_cannot_be_imported_is_one_line(error: str) -> None:
-    done = run(f"""
+def test_a_command_line_that_cannot_be_imported_is_one_line() -> None:
+    done = run("""
 import sys
 class Failing:
     def find_spec(self, name, path=None, target=None):
         if name == "numpy":
-            raise {error}("no room\\nfor it")
+            raise MemoryError("no room\\nfor it")
 sys.meta_path.insert(0, Failing())
 from stewart_sym.__main__ import main
 sys.argv = ["stewart-sym", "--version"]
 sys.exit(main())
 """)
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"stewart-sym: error: cannot start: {error}: no room for it\n"
+    assert done.stderr == "stewart-sym: error: cannot start: MemoryError: no room for it\n"
 
 
-@pytest.mark.parametrize(
-    "module", ["stewart_sym.cli.main", "argparse", "stewart_sym.io.extras", "importlib.metadata"]
-)
+@pytest.mark.parametrize("module", ["stewart_sym.cli.main", "importlib.metadata"])
 def test_an_interrupt_while_the_command_line_is_imported_is_a_clean_exit(module: str) -> None:
     done = run(f"""
 import os, signal, sys

@@ -1,6 +1,5 @@
-"""Former names of subcommands, options, and values are errors that name the present ones."""
+"""Former names of subcommands and options are errors that name the present ones."""
 
-import pytest
 from command_line import Fails, Run
 
 from stewart_sym.cli import main as cli
@@ -9,43 +8,21 @@ from stewart_sym.cli import renamed
 PARSERS = {name: cli.subcommand_parser(name) for name in cli.SUBCOMMANDS}
 
 
-def subcommands_with(option: str) -> list[str]:
-    return [name for name, parser in PARSERS.items() if option in parser._option_string_actions]
+def test_a_former_subcommand_is_one_line_with_the_present_one(fails: Fails) -> None:
+    for old, new in renamed.SUBCOMMANDS.items():
+        assert new in PARSERS
+        assert f" {old}: renamed; use {new} (see stewart-sym --help)" in fails(old, "robot.toml")
 
 
-@pytest.mark.parametrize(("old", "new"), renamed.SUBCOMMANDS.items())
-def test_a_former_subcommand_is_one_line_with_the_present_one(old: str, new: str, fails: Fails) -> None:
-    assert new in PARSERS
-    assert old not in PARSERS
-    assert f" {old}: renamed; use {new} (see stewart-sym --help)" in fails(old, "robot.toml")
-
-
-@pytest.mark.parametrize(("old", "new"), renamed.OPTIONS.items())
-def test_a_former_option_is_one_line_with_the_present_one(old: str, new: str, fails: Fails) -> None:
-    assert not subcommands_with(old)
-    names = subcommands_with(new.partition(" ")[0])
-    assert names
-    for name in names:
-        for words in ([old, "1"], [f"{old}=1"]):
+def test_a_former_option_is_one_line_with_the_present_one(fails: Fails) -> None:
+    for old, new in renamed.OPTIONS.items():
+        options = {name: parser._option_string_actions for name, parser in PARSERS.items()}
+        assert not [name for name in options if old in options[name]]
+        names = [name for name in options if new.partition(" ")[0] in options[name]]
+        assert names
+        for name in names:
             expected = f"stewart-sym: error: {old}: renamed; use {new} (see stewart-sym {name} --help)"
-            assert fails(name, *words, "robot.toml") == expected
-
-
-@pytest.mark.parametrize(("old", "new"), renamed.VALUES.items())
-def test_a_former_value_is_one_line_with_the_present_one(old: str, new: str, fails: Fails) -> None:
-    found = [
-        (name, option)
-        for name, parser in PARSERS.items()
-        for option, action in parser._option_string_actions.items()
-        if action.choices and new in action.choices
-    ]
-    assert found
-    for name, option in found:
-        told = fails(name, "file.toml", option, old)
-        assert told.endswith(f"{option}: {old}: renamed; use {new} (see stewart-sym {name} --help)")
-
-
-def test_an_option_of_another_subcommand_is_unknown(fails: Fails) -> None:
+            assert fails(name, f"{old}=1", "robot.toml") == expected
     assert "unrecognized arguments: --box" in fails("check", "robot.toml", "--box", "1")
 
 

@@ -12,6 +12,8 @@ import pytest
 from command_line import Run
 from sweeps import slow_but
 
+from stewart_sym.io.toml_text import toml_text
+
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 DRIVE = {
     **{"lead": 0.005, "efficiency": 0.9, "backdrive_efficiency": 0.8, "rotor_inertia": 1.73e-5},
@@ -46,12 +48,6 @@ def scaled(value: Any, length: float, mass: float, name: str = "") -> Any:
     return value * length ** powers[0] * mass ** powers[1] if isinstance(value, float) else value
 
 
-def spelled(value: Any) -> str:
-    if isinstance(value, dict):
-        return "{" + ", ".join(f"{key} = {spelled(each)}" for key, each in value.items()) + "}"
-    return f"[{', '.join(map(spelled, value))}]" if isinstance(value, list) else json.dumps(value)
-
-
 def examples(folder: Path, length: float, mass: float) -> None:
     """The documentation's machine, with drives, and what it does, scaled."""
     folder.mkdir()
@@ -59,9 +55,8 @@ def examples(folder: Path, length: float, mass: float) -> None:
         tables = tomllib.loads((EXAMPLES / f"{name}.toml").read_text())
         if name == "hexapod":
             tables["legs"]["drive"] = DRIVE
-        lines = [f"{key} = {spelled(each)}" for key, each in scaled(tables, length, mass).items()]
-        text = "\n".join(lines).replace("motor_speed_limit", "speed_limit")
-        (folder / f"{name}.toml").write_text(text + "\n")
+        text = toml_text(scaled(tables, length, mass)).replace("motor_speed_limit", "speed_limit")
+        (folder / f"{name}.toml").write_text(text)
     with (EXAMPLES / "trajectory.csv").open() as stream:
         head, *rows = csv.reader(stream)
     values = [
@@ -99,7 +94,6 @@ def off(one: float, other: float) -> float:
 
 COMMANDS = {
     "size-actuators": ("hexapod.toml", "trajectory.csv", "-o", "out", "--no-plots"),
-    "workspace": ("hexapod.toml", "--samples", "20000", "-o", "out", "--no-plots"),
     "simulate": ("swing.toml", "-o", "out", "--no-plots"),
     "plan": ("via.toml", "-o", "out", "--no-plots"),
     "forces": ("hexapod.toml", "trajectory.csv", "-o", "out.csv"),

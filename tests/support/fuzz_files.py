@@ -12,7 +12,7 @@ from pathlib import Path
 
 import atheris
 
-READ = ["tomllib", "stewart_sym.io.toml_reader", "stewart_sym.io.key_lines"]
+READ = ["tomllib", "stewart_sym.io.toml_reader"]
 READ += [f"stewart_sym.robot.{name}" for name in ("robot", "schema_2", "bodies", "points")]
 with atheris.instrument_imports(include=READ):
     import stewart_sym.robot.robot

@@ -7,23 +7,22 @@ Exit code: 0, or 2 if no kernel is within the tolerance or for an error.
 Example: stewart-sym choose-fidelity enough.toml --generate kernel
 """
 
-import argparse
 from pathlib import Path
 
 from ...studies.common.report import Report
 from ..inputs import warn_of_doubts
-from ..options import flag, folder_name, input_file, json_file, valued
+from ..options import Arguments, Parser, folder_name
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "scene")
-    json_file(parser)
-    valued(parser, "generate", folder_name, "folder of a kit with the chosen kernel", metavar="DIR")
-    flag(parser, "bake", "insert the constants of the robot into that kernel")
+def add_arguments(parser: Parser) -> None:
+    parser.file("scene")
+    parser.json()
+    parser.valued("generate", folder_name, "folder of a kit with the chosen kernel", metavar="DIR")
+    parser.flag("bake", "insert the constants of the robot into that kernel")
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     from ...kit import Choice, write_kit
     from ...studies.accuracy import advice
     from ...studies.accuracy.budget import read_budget
@@ -43,4 +42,3 @@ def run(arguments: argparse.Namespace) -> int:
         raise ValueError(
             f"{arguments.scene}: no kernel is within the tolerance; closest: {advice.closest(found)}"
         )
-    return 0

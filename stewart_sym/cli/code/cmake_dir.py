@@ -3,15 +3,15 @@
 Example: cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)
 """
 
-import argparse
 from importlib.resources import files
 from pathlib import Path
 
+from ..options import Arguments, Parser
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+
+def add_arguments(parser: Parser) -> None:
     """Add no arguments."""
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     print(Path(str(files("stewart_sym"))) / "cmake")
-    return 0

@@ -5,7 +5,6 @@ Exit code: 0, 1 if --check finds differences, 2 for an error.
 Example: stewart-sym derive --check
 """
 
-import argparse
 import ast
 from importlib.resources import files
 from pathlib import Path
@@ -13,16 +12,16 @@ from pathlib import Path
 from ...io.atomic_write import ResultFolder, write_file
 from ...io.progress import Progress
 from ...studies.common.report import Report
-from ..options import flag, output
+from ..options import Arguments, Parser
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    flag(parser, "check", "write no files, and list files that differ")
-    output(parser, "DIR", "folder of the kernels", "the installed kernels")
+def add_arguments(parser: Parser) -> None:
+    parser.flag("check", "write no files, and list files that differ")
+    parser.output("DIR", "folder of the kernels", otherwise="the installed kernels")
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> int:
     installed = Path(str(files("stewart_sym.generated")))
     directory = arguments.output or installed
     if arguments.check and not directory.is_dir():

@@ -6,11 +6,9 @@ In C, `make` builds the kit and runs its self-test; for other languages see its 
 Example: stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit
 """
 
-import argparse
-
 from ...studies.common.report import Report
 from ..inputs import robot_of
-from ..options import chosen, flag, formulation, input_file, output, valued
+from ..options import Arguments, Parser
 from ..output import results
 
 _FUNCTIONS = (
@@ -29,22 +27,22 @@ _LANGUAGE = (
 )
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot")
-    valued(parser, "functions", str, _FUNCTIONS, "forces", "LIST")
-    formulation(parser)
-    valued(parser, "fidelity", str, f"{_FIDELITY}; default: general", metavar="LEVEL")
-    flag(parser, "bake", "insert the constants of the robot into the kernel")
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot")
+    parser.valued("functions", str, _FUNCTIONS, "forces", "LIST")
+    parser.formulation()
+    parser.valued("fidelity", str, f"{_FIDELITY}; default: general", metavar="LEVEL")
+    parser.flag("bake", "insert the constants of the robot into the kernel")
     text = "process the legs of one pose in sequence, for processors without vector registers"
-    flag(parser, "scalar", text)
-    chosen(parser, "precision", ("double", "float"), "floating-point type")
-    flag(parser, "fmu", "add an FMI 2.0 co-simulation unit of the forces")
-    valued(parser, "language", str, _LANGUAGE, "c", "NAME")
-    flag(parser, "list", "print the file names without writing files")
-    output(parser, "DIR", "folder of the kit", None)
+    parser.flag("scalar", text)
+    parser.chosen("precision", ("double", "float"), "floating-point type")
+    parser.flag("fmu", "add an FMI 2.0 co-simulation unit of the forces")
+    parser.valued("language", str, _LANGUAGE, "c", "NAME")
+    parser.flag("list", "print the file names without writing files")
+    parser.output("DIR", "folder of the kit")
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     from ...kit import Choice, kit_names, write_kit
 
     robot, to = robot_of(arguments.robot), arguments.output
@@ -63,4 +61,3 @@ def run(arguments: argparse.Namespace) -> int:
         folded = "" if baked is None else f", with the numbers folded in {baked}"
         counts = [] if operations is None else [f"operations per pose: {operations}{folded}"]
         take(Report("\n".join(names + counts), data=data))
-    return 0

@@ -9,26 +9,24 @@ Exit code: 0, or 2 if the file is not valid.
 Example: stewart-sym check hexapod.toml -o hexapod
 """
 
-import argparse
 import contextlib
 from pathlib import Path
 
 from ...io.toml_reader import toml_tables
 from ...studies.reports.describe import report
 from ..inputs import robot_of
-from ..options import input_file, output
+from ..options import Arguments, Parser
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot")
-    output(parser, "DIR", "folder of the report and a drawing", "no files", plots=True)
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot")
+    parser.output("DIR", "folder of the report and a drawing", otherwise="no files", plots=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     with results(arguments, "report") as (take, _):
         take(report(robot_of(arguments.robot), _length_unit(arguments.robot)))
-    return 0
 
 
 def _length_unit(robot: Path) -> str:

@@ -7,7 +7,6 @@ Loops of a URDF file are written to NAME.loops.json.
 Example: stewart-sym export hexapod.toml --format mjcf -o hexapod.xml
 """
 
-import argparse
 from pathlib import Path
 
 import stewart_sym as ss
@@ -17,22 +16,22 @@ from ...io.atomic_write import write_file
 from ...io.error_policy import errors_of
 from ...studies.common.report import Report
 from ..inputs import robot_of
-from ..options import input_file, output
+from ..options import Arguments, Parser
 from ..output import need_own_file, results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot")
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot")
     text = (
         "format; mjcf: MuJoCo; sdf: Gazebo; drake: Drake (SDF with ball constraints); urdf: ROS, Pinocchio, "
         "Drake; usd: Isaac Sim, as text"
     )
     formats = ("mjcf", "sdf", "drake", "urdf", "usd")
     parser.add_argument("--format", choices=formats, required=True, help=text)
-    output(parser, "FILE", "model file; - for standard output", None)
+    parser.output("FILE", "model file; - for standard output")
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     path: Path = arguments.output
     if str(path) == "-" and arguments.format == "urdf":
         raise ValueError("-o -: a URDF model consists of two files; name a file")
@@ -47,6 +46,4 @@ def run(arguments: argparse.Namespace) -> int:
             write_file(loops_path(path), file.loop_closures)
             files.append(str(loops_path(path)))
             text = f"Written to {files[-1]}"
-        write_file(path, file.text)
-        take(Report(text, data={"format": arguments.format, "files": files}))
-    return 0
+        take(Report(text, data={"format": arguments.format, "files": files}), file.text)

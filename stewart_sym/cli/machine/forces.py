@@ -8,7 +8,6 @@ A drive adds motor columns.
 Example: stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg
 """
 
-import argparse
 from pathlib import Path
 
 import stewart_sym as ss
@@ -21,28 +20,27 @@ from ...motion.log_rates import noise_text
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import Picture, Report, draw
 from ...studies.reports.track import Digest, header_lines, in_parts
-from .. import options
 from ..inputs import robot_of, trajectory_of
-from ..options import chosen, flag, formulation, input_file, output, valued
+from ..options import Arguments, Parser, positive
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot")
-    input_file(parser, "trajectory")
-    formulation(parser)
-    chosen(parser, "backend", ("c", "numpy", "reference"), "implementation")
-    flag(parser, "reactions", "add columns of the joint reactions")
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot")
+    parser.file("trajectory")
+    parser.formulation()
+    parser.chosen("backend", ("c", "numpy", "reference"), "implementation")
+    parser.flag("reactions", "add columns of the joint reactions")
     text = "drawing of the motor torques, for a robot with a drive; requires Matplotlib"
-    valued(parser, "plot", Path, text, metavar="FILE.png")
-    chosen(parser, "on-singular", ("raise", "nan"), "treatment of unsolvable poses: an error, or rows of nan")
+    parser.valued("plot", Path, text, metavar="FILE.png")
+    parser.chosen("on-singular", ("raise", "nan"), "treatment of unsolvable poses: an error, or rows of nan")
     text = "fraction of the peak force of a leg that three standard deviations may reach without a warning"
-    valued(parser, "noise-threshold", options.positive, text, 0.02, "FRACTION")
-    options.log_options(parser)
-    output(parser, "FILE.csv", "CSV file; - for standard output", None, html=True)
+    parser.valued("noise-threshold", positive, text, 0.02, "FRACTION")
+    parser.log()
+    parser.output("FILE.csv", "CSV file; - for standard output", html=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     robot = robot_of(arguments.robot)
     if arguments.plot is not None:
         _need_plot(arguments, robot)
@@ -70,10 +68,9 @@ def run(arguments: argparse.Namespace) -> int:
         take(Report("\n".join(lines), data=data, figures=figures, views=views))
     for line in doubts:
         warn(line)
-    return 0
 
 
-def _need_plot(arguments: argparse.Namespace, robot: ss.Robot) -> None:
+def _need_plot(arguments: Arguments, robot: ss.Robot) -> None:
     """Reject ``--plot`` for a robot without drives, for other formats than PNG, or over an existing file."""
     need("matplotlib", "drawing")
     path = arguments.plot

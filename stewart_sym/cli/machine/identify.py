@@ -8,7 +8,6 @@ Exit code: 0, 1 if the fit is rejected, 2 for an error.
 Example: stewart-sym identify hexapod.toml --force-std 0.5 -o identified
 """
 
-import argparse
 import dataclasses
 from pathlib import Path
 from typing import Any, cast
@@ -30,12 +29,12 @@ from ...robot.robot import LEGS
 from ...studies.common.report import Report
 from ...studies.reports.identify import doubts, from_measurement, measured_report, simulated_report
 from ..inputs import log_format, poses_of, robot_of, stated_noise
-from ..options import finite, flag, input_file, log_form, noise_options, output, positive, seed, valued, whole
+from ..options import Arguments, Parser, finite, positive, whole
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot")
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot")
     text = (
         "files of the motion, as for `forces`, and of time with F_1 to F_6 (N) or current_1 to current_6 (A, "
         "sign of the torque). The robot file provides geometry, gravity, and drives. If a drive has a "
@@ -44,30 +43,30 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     files = ("TRAJECTORY.csv", "FORCES.csv")
     parser.add_argument("--measured", nargs=2, type=Path, metavar=files, help=text)
     text = "standard deviation of the measured forces (N) or currents (A)"
-    valued(parser, "force-std", positive, text, 1.0)
+    parser.valued("force-std", positive, text, 1.0)
     text = "standard deviation of the measured {} (--{}-unit): fit a smooth motion; default: exact"
-    noise_options(parser, text, "positions", "rotations about each axis")
-    seed(parser)
+    parser.noise(text, "positions", "rotations about each axis")
+    parser.seed()
     text = "period of the motion (s); default: from gravity, or none for measured poses with noise"
-    valued(parser, "period", finite, text)
+    parser.valued("period", finite, text)
     text = "number of Fourier harmonics; default: 5, or from the data for measured poses"
-    valued(parser, "harmonics", whole, text)
-    flag(parser, "no-friction", "fit a model without joint friction")
+    parser.valued("harmonics", whole, text)
+    parser.flag("no-friction", "fit a model without joint friction")
     text = "fit physically possible bodies, and write their parameters to bodies.csv"
-    flag(parser, "enforce-physical", text)
-    flag(parser, "identical-legs", "fit one common set of parameters for all six legs")
+    parser.flag("enforce-physical", text)
+    parser.flag("identical-legs", "fit one common set of parameters for all six legs")
     text = (
         "drive terms to identify: reflected_mass, coulomb, offset, viscous; F_1 to F_6 are then motor forces "
         "(N times torque)"
     )
-    valued(parser, "drive-terms", lambda text: tuple(text.split(",")), text, metavar="TERM,...")
-    valued(parser, "samples", whole, "number of samples per period", 200)
-    valued(parser, "candidates", whole, "number of random Fourier series", 50)
-    log_form(parser)
-    output(parser, "DIR", "folder of the results", None)
+    parser.valued("drive-terms", lambda text: tuple(text.split(",")), text, metavar="TERM,...")
+    parser.valued("samples", whole, "number of samples per period", 200)
+    parser.valued("candidates", whole, "number of random Fourier series", 50)
+    parser.log_form()
+    parser.output("DIR", "folder of the results")
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> int:
     if (arguments.position_std is None) != (arguments.angle_std is None):
         raise ValueError("--position-std and --angle-std must be given together")
     with results(arguments, "report", "trajectory.csv") as (take, progress):
@@ -79,7 +78,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 1 if found.verdict == "rejected" else 0
 
 
-def _measured(arguments: argparse.Namespace, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
+def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
     noisy = arguments.position_std is not None
     if arguments.enforce_physical:
         need("scipy", POSSIBLE)
@@ -114,7 +113,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> tuple[Report
     return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
 
 
-def _simulated(arguments: argparse.Namespace, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
+def _simulated(arguments: Arguments, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
     given = [name for name in ("no_friction", "enforce_physical", "drive_terms") if getattr(arguments, name)]
     if given:
         raise ValueError(f"{given[0]}: applies to measured forces; add --measured")

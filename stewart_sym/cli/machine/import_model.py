@@ -7,33 +7,30 @@ Loops of a URDF file are read from NAME.loops.json or its drake:ball_constraint 
 Example: stewart-sym import hexapod.xml -o imported.toml
 """
 
-import argparse
-
 import stewart_sym as ss
 
 from ...io.arguments import safe_text
-from ...io.atomic_write import write_file
 from ...io.toml_text import toml_text
 from ...studies.common.report import Report
 from ..inputs import warn_of_doubts
-from ..options import input_file, output
+from ..options import Arguments, Parser
 from ..output import results
 
 _BEGINNING = "# Imported by stewart-sym"
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "model")
-    output(parser, "ROBOT.toml", "robot file; - for standard output", None)
+def add_arguments(parser: Parser) -> None:
+    parser.file("model")
+    parser.output("ROBOT.toml", "robot file; - for standard output")
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     with results(arguments, beginnings=[_BEGINNING]) as (take, _):
         found = ss.import_model(arguments.model)
         tables = found.robot.to_dict()
         lines = [f"{_BEGINNING} from {safe_text(arguments.model.name)}."]
         lines += [f"# {safe_text(line)}" for line in found.assumptions]
-        write_file(arguments.output, "\n".join(lines) + "\n" + toml_text(tables))
+        text = "\n".join(lines) + "\n" + toml_text(tables)
         warn_of_doubts(found.robot, arguments.output)
-        take(Report("\n".join(found.assumptions), data={"assumptions": found.assumptions, "robot": tables}))
-    return 0
+        data = {"assumptions": found.assumptions, "robot": tables}
+        take(Report("\n".join(found.assumptions), data=data), text)

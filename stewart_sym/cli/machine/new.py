@@ -14,12 +14,11 @@ import tomllib
 
 import stewart_sym as ss
 
-from ...io.atomic_write import write_file
 from ...robot.draft import Draft
 from ...studies.common.report import Report
 from ...studies.reports.describe import report
 from ..inputs import warn_of_doubts
-from ..options import chosen, finite, flag, output, positive, valued
+from ..options import Arguments, Parser, finite, positive
 from ..output import results
 
 _NUMBERS = {
@@ -36,19 +35,19 @@ _ANGLES = {
 }
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    valued(parser, "name", str, "name of the machine", "robot")
-    chosen(parser, "length-unit", ("m", "cm", "mm", "in"), "unit of all lengths")
+def add_arguments(parser: Parser) -> None:
+    parser.valued("name", str, "name of the machine", "robot")
+    parser.chosen("length-unit", ("m", "cm", "mm", "in"), "unit of all lengths")
     for name, text in _NUMBERS.items():
         unit = "" if text.endswith("(kg)") else " (unit: --length-unit)"
-        valued(parser, name.replace("_", "-"), positive, f"{text}{unit}", metavar="X")
-    flag(parser, "z-down", "let the z axis point down; default: up")
+        parser.valued(name.replace("_", "-"), positive, f"{text}{unit}", metavar="X")
+    parser.flag("z-down", "let the z axis point down; default: up")
     for name, text in _ANGLES.items():
-        valued(parser, name.replace("_", "-"), finite, text, 20.0, "DEG")
-    output(parser, "ROBOT.toml", "robot file; - for standard output", None)
+        parser.valued(name.replace("_", "-"), finite, text, 20.0, "DEG")
+    parser.output("ROBOT.toml", "robot file; - for standard output")
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     for name in _NUMBERS:
         if getattr(arguments, name) is None:
             setattr(arguments, name, _asked(name, arguments.length_unit))
@@ -57,10 +56,8 @@ def run(arguments: argparse.Namespace) -> int:
     text = draft.text()
     with results(arguments, beginnings=[text]) as (take, _):
         robot = ss.Robot.from_dict(tomllib.loads(text))
-        write_file(arguments.output, text)
         warn_of_doubts(robot, arguments.output)
-        take(Report("", data=report(robot).data))
-    return 0
+        take(Report("", data=report(robot).data), text)
 
 
 def _asked(name: str, unit: str) -> float:

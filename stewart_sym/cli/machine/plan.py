@@ -7,8 +7,6 @@ Exit code: 0, 1 if the certificate is not valid, 2 for an error. SI units.
 Example: stewart-sym plan via.toml -o plan
 """
 
-import argparse
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,25 +22,25 @@ from ...planning.path_parameterization import need_duration
 from ...planning.plan_file import PlanRequest, read_plan
 from ...studies.reports import plan
 from ..inputs import FEW_ROWS, warn_of_doubts
-from ..options import input_file, output, positive, valued
+from ..options import Arguments, Parser, positive
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "via")
+def add_arguments(parser: Parser) -> None:
+    parser.file("via")
     text = "objective, overrides the key of the file; default: time"
     parser.add_argument("--minimize", choices=("time", "energy", "peak_force"), help=text)
-    valued(parser, "duration", positive, "duration (s), for energy and peak force", metavar="SECONDS")
-    output(parser, "DIR", "folder of the results", Path("plan"), plots=True, html=True)
+    parser.valued("duration", positive, "duration (s), for energy and peak force", metavar="SECONDS")
+    parser.output("DIR", "folder of the results", "plan", plots=True, html=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> int:
     need("scipy", "planning")
     with read_plan(arguments.via) as request:
         return _plan(arguments, request)
 
 
-def _plan(arguments: argparse.Namespace, request: PlanRequest) -> int:
+def _plan(arguments: Arguments, request: PlanRequest) -> int:
     robot, least = request.robot, arguments.minimize or request.minimize
     duration = request.duration if arguments.duration is None else arguments.duration
     with errors_of("" if arguments.minimize or arguments.duration else f"{arguments.via}: "):

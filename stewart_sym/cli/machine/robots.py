@@ -6,37 +6,36 @@ In Python: ss.robots.NAME().
 Example: stewart-sym robots --show tsai2000 -o tsai2000.toml
 """
 
-import argparse
-
 import stewart_sym as ss
 
 from ...io.arguments import option
-from ...io.atomic_write import write_file
 from ...studies.common.output import aligned
 from ...studies.common.report import Report
-from ..options import output, valued
+from ..options import Arguments, Parser
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    valued(parser, "show", str, "name of the robot whose file is printed", metavar="NAME")
-    output(parser, "ROBOT.toml", "copy of the file of --show", "standard output")
+def add_arguments(parser: Parser) -> None:
+    parser.valued("show", str, "name of the robot whose file is printed", metavar="NAME")
+    parser.output("ROBOT.toml", "copy of the file of --show", otherwise="standard output")
 
 
-def run(arguments: argparse.Namespace) -> int:
-    if arguments.show is None:
-        if arguments.output is not None:
-            raise ValueError("-o: requires the name of a robot; add --show NAME")
-        robots = {name: ss.robots.load(name) for name in ss.robots.NAMES}
-        rows = [[name, robot.name, f"{robot.M:.4g}"] for name, robot in robots.items()]
-        data = {name: {"name": robot.name, "platform_mass_kg": robot.M} for name, robot in robots.items()}
-        with results(arguments) as (take, _):
-            take(Report(aligned(["name", "machine", "platform, kg"], rows, left=2), data={"robots": data}))
-        return 0
+def run(arguments: Arguments) -> None:
+    (_list if arguments.show is None else _show)(arguments)
+
+
+def _list(arguments: Arguments) -> None:
+    if arguments.output is not None:
+        raise ValueError("-o: requires the name of a robot; add --show NAME")
+    robots = {name: ss.robots.load(name) for name in ss.robots.NAMES}
+    rows = [[name, robot.name, f"{robot.M:.4g}"] for name, robot in robots.items()]
+    data = {name: {"name": robot.name, "platform_mass_kg": robot.M} for name, robot in robots.items()}
+    with results(arguments) as (take, _):
+        take(Report(aligned(["name", "machine", "platform, kg"], rows, left=2), data={"robots": data}))
+
+
+def _show(arguments: Arguments) -> None:
     option(arguments.show, ss.robots.NAMES, "--show")
     copy = ss.robots.text(arguments.show)
     with results(arguments, beginnings=[copy]) as (take, _):
-        if arguments.output is not None:
-            write_file(arguments.output, copy)
-        take(Report("" if arguments.output else copy, data={"name": arguments.show, "text": copy}))
-    return 0
+        take(Report("" if arguments.output else copy, data={"name": arguments.show, "text": copy}), copy)

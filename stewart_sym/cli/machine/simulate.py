@@ -8,9 +8,7 @@ Output: summary.txt, run.csv, and drawings. SI units.
 Example: stewart-sym simulate swing.toml -o swing
 """
 
-import argparse
 import dataclasses
-from pathlib import Path
 
 import stewart_sym as ss
 
@@ -20,18 +18,18 @@ from ...simulation.scene import read_scene
 from ...studies.reports import run as runs
 from ...studies.reports.scene_checks import start_doubts
 from ..inputs import warn_of_doubts
-from ..options import flag, input_file, output
+from ..options import Arguments, Parser
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "scene")
+def add_arguments(parser: Parser) -> None:
+    parser.file("scene")
     text = "compare the energy drift of both formulations, without friction and damping (springs only)"
-    flag(parser, "energy-drift", text)
-    output(parser, "DIR", "folder of the results", Path("simulation"), plots=True, html=True)
+    parser.flag("energy-drift", text)
+    parser.output("DIR", "folder of the results", "simulation", plots=True, html=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     need("scipy", "simulation")
     scene = read_scene(arguments.scene)
     warn_of_doubts(scene.robot, arguments.scene)
@@ -48,4 +46,3 @@ def run(arguments: argparse.Namespace) -> int:
         report = runs.report(scene.robot, done, scene.law, drifts)
         views = {"run": lambda: ss.view(scene.robot, done)}
         take(dataclasses.replace(report, views=views))
-    return 0

@@ -6,7 +6,6 @@ Output: report, tables of events and of the path, and drawings. SI units.
 Example: stewart-sym singularities hexapod.toml trajectory.csv -o singularities
 """
 
-import argparse
 from pathlib import Path
 
 import stewart_sym as ss
@@ -15,20 +14,20 @@ from ...kinematics.mounting import path_for
 from ...motion.interpolation import Path as MotionPath
 from ...studies.reports import singularities
 from ..inputs import robot_of, trajectory_of
-from ..options import formulation, input_file, log_options, output
+from ..options import Arguments, Parser
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot")
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot")
     text = "I, II, or III (paths of the paper), or a CSV file as for `forces`"
     parser.add_argument("path", metavar="PATH", help=text)
-    formulation(parser)
-    log_options(parser)
-    output(parser, "DIR", "folder of the results", Path("singularities"), plots=True)
+    parser.formulation()
+    parser.log()
+    parser.output("DIR", "folder of the results", "singularities", plots=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     robot = robot_of(arguments.robot)
     name, file = arguments.path, Path(arguments.path)
     read = [] if name in ss.PAPER_PATHS else [file]
@@ -47,4 +46,3 @@ def run(arguments: argparse.Namespace) -> int:
         progress("looking for singular poses")
         found = singularities.examine(robot, file.name, path, times, arguments.formulation)
         take(singularities.full_report(found))
-    return 0

@@ -7,37 +7,35 @@ It names limits that are exceeded, lack the margin, or are undecided due to nois
 Example: stewart-sym size-actuators hexapod.toml trajectory.csv -o size --margin 0.3
 """
 
-import argparse
 import dataclasses
-from pathlib import Path
 
 from ...design.actuator_requirements import QUANTILES, actuator_requirements
 from ...io.error_policy import warn
 from ...studies.design.actuator_report import doubts, report, views
 from ..inputs import robot_of, trajectory_of
-from ..options import finite, formulation, input_file, log_options, output, positive, valued
+from ..options import Arguments, Parser, finite, positive
 from ..output import results
 
 _MOST_MARGIN = 5.0
 """Margin above which a percentage was probably meant."""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot")
-    input_file(parser, "trajectory", "trajectories", nargs="+")
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot")
+    parser.file("trajectory", "trajectories", nargs="+")
     text = "fraction by which each limit should exceed the required value"
-    valued(parser, "margin", finite, text, 0.25, "FRACTION")
+    parser.valued("margin", finite, text, 0.25, "FRACTION")
     text = (
         "fraction of the time (at most 1) for which the listed value is sufficient; may be repeated; "
         "default: 0.5, 0.9, 0.99, and 1"
     )
     parser.add_argument("--quantile", action="append", type=positive, metavar="FRACTION", help=text)
-    formulation(parser)
-    log_options(parser)
-    output(parser, "DIR", "folder of the results", Path("size"), plots=True, html=True)
+    parser.formulation()
+    parser.log()
+    parser.output("DIR", "folder of the results", "size", plots=True, html=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     margin, quantiles = arguments.margin, arguments.quantile or QUANTILES
     if margin > _MOST_MARGIN:
         warn(f"--margin: {margin:g} means {100.0 * margin:g} %; use 0.25 for 25 %")
@@ -49,4 +47,3 @@ def run(arguments: argparse.Namespace) -> int:
         take(dataclasses.replace(report(robot, names, needs), views=views(robot, names, read)))
     for text in doubts(robot, needs, arguments.robot):
         warn(text)
-    return 0

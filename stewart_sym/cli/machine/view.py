@@ -8,7 +8,6 @@ Limits of legs and motors are compared as in `forces`.
 Example: stewart-sym view hexapod.toml trajectory.csv -o machine.html
 """
 
-import argparse
 import os
 import sys
 import webbrowser
@@ -17,7 +16,6 @@ from pathlib import Path
 import stewart_sym as ss
 
 from ...dynamics.home_pose import home_pose
-from ...io.atomic_write import write_file
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...studies.common.report import Report
@@ -26,23 +24,23 @@ from ...viewer import motion_history
 from ...viewer.motion_history import MotionHistory
 from ...viewer.page import BEGINNING
 from ..inputs import robot_of, trajectory_of
-from ..options import flag, input_file, log_options, output
+from ..options import Arguments, Parser
 from ..output import need_html, results
 
 _RUN = "run.csv"
 _DEFAULT = Path("machine.html")
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot", nargs="?")
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot", nargs="?")
     text = "I, II, III, a CSV file, or the folder of a simulation"
     parser.add_argument("motion", metavar="MOTION", nargs="?", help=text)
-    flag(parser, "example", "show the robot of the paper on its Path I")
-    log_options(parser)
-    output(parser, "FILE.html", "HTML file; - for standard output", str(_DEFAULT))
+    parser.flag("example", "show the robot of the paper on its Path I")
+    parser.log()
+    parser.output("FILE.html", "HTML file; - for standard output", otherwise=str(_DEFAULT))
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     if arguments.example == (arguments.robot is not None):
         raise ValueError("ROBOT.toml: expected either a robot file or --example, the robot of the paper")
     shown_at_once = arguments.output is None
@@ -53,16 +51,14 @@ def run(arguments: argparse.Namespace) -> int:
         robot = ss.robots.dasgupta1998() if arguments.example else robot_of(arguments.robot)
         shown = ss.Viewer(robot, _motion(robot, arguments, progress))
         progress("writing the page")
-        write_file(path, shown.html)
-        take(Report(shown.title, data=view_data(shown)))
+        take(Report(shown.title, data=view_data(shown)), shown.html)
     for _, line in shown.limits.told:
         warn(line)
     if shown_at_once and not _opened(path):
         print(f"no screen found; open {path.resolve()} in a browser", file=sys.stderr)
-    return 0
 
 
-def _motion(robot: ss.Robot, arguments: argparse.Namespace, progress: Progress) -> MotionHistory:
+def _motion(robot: ss.Robot, arguments: Arguments, progress: Progress) -> MotionHistory:
     name = "I" if arguments.example else arguments.motion
     if name is None:
         return motion_history.at_home(robot, home_pose(robot).t)

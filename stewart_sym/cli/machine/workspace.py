@@ -7,9 +7,7 @@ The error is three standard deviations. Positions refer to the tool.
 Example: stewart-sym workspace hexapod.toml --max-condition 20 -o workspace
 """
 
-import argparse
 import math
-from pathlib import Path
 
 import numpy as np
 
@@ -18,7 +16,7 @@ import stewart_sym as ss
 from ...io.error_policy import warn
 from ...studies.design.workspace_report import center_doubt, report, slices
 from ..inputs import robot_of
-from ..options import chosen, finite, input_file, output, positive, seed, valued, whole
+from ..options import Arguments, Parser, finite, positive, whole
 from ..output import results
 
 _IGNORED = ("lengths", "joint_angles", "forces")
@@ -35,26 +33,26 @@ _VECTORS = {
 """Placeholders and help of the options with several numbers."""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    input_file(parser, "robot")
+def add_arguments(parser: Parser) -> None:
+    parser.file("robot")
     text = "coordinates that vary: positions, rotations, or both"
-    chosen(parser, "kind", ("constant_orientation", "orientation", "six_dof"), text)
+    parser.chosen("kind", ("constant_orientation", "orientation", "six_dof"), text)
     for name, (names, text) in _VECTORS.items():
         metavar = tuple(names.split())
         parser.add_argument(f"--{name}", nargs=len(metavar), type=finite, metavar=metavar, help=text)
     text = "largest scaled condition number of H; excludes also all poses beyond a singular pose"
-    valued(parser, "max-condition", positive, text, metavar="NUMBER")
-    valued(parser, "min-clearance", positive, "smallest distance between leg center lines (m)", metavar="M")
+    parser.valued("max-condition", positive, text, metavar="NUMBER")
+    parser.valued("min-clearance", positive, "smallest distance between leg center lines (m)", metavar="M")
     text = "limits of the robot file to ignore; may be repeated"
     parser.add_argument("--ignore", action="append", choices=_IGNORED, default=[], help=text)
-    valued(parser, "samples", whole, "number of random poses", 1_000_000, "N")
-    seed(parser)
+    parser.valued("samples", whole, "number of random poses", 1_000_000, "N")
+    parser.seed()
     text = "address of a Dask scheduler (tcp://host:8786), or local: one worker per core; identical results"
-    valued(parser, "scheduler", str, text, metavar="ADDRESS")
-    output(parser, "DIR", "folder of the results", Path("workspace"), plots=True)
+    parser.valued("scheduler", str, text, metavar="ADDRESS")
+    parser.output("DIR", "folder of the results", "workspace", plots=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     robot = robot_of(arguments.robot)
     ignored = {name: name not in arguments.ignore for name in _IGNORED}
     limits = ss.PoseLimits(
@@ -73,4 +71,3 @@ def run(arguments: argparse.Namespace) -> int:
         if found.distance_to_limit == 0.0:
             warn(f"center pose: violates a limit, {center_doubt(robot, limits, found)}")
         take(report(robot, limits, found, slices(robot, limits, found, progress)))
-    return 0

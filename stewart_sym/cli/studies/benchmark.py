@@ -7,25 +7,21 @@ The study takes about four minutes on an idle machine.
 Example: stewart-sym benchmark -o bench
 """
 
-import argparse
-from pathlib import Path
-
 from ..inputs import robot_of
-from ..options import flag, input_file, output
+from ..options import Arguments, Parser
 from ..output import need_drawing, results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    flag(parser, "quick", "use fewer rounds and smaller batches")
-    input_file(parser, "robot", "--robot", help="robot file; default: the robot of the paper")
-    output(parser, "DIR", "folder of the results", Path("bench"), html=True)
+def add_arguments(parser: Parser) -> None:
+    parser.flag("quick", "use fewer rounds and smaller batches")
+    parser.file("robot", "--robot", help="robot file; default: the robot of the paper")
+    parser.output("DIR", "folder of the results", "bench", html=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     from ...studies.benchmark.benchmark import benchmark, full_report
 
     need_drawing()
     robot = None if arguments.robot is None else robot_of(arguments.robot)
     with results(arguments, "bench") as (take, progress):
         take(full_report(benchmark(robot, arguments.quick, progress)))
-    return 0

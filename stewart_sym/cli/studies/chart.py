@@ -6,23 +6,22 @@ The study takes about a minute.
 Example: stewart-sym chart enough.toml -o chart
 """
 
-import argparse
 from pathlib import Path
 
 import stewart_sym as ss
 
 from ..inputs import warn_of_doubts
-from ..options import input_file, output
+from ..options import Arguments, Parser
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     text = "scene file of `choose-fidelity`; default: the robot of the paper on Paths I, II, and III"
-    input_file(parser, "scene", nargs="?", help=text)
-    output(parser, "DIR", "folder of the results", Path("chart"), plots=True)
+    parser.file("scene", nargs="?", help=text)
+    parser.output("DIR", "folder of the results", "chart", plots=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     from ...studies.accuracy.budget import papers_motions, read_budget
     from ...studies.accuracy.cost import ROUNDS, cost
     from ...studies.accuracy.cost_plot import full_report
@@ -35,4 +34,3 @@ def run(arguments: argparse.Namespace) -> int:
         warn_of_doubts(robot, arguments.scene)
     with results(arguments, "chart", read=read) as (take, progress):
         take(full_report(cost(robot, motions, True, ROUNDS, progress)))
-    return 0

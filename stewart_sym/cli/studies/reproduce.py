@@ -3,21 +3,17 @@
 Example: stewart-sym reproduce -o reproduce
 """
 
-import argparse
-from pathlib import Path
-
-from ..options import output
+from ..options import Arguments, Parser
 from ..output import results
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    output(parser, "DIR", "folder of the results", Path("reproduce"), plots=True, html=True)
+def add_arguments(parser: Parser) -> None:
+    parser.output("DIR", "folder of the results", "reproduce", plots=True, html=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> None:
     from ...studies.paper.paper_report import full_report
     from ...studies.paper.reproduce import reproduce
 
     with results(arguments, "report") as (take, progress):
         take(full_report(reproduce(progress)))
-    return 0

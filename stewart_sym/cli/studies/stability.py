@@ -8,24 +8,23 @@ A million random cases take about five minutes on two cores.
 Example: stewart-sym stability -o stability
 """
 
-import argparse
 from pathlib import Path
 
 from ...studies.common.report import Report
-from ..options import output, seed, valued, whole
+from ..options import Arguments, Parser, whole
 from ..output import results
 
 CASES = 1_000_000
 """Number of random cases of the sweep."""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    valued(parser, "cases", whole, f"number of random cases; default with -o: {CASES:,}", metavar="N")
-    seed(parser)
-    output(parser, "DIR", "folder of the results", "stability", plots=True, html=True)
+def add_arguments(parser: Parser) -> None:
+    parser.valued("cases", whole, f"number of random cases; default with -o: {CASES:,}", metavar="N")
+    parser.seed()
+    parser.output("DIR", "folder of the results", otherwise="stability", plots=True, html=True)
 
 
-def run(arguments: argparse.Namespace) -> int:
+def run(arguments: Arguments) -> int:
     from ...studies.robustness import study
     from ...studies.robustness.pictures import pictures
 

@@ -9,12 +9,13 @@ from typing import Any
 from ...dynamics.inverse_dynamics import first_fault
 from ...io import toml_reader
 from ...io.arguments import shown
-from ...io.error_policy import SingularPoseWarning, warn
+from ...io.error_policy import warn
 from ...kinematics.mounting import path_for
 from ...motion.motion import Motion
 from ...motion.straight_line import PAPER_PATHS
 from ...motion.trajectory import Trajectory
 from ...reference.newton_euler import inverse_dynamics
+from ...results import SingularPoseWarning
 from ...robot.robot import Robot
 from ...singularities.joint_space import read_trajectory
 from ...singularities.path_warnings import crossing_warning

@@ -2,14 +2,12 @@
 
 import contextlib
 import math
-import re
 from collections.abc import Iterator, Mapping
 from contextvars import ContextVar
 from typing import Any
 
 import numpy as np
 
-_TEXT = re.compile(r"(?<![\w.-])[-+]?(nan|inf)(?![\w.-])", re.IGNORECASE)
 _noted: ContextVar[list[bool] | None] = ContextVar("noted", default=None)
 
 
@@ -28,11 +26,6 @@ def note_not_finite() -> None:
     """Record that a result contains a non-finite number."""
     if (noted := _noted.get()) is not None:
         noted.append(True)
-
-
-def in_text(text: str) -> bool:
-    """Return True if a text contains nan or inf as a number."""
-    return _TEXT.search(text) is not None
 
 
 def in_figures(value: Any) -> bool:

@@ -25,14 +25,13 @@ from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.arguments import status_text
 from ...io.array_types import Array, Codes, Flags
-from ...io.error_policy import SingularPoseWarning
 from ...io.progress import Progress
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.motion import Motion
 from ...motion.sample_times import least_step, time_text
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
-from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult
+from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, SingularPoseWarning
 from ...robot.robot import LEGS, Robot
 from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .drives import DriveDigest, drive_columns
