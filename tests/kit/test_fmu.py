@@ -280,36 +280,6 @@ def test_state_comes_back_and_goes_over_to_another_instance() -> None:
         slave.freeFMUstate(state)
 
 
-def test_instances_know_nothing_of_each_other() -> None:
-    first, second, _ = some_rows()
-    with loaded("lanes") as slave:
-        slave.instantiate()
-        started(slave)
-        one = slave.component
-        slave.instantiate()
-        started(slave)
-        two = slave.component
-        assert one != two
-        slave.setReal([references("lanes")["M"]], [99.0])
-        F = step(slave, second)
-        slave.component = one
-        np.testing.assert_array_equal(step(slave, first), forces("lanes", first[None])[0])
-        slave.fmi2FreeInstance(one)
-        slave.component = two
-        np.testing.assert_array_equal(slave.getReal(FORCES), F)
-        slave.fmi2FreeInstance(two)
-
-
-def test_reset_gives_a_fresh_instance() -> None:
-    with running("lanes") as slave:
-        fresh = slave.serializeFMUstate(slave.getFMUstate())
-        slave.setReal([references("lanes")["g[3]"]], [-1.6])
-        step(slave, some_rows()[0])
-        slave.reset()
-        started(slave)
-        assert slave.serializeFMUstate(slave.getFMUstate()) == fresh
-
-
 @pytest.mark.parametrize("wrong", ["guid", "kind", "name"])
 def test_unit_rejects_what_does_not_belong_to_it(wrong: str) -> None:
     told: list[bytes] = []

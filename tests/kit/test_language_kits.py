@@ -100,37 +100,19 @@ def test_the_cases_of_wrong_input_have_every_status() -> None:
     assert {SINGULAR} <= seen["forward_velocity"]
 
 
-def test_every_language_has_a_table_of_wrong_input() -> None:
-    assert set(RUNS) == set(LANGUAGES)
-
-
 # ---------------------------------------------------------------- shapes and types
 
 
 SHAPES = [
-    ("forward_dynamics(on, model, motion, np.zeros(5))", r"F: expected shape (..., 6), got (5,)"),
-    ("forward_dynamics(on, model, motion, np.zeros((6, 5)))", r"F: expected shape (..., 6), got (6, 5)"),
+    ("forward_dynamics(on, model, motion, np.zeros(5))", "F: expected shape (..., 6), got (5,)"),
     ("forward_dynamics(on, model, motion, [0.0] * 7)", "F: expected 6 numbers or arrays, got 7"),
-    ("forward_dynamics(on, model, motion, [[0.0] * 6] * 6)", "F: expected 6 numbers or arrays, got nested"),
-    ("forward_dynamics(on, model, motion, 1.0)", "F: expected shape (..., 6), got ()"),
-    ("linearization(on, model, motion, [0.0] * 5)", "F: expected 6 numbers or arrays, got 5"),
-    ("forward_kinematics(on, machine, [1.0] * 5, guess)", "L: expected 6 numbers or arrays, got 5"),
-    ("forward_velocity(on, machine, guess, np.zeros(3))", "L_dot: expected shape (..., 6), got (3,)"),
     ("forces(on, machine, motion)", "model: expected Model, got Robot"),
-    ("forces(on, model, guess)", "motion: expected Motion, got Pose"),
     ("motion_of(on, t=[0.0, 0.0, 1.0])", "R: expected shape (..., 3, 3) or (..., 9), got none"),
-    ("motion_of(on, R=np.eye(3), t=[1, 2])", "t: expected shape (..., 3), got (2,)"),
     ("motion_of(on, R=np.eye(3), omga=[1, 2, 3])", "omga: expected one of R, t"),
-    ("pose_at(on, R=np.zeros((3, 2)))", "R: expected shape (..., 9), got (3, 2)"),
     (
         "forces(on, model, motion_of(on, R=np.ones((5, 9)), t=np.ones((4, 3))))",
         "t: expected a leading shape that broadcasts with (5,), got (4,)",
     ),
-    (
-        "forward_kinematics(on, machine, np.ones((2, 5, 6)), pose_at(on, R=np.ones((3, 1, 9))))",
-        "R: expected a leading shape that broadcasts with (2, 5), got (3, 1)",
-    ),
-    ("motion_of(on, R=[[1, 2], [3]])", "R: expected real numbers, "),
     ("pose_at(on, R=np.eye(3), t='far')", "t: expected real numbers, "),
 ]
 
@@ -153,13 +135,6 @@ def test_python_names_the_argument_that_does_not_fit(
     arrays, names = in_kit(kit_of("python"))
     with pytest.raises(ValueError, match=f"^{re.escape(line)}"):
         eval(call, vars(arrays) | names)
-
-
-def test_python_names_a_member_that_does_not_fit(kit_of: Callable[[str], Path]) -> None:
-    arrays, names = in_kit(kit_of("python"))
-    names["motion"].t = [0.0, 0.0]
-    with pytest.raises(ValueError, match=r"^t: expected 3 numbers or arrays, got 2$"):
-        arrays.forces(names["on"], names["model"], names["motion"])
 
 
 def test_python_takes_components_in_a_list_or_along_the_last_axis(kit_of: Callable[[str], Path]) -> None:
@@ -188,23 +163,14 @@ def test_python_takes_integers_for_what_they_are(kind: Any, kit_of: Callable[[st
     np.testing.assert_array_equal(found.F, arrays.forces(on, model, motion).F)
 
 
-VECTORS = [
-    ("forward_dynamics(model, motion, zeros(5, 1))", "F", 6, "5 x 1 of double"),
-    ("forward_dynamics(model, motion, eye(6))", "F", 6, "6 x 6 of double"),
-    ("forward_dynamics(model, motion, 'abcdef')", "F", 6, "1 x 6 of char"),
-    ("linearization(model, motion, 1i * ones(6, 1))", "F", 6, "6 x 1 of double"),
-    ("forward_kinematics(robot, 1, guess)", "L", 6, "1 x 1 of double"),
-    ("forward_velocity(robot, guess, {1})", "L_dot", 6, "1 x 1 of cell"),
-    ("forces(model, setfield(motion, 't', [1 2]))", "t", 3, "1 x 2 of double"),
-    ("prepare(setfield(robot, 'M', [1 2]))", "M", 1, "1 x 2 of double"),
-    ("motion_of(eye(3), [0 0])", "t", 3, "1 x 2 of double"),
-    ("forces(model, setfield(motion, 'R', eye(3)))", "R", 9, "3 x 3 of double"),
-]
-"""Call, the vector that does not fit, its length, and what it is."""
 OCTAVE_SHAPES = [
     ("prepare(setfield(robot, 'leg', robot.leg(1:5)))", "leg: expected 6, got 5"),
     ("motion_of(eye(2))", "R: expected 3 x 3, got 2 x 2"),
-    *((call, f"{name}: expected a vector of {n} real numbers, got {got}") for call, name, n, got in VECTORS),
+    (
+        "forward_dynamics(model, motion, zeros(5, 1))",
+        "F: expected a vector of 6 real numbers, got 5 x 1 of double",
+    ),
+    ("forward_velocity(robot, guess, {1})", "L_dot: expected a vector of 6 real numbers, got 1 x 1 of cell"),
 ]
 
 
@@ -232,9 +198,7 @@ COMMAND = re.compile(r"^    ((?:python|octave-cli|cargo|stewart-sym) .*)$")
 @pytest.mark.parametrize(
     ("language", "functions"),
     [
-        *slow_but(
-            ("python", "matlab"), ((name, ("kinematics",)) for name in LANGUAGES), lambda case: case[0]
-        ),
+        *((name, ("kinematics",)) for name in ("python", "matlab")),
         *slow_but((), ((language, EVERY) for language in LANGUAGES)),
     ],
     ids=lambda value: value if isinstance(value, str) else "+".join(value),
@@ -279,8 +243,7 @@ def test_the_self_test_sees_the_last_bit_of_a_number_that_no_function_reads(
     [
         ("python", ("kinematics",), {7}),
         ("matlab", ("forces",), {3}),
-        ("rust", ("derivatives",), {3, 6}),
-        *((language, EVERY, {3, 6, 7}) for language in LANGUAGES),
+        ("python", EVERY, {3, 6, 7}),
     ],
 )
 def test_a_readme_names_the_statuses_that_its_kit_may_return(

@@ -215,11 +215,9 @@ def test_poses_within_the_length_limits_come_first() -> None:
     assert within[: within.sum()].all()
 
 
-@pytest.mark.parametrize("baked", [False, True])
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"M": 1e39}, r"^robot: M: 1e\+39 exceeds the range of float; use a smaller value$"),
         (
             {"m_u": np.array([1, 1, 1e39, 1, 1, 1])},
             r"^robot: leg 3: m_u: 1e\+39 exceeds the range of float; use a smaller value$",
@@ -227,17 +225,15 @@ def test_poses_within_the_length_limits_come_first() -> None:
         ({"M": 4e37}, r"^robot: M: 4e\+37 kg exceeds the range of float; use a smaller mass$"),
     ],
 )
-def test_the_constant_that_float_cannot_hold_is_named(
-    change: dict[str, Any], message: str, baked: bool
-) -> None:
+def test_the_constant_that_float_cannot_hold_is_named(change: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        vectors(dataclasses.replace(machine(), **change), ("forces",), precision="float", baked=baked)
+        vectors(dataclasses.replace(machine(), **change), ("forces",), precision="float")
 
 
 @pytest.mark.slow
 def test_the_c_keeps_within_the_bounds_on_machines_of_any_size() -> None:
     """Sizes from 1 mm to 10 m; no bound is far above what it bounds."""
-    for seed in range(share(20, 10)):
+    for seed in range(share(20, 5)):
         rng = np.random.default_rng(1000 + seed)
         joint = "spherical" if seed % 3 == 1 else "universal"
         robot = machines.random_robot(rng, joint, scale=10.0 ** rng.uniform(-3, 1))
