@@ -6,9 +6,9 @@ from string import Template
 import numpy as np
 import pytest
 from counting_c import REPORT, counted
-from formulations import OF_EACH_FORMULATION
 from machines import random_motion, random_robot, random_robot_of
 from scalar_kernels import with_headers
+from sweeps import slow_but
 
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import module
@@ -18,7 +18,7 @@ from stewart_sym.derive.generate import reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.operations import force_operations
 from stewart_sym.derive.kernel.outputs import prefix_of
 from stewart_sym.derive.mechanics.closed_form.terms import F_LEG
-from stewart_sym.derive.mechanics.formulation import EXACT
+from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, PAPER
 from stewart_sym.dynamics import closed_form
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
@@ -73,7 +73,7 @@ def executed(
     return [counts for _, counts in found]
 
 
-@OF_EACH_FORMULATION
+@pytest.mark.parametrize("form", slow_but([EXACT], [EXACT, EXACT_DRIVE, PAPER]))
 def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
     robot = random_robot_of(rng, form)
@@ -82,7 +82,7 @@ def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Pa
     assert found == module(name).OPERATIONS["friction"]["total"]
 
 
-@OF_EACH_FORMULATION
+@pytest.mark.parametrize("form", slow_but([EXACT], [EXACT, EXACT_DRIVE, PAPER]))
 def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(4)
     robot = random_robot_of(rng, form)
@@ -107,6 +107,7 @@ def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> No
     assert executed("exact", closed_form.c_sources(), robot, motion, tmp_path, *calls) == claims
 
 
+@pytest.mark.slow
 def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path: Path) -> None:
     rng = np.random.default_rng(6)
     robot = random_robot(rng, friction=False)
@@ -116,6 +117,7 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     assert found == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
 
 
+@pytest.mark.slow
 def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_path: Path) -> None:
     rng = np.random.default_rng(8)
     robot = random_robot(rng)
@@ -128,7 +130,8 @@ def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_p
     assert found == (claimed.mul, claimed.add + checks, claimed.div, claimed.sqrt)
 
 
-@pytest.mark.parametrize("scalar", [pytest.param(False, marks=pytest.mark.slow), True])
+@pytest.mark.slow
+@pytest.mark.parametrize("scalar", [False, True])
 def test_count_with_folded_numbers_is_what_the_c_executes_where_moments_are_scaled(
     scalar: bool, tmp_path: Path
 ) -> None:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import Array, machine_in_motion, machine_size, random_motion, random_robot, rotation
+from machines import Array, machine_in_motion, machine_size, rotation
 from motion_fields import acceleration
 
 import stewart_sym as ss
@@ -145,17 +145,6 @@ def test_g_is_the_slope_of_the_potential_and_friction_takes_its_power(backend: A
     np.testing.assert_allclose(
         np.einsum("ni,ni->n", e.g, twist(motion)), (ends[1] - ends[0]) / (2 * h), rtol=1e-6
     )
-
-
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_at_rest_there_is_no_coriolis_matrix_and_no_friction(backend: Any) -> None:
-    robot = random_robot(np.random.default_rng(4))
-    moving = random_motion(np.random.default_rng(4), robot, (3,))
-    rest = ss.Motion(R=moving.R, t=moving.t, omega=0 * moving.omega, v=0 * moving.v)
-    e = ss.equations_of_motion(robot, rest, backend=backend)
-    assert not e.C.any()
-    assert not e.friction.any()
-    np.testing.assert_array_equal(e.bias, e.g)
 
 
 @pytest.mark.parametrize("base_joint", JOINTS)

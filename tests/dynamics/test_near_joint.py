@@ -13,7 +13,7 @@ from mpmath import mp
 from near_joint import KINDS, Truth, excess, of_reference, random_case, truth
 from reduced_machines import as_simple_as, at_rest
 from sweep_machines import outputs
-from sweeps import share, slow_but, sweep
+from sweeps import FULL, share, slow_but, sweep
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
@@ -70,7 +70,7 @@ def worst(given: tuple, true: Truth, backend: str) -> float:
 def test_every_output_is_as_good_as_the_machine_allows(kind: str) -> None:
     """Each case on C and NumPy, one in ten on the reference, which takes 50 digits."""
     found = []
-    for number, given in enumerate(cases(1, kind, share(10_000 // len(KINDS), part=550))):
+    for number, given in enumerate(cases(1, kind, share(10_000 // len(KINDS), part=1100))):
         true = truth(*given, ENOUGH)
         backends = list(BACKENDS)[: 2 if number % 10 else 3]
         found += [(worst(given, true, backend), backend, number) for backend in backends]
@@ -81,9 +81,6 @@ def test_every_output_is_as_good_as_the_machine_allows(kind: str) -> None:
     ("seed", "kind", "index"),
     [
         (0, "short and heavy", 18),
-        (0, "short and heavy", 28),
-        (1, "short and heavy", 142),
-        (1, "short and heavy", 158),
         (1, "lean and heavy", 96),
     ],
 )
@@ -95,7 +92,7 @@ def test_what_turns_and_moves_a_heavy_leg_leaves_a_light_platform_its_digits(
     assert worst(*with_truth(seed, kind, index), backend) <= MOST
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", slow_but(("lean", "short"), KINDS if FULL else ("lean", "short")))
 def test_50_digits_of_the_vector_reference_agree_with_the_truth(kind: str) -> None:
     for robot, motion, F in cases(5, kind, 1):
         x = equations_of_motion.forward_dynamics(robot, motion, F)
@@ -120,7 +117,7 @@ def test_a_batch_of_calm_and_stiff_poses_gives_what_each_pose_gives() -> None:
 
 EPSILON = np.finfo(np.float64).eps
 UNITS = 1000
-SINES = [1e-1, 1e-3, 1e-5, 1e-8, 1e-11]
+SINES = [1e-1, 1e-5, 1e-11]
 
 
 def calm(seed: int) -> tuple[ss.Robot, ss.Motion]:
@@ -147,7 +144,7 @@ def test_a_machine_that_does_not_feel_the_joint_singularity_keeps_its_digits(sin
 
 
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
-@pytest.mark.parametrize("sine", [1e-2, 1e-4, 1e-6, 1e-8])
+@pytest.mark.parametrize("sine", [1e-2, 1e-8])
 def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: str, sine: float) -> None:
     robot, motion = machine_in_motion(4)
     robot = leaning(robot, motion, sine)

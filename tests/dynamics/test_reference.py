@@ -31,7 +31,7 @@ FORMULATIONS = pytest.mark.parametrize("faults", [EXACT, PAPER], ids=["exact", "
 # The equations themselves
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
 @FORMULATIONS
 def test_reactions_satisfy_the_equations_of_both_leg_parts(
@@ -72,7 +72,7 @@ def test_reactions_satisfy_the_equations_of_both_leg_parts(
     np.testing.assert_allclose(np.sum(leg.s * j.F_c, axis=-1), 0, atol=1e-12 * np.abs(F).max())
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 @FORMULATIONS
 def test_reactions_satisfy_the_platforms_equations(faults: frozenset[int], seed: int) -> None:
     robot, motion = machine_in_motion(seed, (4,))
@@ -175,7 +175,7 @@ def exact(robot: Robot) -> Callable[[Motion], Array]:
 
 @pytest.mark.parametrize("friction", [True, False], ids=["friction", "frictionless"])
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_exact_balances_on_random_machines_and_smooth_paths(
     seed: int, base_joint: str, friction: bool
 ) -> None:
@@ -193,7 +193,7 @@ def test_exact_balances_on_random_machines_and_smooth_paths(
     assert lost > 1e-3 * balance.turnover if friction else lost == 0
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_exact_balances_where_rotors_turn(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = with_random_rotors(rng, random_robot(rng))
@@ -204,7 +204,7 @@ def test_exact_balances_where_rotors_turn(seed: int) -> None:
     assert np.abs(at - bare).max() > 1e-3 * balance.turnover
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("fault", [1, 2, 3, 4])
 def test_every_fault_breaks_the_balance(fault: int, seed: int) -> None:
     rng = np.random.default_rng(seed)

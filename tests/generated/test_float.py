@@ -16,32 +16,16 @@ from builds import run
 from machines import random_motion, random_robot, with_random_drives
 from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
-from sweeps import slow_but
+from sweeps import FULL, slow_but
 
 import stewart_sym as ss
-from stewart_sym.derive.emit import lanes
-from stewart_sym.derive.mechanics import quantities as n
-from stewart_sym.derive.mechanics.baked_constants import baked
-from stewart_sym.derive.mechanics.formulation import EXACT
-from stewart_sym.derive.mechanics.reduced_models import FIDELITIES as DERIVED
-from stewart_sym.derive.mechanics.reduced_models import fidelity_kernel
-from stewart_sym.derive.program.cse import shared_blocks
-from stewart_sym.generated import arithmetic, every_output
 from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot
 
-SOURCES = sorted(path.name for path in GENERATED.glob("*.c"))
-# Of legs with rotors, whose printers and passes are those of the others, one kernel is in the fast tests.
-ANY_FORCES = [
-    pytest.param(name, marks=[pytest.mark.slow] if re.search("_drive_.*forces", name) else [])
-    for name in SOURCES
-    if name.endswith(("_forces.c", "_axial.c", "_torque.c"))
-]
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 FLOAT = ["-DSTEWART_FLOAT"]
-STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
 EPSILON = float(np.finfo(np.float32).eps)
 
 # What ends in sd or pd and yet only moves bits: two floats, or a struct of them, travel like a double.
@@ -91,9 +75,8 @@ GENERAL = ["stewart_exact.c", "stewart_exact_forces.c", "stewart_exact_motion.c"
 # ones, one of each kind in the build with the fewest instructions folded or left out.
 OTHERS = [f"{stem}.c" for stem in SOME if f"{stem}.c" not in GENERAL]
 OTHERS += [f"{stem}.c" for stem in SOME_WITH_ROTORS]
-LONG = "stewart_exact_motion.c"
-LISTED = [(compiler, FAST, source) for compiler in COMPILERS for source in GENERAL if source != LONG]
-LISTED += [("gcc", ["-O1", *FAST[1:]], source) for source in (*OTHERS, LONG)]
+LISTED = [(compiler, FAST, "stewart_exact_forces.c") for compiler in COMPILERS]
+LISTED += [("gcc", ["-O1", *FAST[1:]], source) for source in (*OTHERS, *(GENERAL if FULL else GENERAL[:1]))]
 BUILDS = {f"{source}-{compiler}{flags[0]}": (compiler, flags, source) for compiler, flags, source in LISTED}
 # A double in a source is in every build of it; that builds add none of their own is a slow test, and so are
 # long sources and those of the same printers.
@@ -109,13 +92,6 @@ def test_float_object_code_holds_no_double(build: str, tmp_path: Path) -> None:
     listed = run("nm", "-u", target)
     own, copies = {"stewart_exact_forces", "stewart_exact_forces_batch"}, {"memcpy", "memmove", "memset"}
     assert {*listed.split()} <= own | copies | {"U", "sqrtf", "_GLOBAL_OFFSET_TABLE_"}
-
-
-@pytest.mark.parametrize("source", ANY_FORCES)
-def test_float_compiles_without_a_silent_conversion(source: str) -> None:
-    """In double, and by other compilers, some of them: ``test_generated``."""
-    command = ["gcc", *STRICT, *FLOAT, *layout_of(source), "-fsyntax-only", source]
-    assert run(*command, cwd=GENERATED) == ""
 
 
 # --- accuracy ---------------------------------------------------------------------------------
@@ -135,7 +111,7 @@ def one_pose(robot: Robot, motion: Motion, formulation: str) -> NDArray[Any]:
 def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size(forces: Any) -> None:
     """Inputs rounded to float too."""
     rng = np.random.default_rng(60)
-    for _ in range(100):
+    for _ in range(50):
         robot, motion = any_machine(rng)
         formulation = "exact" if rng.random() < 0.7 else "paper"
         truth = ss.inverse_dynamics(robot, motion, formulation)
@@ -167,12 +143,6 @@ def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
         assert (np.abs(found - expected).max(axis=-1) <= BOUND * EPSILON * condition * largest).all()
 
 
-def scale_of(size: float) -> float:
-    """By what the NumPy kernel multiplies moments whose longest arm is ``size``."""
-    with np.errstate(all="ignore"):
-        return float(np.ravel(every_output.scale_of(arithmetic.Arithmetic(np), np.full((3, 6, 1), size)))[0])
-
-
 SIZES = (1e-40, 1e-4, 0.1, 0.124, 0.126, 0.5, 1.0, 63.0, 65.0, 1e3, 1e40)
 
 
@@ -194,19 +164,3 @@ def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a
         similar = dataclasses.replace(robot, p=(robot.p - robot.p[0]) / size * wanted)
         expected = per_length(np.abs(similar.p).max())
         assert ss.ForceKernel(similar, precision=precision).model[-3] == expected
-        by = scale_of(np.abs(similar.p).max())
-        assert by == (1.0 if 0.0625 <= wanted <= 0.125 else expected)
-        folded = shared_blocks(
-            baked(fidelity_kernel(EXACT, DERIVED["massless_static"]), plain(similar), "machine")
-        )
-        by = re.findall(
-            r"scale_(pose|block)\([^;]*REAL\((.*?)\)\);",
-            lanes.files(folded, "")[f"stewart_{folded.name}_forces.c"],
-        )
-        scaled = {(of, expected) for of in ("pose", "block") if expected != 1.0}
-        assert {(of, float(number)) for of, number in by} == scaled
-
-
-def plain(robot: Robot) -> dict[str, Any]:
-    """The robot's numbers by name."""
-    return {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}

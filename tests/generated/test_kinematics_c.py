@@ -168,7 +168,7 @@ def test_velocity_is_that_of_numpy(precision: str) -> None:
 def test_nothing_is_silent_far_from_the_guess_and_among_singular_poses(precision: str) -> None:
     rng = np.random.default_rng(9)
     robot = dasgupta()
-    R, t = paper_poses(rng, 3000, angle=0.4, way=0.2)
+    R, t = paper_poses(rng, 1500, angle=0.4, way=0.2)
     L = lengths(robot, R, t)
     for angle, way, lost in ((0.05, 0.05, 0.002), (0.5, 0.3, 0.02)):
         *found, status = forward(robot, L, *nudged(rng, R, t, angle, way), precision)
@@ -268,10 +268,10 @@ def condition(robot: ss.Robot, R: AnyArray, t: AnyArray) -> Array:
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)
-@pytest.mark.parametrize("shift", [0.0, 1e-10, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2])
+@pytest.mark.parametrize("shift", [0.0, 1e-7, 1e-5, 1e-4, 1e-2])
 def test_near_singular_poses_are_singular_or_right(shift: float, precision: str) -> None:
     """SINGULAR begins no later than at its condition number and no earlier than at a sixth of it."""
-    robot, R, t = singular_poses(300, shift)
+    robot, R, t = singular_poses(150, shift)
     L = lengths(robot, R, t)
     most = 1.0 / (16.0 * np.sqrt(float(np.finfo(PRECISIONS[precision]).eps)))
     for guess in ((R, t), nudged(np.random.default_rng(2), R, t, 1e-3, 1e-3)):
