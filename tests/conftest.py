@@ -39,7 +39,7 @@ SHARING = (
     ),
     ("test_wrong_constants", "test_bake"),
     # The library of the sweep.
-    ("test_degenerate_families", "test_proportions", "test_stability"),
+    ("test_degenerate_families", "test_stability"),
     # One browser.
     ("test_controls", "test_reports", "test_pixels"),
 )

@@ -7,12 +7,10 @@ import numpy as np
 import pytest
 from counting_c import REPORT, counted
 from machines import random_motion, random_robot, random_robot_of
-from scalar_kernels import with_headers
 from sweeps import slow_but
 
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import module
-from stewart_sym.derive.emit import lanes, scalar
 from stewart_sym.derive.emit.closed_form import sum_operations
 from stewart_sym.derive.generate import reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.operations import force_operations
@@ -34,12 +32,6 @@ BLOCK = """static stewart_${KERNEL}_model model;
     stewart_motions all = {motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, 0, 0};
     counts = Counts();
     int status = stewart_${KERNEL}_forces_batch(&model, 1, &all, F, 0);"""
-
-POSE = """static stewart_${KERNEL}_pose_model model;
-    stewart_${KERNEL}_pose_prepare(&robot, &model);
-    static Real F[6];
-    counts = Counts();
-    int status = stewart_${KERNEL}_pose_forces(&model, &motion, F);"""
 
 FOLDED_BLOCK = """static Real F[48];
     stewart_motions all = {motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, 0, 0};
@@ -105,29 +97,6 @@ def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> No
     motion = random_motion(rng, robot)
     assert len(calls) == 6
     assert executed("exact", closed_form.c_sources(), robot, motion, tmp_path, *calls) == claims
-
-
-@pytest.mark.slow
-def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path: Path) -> None:
-    rng = np.random.default_rng(6)
-    robot = random_robot(rng, friction=False)
-    kernel = reduced_forces(EXACT, friction=False)
-    sources = with_headers(lanes.files(kernel, "test", kernel))
-    (found,) = executed("exact", sources, robot, random_motion(rng, robot), tmp_path, BLOCK)
-    assert found == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
-
-
-@pytest.mark.slow
-def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_path: Path) -> None:
-    rng = np.random.default_rng(8)
-    robot = random_robot(rng)
-    kernel = reduced_forces(EXACT, friction=True)
-    sources = with_headers(scalar.files(kernel, None, "test"))
-    claimed = force_operations(kernel, scalar_text=True).total
-    # Sums of sizes, which checks compare: of t and the machine, and of the forces.
-    checks = 4 + 5
-    (found,) = executed("exact", sources, robot, random_motion(rng, robot), tmp_path, POSE)
-    assert found == (claimed.mul, claimed.add + checks, claimed.div, claimed.sqrt)
 
 
 @pytest.mark.slow

@@ -110,12 +110,6 @@ def test_energy_and_powers_need_no_accelerations_but_forces_do() -> None:
         rejects(r"^motion: accelerations expected", function, robot, slow)
 
 
-def test_unknown_faults_are_rejected() -> None:
-    robot, motion = _random_case()
-    with pytest.raises(ValueError, match=r"^faults: expected numbers from 1 to 4, got \[5\]"):
-        newton_euler.inverse_dynamics(robot, motion, frozenset({5}))
-
-
 # Unsolvable poses
 
 
@@ -202,21 +196,6 @@ def test_exact_balances_where_rotors_turn(seed: int) -> None:
     assert abs(balance.mismatch) < RELATIVE * balance.turnover
     at, bare = (newton_euler.energy(each, path(breaks_of(robot))) for each in (robot, at_rest))
     assert np.abs(at - bare).max() > 1e-3 * balance.turnover
-
-
-@pytest.mark.parametrize("seed", range(2))
-@pytest.mark.parametrize("fault", [1, 2, 3, 4])
-def test_every_fault_breaks_the_balance(fault: int, seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng)
-
-    def power(motion: Motion) -> Array:
-        forces = newton_euler.inverse_dynamics(robot, motion, frozenset({fault}))
-        assert np.all(forces.status == 0)
-        return newton_euler.actuator_power(robot, motion, forces.F)
-
-    balance = balance_of(robot, random_path(rng, robot), power)
-    assert abs(balance.mismatch) > 1e-5 * balance.turnover
 
 
 def test_power_of_a_load_is_taken_in_the_platform_frame() -> None:

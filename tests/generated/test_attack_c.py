@@ -40,6 +40,7 @@ def need(folder: Path, compiler: str, flags: list[str]) -> None:
 WAYS = {
     "gcc-double": ("gcc", ["-O0", *SANITIZED], 2_000, attack_build.FEW),
     "gcc-float": ("gcc", ["-O0", *SANITIZED, *FLOAT], share(20_000), attack_build.FEW),
+    "clang-shipped": ("clang", ["-O3", "-march=native"], share(20_000), SOME and SOME[-2:]),
     "clang-uninitialized": ("clang", [LEVEL, *MEMORY], share(10_000), SOME),
 }
 
