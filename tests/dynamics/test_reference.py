@@ -1,7 +1,6 @@
 """The reference against the paper, its own equations, and where these are unsolvable; work is energy."""
 
 import dataclasses
-import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -16,7 +15,6 @@ from machines import (
     with_random_rotors,
 )
 from motion_fields import balance_of, breaks_of
-from unsolvable_poses import at_rest
 
 from stewart_sym.dynamics.forces import ForceKernel
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
@@ -108,29 +106,6 @@ def test_energy_and_powers_need_no_accelerations_but_forces_do() -> None:
         newton_euler.massless_forces,
     ):
         rejects(r"^motion: accelerations expected", function, robot, slow)
-
-
-# Unsolvable poses
-
-
-def _zero_length_leg() -> tuple[Robot, Motion]:
-    robot = random_robot(np.random.default_rng(10))
-    return robot, at_rest(robot.b[3] - robot.p[3])
-
-
-def _parallel_legs() -> tuple[Robot, Motion]:
-    robot = random_robot(np.random.default_rng(12))
-    points = np.random.default_rng(13).integers(-8, 9, (6, 3)) / 8
-    return dataclasses.replace(robot, b=points, p=points, k=np.tile([1.0, 0, 0], (6, 1))), at_rest([0, 0, 1])
-
-
-@pytest.mark.parametrize("make", [_zero_length_leg, _parallel_legs])
-def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
-    robot, motion = make()
-    with warnings.catch_warnings(action="error"):
-        assert np.all(np.isnan(newton_euler.massless_forces(robot, motion)))
-        newton_euler.energy(robot, motion)
-        newton_euler.friction_power(robot, motion)
 
 
 def _random_case() -> tuple[Robot, Motion]:

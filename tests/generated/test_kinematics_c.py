@@ -10,11 +10,8 @@ from kinematics_calls import (
     PRECISIONS,
     AnyArray,
     Array,
-    called,
     forward,
     inverse,
-    library,
-    poses_of,
     velocity,
 )
 from leg_lengths import lengths, nudged, paper_poses
@@ -23,8 +20,7 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.backend.c_kernel import address, c_sources
-from stewart_sym.backend.kernel import robot_numbers
+from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kernel.kinematics import search_operations
 from stewart_sym.derive.program.block import Operations
@@ -202,41 +198,6 @@ def test_lengths_out_of_reach_are_not_found(precision: str) -> None:
         motion = random_motion(rng, robot, (1,))
         status = forward(robot, unreachable(robot), motion.R, motion.t, precision)[2]
         assert status.tolist() == [results.NOT_CONVERGED]
-
-
-@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-def test_numbers_that_are_not_finite_are_told(value: float) -> None:
-    _, robot, motion, L = one_machine(1)
-    L_dot = np.ones((1, 6))
-    for i in range(12):
-        pose = poses_of(motion.R, motion.t)
-        pose[0, i] = value
-        R, t = pose[:, :9].reshape(1, 3, 3), pose[:, 9:]
-        kept = pose.copy()
-        status = called("stewart_forward_kinematics", robot, "double", L, pose)
-        assert status.tolist() == [results.NOT_FINITE]
-        np.testing.assert_array_equal(pose, kept)
-        assert velocity(robot, R, t, L_dot)[1].tolist() == [results.NOT_FINITE]
-    L[0, 3] = value
-    assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.NOT_FINITE]
-    assert velocity(robot, motion.R, motion.t, L)[1].tolist() == [results.NOT_FINITE]
-
-
-def test_null_pointers_are_rejected_and_nothing_is_written() -> None:
-    robot, c = robot_numbers(dasgupta()), library()
-    motion, given, pose = np.ones(30), np.ones(6), np.ones(12)
-    out = [np.full(6, 7.0) for _ in range(2)]
-    calls = {
-        "stewart_inverse_kinematics": ([robot, motion, *out], 3),
-        "stewart_forward_kinematics": ([robot, given, pose], 3),
-        "stewart_forward_velocity": ([robot, pose, given, *out], 5),
-    }
-    for name, (arguments, needed) in calls.items():
-        for missing in range(needed):
-            passed = [None if i == missing else array for i, array in enumerate(arguments)]
-            assert getattr(c, name)(*map(address, passed)) == results.BAD_ARGUMENT
-    assert all((array == 7.0).all() for array in out)
-    assert (pose == 1.0).all()
 
 
 def singular_poses(count: int, shift: float) -> tuple[ss.Robot, Array, Array]:

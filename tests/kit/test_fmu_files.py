@@ -125,15 +125,6 @@ def test_binary_shows_the_functions_of_co_simulation_and_nothing_else() -> None:
     assert not shown & {"fmi2SetTime", "fmi2GetDerivatives", "fmi2EnterEventMode", "fmi2NewDiscreteStates"}
 
 
-def test_prefix_is_put_before_every_function(tmp_path: Path) -> None:
-    command = ["gcc", "-std=c99", "-DFMI2_FUNCTION_PREFIX=mine_", "-c", "stewart_fmi2.c"]
-    silently([*command, "-o", str(tmp_path / "unit.o")], folder("lanes") / "sources")
-    listed = run("nm", "-g", "--defined-only", tmp_path / "unit.o")
-    shown = [line.split()[-1] for line in listed.splitlines()]
-    assert len(shown) > 30
-    assert all(name.startswith("mine_fmi2") for name in shown)
-
-
 @pytest.mark.slow
 def test_another_tool_builds_the_unit_of_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     case = "lanes"

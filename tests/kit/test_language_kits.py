@@ -238,25 +238,6 @@ def test_the_self_test_sees_the_last_bit_of_a_number_that_no_function_reads(
         ran(command, tmp_path)
 
 
-@pytest.mark.parametrize(
-    ("language", "functions", "more"),
-    [
-        ("python", ("kinematics",), {7}),
-        ("matlab", ("forces",), {3}),
-        ("python", EVERY, {3, 6, 7}),
-    ],
-)
-def test_a_readme_names_the_statuses_that_its_kit_may_return(
-    language: str, functions: tuple[str, ...], more: set[int], kit_of: Callable[[str], Path]
-) -> None:
-    if functions == EVERY:
-        text = (kit_of(language) / "README.md").read_text()
-    else:
-        text = kits.kit_of(choice=Choice(functions, language=language)).files["README.md"].decode()
-    codes = {int(code) for code in re.findall(r"^\| (\d) \| `[A-Z_]+` \| .+ \|$", text, re.M)}
-    assert codes == {0, 1, 2, 4} | more
-
-
 def test_a_robot_s_name_may_hold_quotes(tmp_path: Path) -> None:
     robot = replace(dasgupta(), name='a "big" one\\"""')
     with kits.few_vectors():
