@@ -7,36 +7,52 @@ from dataclasses import replace
 from fractions import Fraction
 from math import isqrt
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from formulations import of_each_formulation
-from kernel_cases import ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
 from kits import few_vectors
-from machines import dasgupta, machine_in_motion, random_motion, random_robot, random_robot_of
+from leaning_legs import leaning
+from machines import dasgupta, machine_in_motion, random_motion, random_robot_of
 from motion_fields import FIELDS
 from sweeps import FULL, UNFUSED
 
 import stewart_sym as ss
+from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.generate import reduced_fidelity, reduced_forces
 from stewart_sym.derive.kernel.outputs import program
 from stewart_sym.derive.kernel.tree import read
+from stewart_sym.derive.kernel.tree.constants import constants
 from stewart_sym.derive.kernel.tree.interpret import Arithmetic, Interpreter
 from stewart_sym.derive.kernel.tree.nodes import Integer, Program
-from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, PAPER
+from stewart_sym.derive.mechanics import quantities as n
+from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
+from stewart_sym.formulas.trees import robot_structure
 from stewart_sym.kit import Choice, write_kit
+
+ON_ARRAYS = Arithmetic(
+    np.asarray,
+    {"NAN": np.nan, **constants("double")},
+    np.sqrt,
+    np.abs,
+    lambda one, other: np.where(one > other, one, other),
+    np.where,
+    lambda test: bool(np.any(test)),
+)
 
 
 def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.ndarray, np.ndarray]:
-    run = Interpreter(tree, ON_ARRAYS)
+    run, stored = Interpreter(tree, ON_ARRAYS), vars(loaded(motion))
+    # Components first and poses last.
+    at = SimpleNamespace(**{q.name: [stored[q.name][(..., *key)] for key in q.keys] for q in n.MOTION})
     with np.errstate(all="ignore"):
-        found = run.run("forces", run.run("prepare", robot_numbers(robot)), motion_numbers(motion))
+        found = run.run("forces", run.run("prepare", robot_structure(robot, lambda _, value: value)), at)
     return np.stack(np.broadcast_arrays(*found.F), axis=-1), np.asarray(found.status)
 
 
-@of_each_formulation(EXACT, EXACT_DRIVE, PAPER)
+@pytest.mark.parametrize("form", FORMULATIONS if FULL else (EXACT, EXACT_DRIVE, PAPER))
 @pytest.mark.usefixtures("rounded_twice")
 def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
     tree = program(reduced_forces(form))
@@ -57,8 +73,8 @@ def test_near_and_at_a_joint_singularity_forces_and_statuses_are_those_of_the_c(
     rng = np.random.default_rng(6)
     seen = set()
     for sine in (0.2, 0.015, 1e-4, 1e-9, 0.0):
-        robot = random_robot(rng)
-        motion = beside_the_joint_axis(rng, robot, sine)
+        robot, motion = machine_in_motion(rng)
+        robot = leaning(robot, motion, sine)
         F, status = forces_of(tree, robot, motion)
         expected, codes = ss.ForceKernel(robot).forces_and_status(motion)
         np.testing.assert_array_equal(status, codes)
