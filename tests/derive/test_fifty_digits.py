@@ -10,10 +10,11 @@ from machines import machine_in_motion, random_motion, random_robot, random_robo
 from motion_fields import FIELDS
 from mpmath import mp
 from numpy.typing import NDArray
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.derive.mechanics.actuator_forces import force_kernel
-from stewart_sym.derive.mechanics.formulation import FORMULATIONS, Formulation
+from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS, PAPER, Formulation
 from stewart_sym.derive.mechanics.regressor import dependencies
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.motion.motion import Motion
@@ -31,7 +32,7 @@ def error(found: NDArray[np.float64], true: mp.matrix) -> float:
     return float(difference / max(abs(value) for value in expected))
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@pytest.mark.parametrize("form", slow_but([EXACT, PAPER], FORMULATIONS), ids=lambda form: form.kernel_name)
 def test_c_equals_50_digit_truth_to_rounding(form: Formulation) -> None:
     """Every output, and forces of the prepared kernel, of one pose and of a batch."""
     rng = np.random.default_rng(1)
@@ -57,7 +58,7 @@ ROUNDING = 1e-13
 derived = functools.cache(force_kernel)
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@pytest.mark.parametrize("form", slow_but([EXACT, PAPER], FORMULATIONS), ids=lambda form: form.kernel_name)
 @pytest.mark.parametrize("friction", [True, False])
 def test_forces_are_those_of_the_elimination(form: Formulation, friction: bool) -> None:
     rng = np.random.default_rng(0)

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 import scalar_kernels
 import toolchain
-from attack_build import GENERATED, SOME, SOME_WITH_ROTORS
+from attack_build import FEW, GENERATED, SOME, SOME_WITH_ROTORS
 from machines import random_motion, random_robot, with_random_drives
 from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
-from sweeps import slow_but
+from sweeps import FULL, slow_but
 
 import stewart_sym as ss
 from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
@@ -27,7 +27,7 @@ EPSILON = float(np.finfo(np.float32).eps)
 
 @pytest.mark.skipif(bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there")
 @pytest.mark.parametrize(
-    "stem", slow_but(["stewart_exact_forces", "stewart_kinematics"], [*SOME, *SOME_WITH_ROTORS])
+    "stem", slow_but(FEW[2:], [*SOME, *SOME_WITH_ROTORS] if FULL else [*FEW, *SOME_WITH_ROTORS[2:]])
 )
 def test_float_object_code_holds_no_double(stem: str, tmp_path: Path) -> None:
     """For a Cortex-M4F, whose unit has floats alone; a promotion is a warning, thus an error."""

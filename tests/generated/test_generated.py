@@ -21,6 +21,7 @@ PRECISIONS: dict[str, list[str]] = {"double": [], "float": ["-DSTEWART_FLOAT"]}
 OPTIMISED = ("gcc", "double", "c99")
 # What one compiler takes in one language, and the other in the other.
 FAST_WAYS = {("gcc", "float", "c++"), ("clang", "double", "c99")}
+SHORT = ("exact_massless_static_forces", "kinematics", "legs", "torque")
 # One printer writes the levels: what compiles in all ways is one of each kind.
 WAYS = [
     (*way, stem.removeprefix("stewart_"))
@@ -39,13 +40,12 @@ def compiled_silently(compiler: str, precision: str, language: str, kernel: str,
 
 @pytest.mark.parametrize(
     ("compiler", "precision", "language", "kernel"),
-    slow_but(FAST_WAYS, WAYS, lambda way: way[:3]),
+    slow_but(SHORT, WAYS, lambda way: way[3] if way[:3] in FAST_WAYS else ""),
 )
 def test_c_compiles_silently(compiler: str, precision: str, language: str, kernel: str) -> None:
     compiled_silently(compiler, precision, language, kernel, "-fsyntax-only")
 
 
-SHORT = ("exact_massless_static_forces", "kinematics", "legs", "torque")
 OF_EACH_KIND = [stem.removeprefix("stewart_") for stem in SOME]
 
 

@@ -257,6 +257,7 @@ def test_two_kits_are_parts_of_one_project(tmp_path: Path, files: dict[str, str]
         run(build / folder / "selftest")
 
 
+@pytest.mark.slow
 def test_cross_compiling_runs_nothing_and_builds_the_library_alone(
     tmp_path: Path, files: dict[str, str]
 ) -> None:

@@ -129,13 +129,14 @@ def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     files |= build_files("all", "0", sources, ("stewart.h",))
     files |= {"stewart.hpp": kit_cpp.wrapper(wrapped_functions(), "0"), "user.cpp": USER_CPP}
     folder = written(files, tmp_path_factory.mktemp("wrapped"))
-    run("make", "liball.a", "CFLAGS=-O0", cwd=folder)
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("compiler", "standard"), [("g++", "c++17"), ("clang++", "c++20")])
 def test_functions_are_called_from_cpp(wrapped: Path, compiler: str, standard: str) -> None:
     needed(compiler)
+    run("make", "liball.a", "CFLAGS=-O0", cwd=wrapped)
     program = f"{compiler}-{standard}"
     flags = (f"-std={standard}", "-O0", *CPP)
     assert run(compiler, *flags, "user.cpp", "liball.a", "-o", program, cwd=wrapped) == ""

@@ -63,7 +63,7 @@ def compiled(robot: Robot, precision: str, **choice: Any) -> tuple[ctypes.CDLL, 
     made = parts(robot, Choice(scalar=True, precision=precision, **choice))
     (forces,) = made.parts[0].functions
     sources = {name: text for name, text in made.files.items() if "rotation" not in name}
-    library = native.load("scalar", sources, ["-O1", "-ffp-contract=off"])
+    library = native.load("scalar", sources, ["-O0", "-ffp-contract=off"])
     return library, forces.symbol.removesuffix("_forces")
 
 
