@@ -3,7 +3,6 @@
 ``COMMAND`` runs them and writes the outputs into the committed files.
 """
 
-import os
 import subprocess
 import sys
 from importlib import resources
@@ -46,7 +45,7 @@ def test_every_cell_is_committed_as_executed_in_order_without_error(name: str) -
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NOTEBOOKS if FULL else ("derivation", "evidence"))
+@pytest.mark.parametrize("name", NOTEBOOKS if FULL else NOTEBOOKS[:1])
 def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -71,14 +70,6 @@ def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
     assert not [out for cell in fresh for out in cell.outputs if out.output_type == "error"]
     for was, now in zip(committed, fresh, strict=True):
         assert _shown(now) == _shown(was), f"cell {was.id} shows something else: {REWRITE}"
-
-
-@pytest.mark.parametrize("name", NOTEBOOKS)
-def test_outputs_tell_nothing_of_the_machine_they_were_made_on(name: str) -> None:
-    text = (FOLDER / f"{name}.ipynb").read_text("utf-8")
-    assert _committed(name).metadata == METADATA
-    for place in {str(Path.home()), os.getcwd(), sys.prefix, "site-packages", " at 0x"}:
-        assert place not in text
 
 
 def _committed(name: str) -> Any:

@@ -53,9 +53,7 @@ def test_formulas_of_any_machine_have_the_values_of_the_c() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("formulation", "joint"), [("exact", "spherical"), ("paper", "universal"), ("paper", "spherical")]
-)
+@pytest.mark.parametrize(("formulation", "joint"), [("exact", "spherical"), ("paper", "universal")])
 def test_every_formulation_has_formulas_of_its_forces(formulation: Any, joint: str) -> None:
     robot, motion = machine_in_motion(41, base_joint=joint)
     expected = ss.inverse_dynamics(robot, motion, formulation=formulation)

@@ -65,7 +65,7 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
 """Kind of source -> how its files are made, and which of them is looked at."""
 EVERY = slow_but(("rotation", "robot"), SOURCES)
 # Long sources are printed as the others are.
-LONG = ("motion", "derivatives", "reactions")
+LONG = ("motion", "derivatives", "reactions", "forces baked", "forces scalar")
 ANY = [each for each in EVERY if FULL or each.values[0] not in LONG]
 
 
@@ -107,7 +107,7 @@ def test_the_rules_departed_from_are_the_listed_ones(written, name: str) -> None
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["forces scalar", *(["reactions"] if FULL else [])])
+@pytest.mark.parametrize("kind", ["kinematics", *(["reactions"] if FULL else [])])
 def test_float_departs_from_no_other_rule(written, kind: str) -> None:
     needed("cppcheck")
     assert rules_found(written(kind), PRECISIONS[1]) == {each.rule for each in deviations([kind])}

@@ -18,8 +18,6 @@ from stewart_sym.studies.robustness import oracle
 
 REPOSITORY = Path(__file__).parents[2]
 STRICT = ("-std=gnu99", "-fsyntax-only", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror")
-LONGEST = 20
-"""Lines of another language that may stand in a Python string."""
 
 
 @pytest.mark.parametrize("precision", ["float", "wide"])

@@ -10,11 +10,9 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
-import numpy as np
 import pytest
 from builds import CLIENT, QUICK, ROBOT, SYMBOL, needed, run, texts, written
 from kits import contents, few_vectors
-from numpy.typing import NDArray
 from sweeps import FULL
 
 from stewart_sym.cli import main as cli
@@ -22,8 +20,6 @@ from stewart_sym.derive.package.build import build_files
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice
 from stewart_sym.robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from pathlib import Path
 import machines
 import numpy as np
 import pytest
-from kits import c_of, kit_of, machine
+from kits import c_of, few_vectors, kit_of, machine
 
 import stewart_sym as ss
 from stewart_sym.backend import c_kernel, kernel, native
@@ -27,7 +27,6 @@ from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion, at_rest
 from stewart_sym.robot.robot import Robot
 
-GENERATED = Path(kernel.__file__).parent.parent / "generated"
 EVERYTHING = Choice(("forces", "reactions", "motion", "kinematics"))
 
 
@@ -90,6 +89,7 @@ def test_a_status_that_is_ignored_is_warned_of(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@few_vectors()
 def test_the_robot_file_of_a_kit_makes_the_same_kit(tmp_path: Path) -> None:
     robot = machine("spherical")
     wish = Choice(scalar=True, precision="float")
@@ -99,6 +99,7 @@ def test_the_robot_file_of_a_kit_makes_the_same_kit(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@few_vectors()
 def test_the_command_of_a_readme_run_in_its_folder_changes_nothing(tmp_path: Path) -> None:
     write_kit(machines.dasgupta(), tmp_path, Choice(("forces", "kinematics")))
     before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
