@@ -139,6 +139,8 @@ def sweep_library() -> Iterator[None]:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    if not FULL:
+        items[:] = [item for item in items if item.get_closest_marker("full") is None]
     rank = {name: number for number, name in enumerate(LONG)}
     items.sort(key=lambda item: rank.get(item.path.stem, len(LONG)))
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from counting_c import REPORT, counted
 from machines import random_motion, random_robot, random_robot_of
-from sweeps import FULL, slow_but
+from sweeps import slow_but
 
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import module
@@ -85,7 +85,7 @@ def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not FULL, reason="STEWART_FULL=1")
+@pytest.mark.full
 def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> None:
     rng = np.random.default_rng(7)
     robot = random_robot(rng)

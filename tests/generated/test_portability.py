@@ -15,7 +15,7 @@ from pathlib import Path
 import attack_build
 import pytest
 from kits import few_vectors
-from sweeps import FULL, slow_but
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.kit import Choice, Kit, kit, put
@@ -128,7 +128,7 @@ def test_a_kit_checks_itself(
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not FULL, reason="STEWART_FULL=1")
+@pytest.mark.full
 @pytest.mark.parametrize(
     ("name", "precision", "flag"),
     # For x87, gcc 12 looks half a minute for instructions to combine.

@@ -104,7 +104,7 @@ def printed_python(robot: ss.Robot, folder: Path, **choice: Any) -> dict[str, An
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not FULL, reason="STEWART_FULL=1; gradients by JAX: ``test_arrays``")
+@pytest.mark.full
 def test_jax_compiles_the_forces(tmp_path: Path) -> None:
     import jax
     import jax.numpy as jnp
