@@ -70,6 +70,7 @@ def test_baking_the_papers_machine_saves_operations() -> None:
     assert made.baked_operations < made.operations
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_terms_that_are_zero_for_a_robot_disappear_from_its_kernel() -> None:
     robot = simple_robot()
