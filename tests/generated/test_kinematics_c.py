@@ -1,11 +1,7 @@
 """The generated kinematics in C, double and float: what NumPy finds, and nothing found that is wrong."""
 
-from pathlib import Path
-from string import Template
-
 import numpy as np
 import pytest
-from counting_c import REPORT, counted, listed
 from kinematics_calls import (
     PRECISIONS,
     AnyArray,
@@ -15,15 +11,11 @@ from kinematics_calls import (
     velocity,
 )
 from leg_lengths import lengths, nudged, paper_poses
-from machines import dasgupta, machine_in_motion, machine_size, random_motion, random_robot
+from machines import dasgupta, machine_size, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.backend.c_kernel import c_sources
-from stewart_sym.derive.generate import reduced_kinematics
-from stewart_sym.derive.kernel.kinematics import search_operations
-from stewart_sym.derive.program.block import Operations
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.pose_search import rates_per_twist
 from stewart_sym.motion.rotation import rotation_from_vector
@@ -70,48 +62,6 @@ def one_machine(count: int) -> tuple[np.random.Generator, ss.Robot, ss.Motion, A
     rng, robot = machines(1)[0]
     motion = random_motion(rng, robot, (count,))
     return rng, robot, motion, np.ascontiguousarray(ss.inverse_kinematics(robot, motion).L)
-
-
-# What the blocks say
-
-
-COUNTED = """stewart_pose far = ${FAR}, exact = ${EXACT};
-    static const Real L[6] = {${LENGTHS}}, rates[6] = {1, 2, 3, 4, 5, 6};
-    Real out[12];
-    int status;
-    COUNT(stewart_inverse_kinematics(&robot, &motion, out, 0));
-    COUNT(stewart_inverse_kinematics(&robot, &motion, out, out + 6));
-    COUNT(stewart_forward_velocity(&robot, &exact, rates, out, out + 3));
-    COUNT(stewart_forward_kinematics(&robot, L, &exact));
-    COUNT(stewart_forward_kinematics(&robot, L, &far));
-    most_steps = 2;
-    COUNT(stewart_forward_kinematics(&robot, L, &far));"""
-BOUND = """static int most_steps = 1;
-#define STEWART_MAX_STEPS most_steps
-#define STEWART_MAX_SEARCHES 1
-#include "stewart_kinematics.c"
-#define COUNT(call) counts = Counts(); status = call; \\
-    std::printf("%d %ld %ld %ld %ld\\n", status, counts.mul, counts.add, counts.div, counts.sqrt)
-"""
-
-
-def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
-    rng = np.random.default_rng(5)
-    robot, motion = machine_in_motion(rng)
-    # From this guess both steps are shortened, which the header counts.
-    R, t = nudged(rng, motion.R[None], motion.t[None], 0.3, 3.0 * machine_size(robot))
-    calls = Template(COUNTED + REPORT).substitute(
-        FAR=f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
-        EXACT=f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",
-        LENGTHS=listed(ss.inverse_kinematics(robot, motion).L),
-    )
-    found = counted(c_sources("kinematics"), BOUND, calls, robot, motion, tmp_path)
-    status, counts = [each for each, _ in found], [Operations(*each) for _, each in found]
-    assert status[:4] == [results.OK] * 4
-    assert status[4:6] == [results.NOT_CONVERGED] * 2
-    claimed = search_operations(reduced_kinematics())
-    assert counts[:4] == [claimed[name] for name in ("lengths", "lengths, rates", "velocity", "search")]
-    assert counts[5] == counts[4] + claimed["step"]
 
 
 # Agreement with NumPy
