@@ -131,13 +131,13 @@ def in_kit(folder: Path) -> tuple[ModuleType, dict[str, Any]]:
 def test_python_names_the_argument_that_does_not_fit(
     call: str, line: str, kit_of: Callable[..., Path]
 ) -> None:
-    arrays, names = in_kit(kit_of("python", ("forces", "motion")))
+    arrays, names = in_kit(kit_of("python", ("forces", "motion", "kinematics")))
     with pytest.raises(ValueError, match=f"^{re.escape(line)}"):
         eval(call, vars(arrays) | names)
 
 
 def test_python_takes_components_in_a_list_or_along_the_last_axis(kit_of: Callable[..., Path]) -> None:
-    arrays, names = in_kit(kit_of("python", ("forces", "motion")))
+    arrays, names = in_kit(kit_of("python", ("forces", "motion", "kinematics")))
     on, model, motion = (names[name] for name in ("on", "model", "motion"))
     F = np.random.default_rng(63).normal(size=(6, 6))
     found = arrays.forward_dynamics(on, model, motion, F)
@@ -150,7 +150,7 @@ def test_python_takes_components_in_a_list_or_along_the_last_axis(kit_of: Callab
 
 @pytest.mark.parametrize("kind", [list, np.array, lambda numbers: np.array(numbers, dtype=np.int8)])
 def test_python_takes_integers_for_what_they_are(kind: Any, kit_of: Callable[..., Path]) -> None:
-    arrays, names = in_kit(kit_of("python", ("forces", "motion")))
+    arrays, names = in_kit(kit_of("python", ("forces", "motion", "kinematics")))
     on, model, motion = (names[name] for name in ("on", "model", "motion"))
     numbers = [1, -2, 3, 0, 5, 0]
     found = arrays.forward_dynamics(on, model, motion, kind(numbers))
