@@ -42,6 +42,11 @@ FOLDED_POSE = """static Real F[6];
     int status = ${FORCES}(&motion, F);"""
 
 
+OF_FORMS = pytest.mark.parametrize(
+    "form", slow_but([EXACT], [EXACT, EXACT_DRIVE, PAPER]), ids=lambda form: form.kernel_name
+)
+
+
 def sums(kernel: str, given: str) -> str:
     """Platform and legs of a kernel of the closed form; the lanes are eight, two of them repeat leg 6."""
     return f"""static stewart_exact_model model;
@@ -65,7 +70,7 @@ def executed(
     return [counts for _, counts in found]
 
 
-@pytest.mark.parametrize("form", slow_but([EXACT], [EXACT, EXACT_DRIVE, PAPER]))
+@OF_FORMS
 def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
     robot = random_robot_of(rng, form)
@@ -74,7 +79,7 @@ def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Pa
     assert found == module(name).OPERATIONS["friction"]["total"]
 
 
-@pytest.mark.parametrize("form", slow_but([EXACT], [EXACT, EXACT_DRIVE, PAPER]))
+@OF_FORMS
 def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(4)
     robot = random_robot_of(rng, form)

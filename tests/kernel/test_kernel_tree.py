@@ -52,7 +52,9 @@ def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.nda
     return np.stack(np.broadcast_arrays(*found.F), axis=-1), np.asarray(found.status)
 
 
-@pytest.mark.parametrize("form", FORMULATIONS if FULL else (EXACT, EXACT_DRIVE, PAPER))
+@pytest.mark.parametrize(
+    "form", FORMULATIONS if FULL else (EXACT, EXACT_DRIVE, PAPER), ids=lambda form: form.name
+)
 @pytest.mark.usefixtures("rounded_twice")
 def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
     tree = program(reduced_forces(form))
