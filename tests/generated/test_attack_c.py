@@ -59,7 +59,9 @@ def test_random_cases_keep_the_contract(way: str, tmp_path: Path) -> None:
     ("flags", "chosen", "rotors"),
     [
         pytest.param([], OTHERS and OTHERS[-2:], False, id="double"),
-        pytest.param(FLOAT, SOME_WITH_ROTORS and SOME_WITH_ROTORS[2:], True, id="float-rotors"),
+        pytest.param(
+            FLOAT, SOME_WITH_ROTORS and SOME_WITH_ROTORS[2:], True, id="float-rotors", marks=pytest.mark.full
+        ),
     ],
 )
 def test_what_ships_gives_the_bits_of_c_that_is_not_optimized(
