@@ -4,11 +4,18 @@ Each test runs the real tools out of tree, on a robot file of its own.
 """
 
 import dataclasses
+import os
 import shutil
 import sys
+import traceback
+from collections.abc import Iterator
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from importlib.metadata import version
+from io import StringIO
+from multiprocessing.connection import Listener
 from pathlib import Path
+from threading import Thread
 
 import pytest
 from builds import CLIENT, QUICK, ROBOT, SYMBOL, needed, run, texts, written
@@ -21,11 +28,50 @@ from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice
 from stewart_sym.robot.robot import Robot
 
+GENERATOR = """\
+#!{python} -IS
+# Asks the process of the tests, which has the library loaded and derives a kernel once.
+import os, sys
+from multiprocessing.connection import Client
+
+with Client({address!r}) as tests:
+    tests.send((os.getcwd(), sys.argv[1:]))
+    code, said, error = tests.recv()
+sys.stdout.write(said)
+sys.stderr.write(error)
+sys.exit(code)
+"""
+
 
 @pytest.fixture(scope="module")
-def generator() -> Path:
-    """The generator as a program, whose kits are made in processes of their own."""
-    return Path(sys.executable).with_name("stewart-sym")
+def generator(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """The generator as a program, whose kits test themselves little: when it is asked for is tested here."""
+    program = tmp_path_factory.mktemp("bin") / "stewart-sym"
+    with few_vectors(), Listener() as listener:
+        Thread(target=answer, args=(listener,), daemon=True).start()
+        program.write_text(GENERATOR.format(python=sys.executable, address=listener.address))
+        program.chmod(0o755)
+        yield program
+
+
+def answer(listener: Listener) -> None:
+    """Run commands until the listener is closed."""
+    while True:
+        try:
+            asked = listener.accept()
+        except OSError:
+            return
+        before, code = os.getcwd(), 70
+        with asked, redirect_stdout(StringIO()) as said, redirect_stderr(StringIO()) as error:
+            folder, words = asked.recv()
+            os.chdir(folder)
+            try:
+                code = cli.main(words)
+            except BaseException:
+                # Told by the program, which would wait for an answer.
+                traceback.print_exc()
+            os.chdir(before)
+            asked.send((code, said.getvalue(), error.getvalue()))
 
 
 @pytest.fixture(scope="module")
