@@ -223,7 +223,9 @@ def test_the_constant_that_float_cannot_hold_is_named(change: dict[str, Any], me
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("scale", "precision"), [(1e-3, "double"), (10.0, "float")])
+@pytest.mark.parametrize(
+    ("scale", "precision"), [(1e-3, "double"), pytest.param(10.0, "float", marks=pytest.mark.full)]
+)
 def test_the_c_keeps_within_the_bounds_on_machines_of_any_size(
     scale: float, precision: str, tmp_path: Path
 ) -> None:
