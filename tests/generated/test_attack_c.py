@@ -40,8 +40,7 @@ def need(folder: Path, compiler: str, flags: list[str]) -> None:
 # In float the text is that of double, with other types and constants. The fuzzer attacks the others of FEW.
 WAYS = {
     "gcc-double": ("gcc", ["-O0", *SANITIZED], 2_000, attack_build.FEW),
-    "gcc-float": ("gcc", ["-O0", *SANITIZED, *FLOAT], share(20_000), attack_build.FEW[1:]),
-    "clang-shipped": ("clang", ["-O3", "-march=native"], share(20_000), SOME and SOME[-2:]),
+    "clang-shipped": ("clang", ["-O3", "-march=native", *FLOAT], share(20_000), SOME and SOME[-2:]),
     "clang-uninitialized": ("clang", [LEVEL, *MEMORY], share(10_000), SOME),
 }
 
