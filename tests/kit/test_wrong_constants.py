@@ -21,7 +21,8 @@ def test_self_tests_detect_most_changes_of_baked_constants(precision: str, least
         assert mutants.selftest() == 0
         undetected, known = mutants.undetected()
         missed, count = missed + len(undetected), count + known
-    assert 1.0 - missed / count >= least
+    # Of one robot it may be a little less than of all.
+    assert 1.0 - missed / count >= least - (0.0 if FULL else 0.05)
 
 
 @pytest.mark.parametrize("precision", ["double", pytest.param("float", marks=pytest.mark.slow)])
