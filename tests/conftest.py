@@ -39,7 +39,7 @@ SHARING = (
     ),
     ("test_wrong_constants", "test_bake"),
     # The library of the sweep.
-    ("test_degenerate_families", "test_proportions", "test_stability"),
+    ("test_degenerate_families", "test_stability"),
     # One browser.
     ("test_controls", "test_reports", "test_pixels"),
 )
@@ -139,6 +139,8 @@ def sweep_library() -> Iterator[None]:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    if not FULL:
+        items[:] = [item for item in items if item.get_closest_marker("full") is None]
     rank = {name: number for number, name in enumerate(LONG)}
     items.sort(key=lambda item: rank.get(item.path.stem, len(LONG)))
 

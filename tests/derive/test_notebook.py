@@ -3,8 +3,6 @@
 ``COMMAND`` runs them and writes the outputs into the committed files.
 """
 
-import base64
-import os
 import subprocess
 import sys
 from importlib import resources
@@ -13,14 +11,14 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
-from installed import REPOSITORY, install
+from installed import install
 from quick_compiler import quick_path
+from sweeps import FULL
 
 from stewart_sym.io.extras import EXTRAS
 
 FOLDER = resources.files("stewart_sym.derive")
 NOTEBOOKS = ("derivation", "closed_form", "evidence")
-DRAWINGS = REPOSITORY / ".docs" / "drawings"
 COMMAND = "PYTHONPATH=tests/support:tests/support/kernels python tests/derive/test_notebook.py"
 REWRITE = f"run `{COMMAND}` and look at the notebooks"
 METADATA = {
@@ -39,13 +37,6 @@ sys.meta_path.insert(0, Missing())
 """
 
 
-def test_the_readme_names_it_and_a_page_says_how_to_open_it() -> None:
-    page = " ".join((REPOSITORY / ".docs" / "explanation" / "checks.md").read_text("utf-8").split())
-    assert 'pip install ".[notebook]"' in page
-    assert "jupyter lab derive/derivation.ipynb" in page
-    assert "derive/derivation.ipynb" in (REPOSITORY / "README.md").read_text(encoding="utf-8")
-
-
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_every_cell_is_committed_as_executed_in_order_without_error(name: str) -> None:
     cells = _code_cells(_committed(name))
@@ -53,26 +44,8 @@ def test_every_cell_is_committed_as_executed_in_order_without_error(name: str) -
     assert not [out for cell in cells for out in cell.outputs if _is_unwanted(out)]
 
 
-@pytest.mark.parametrize("name", NOTEBOOKS)
-def test_attached_drawings_are_those_of_the_documentation(name: str) -> None:
-    for cell in _committed(name).cells:
-        for file, data in cell.get("attachments", {}).items():
-            assert base64.b64decode(data["image/png"]) == (DRAWINGS / file).read_bytes(), file
-
-
-@pytest.mark.parametrize("name", NOTEBOOKS)
-def test_every_figure_has_a_text(name: str) -> None:
-    figures = [
-        out.metadata.get("image/png", {}).get("alt", "")
-        for cell in _code_cells(_committed(name))
-        for out in cell.outputs
-        if "image/png" in out.get("data", {})
-    ]
-    assert all(figures)
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NOTEBOOKS)
+@pytest.mark.parametrize("name", NOTEBOOKS if FULL else NOTEBOOKS[:1])
 def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -97,14 +70,6 @@ def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
     assert not [out for cell in fresh for out in cell.outputs if out.output_type == "error"]
     for was, now in zip(committed, fresh, strict=True):
         assert _shown(now) == _shown(was), f"cell {was.id} shows something else: {REWRITE}"
-
-
-@pytest.mark.parametrize("name", NOTEBOOKS)
-def test_outputs_tell_nothing_of_the_machine_they_were_made_on(name: str) -> None:
-    text = (FOLDER / f"{name}.ipynb").read_text("utf-8")
-    assert _committed(name).metadata == METADATA
-    for place in {str(Path.home()), os.getcwd(), sys.prefix, "site-packages", " at 0x"}:
-        assert place not in text
 
 
 def _committed(name: str) -> Any:

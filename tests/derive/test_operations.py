@@ -6,19 +6,17 @@ from string import Template
 import numpy as np
 import pytest
 from counting_c import REPORT, counted
-from formulations import OF_EACH_FORMULATION
 from machines import random_motion, random_robot, random_robot_of
-from scalar_kernels import with_headers
+from sweeps import slow_but
 
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import module
-from stewart_sym.derive.emit import lanes, scalar
 from stewart_sym.derive.emit.closed_form import sum_operations
 from stewart_sym.derive.generate import reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.operations import force_operations
 from stewart_sym.derive.kernel.outputs import prefix_of
 from stewart_sym.derive.mechanics.closed_form.terms import F_LEG
-from stewart_sym.derive.mechanics.formulation import EXACT
+from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, PAPER
 from stewart_sym.dynamics import closed_form
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
@@ -35,12 +33,6 @@ BLOCK = """static stewart_${KERNEL}_model model;
     counts = Counts();
     int status = stewart_${KERNEL}_forces_batch(&model, 1, &all, F, 0);"""
 
-POSE = """static stewart_${KERNEL}_pose_model model;
-    stewart_${KERNEL}_pose_prepare(&robot, &model);
-    static Real F[6];
-    counts = Counts();
-    int status = stewart_${KERNEL}_pose_forces(&model, &motion, F);"""
-
 FOLDED_BLOCK = """static Real F[48];
     stewart_motions all = {motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, 0, 0};
     counts = Counts();
@@ -48,6 +40,11 @@ FOLDED_BLOCK = """static Real F[48];
 FOLDED_POSE = """static Real F[6];
     counts = Counts();
     int status = ${FORCES}(&motion, F);"""
+
+
+OF_FORMS = pytest.mark.parametrize(
+    "form", slow_but([EXACT], [EXACT, EXACT_DRIVE, PAPER]), ids=lambda form: form.kernel_name
+)
 
 
 def sums(kernel: str, given: str) -> str:
@@ -73,7 +70,7 @@ def executed(
     return [counts for _, counts in found]
 
 
-@OF_EACH_FORMULATION
+@OF_FORMS
 def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
     robot = random_robot_of(rng, form)
@@ -82,7 +79,7 @@ def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Pa
     assert found == module(name).OPERATIONS["friction"]["total"]
 
 
-@OF_EACH_FORMULATION
+@OF_FORMS
 def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(4)
     robot = random_robot_of(rng, form)
@@ -93,6 +90,7 @@ def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp
 
 
 @pytest.mark.slow
+@pytest.mark.full
 def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> None:
     rng = np.random.default_rng(7)
     robot = random_robot(rng)
@@ -107,28 +105,8 @@ def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> No
     assert executed("exact", closed_form.c_sources(), robot, motion, tmp_path, *calls) == claims
 
 
-def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path: Path) -> None:
-    rng = np.random.default_rng(6)
-    robot = random_robot(rng, friction=False)
-    kernel = reduced_forces(EXACT, friction=False)
-    sources = with_headers(lanes.files(kernel, "test", kernel))
-    (found,) = executed("exact", sources, robot, random_motion(rng, robot), tmp_path, BLOCK)
-    assert found == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
-
-
-def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_path: Path) -> None:
-    rng = np.random.default_rng(8)
-    robot = random_robot(rng)
-    kernel = reduced_forces(EXACT, friction=True)
-    sources = with_headers(scalar.files(kernel, None, "test"))
-    claimed = force_operations(kernel, scalar_text=True).total
-    # Sums of sizes, which checks compare: of t and the machine, and of the forces.
-    checks = 4 + 5
-    (found,) = executed("exact", sources, robot, random_motion(rng, robot), tmp_path, POSE)
-    assert found == (claimed.mul, claimed.add + checks, claimed.div, claimed.sqrt)
-
-
-@pytest.mark.parametrize("scalar", [pytest.param(False, marks=pytest.mark.slow), True])
+@pytest.mark.slow
+@pytest.mark.parametrize("scalar", [False, True])
 def test_count_with_folded_numbers_is_what_the_c_executes_where_moments_are_scaled(
     scalar: bool, tmp_path: Path
 ) -> None:

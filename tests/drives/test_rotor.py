@@ -19,7 +19,7 @@ from stewart_sym.reference import equations_of_motion as oracle
 from stewart_sym.reference import newton_euler
 
 RELATIVE = 1e-10
-MACHINES, POSES = 12, 3
+MACHINES, POSES = 6, 2
 BACKENDS: tuple[Literal["c", "numpy", "reference"], ...] = ("c", "numpy", "reference")
 QUANTITIES = ("F", "F_s", "F_u", "F_p", "M_p", "M_u")
 
@@ -57,7 +57,7 @@ def test_the_kernels_of_the_forces_alone_are_right_and_their_bounds_hold() -> No
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_equations_of_motion_are_those_of_rotors_as_bodies(backend: Any) -> None:
-    for seed in range(4):
+    for seed in range(2):
         robot, motion, _ = _case(seed)
         found = ss.equations_of_motion(robot, motion[:1], backend=backend)
         expected = _pinocchio_equations(seed)
@@ -94,7 +94,7 @@ def _without_momentum(robot: ss.Robot) -> ss.Robot:
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_derivatives_are_those_of_the_reference(backend: Any) -> None:
-    for seed in range(4):
+    for seed in range(2):
         robot, motion, _ = _case(seed)
         motion = motion[0]
         found = ss.force_derivatives(robot, motion, backend=backend)
@@ -116,7 +116,7 @@ def test_derivatives_are_those_of_the_reference(backend: Any) -> None:
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_linearized_motion_is_that_of_forward_dynamics(backend: Any) -> None:
-    for seed in range(3):
+    for seed in range(2):
         robot, motion, truth = _case(seed)
         motion, forces = motion[0], truth[0].F
 
@@ -162,15 +162,9 @@ def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:
                 np.testing.assert_array_equal(values, getattr(other, name))
 
 
-def test_the_printed_equations_reject_rotors() -> None:
-    robot, motion, _ = _case(0)
-    with pytest.raises(ValueError, match='expected "exact" for a robot whose drive'):
-        ss.inverse_dynamics(robot, motion, formulation="paper")
-
-
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
-    for seed in range(6):
+    for seed in range(3):
         rng = np.random.default_rng(seed)
         plain = random_robot(rng, "spherical")
         robot, motion = with_random_rotors(rng, plain), random_motion(rng, plain, (POSES,))
@@ -192,7 +186,7 @@ def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple(name: str) -> None:
     level = DERIVED[name]
-    for seed in range(10):
+    for seed in range(3):
         robot, _, _ = _case(seed)
         robot = _without_momentum(as_simple_as(robot, level))
         motion = random_motion(np.random.default_rng(seed), robot)

@@ -107,23 +107,9 @@ def test_without_axial_forces_they_are_those_of_the_motors() -> None:
     assert np.any(torques(F, 0.5 * F, L_dot)[1] != torques(F, F, L_dot)[1])
 
 
-def test_bad_numbers_and_missing_arrays_leave_torques_as_they_were() -> None:
-    torques = Compiled(robot_named(machine(False)))
-    good = np.ones(6)
-    assert torques(good, None, good)[0] == 0
-    for i in range(3):
-        given = [good.copy(), good.copy(), good.copy()]
-        given[i][4] = np.nan
-        status, torque, current = torques(*given)
-        assert status == ss.results.NOT_FINITE
-        assert not torque.any()
-        assert not current.any()
-    assert torques.torques(None, Six(), None, Six(), Six(), None) == ss.results.BAD_ARGUMENT
-    assert torques.torques(torques.drives, Six(), None, None, Six(), None) == ss.results.BAD_ARGUMENT
-    assert torques.torques(torques.drives, Six(), None, Six(), Six(), None) == 0
-
-
-def test_torques_need_a_drive() -> None:
+def test_torques_need_a_drive_and_those_of_rotors_are_exact() -> None:
+    with pytest.raises(ValueError, match=r"^formulation: expected \"exact\" for a robot whose drive has"):
+        check(Choice(("torque",), "paper"), machine(True))
     with pytest.raises(
         ValueError, match=r"^functions: torque: expected a robot with a drive, got one without"
     ):
@@ -135,13 +121,14 @@ def test_torques_need_a_drive() -> None:
 @pytest.mark.parametrize(
     ("file", "good", "wrong"),
     [
-        ("stewart_torque.c", r"REAL\(3\) -", "REAL(3.001) -"),
+        pytest.param("stewart_torque.c", r"REAL\(3\) -", "REAL(3.001) -", marks=pytest.mark.slow),
         ("stewart_robot.c", r"(_drives = \{[^{]*\{)REAL\([^)]*\)", r"\1REAL(1.5)"),
     ],
 )
 def test_the_self_test_finds_a_wrong_torque(tmp_path: Path, file: str, good: str, wrong: str) -> None:
     robot, choice = robot_named(machine(False)), Choice(("torque",))
-    made, _ = write_kit(robot, tmp_path / "kit", choice)
+    with few_vectors():
+        made, _ = write_kit(robot, tmp_path / "kit", choice)
     assert list(made.files) == kit_names(robot, choice)
     proves_itself(tmp_path / "kit", "gcc", "-O0")
     path = tmp_path / "kit" / file
@@ -167,23 +154,6 @@ def test_axial_forces_are_those_of_the_reference(joint: str) -> None:
         np.testing.assert_allclose(found["axial"].astype(float), expected[i], atol=1e-12 * np.abs(F).max())
         rates = ss.inverse_kinematics(robot, motion[i]).L_dot
         np.testing.assert_allclose(found["L_dot"].astype(float), rates, atol=1e-13 * np.abs(rates).max())
-
-
-def test_kits_of_rotors_are_exact_whatever_they_hold() -> None:
-    with pytest.raises(ValueError, match=r"^formulation: expected \"exact\" for a robot whose drive has"):
-        check(Choice(("torque",), "paper"), machine(True))
-    check(Choice(("torque",), "paper"), machine(False))
-
-
-@pytest.mark.slow
-def test_torques_of_forces_without_rotors_take_these_themselves() -> None:
-    choice = Choice(("forces", "torque"), fidelity="massless")
-    files = kit(robot_named(machine(True)), choice).files
-    assert not [name for name in files if "axial" in name]
-    assert not [name for name in files if name.endswith((".c", ".hpp")) and b"axial_forces" in files[name]]
-    assert "fidelity massless omit the rotors: the torques exclude the inertia of the rotors" in " ".join(
-        files["README.md"].decode().split()
-    )
 
 
 def test_axial_forces_of_reflected_masses_leave_these_out_alone() -> None:

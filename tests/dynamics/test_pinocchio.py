@@ -15,7 +15,7 @@ from stewart_sym.robot.robot import Robot
 
 RELATIVE = 1e-10
 POSES = 3
-SEEDS = range(share(60, 3))
+SEEDS = range(share(60, 10))
 QUANTITIES = ("F", "F_s", "F_u", "F_p", "M_p", "M_u")
 
 # Each fault, the least it moves the forces by on every machine below, and whether it moves M_u. Fault 3 adds

@@ -1,22 +1,18 @@
-"""The reference against the paper, its own equations, and where these are unsolvable; work is energy."""
+"""The reference satisfies its own equations, as printed and corrected; work is energy."""
 
 import dataclasses
-import warnings
 from collections.abc import Callable
 
 import numpy as np
 import pytest
-from command_line import rejects
 from machines import (
     Array,
     machine_in_motion,
-    random_motion,
     random_path,
     random_robot,
     with_random_rotors,
 )
 from motion_fields import balance_of, breaks_of
-from unsolvable_poses import at_rest
 
 from stewart_sym.dynamics.forces import ForceKernel
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
@@ -31,7 +27,7 @@ FORMULATIONS = pytest.mark.parametrize("faults", [EXACT, PAPER], ids=["exact", "
 # The equations themselves
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
 @FORMULATIONS
 def test_reactions_satisfy_the_equations_of_both_leg_parts(
@@ -72,7 +68,7 @@ def test_reactions_satisfy_the_equations_of_both_leg_parts(
     np.testing.assert_allclose(np.sum(leg.s * j.F_c, axis=-1), 0, atol=1e-12 * np.abs(F).max())
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 @FORMULATIONS
 def test_reactions_satisfy_the_platforms_equations(faults: frozenset[int], seed: int) -> None:
     robot, motion = machine_in_motion(seed, (4,))
@@ -92,57 +88,6 @@ def test_reactions_satisfy_the_platforms_equations(faults: frozenset[int], seed:
             leg.f.sum(axis=-2),
         ]
     )
-
-
-# Shapes, loads and arguments
-
-
-def test_energy_and_powers_need_no_accelerations_but_forces_do() -> None:
-    robot, motion = _random_case()
-    slow = dataclasses.replace(motion, alpha=None, a=None)
-    np.testing.assert_array_equal(newton_euler.energy(robot, slow), newton_euler.energy(robot, motion))
-    assert np.all(newton_euler.friction_power(robot, slow) > 0)
-    for function in (
-        newton_euler.inverse_dynamics,
-        newton_euler.joint_reactions,
-        newton_euler.massless_forces,
-    ):
-        rejects(r"^motion: accelerations expected", function, robot, slow)
-
-
-def test_unknown_faults_are_rejected() -> None:
-    robot, motion = _random_case()
-    with pytest.raises(ValueError, match=r"^faults: expected numbers from 1 to 4, got \[5\]"):
-        newton_euler.inverse_dynamics(robot, motion, frozenset({5}))
-
-
-# Unsolvable poses
-
-
-def _zero_length_leg() -> tuple[Robot, Motion]:
-    robot = random_robot(np.random.default_rng(10))
-    return robot, at_rest(robot.b[3] - robot.p[3])
-
-
-def _parallel_legs() -> tuple[Robot, Motion]:
-    robot = random_robot(np.random.default_rng(12))
-    points = np.random.default_rng(13).integers(-8, 9, (6, 3)) / 8
-    return dataclasses.replace(robot, b=points, p=points, k=np.tile([1.0, 0, 0], (6, 1))), at_rest([0, 0, 1])
-
-
-@pytest.mark.parametrize("make", [_zero_length_leg, _parallel_legs])
-def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
-    robot, motion = make()
-    with warnings.catch_warnings(action="error"):
-        assert np.all(np.isnan(newton_euler.massless_forces(robot, motion)))
-        newton_euler.energy(robot, motion)
-        newton_euler.friction_power(robot, motion)
-
-
-def _random_case() -> tuple[Robot, Motion]:
-    rng = np.random.default_rng(3)
-    robot = random_robot(rng)
-    return robot, random_motion(rng, robot, (4,))
 
 
 def _turn(matrix: Array, vector: Array) -> Array:
@@ -175,7 +120,7 @@ def exact(robot: Robot) -> Callable[[Motion], Array]:
 
 @pytest.mark.parametrize("friction", [True, False], ids=["friction", "frictionless"])
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_exact_balances_on_random_machines_and_smooth_paths(
     seed: int, base_joint: str, friction: bool
 ) -> None:
@@ -193,7 +138,7 @@ def test_exact_balances_on_random_machines_and_smooth_paths(
     assert lost > 1e-3 * balance.turnover if friction else lost == 0
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_exact_balances_where_rotors_turn(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = with_random_rotors(rng, random_robot(rng))
@@ -202,21 +147,6 @@ def test_exact_balances_where_rotors_turn(seed: int) -> None:
     assert abs(balance.mismatch) < RELATIVE * balance.turnover
     at, bare = (newton_euler.energy(each, path(breaks_of(robot))) for each in (robot, at_rest))
     assert np.abs(at - bare).max() > 1e-3 * balance.turnover
-
-
-@pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("fault", [1, 2, 3, 4])
-def test_every_fault_breaks_the_balance(fault: int, seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng)
-
-    def power(motion: Motion) -> Array:
-        forces = newton_euler.inverse_dynamics(robot, motion, frozenset({fault}))
-        assert np.all(forces.status == 0)
-        return newton_euler.actuator_power(robot, motion, forces.F)
-
-    balance = balance_of(robot, random_path(rng, robot), power)
-    assert abs(balance.mismatch) > 1e-5 * balance.turnover
 
 
 def test_power_of_a_load_is_taken_in_the_platform_frame() -> None:

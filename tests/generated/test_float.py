@@ -2,8 +2,6 @@
 
 import dataclasses
 import math
-import platform
-import re
 import shutil
 from pathlib import Path
 from typing import Any
@@ -11,111 +9,34 @@ from typing import Any
 import numpy as np
 import pytest
 import scalar_kernels
-from attack_build import GENERATED, SOME, SOME_WITH_ROTORS
-from builds import run
+import toolchain
+from attack_build import FEW, GENERATED, SOME, SOME_WITH_ROTORS
 from machines import random_motion, random_robot, with_random_drives
 from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
-from sweeps import slow_but
+from sweeps import FULL, slow_but
 
 import stewart_sym as ss
-from stewart_sym.derive.emit import lanes
-from stewart_sym.derive.mechanics import quantities as n
-from stewart_sym.derive.mechanics.baked_constants import baked
-from stewart_sym.derive.mechanics.formulation import EXACT
-from stewart_sym.derive.mechanics.reduced_models import FIDELITIES as DERIVED
-from stewart_sym.derive.mechanics.reduced_models import fidelity_kernel
-from stewart_sym.derive.program.cse import shared_blocks
-from stewart_sym.generated import arithmetic, every_output
 from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot
 
-SOURCES = sorted(path.name for path in GENERATED.glob("*.c"))
-# Of legs with rotors, whose printers and passes are those of the others, one kernel is in the fast tests.
-ANY_FORCES = [
-    pytest.param(name, marks=[pytest.mark.slow] if re.search("_drive_.*forces", name) else [])
-    for name in SOURCES
-    if name.endswith(("_forces.c", "_axial.c", "_torque.c"))
-]
-COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
-FLOAT = ["-DSTEWART_FLOAT"]
-STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
 EPSILON = float(np.finfo(np.float32).eps)
 
-# What ends in sd or pd and yet only moves bits: two floats, or a struct of them, travel like a double.
-MOVES = re.compile(
-    r"v?(mov\w*|unpck[lh]|shuf|perm\w*|blendv?|broadcast|extract\w*|insert\w*|and|andn|or|xor|scatter\w*|gather\w*)"
-    r"(sd|pd)"
+
+@pytest.mark.skipif(bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there")
+@pytest.mark.parametrize(
+    "stem", slow_but(FEW[2:], [*SOME, *SOME_WITH_ROTORS] if FULL else [*FEW, *SOME_WITH_ROTORS[2:]])
 )
-# Signed doublewords, which are integers.
-INTEGERS = re.compile(r"v?p(max|min)sd")
-
-
-def double_instructions(listing: str) -> set[str]:
-    """Mnemonics of x86 that compute with doubles or convert to or from them; those of the x87 as well."""
-    mnemonics = {line.split("\t")[1].split()[0] for line in listing.splitlines() if line.count("\t") == 1}
-    ends = {name for name in mnemonics if re.search(r"(sd|pd)$", name) and not MOVES.fullmatch(name)}
-    ends -= {name for name in ends if INTEGERS.fullmatch(name)}
-    conversions = {name for name in mnemonics if re.match(r"v?cvt.*(sd|pd)", name)}
-    return (
-        ends | conversions | {name for name in mnemonics if re.match(r"f(ld|st|add|sub|mul|div|sqrt)", name)}
-    )
-
-
-def layout_of(source: str) -> list[str]:
-    """What sources of legs with rotors are compiled with."""
-    return ["-DSTEWART_ROTORS"] if "_drive" in source else []
-
-
-def compiled(compiler: str, flags: list[str], source: str, target: Path) -> Path:
-    command = [compiler, "-std=c99", *flags, *layout_of(source), "-c", source, "-o", str(target)]
-    run(*command, cwd=GENERATED)
-    return target
-
-
-def disassembled(target: Path) -> str:
-    return run("objdump", "-d", "--no-show-raw-insn", target)
-
-
-on_x86 = pytest.mark.skipif(
-    platform.machine() not in ("x86_64", "AMD64") or not shutil.which("objdump"),
-    reason="reads the disassembly of x86-64",
-)
-
-
-FAST = ["-O3", "-mavx2", "-mfma", "-fno-math-errno"]
-GENERAL = ["stewart_exact.c", "stewart_exact_forces.c", "stewart_exact_motion.c", "stewart_paper_forces.c"]
-# One printer writes all of them, and warnings of promotions are asked of each: of others than the general
-# ones, one of each kind in the build with the fewest instructions folded or left out.
-OTHERS = [f"{stem}.c" for stem in SOME if f"{stem}.c" not in GENERAL]
-OTHERS += [f"{stem}.c" for stem in SOME_WITH_ROTORS]
-LONG = "stewart_exact_motion.c"
-LISTED = [(compiler, FAST, source) for compiler in COMPILERS for source in GENERAL if source != LONG]
-LISTED += [("gcc", ["-O1", *FAST[1:]], source) for source in (*OTHERS, LONG)]
-BUILDS = {f"{source}-{compiler}{flags[0]}": (compiler, flags, source) for compiler, flags, source in LISTED}
-# A double in a source is in every build of it; that builds add none of their own is a slow test, and so are
-# long sources and those of the same printers.
-FAST_BUILDS = ("stewart_exact_forces.c-gcc-O3", "stewart_kinematics.c-gcc-O1", f"{OTHERS[-1]}-gcc-O1")
-
-
-@on_x86
-@pytest.mark.parametrize("build", slow_but(FAST_BUILDS, BUILDS))
-def test_float_object_code_holds_no_double(build: str, tmp_path: Path) -> None:
-    compiler, flags, source = BUILDS[build]
-    target = compiled(compiler, [*flags, *FLOAT], source, tmp_path / "kernel.o")
-    assert double_instructions(disassembled(target)) == set()
-    listed = run("nm", "-u", target)
-    own, copies = {"stewart_exact_forces", "stewart_exact_forces_batch"}, {"memcpy", "memmove", "memset"}
-    assert {*listed.split()} <= own | copies | {"U", "sqrtf", "_GLOBAL_OFFSET_TABLE_"}
-
-
-@pytest.mark.parametrize("source", ANY_FORCES)
-def test_float_compiles_without_a_silent_conversion(source: str) -> None:
-    """In double, and by other compilers, some of them: ``test_generated``."""
-    command = ["gcc", *STRICT, *FLOAT, *layout_of(source), "-fsyntax-only", source]
-    assert run(*command, cwd=GENERATED) == ""
+def test_float_object_code_holds_no_double(stem: str, tmp_path: Path) -> None:
+    """For a Cortex-M4F, whose unit has floats alone; a promotion is a warning, thus an error."""
+    source = shutil.copytree(GENERATED, tmp_path / "c") / f"{stem}.c"
+    flags = ["-DSTEWART_FLOAT", *(["-DSTEWART_ROTORS"] if "_drive" in stem else [])]
+    made = toolchain.compiled(toolchain.CORES["float"], source, flags)
+    assert toolchain.double_arithmetic(made) == set()
+    own = {"stewart_exact_forces", "stewart_exact_forces_batch"}
+    assert toolchain.asked_for(made) <= own | toolchain.HARMLESS
 
 
 # --- accuracy ---------------------------------------------------------------------------------
@@ -135,7 +56,7 @@ def one_pose(robot: Robot, motion: Motion, formulation: str) -> NDArray[Any]:
 def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size(forces: Any) -> None:
     """Inputs rounded to float too."""
     rng = np.random.default_rng(60)
-    for _ in range(100):
+    for _ in range(50):
         robot, motion = any_machine(rng)
         formulation = "exact" if rng.random() < 0.7 else "paper"
         truth = ss.inverse_dynamics(robot, motion, formulation)
@@ -148,7 +69,10 @@ def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_si
 
 @pytest.mark.parametrize(
     ("fidelity", "rotors"),
-    [*((level, False) for level in FIDELITIES), *slow_but((), ((level, True) for level in DRIVE_FIDELITIES))],
+    [
+        *slow_but(("general", "slender"), ((level, False) for level in FIDELITIES), lambda case: case[0]),
+        *slow_but((), ((level, True) for level in DRIVE_FIDELITIES)),
+    ],
 )
 def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
     fidelity: str, rotors: bool
@@ -167,46 +91,15 @@ def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
         assert (np.abs(found - expected).max(axis=-1) <= BOUND * EPSILON * condition * largest).all()
 
 
-def scale_of(size: float) -> float:
-    """By what the NumPy kernel multiplies moments whose longest arm is ``size``."""
-    with np.errstate(all="ignore"):
-        return float(np.ravel(every_output.scale_of(arithmetic.Arithmetic(np), np.full((3, 6, 1), size)))[0])
-
-
-SIZES = (1e-40, 1e-4, 0.1, 0.124, 0.126, 0.5, 1.0, 63.0, 65.0, 1e3, 1e40)
-
-
-def per_length(size: float) -> float:
-    """One over the least power of two, 2^-100 to 2^100, that ``size`` does not exceed; 1 from 1/8 to 16."""
-    power = min(max(math.ceil(math.log2(size)), -100), 100)
-    return 1.0 if 0.125 <= size <= 16.0 else 2.0**-power
-
-
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a_meter(
     precision: Any,
 ) -> None:
     robot = random_robot(np.random.default_rng(64))
     size = np.abs(robot.p - robot.p[0]).max()
-    sizes = SIZES[1:-1] if precision == "float" else SIZES
-    for wanted in (*sizes, 2.0**-5, 2.0**8):
+    for wanted in (1e-4, 0.124, 0.126, 0.5, 63.0, 2.0**-5, 2.0**8):
         # A size that is a power of two itself is the last that has it as its length.
         similar = dataclasses.replace(robot, p=(robot.p - robot.p[0]) / size * wanted)
-        expected = per_length(np.abs(similar.p).max())
+        largest = np.abs(similar.p).max()
+        expected = 1.0 if 0.125 <= largest <= 16.0 else 2.0 ** -math.ceil(math.log2(largest))
         assert ss.ForceKernel(similar, precision=precision).model[-3] == expected
-        by = scale_of(np.abs(similar.p).max())
-        assert by == (1.0 if 0.0625 <= wanted <= 0.125 else expected)
-        folded = shared_blocks(
-            baked(fidelity_kernel(EXACT, DERIVED["massless_static"]), plain(similar), "machine")
-        )
-        by = re.findall(
-            r"scale_(pose|block)\([^;]*REAL\((.*?)\)\);",
-            lanes.files(folded, "")[f"stewart_{folded.name}_forces.c"],
-        )
-        scaled = {(of, expected) for of in ("pose", "block") if expected != 1.0}
-        assert {(of, float(number)) for of, number in by} == scaled
-
-
-def plain(robot: Robot) -> dict[str, Any]:
-    """The robot's numbers by name."""
-    return {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}

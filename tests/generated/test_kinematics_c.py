@@ -1,33 +1,21 @@
 """The generated kinematics in C, double and float: what NumPy finds, and nothing found that is wrong."""
 
-from pathlib import Path
-from string import Template
-
 import numpy as np
 import pytest
-from counting_c import REPORT, counted, listed
 from kinematics_calls import (
     PRECISIONS,
     AnyArray,
     Array,
-    called,
     forward,
     inverse,
-    library,
-    poses_of,
     velocity,
 )
 from leg_lengths import lengths, nudged, paper_poses
-from machines import dasgupta, machine_in_motion, machine_size, random_motion, random_robot
+from machines import dasgupta, machine_size, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.backend.c_kernel import address, c_sources
-from stewart_sym.backend.kernel import robot_numbers
-from stewart_sym.derive.generate import reduced_kinematics
-from stewart_sym.derive.kernel.kinematics import search_operations
-from stewart_sym.derive.program.block import Operations
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.pose_search import rates_per_twist
 from stewart_sym.motion.rotation import rotation_from_vector
@@ -74,48 +62,6 @@ def one_machine(count: int) -> tuple[np.random.Generator, ss.Robot, ss.Motion, A
     rng, robot = machines(1)[0]
     motion = random_motion(rng, robot, (count,))
     return rng, robot, motion, np.ascontiguousarray(ss.inverse_kinematics(robot, motion).L)
-
-
-# What the blocks say
-
-
-COUNTED = """stewart_pose far = ${FAR}, exact = ${EXACT};
-    static const Real L[6] = {${LENGTHS}}, rates[6] = {1, 2, 3, 4, 5, 6};
-    Real out[12];
-    int status;
-    COUNT(stewart_inverse_kinematics(&robot, &motion, out, 0));
-    COUNT(stewart_inverse_kinematics(&robot, &motion, out, out + 6));
-    COUNT(stewart_forward_velocity(&robot, &exact, rates, out, out + 3));
-    COUNT(stewart_forward_kinematics(&robot, L, &exact));
-    COUNT(stewart_forward_kinematics(&robot, L, &far));
-    most_steps = 2;
-    COUNT(stewart_forward_kinematics(&robot, L, &far));"""
-BOUND = """static int most_steps = 1;
-#define STEWART_MAX_STEPS most_steps
-#define STEWART_MAX_SEARCHES 1
-#include "stewart_kinematics.c"
-#define COUNT(call) counts = Counts(); status = call; \\
-    std::printf("%d %ld %ld %ld %ld\\n", status, counts.mul, counts.add, counts.div, counts.sqrt)
-"""
-
-
-def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
-    rng = np.random.default_rng(5)
-    robot, motion = machine_in_motion(rng)
-    # From this guess both steps are shortened, which the header counts.
-    R, t = nudged(rng, motion.R[None], motion.t[None], 0.3, 3.0 * machine_size(robot))
-    calls = Template(COUNTED + REPORT).substitute(
-        FAR=f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
-        EXACT=f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",
-        LENGTHS=listed(ss.inverse_kinematics(robot, motion).L),
-    )
-    found = counted(c_sources("kinematics"), BOUND, calls, robot, motion, tmp_path)
-    status, counts = [each for each, _ in found], [Operations(*each) for _, each in found]
-    assert status[:4] == [results.OK] * 4
-    assert status[4:6] == [results.NOT_CONVERGED] * 2
-    claimed = search_operations(reduced_kinematics())
-    assert counts[:4] == [claimed[name] for name in ("lengths", "lengths, rates", "velocity", "search")]
-    assert counts[5] == counts[4] + claimed["step"]
 
 
 # Agreement with NumPy
@@ -168,7 +114,7 @@ def test_velocity_is_that_of_numpy(precision: str) -> None:
 def test_nothing_is_silent_far_from_the_guess_and_among_singular_poses(precision: str) -> None:
     rng = np.random.default_rng(9)
     robot = dasgupta()
-    R, t = paper_poses(rng, 3000, angle=0.4, way=0.2)
+    R, t = paper_poses(rng, 1500, angle=0.4, way=0.2)
     L = lengths(robot, R, t)
     for angle, way, lost in ((0.05, 0.05, 0.002), (0.5, 0.3, 0.02)):
         *found, status = forward(robot, L, *nudged(rng, R, t, angle, way), precision)
@@ -204,41 +150,6 @@ def test_lengths_out_of_reach_are_not_found(precision: str) -> None:
         assert status.tolist() == [results.NOT_CONVERGED]
 
 
-@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-def test_numbers_that_are_not_finite_are_told(value: float) -> None:
-    _, robot, motion, L = one_machine(1)
-    L_dot = np.ones((1, 6))
-    for i in range(12):
-        pose = poses_of(motion.R, motion.t)
-        pose[0, i] = value
-        R, t = pose[:, :9].reshape(1, 3, 3), pose[:, 9:]
-        kept = pose.copy()
-        status = called("stewart_forward_kinematics", robot, "double", L, pose)
-        assert status.tolist() == [results.NOT_FINITE]
-        np.testing.assert_array_equal(pose, kept)
-        assert velocity(robot, R, t, L_dot)[1].tolist() == [results.NOT_FINITE]
-    L[0, 3] = value
-    assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.NOT_FINITE]
-    assert velocity(robot, motion.R, motion.t, L)[1].tolist() == [results.NOT_FINITE]
-
-
-def test_null_pointers_are_rejected_and_nothing_is_written() -> None:
-    robot, c = robot_numbers(dasgupta()), library()
-    motion, given, pose = np.ones(30), np.ones(6), np.ones(12)
-    out = [np.full(6, 7.0) for _ in range(2)]
-    calls = {
-        "stewart_inverse_kinematics": ([robot, motion, *out], 3),
-        "stewart_forward_kinematics": ([robot, given, pose], 3),
-        "stewart_forward_velocity": ([robot, pose, given, *out], 5),
-    }
-    for name, (arguments, needed) in calls.items():
-        for missing in range(needed):
-            passed = [None if i == missing else array for i, array in enumerate(arguments)]
-            assert getattr(c, name)(*map(address, passed)) == results.BAD_ARGUMENT
-    assert all((array == 7.0).all() for array in out)
-    assert (pose == 1.0).all()
-
-
 def singular_poses(count: int, shift: float) -> tuple[ss.Robot, Array, Array]:
     """Poses of the paper's machine, a share of a line through its workspace away from where det H is 0."""
     rng, robot = np.random.default_rng(1), dasgupta()
@@ -268,10 +179,10 @@ def condition(robot: ss.Robot, R: AnyArray, t: AnyArray) -> Array:
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)
-@pytest.mark.parametrize("shift", [0.0, 1e-10, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2])
+@pytest.mark.parametrize("shift", [0.0, 1e-7, 1e-5, 1e-4, 1e-2])
 def test_near_singular_poses_are_singular_or_right(shift: float, precision: str) -> None:
     """SINGULAR begins no later than at its condition number and no earlier than at a sixth of it."""
-    robot, R, t = singular_poses(300, shift)
+    robot, R, t = singular_poses(150, shift)
     L = lengths(robot, R, t)
     most = 1.0 / (16.0 * np.sqrt(float(np.finfo(PRECISIONS[precision]).eps)))
     for guess in ((R, t), nudged(np.random.default_rng(2), R, t, 1e-3, 1e-3)):

@@ -66,24 +66,17 @@ TARGETS = {
 
 COVERING = [
     ("gcc", "lanes", "-std=c11", "-O3", "double"),
-    ("gcc", "scalar", "-std=c99", "-O0", "float"),
-    ("clang", "lanes", "-std=c99", "-O2", "float"),
-    ("clang", "scalar", "-std=c11", "-O1", "double"),
-    ("gcc-x87", "lanes", "-std=c99", "-O1", "double"),
+    ("clang", "lanes", "-std=c99", "-O1", "float"),
     ("gcc-x87", "scalar", "-std=c99", "-O3", "float"),
     ("clang-x87", "scalar", "-std=c11", "-O2", "double"),
-    ("clang-x87", "scalar", "-std=c99", "-O0", "float"),
-    ("gcc-sse", "scalar", "-std=c11", "-O0", "float"),
     ("gcc-sse", "scalar", "-std=c99", "-O2", "double"),
     ("clang-sse", "scalar", "-std=c99", "-O3", "float"),
-    ("clang-sse", "scalar", "-std=c11", "-O1", "double"),
     ("s390x", "lanes", "-std=c99", "-O0", "double"),
     ("s390x", "scalar", "-std=c11", "-O1", "float"),
-    ("s390x", "scalar", "-std=c99", "-O2", "double"),
     ("aarch64", "lanes", "-std=c11", "-O3", "float"),
     ("aarch64", "scalar", "-std=c99", "-O1", "double"),
 ]
-"""Every target at a low and a high level and in both precisions, every pair of the other choices."""
+"""Every target and layout, low and high levels, both precisions."""
 QUICK = (("clang", "lanes"), ("s390x", "scalar"))
 """Those of the fast tests: both kernels and compilers, and another byte order."""
 
@@ -135,12 +128,13 @@ def test_a_kit_checks_itself(
 
 
 @pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize(
     ("name", "precision", "flag"),
     # For x87, gcc 12 looks half a minute for instructions to combine.
-    [("clang", "float", ""), ("s390x", "double", ""), ("gcc-x87", "double", "-fdisable-rtl-combine")],
+    [("s390x", "double", ""), ("clang", "float", ""), ("gcc-x87", "double", "-fdisable-rtl-combine")],
 )
 def test_a_kit_of_everything_checks_itself(tmp_path: Path, name: str, precision: str, flag: str) -> None:
     need(TARGETS[name], tmp_path)
     put(made("all", precision), tmp_path / "kit")
-    checked(tmp_path / "kit", TARGETS[name], ("-std=c99", "-O2", flag), tmp_path)
+    checked(tmp_path / "kit", TARGETS[name], ("-std=c99", "-O1", flag), tmp_path)

@@ -17,27 +17,17 @@ from multiprocessing.connection import Listener
 from pathlib import Path
 from threading import Thread
 
-import numpy as np
 import pytest
 from builds import CLIENT, QUICK, ROBOT, SYMBOL, needed, run, texts, written
 from kits import contents, few_vectors
-from numpy.typing import NDArray
-from pages import blocks
 from sweeps import FULL
 
 from stewart_sym.cli import main as cli
 from stewart_sym.derive.package.build import build_files
-from stewart_sym.dynamics.equations import ForwardDynamics
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice
-from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation
 from stewart_sym.robot.robot import Robot
-from stewart_sym.simulation import actuator_models, fixed_step
 
-Array = NDArray[np.float64]
-
-PAGE = ".docs/howto/cmake.md"
 GENERATOR = """\
 #!{python} -IS
 # Asks the process of the tests, which has the library loaded and derives a kernel once.
@@ -144,46 +134,14 @@ def project(folder: Path, generator: Path, *options: str) -> Project:
 
 
 @pytest.mark.slow
-def test_client_runs_the_law_of_the_library_and_keeps_to_its_path(tmp_path: Path, generator: Path) -> None:
-    """Four seconds by itself, a hundred with STEWART_FULL=1, and fifty cycles of the same law in Python."""
+def test_client_keeps_to_its_path(tmp_path: Path, generator: Path) -> None:
+    """Four seconds, a hundred with STEWART_FULL=1; a loop that leaves its path ends with an error."""
     made = project(tmp_path, generator, "-DCMAKE_C_FLAGS_RELEASE=-O1")
     made.make()
     cycles = 100_000 if FULL else 4_000
     output = run(made.build / "loop", "--cycles", cycles)
     print(output)
     assert f"cycles: {cycles}\n" in output
-    told = made.loop(50)
-    end = np.array([float(word) for word in told["at the end"].split()])
-    state = python_loop(Robot.from_toml(ROBOT), 50)
-    x, y, z, w = *end[4:7], end[3]
-    np.testing.assert_allclose(end[:3], state.t, rtol=0, atol=1e-11)
-    np.testing.assert_allclose(end[7:], np.r_[state.v, state.omega], rtol=0, atol=1e-10)
-    half = np.linalg.norm([x, y, z])
-    phi = 2.0 * np.arctan2(half, w) * np.array([x, y, z]) / half
-    np.testing.assert_allclose(phi, vector_from_rotation(state.R), rtol=0, atol=1e-11)
-
-
-def python_loop(robot: Robot, cycles: int) -> Motion:
-    """What loop.c does: the state after so many cycles."""
-    law = actuator_models.ComputedTorque(robot, wanted, 900.0, 60.0)
-    plant = ForwardDynamics(robot)
-    begin = wanted(0.0)
-    off = np.full(3, 1e-4)
-    state = Motion(R=rotation_from_vector(off) @ begin.R, t=begin.t + off, omega=begin.omega, v=begin.v)
-    for cycle in range(cycles):
-        state, status = fixed_step.advance(plant, state, law(cycle * 1e-3, state), 1e-3, 2)
-        assert int(status) == 0
-    return state
-
-
-def wanted(time: float) -> Motion:
-    amplitude, rate = np.array([0.08, 0.05, 0.06, 0.2]), np.array([2.0, 3.1, 2.6, 2.3])
-    axis = np.array([2.0, 3.0, 6.0]) / 7.0
-    x = amplitude * np.sin(rate * time)
-    x_dot, x_ddot = amplitude * rate * np.cos(rate * time), -(rate**2) * x
-    t = np.array([0.0, 0.0, 0.7]) + x[:3]
-    R = rotation_from_vector(axis * x[3])
-    return Motion(R=R, t=t, omega=axis * x_dot[3], v=x_dot[:3], alpha=axis * x_ddot[3], a=x_ddot[:3])
 
 
 @pytest.mark.slow
@@ -226,40 +184,6 @@ def test_build_follows_its_robot_file_and_stops_with_the_words_of_the_generator(
     assert made.stamps() == before
 
 
-def own_command() -> str:
-    """The custom command that the page shows, as a project."""
-    (command,) = (block.text for block in blocks(PAGE) if block.language == "cmake")
-    return f"cmake_minimum_required(VERSION 3.15)\nproject(client LANGUAGES C)\n{command}"
-
-
-@pytest.mark.slow
-def test_custom_command_of_ones_own_follows_the_robot_file(
-    tmp_path: Path, generator: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    needed("cmake", "make")
-    monkeypatch.setenv("PATH", str(generator.parent), prepend=os.pathsep)
-    made = Project(tmp_path, tmp_path / "build")
-    shutil.copy(ROBOT, made.robot)
-    (tmp_path / "CMakeLists.txt").write_text(own_command())
-    run("cmake", "-S", tmp_path, "-B", made.build, "-G", "Unix Makefiles", QUICK)
-    made.make()
-
-    def stamps() -> list[int]:
-        return [path.stat().st_mtime_ns for path in (made.library, made.build / "kit" / "stewart_robot.c")]
-
-    before = stamps()
-    made.make()
-    assert stamps() == before
-    made.robot.touch()
-    made.make()
-    assert stamps() > before
-    before = stamps()
-    made.make()
-    assert stamps() == before
-    made.change("mass = 40.0", "mass = -40.0")
-    assert "stewart-sym: error: " in made.make(code=2)
-
-
 @pytest.mark.slow
 def test_other_options_and_another_generator_run_it_again(tmp_path: Path, generator: Path) -> None:
     made = project(tmp_path, generator, QUICK)
@@ -285,7 +209,6 @@ def test_wrong_calls_are_told(tmp_path: Path, generator: Path) -> None:
     for call, said in {
         "kit": "expected ROBOT <file>",
         "kit ROBOT x.toml COLOR red": "not understood: COLOR red;",
-        "kit ROBOT x.toml FIDELITY": "without a value: FIDELITY",
         "kit ROBOT missing.toml": "missing.toml: cannot read the robot file: No such file",
         f"kit ROBOT x.toml EXECUTABLE {tmp_path}/nowhere": "nowhere",
     }.items():
@@ -376,6 +299,7 @@ def test_two_kits_are_parts_of_one_project(tmp_path: Path, files: dict[str, str]
         run(build / folder / "selftest")
 
 
+@pytest.mark.slow
 def test_cross_compiling_runs_nothing_and_builds_the_library_alone(
     tmp_path: Path, files: dict[str, str]
 ) -> None:
@@ -416,12 +340,11 @@ def test_kit_is_built_proved_and_installed_by_plain_make(tmp_path: Path, files: 
     assert contents(kit) == before
 
 
-@pytest.mark.parametrize("compiler", ["gcc", pytest.param("clang", marks=pytest.mark.slow)])
-def test_make_tells_the_stack_of_every_function(tmp_path: Path, files: dict[str, str], compiler: str) -> None:
-    needed("make", compiler)
+def test_make_tells_the_stack_of_every_function(tmp_path: Path, files: dict[str, str]) -> None:
+    needed("make", "gcc")
     kit = written(files, tmp_path / "kit")
     before = contents(kit)
-    output = run("make", "stack", f"CC={compiler}", "CFLAGS=-O0", cwd=kit)
+    output = run("make", "stack", "CC=gcc", "CFLAGS=-O0", cwd=kit)
     told = {line.split(": ")[1]: line.split(" bytes, ")[0] for line in output.splitlines() if "bytes" in line}
     assert int(told["stewart_exact_forces"]) > 0
     assert contents(kit) == before

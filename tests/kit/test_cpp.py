@@ -118,7 +118,7 @@ def wrapped_functions() -> list[Function]:
 
 @pytest.fixture(scope="module", params=["double", pytest.param("float", marks=pytest.mark.slow)])
 def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Folder of a kit with everything that C++ wraps, and its library."""
+    """Folder of a kit with everything that C++ wraps."""
     needed("make")
     robot = Robot.from_toml(ROBOT)
     with few_vectors():
@@ -128,14 +128,14 @@ def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     sources = [name for name in files if name.endswith(".c") and "/" not in name]
     files |= build_files("all", "0", sources, ("stewart.h",))
     files |= {"stewart.hpp": kit_cpp.wrapper(wrapped_functions(), "0"), "user.cpp": USER_CPP}
-    folder = written(files, tmp_path_factory.mktemp("wrapped"))
-    run("make", "liball.a", "CFLAGS=-O0", cwd=folder)
-    return folder
+    return written(files, tmp_path_factory.mktemp("wrapped"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("compiler", "standard"), [("g++", "c++17"), ("clang++", "c++20")])
 def test_functions_are_called_from_cpp(wrapped: Path, compiler: str, standard: str) -> None:
     needed(compiler)
+    run("make", "liball.a", "CFLAGS=-O0", cwd=wrapped)
     program = f"{compiler}-{standard}"
     flags = (f"-std={standard}", "-O0", *CPP)
     assert run(compiler, *flags, "user.cpp", "liball.a", "-o", program, cwd=wrapped) == ""

@@ -42,7 +42,10 @@ SOME = (
     *("stewart_exact_forces", "stewart_exact_massless_static_forces", "stewart_paper_spherical_forces"),
 )
 """One source of each printer and each way that it goes."""
-FEW = ("stewart_exact", "stewart_exact_massless_static_forces", "stewart_kinematics", "stewart_torque")
+FEW = (
+    *("stewart_exact", "stewart_exact_massless_static_forces", "stewart_kinematics", "stewart_legs"),
+    "stewart_torque",
+)
 """The shortest of these."""
 SOME_WITH_ROTORS = (
     *("stewart_exact_drive", "stewart_exact_drive_forces", "stewart_exact_drive_reflected_massless_forces"),

@@ -18,18 +18,14 @@ PRECISIONS = {"double": np.float64, "float": np.float32}
 
 
 @functools.cache
-def library(precision: str = "double", steps: int | None = None) -> ctypes.CDLL:
+def library(precision: str = "double") -> ctypes.CDLL:
     defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
-    if steps is not None:
-        defines["STEWART_MAX_STEPS"] = steps
     return native.load("kinematics", c_sources("kinematics"), ("-O0",), defines)
 
 
-def called(
-    function: str, robot: ss.Robot, precision: str, *rows: AnyArray, steps: int | None = None
-) -> NDArray[np.int32]:
+def called(function: str, robot: ss.Robot, precision: str, *rows: AnyArray) -> NDArray[np.int32]:
     """Statuses of a function, called with a row of each array after the other, (n, ...)."""
-    call, first = getattr(library(precision, steps), function), numbers_of(robot, precision)
+    call, first = getattr(library(precision), function), numbers_of(robot, precision)
     starts = [(each.ctypes.data, each.strides[0]) for each in rows]
     return np.array(
         [
@@ -51,12 +47,12 @@ def poses_of(R: Array, t: Array, precision: str = "double") -> AnyArray:
 
 
 def forward(
-    robot: ss.Robot, L: Array, R: Array, t: Array, precision: str = "double", steps: int | None = None
+    robot: ss.Robot, L: Array, R: Array, t: Array, precision: str = "double"
 ) -> tuple[AnyArray, AnyArray, NDArray[np.int32]]:
     """R, t and status for lengths (n, 6) from guesses (n, 3, 3) and (n, 3); a guess stays where it fails."""
     guess, asked = poses_of(R, t, precision), np.ascontiguousarray(L, dtype=PRECISIONS[precision])
     pose = guess.copy()
-    status = called("stewart_forward_kinematics", robot, precision, asked, pose, steps=steps)
+    status = called("stewart_forward_kinematics", robot, precision, asked, pose)
     assert (pose[status != results.OK] == guess[status != results.OK]).all()
     return pose[:, :9].reshape(-1, 3, 3), pose[:, 9:], status
 

@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.backend.numpy_kernel import loaded
-from stewart_sym.derive.emit.header import common_header
-from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion
@@ -65,7 +63,7 @@ def compiled(robot: Robot, precision: str, **choice: Any) -> tuple[ctypes.CDLL, 
     made = parts(robot, Choice(scalar=True, precision=precision, **choice))
     (forces,) = made.parts[0].functions
     sources = {name: text for name, text in made.files.items() if "rotation" not in name}
-    library = native.load("scalar", sources, ["-O1", "-ffp-contract=off"])
+    library = native.load("scalar", sources, ["-O0", "-ffp-contract=off"])
     return library, forces.symbol.removesuffix("_forces")
 
 
@@ -73,11 +71,6 @@ def compiled(robot: Robot, precision: str, **choice: Any) -> tuple[ctypes.CDLL, 
 def library(formulation: str, joint: str, level: str, precision: str) -> tuple[ctypes.CDLL, str]:
     robot = random_robot(np.random.default_rng(0), joint)
     return compiled(robot, precision, formulation=formulation, fidelity=level)
-
-
-def with_headers(sources: dict[str, str]) -> dict[str, str]:
-    """Sources with the headers that they share."""
-    return {"stewart.h": common_header(""), **shared_headers(""), **sources}
 
 
 def prepared(

@@ -1,6 +1,5 @@
 """FMI units of some machines, unpacked, with their kernels beside them and an instance to step."""
 
-import ctypes
 import functools
 import io
 import re
@@ -21,11 +20,12 @@ from numpy.typing import NDArray
 from sweeps import slow_but
 
 from stewart_sym.backend import native
-from stewart_sym.backend.kernel import MOTION, robot_numbers
+from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.package import fmu
 from stewart_sym.derive.package.functions import Part
 from stewart_sym.derive.package.robot import Machine
 from stewart_sym.derive.package.text_format import robot_symbol
+from stewart_sym.dynamics.forces import ForceKernel
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.fmu import packed
@@ -105,34 +105,15 @@ def folder(case: str) -> Path:
 KEEP = tempfile.TemporaryDirectory(prefix="stewart-sym-fmu-", ignore_cleanup_errors=True)
 
 
-# --- the same kernel without a unit -----------------------------------------------------------
-
-
-@functools.cache
-def library(case: str) -> ctypes.CDLL:
-    """The kernel compiled as in the unit, its functions shown."""
-    place = Path(KEEP.name) / f"{case}_kernel"
-    place.mkdir()
-    shown = ("-fvisibility=default",)
-    return ctypes.CDLL(str(native.compiled(place, "kernel", made(case).sources, shown, flags(case))))
-
-
-def forces(case: str, rows: Array, robot: Robot | None = None) -> Array:
-    """Forces (n, 6) of motions (n, 30), every one of which has some."""
-    (function,), code = made(case).kernel.functions, library(case)
-    real = np.float32 if CASES[case].precision == "float" else np.float64
-    constants = robot_numbers(made(case).robot if robot is None else robot).astype(real)
-    model, found = ctypes.create_string_buffer(1 << 15), np.zeros((len(rows), 78), dtype=real)
-    owner = [model] if function.subject else []
-    if owner:
-        assert getattr(code, f"{function.prefix}_prepare")(pointer(constants), model) == 0
-    for row, F in zip(np.ascontiguousarray(rows, dtype=real), found, strict=True):
-        assert getattr(code, function.symbol)(*owner, pointer(row), pointer(F)) == 0
-    return found[:, :6].astype(np.float64)
-
-
-def pointer(array: NDArray[np.generic]) -> ctypes.c_void_p:
-    return ctypes.c_void_p(array.ctypes.data)
+def assert_forces(found: Array, case: str, rows: Array, robot: Robot | None = None) -> None:
+    """Forces (n, 6) are the package's own of motions (n, 30), to rounding."""
+    precision = CASES[case].precision
+    kernel = ForceKernel(made(case).robot if robot is None else robot, precision=precision)
+    parts = np.split(rows, np.cumsum([9, *[3] * 6]), axis=1)
+    arrays = dict(zip(MOTION, [parts[0].reshape(-1, 3, 3), *parts[1:]], strict=True))
+    expected = kernel.forces(Motion._unchecked(**arrays))
+    error = np.abs(np.asarray(found) - expected).max(axis=-1)
+    assert (error <= {"double": 1e-11, "float": 1e-3}[precision] * np.abs(expected).max(axis=-1)).all()
 
 
 def rows_of(motion: Motion) -> Array:

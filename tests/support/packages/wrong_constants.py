@@ -2,7 +2,6 @@
 
 import ctypes
 import re
-import sys
 from collections.abc import Iterator
 from functools import cache
 from typing import Any
@@ -127,20 +126,3 @@ def _pointers(addresses: Iterator[str]) -> str:
         "extern stewart_real *const *const wrong_constants;\n"
         "stewart_real *const *const wrong_constants = constants;\n"
     )
-
-
-def main() -> None:
-    """Print the rate of each robot, and the undetected constants."""
-    for precision in ("double", "float"):
-        for name, robot in five_robots().items():
-            mutants = Mutants(robot, Choice(bake=True, precision=precision))
-            right = mutants.selftest() == 0
-            missed, count = mutants.undetected()
-            rate = 1.0 - len(missed) / count
-            print(
-                f"{precision} {name}: {rate:.1%} of {count}, unchanged passes: {right}", *missed, flush=True
-            )
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -149,23 +149,13 @@ def joined(motions: list[ss.Motion]) -> ss.Motion:
     return ss.Motion(**arrays)
 
 
-def outputs(closed: Any, motion: ss.Motion, F: Array) -> tuple[dict[str, Array], dict[str, int]]:
-    """Every output of a closed form's kernels by function and name, and each function's status."""
-    found, status = {}, {}
-    for what in OUTPUTS:
-        result = closed.run(what, motion, F if what in ("forward_dynamics", "linearization") else None)
-        status[what] = int(result.pop("status"))
-        found |= {f"{what}.{name}": value for name, value in result.items()}
-    return found, status
-
-
 def numpy_outputs(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, tuple[Array, int]]:
     """Numbers of each NumPy kernel, one output after the other, and its status."""
-    found, status = outputs(NumpyClosedForm(robot), motion, F)
-    return {
-        what: (np.concatenate([np.ravel(found[f"{what}.{name}"]) for name in names]), status[what])
-        for what, names in OUTPUTS.items()
-    }
+    closed, found = NumpyClosedForm(robot), {}
+    for what, names in OUTPUTS.items():
+        result = closed.run(what, motion, F if what in ("forward_dynamics", "linearization") else None)
+        found[what] = np.concatenate([np.ravel(result[name]) for name in names]), int(result["status"])
+    return found
 
 
 def given(values: Array) -> NDArray[np.int64]:
