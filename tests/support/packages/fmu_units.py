@@ -114,7 +114,7 @@ def library(case: str) -> ctypes.CDLL:
     place = Path(KEEP.name) / f"{case}_kernel"
     place.mkdir()
     shown = ("-fvisibility=default",)
-    return ctypes.CDLL(str(native.compiled(place, "kernel", made(case).sources, shown, flags(case))))
+    return ctypes.CDLL(str(native.compiled(place, "kernel", made(case).sources, (*flags(case), *shown))))
 
 
 def forces(case: str, rows: Array, robot: Robot | None = None) -> Array:
