@@ -111,10 +111,9 @@ def prepared_model(
         given = robot_numbers(robot, rotors) if robot.offsets is None else offset_numbers(robot)
         numbers = given.astype(dtype)
     # The constants are aligned to a cache line, so that no vector register load crosses a line.
-    size = count * np.dtype(dtype).itemsize
-    room = np.zeros(size + 63, dtype=np.uint8)
-    first = -room.ctypes.data % 64
-    model = room[first : first + size].view(dtype)
+    room = np.zeros(count + 64 // numbers.itemsize, dtype=dtype)
+    first = -room.ctypes.data % 64 // room.itemsize
+    model = room[first : first + count]
     if prepare(address(numbers), address(model)) != OK:
         raise overflows(robot, precision)
     for each in (room, model):

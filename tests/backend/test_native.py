@@ -179,8 +179,11 @@ def test_home_with_spaces_and_letters_beyond_ascii(
 
 
 def test_unusable_cache_gives_a_temporary_folder_that_is_removed(
-    cache: Path, temporary: Path, compiler: LoggedCompiler
+    cache: Path, tmp_path: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    monkeypatch.setenv("TMPDIR", str(temporary))
     cache.mkdir(mode=0o500)
     try:
         assert run_child(CHILD, obey_permissions, cache).is_relative_to(temporary)
