@@ -34,22 +34,19 @@ class NumpyKernel:
 
     def forces(self, motion: Motion) -> InverseDynamicsResult:
         """Compute the inverse dynamics of every pose; results are NaN if the status is not 0."""
+        found, status = self._computed(motion)
+        return InverseDynamicsResult(**_blanked(found, status), status=status)
 
+    def terms(self, motion: Motion) -> dict[str, Array]:
+        """Compute the terms of every pose, whose D, K, H, and c are finite if H is singular."""
+        return self._computed(motion)[0]
+
+    def _computed(self, motion: Motion) -> tuple[dict[str, Array], Codes]:
         def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
             found = module(self.name).inverse_dynamics(on, robot, part)
             return {**vars(found.terms), **vars(found)}
 
-        found, status = on_arrays(run, self.robot, motion, OUTPUTS["inverse_dynamics"])
-        return InverseDynamicsResult(**found, status=status)
-
-    def terms(self, motion: Motion) -> dict[str, Array]:
-        """Compute D, K, H, and c of every pose, which are finite if H is singular."""
-
-        def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
-            return vars(module(self.name).terms(on, robot, part))
-
-        shapes = {name: OUTPUTS["inverse_dynamics"][name] for name in ("D", "K", "H", "c")}
-        return on_arrays(run, self.robot, motion, shapes)[0]
+        return on_arrays(run, self.robot, motion, OUTPUTS["inverse_dynamics"])
 
     def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
         """Compute joint reactions by name for axial forces ``x`` (N), (..., 6); ``bearing`` (m) is (6,)."""
@@ -68,8 +65,7 @@ class NumpyKernel:
         """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
         forces = self.forces(motion)
         found = self.reactions_of(motion, forces.x, bearing)
-        _blank(found, forces.status)
-        return JointReactionsResult(**found, status=forces.status)
+        return JointReactionsResult(**_blanked(found, forces.status), status=forces.status)
 
 
 def on_arrays(
@@ -81,7 +77,7 @@ def on_arrays(
     """Evaluate a function of a generated module for every pose; return its results by name, and the status.
 
     ``run`` takes the arithmetic, the robot, a motion, and the slice of its poses, and returns results by
-    name. ``shapes`` are the shapes of the results for one pose; results are NaN if the status is not 0.
+    name. ``shapes`` are the shapes of the results for one pose. Results of any status are returned.
     """
     count = math.prod(motion.shape)
     found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
@@ -100,17 +96,15 @@ def on_arrays(
         for name, target in found.items():
             _store(target[at], made[name])
         status[at] = made.get("status", OK)
-    _blank(found, status)
     shaped = {name: each.reshape(*motion.shape, *shapes[name]) for name, each in found.items()}
     return shaped, status.reshape(motion.shape)
 
 
-def _blank(found: Mapping[str, Array], status: Codes) -> None:
-    """Set results to NaN if the status is not 0."""
-    bad = status != OK
-    if bad.any():
-        for values in found.values():
-            values[bad] = np.nan
+def _blanked(found: dict[str, Array], status: Codes) -> dict[str, Array]:
+    """Set results to NaN if the status is not 0, and return them."""
+    for values in found.values():
+        values[status != OK] = np.nan
+    return found
 
 
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:

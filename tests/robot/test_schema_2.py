@@ -251,9 +251,10 @@ DOUBTFUL = {
 def test_check_warns_of_what_is_likely_wrong(wrong: str, tmp_path: Path, run: Run) -> None:
     old, new, name, words = DOUBTFUL[wrong]
     path = file_of(TEXT.replace(old, new, 1), tmp_path)
-    (line,) = run("check", path).err.splitlines()
+    line, *more = run("check", path).err.splitlines()
     assert words in line
     assert line.endswith(f"{name}]")
+    assert len(more) == (wrong == "millimeters")
 
 
 def test_every_point_may_have_a_radius_and_a_height_of_its_own(tmp_path: Path) -> None:
