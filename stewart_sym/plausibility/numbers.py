@@ -167,7 +167,7 @@ def _of_gyration(name: str, masses: Array, inertias: Array, size: float, least: 
 
 def _gyration(inertias: Array, masses: Array | float) -> Array:
     """Return the largest radii of gyration of bodies (m)."""
-    return np.sqrt(np.linalg.eigvalsh(inertias)[..., -1].clip(min=0.0) / masses)
+    return np.asarray(np.sqrt(np.linalg.eigvalsh(inertias)[..., -1].clip(min=0.0) / masses))
 
 
 def _of_speeds(robot: Robot) -> Iterator[Finding]:
@@ -187,4 +187,4 @@ def _of_speeds(robot: Robot) -> Iterator[Finding]:
 
 def _above(limit: Array, most: float) -> list[int]:
     """Return the indices of finite limits above a value."""
-    return np.flatnonzero(np.isfinite(limit) & (limit > most)).tolist()
+    return [int(i) for i in np.flatnonzero(np.isfinite(limit) & (limit > most))]
