@@ -32,13 +32,10 @@ def generated_c(file: str) -> str:
 
 
 @functools.cache
-def library(name: str, defines: tuple[str, ...] = (), flags: tuple[str, ...] = ()) -> ctypes.CDLL:
-    """Compile and load the C code of one kernel with macros; ``flags`` follow the common compiler flags.
-
-    Raises native.CompilerError without a working compiler.
-    """
+def library(name: str, defines: tuple[str, ...] = ()) -> ctypes.CDLL:
+    """Compile and load the C code of one kernel with macros; raises as ``native.load``."""
     macros = dict.fromkeys((*defines, *defines_of(name)), 1)
-    return native.load(f"stewart_{name}", c_sources(name), flags, macros)
+    return native.load(f"stewart_{name}", c_sources(name), defines=macros)
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,10 +57,7 @@ class CKernel(Frozen):
         return InverseDynamicsResult(**self._run("inverse_dynamics", motion))
 
     def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
-        """Compute the joint reactions of every pose; results are NaN if the status is not 0.
-
-        ``bearing`` contains the bearing distances (m), shape (6,).
-        """
+        """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
         return JointReactionsResult(**self._run("joint_reactions", motion, np.ascontiguousarray(bearing)))
 
     def _run(self, function: str, motion: Motion, *given: Array) -> dict[str, Any]:
@@ -79,27 +73,10 @@ def results_of(
     given: Iterable[Array | None] = (),
     apart: bool = False,
 ) -> dict[str, Any]:
-    """Call a C function for many poses, and return its results and the status by name.
+    """Call a C function for many poses; return its results, NaN if the status is not 0, and the status.
 
-    Parameters
-    ----------
-    function : ctypes function
-        C function.
-    model : ndarray
-        Constants of the kernel.
-    motion : Motion
-        Poses and rates.
-    shapes : mapping of str to tuple of int
-        Shape of each result for one pose.
-    given : iterable of ndarray or None
-        Arrays that the function takes after the motion.
-    apart : bool
-        True if the function takes the result arrays as separate arguments instead of a structure.
-
-    Returns
-    -------
-    dict
-        Result arrays, NaN if the status is not 0, and the status.
+    ``shapes`` are the shapes of the results for one pose, and ``given`` the arrays after the motion. With
+    ``apart``, the function takes the result arrays as separate arguments instead of a structure.
     """
     found = {name: np.full((*motion.shape, *of), np.nan, dtype=model.dtype) for name, of in shapes.items()}
     status = np.zeros(motion.shape, dtype=np.int32)
@@ -109,11 +86,7 @@ def results_of(
 
 
 def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
-    """Call a C function for many poses with constants, a motion, and further arguments; return its return
-    value.
-
-    The motion is converted to the precision of the constants.
-    """
+    """Call a C function for many poses, and return its value; the motion gets the type of the constants."""
     with np.errstate(over="ignore"):
         inputs = [contiguous(getattr(motion, name), model.dtype) for name in MOTION]
     return function(address(model), ctypes.c_size_t(math.prod(motion.shape)), pointers(inputs), *arguments)
@@ -127,44 +100,20 @@ def function(name: str, part: str, precision: str, what: str) -> Any:
 
 
 def prepared_model(
-    prepare: Any, robot: Robot, count: int, precision: str, rotors: bool = False, offsets: bool = False
+    prepare: Any, robot: Robot, count: int, precision: str, rotors: bool = False
 ) -> NDArray[Any]:
-    """Prepare the constants of a robot with the function ``prepare`` of a kernel, and return them read-only.
+    """Prepare the constants of a robot with the function ``prepare`` of a kernel, read-only, shape (count,).
 
-    Parameters
-    ----------
-    prepare : ctypes function
-        C function that prepares the constants.
-    robot : Robot
-        Robot.
-    count : int
-        Number of the prepared constants.
-    precision : str
-        "double" or "float".
-    rotors : bool
-        True if the kernel takes rotors.
-    offsets : bool
-        True for the kernel of offset joints.
-
-    Returns
-    -------
-    ndarray, shape (count,)
-        Constants, aligned to a cache line.
-
-    Raises
-    ------
-    ValueError
-        If a constant overflows.
+    ``rotors`` is True if the kernel takes rotors. Raises ValueError if a constant overflows.
     """
     dtype = np.float64 if precision == "double" else np.float32
     with np.errstate(over="ignore"):
-        given = offset_numbers(robot) if offsets else robot_numbers(robot, rotors)
+        given = robot_numbers(robot, rotors) if robot.offsets is None else offset_numbers(robot)
         numbers = given.astype(dtype)
     # The constants are aligned to a cache line, so that no vector register load crosses a line.
-    size = count * np.dtype(dtype).itemsize
-    room = np.zeros(size + 63, dtype=np.uint8)
-    first = -room.ctypes.data % 64
-    model = room[first : first + size].view(dtype)
+    room = np.zeros(count + 64 // numbers.itemsize, dtype=dtype)
+    first = -room.ctypes.data % 64 // room.itemsize
+    model = room[first : first + count]
     if prepare(address(numbers), address(model)) != OK:
         raise overflows(robot, precision)
     for each in (room, model):

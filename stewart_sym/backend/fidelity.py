@@ -9,7 +9,7 @@ from ..generated.fidelities import DRIVE_FIDELITIES as _WITH_ROTORS
 from ..generated.fidelities import FIDELITIES as _TABLE
 from ..io.arguments import shown
 from ..robot.robot import Robot
-from .kernel import OFFSET_KERNEL, kernel_name, module, offset_kernel, robot_kernel
+from .kernel import OFFSET_KERNEL, force_kernel, kernel_name, module
 
 FIDELITIES: tuple[str, ...] = tuple(_TABLE)
 """Names of the levels, from all physics to the platform alone.
@@ -19,12 +19,9 @@ or ``massless``. The last four also exist with ``_friction``. Levels with ``_sta
 accelerations.
 """
 
-NO_ROTOR = "no_rotor"
-"""Level of robots with rotors that includes everything except the rotors."""
-
 _DRIVE_TABLE = {
     **_WITH_ROTORS,
-    NO_ROTOR: {**_TABLE["general"], "meaning": "everything but the rotors"},
+    "no_rotor": {**_TABLE["general"], "meaning": "everything but the rotors"},
     **{name: level for name, level in _TABLE.items() if name != "general"},
 }
 DRIVE_FIDELITIES: tuple[str, ...] = tuple(_DRIVE_TABLE)
@@ -39,24 +36,18 @@ _GENERAL = "general"
 
 
 def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
-    """List the levels that are available for a robot.
+    """List the levels of a robot: all for ``exact`` with universal base joints, else those without them.
 
-    The formulation ``exact`` with universal base joints has all levels. Spherical base joints have the levels
-    without universal joints. ``paper`` has only ``general``, and no level for legs with rotors. Raises
-    ValueError for an unknown formulation.
+    Offset joints and ``paper`` have only ``general``, ``paper`` with rotors has none. Raises ValueError for
+    an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)
-    if robot.offsets is not None:
-        return (_GENERAL,)
-    if robot.has_rotors and formulation == "paper":
+    if robot.offsets is None and formulation == "paper" and robot.has_rotors:
         return ()
-    if formulation != "exact":
+    if robot.offsets is not None or formulation == "paper":
         return (_GENERAL,)
-    return tuple(
-        name
-        for name, level in _table(robot).items()
-        if name == _GENERAL or robot.base_joint == "universal" or not level["universal"]
-    )
+    table, any_joint = levels(robot), robot.base_joint == "universal"
+    return tuple(name for name in table if any_joint or name == _GENERAL or not table[name]["universal"])
 
 
 def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
@@ -64,7 +55,7 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 
     Raises ValueError, which lists the available levels, for an unavailable one.
     """
-    (robot_kernel if robot.offsets is None else offset_kernel)(robot, formulation)
+    force_kernel(robot, formulation)
     name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else fidelity
     names = available(robot, formulation)
     if not isinstance(name, str) or name not in names:
@@ -77,14 +68,9 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 
 
 def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
-    """Return the name of the generated force kernel, as in ``stewart_<name>_forces.c``; raises as
-    ``resolved``.
-    """
+    """Return the name in ``stewart_<name>_forces.c`` of a generated kernel; raises as ``resolved``."""
     level = resolved(robot, formulation, fidelity)
-    if robot.offsets is not None:
-        return offset_kernel(robot, formulation)
-    own = robot_kernel(robot, formulation)
-    return own if level == _GENERAL else str(_table(robot)[level]["kernel"])
+    return force_kernel(robot, formulation) if level == _GENERAL else str(levels(robot)[level]["kernel"])
 
 
 def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:
@@ -93,9 +79,8 @@ def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERA
     if robot.offsets is not None:
         return int(module(f"{OFFSET_KERNEL}_operations").OPERATIONS["forces"])
     if level == _GENERAL:
-        counts = module(robot_kernel(robot, formulation)).FORCE_OPERATIONS["friction"]
-        return sum(counts["total"])
-    return int(_table(robot)[level]["operations"]["total"])
+        return sum(module(force_kernel(robot, formulation)).FORCE_OPERATIONS["friction"]["total"])
+    return int(levels(robot)[level]["operations"]["total"])
 
 
 def meaning(fidelity: str, rotors: bool = False) -> str:
@@ -104,18 +89,12 @@ def meaning(fidelity: str, rotors: bool = False) -> str:
 
 
 def rotor_of(robot: Robot, fidelity: str) -> str:
-    """Return the effects of the rotors in the forces of a level: "all", "mass" (reflected mass), or
-    "none".
-    """
+    """Return the effects of the rotors in a level: "all", "mass" (reflected mass), or "none"."""
     if not robot.has_rotors or fidelity not in _WITH_ROTORS:
         return "none"
     return "all" if fidelity == _GENERAL else "mass"
 
 
-def knows_axes(robot: Robot, fidelity: str) -> bool:
-    """Return True if the kernel of a level includes the axes of universal joints."""
-    return bool(_table(robot)[fidelity]["universal"])
-
-
-def _table(robot: Robot) -> dict[str, dict[str, Any]]:
+def levels(robot: Robot) -> dict[str, dict[str, Any]]:
+    """Return the table of the levels of a robot with universal base joints."""
     return _DRIVE_TABLE if robot.has_rotors else _TABLE

@@ -18,7 +18,6 @@ MOTION = STRUCTS["motion"]
 LEG, ROTOR, PLATFORM = (tuple(STRUCTS[name]) for name in ("leg", "rotor", "platform"))
 _UPPER = np.triu_indices(3)
 
-
 OFFSET_KERNEL = "exact_offset"
 """Name of the kernel of legs with offset joints, which computes only actuator forces."""
 OFFSETS = ("cross", "along", "across", "cross_mass", "cross_center", "cross_inertia")
@@ -32,10 +31,7 @@ def kernel_name(formulation: str, base_joint: str) -> str:
 
 
 def robot_kernel(robot: Robot, formulation: str) -> str:
-    """Return the name of the kernel with all physics of a robot, including the rotors of its legs.
-
-    Raises ValueError for an unknown formulation, and for rotors if the formulation does not include them.
-    """
+    """Return the name of the kernel of a robot with its rotors; raise ValueError if there is none."""
     name = kernel_name(formulation, robot.base_joint)
     need_no_offsets(robot)
     if not robot.has_rotors:
@@ -47,13 +43,12 @@ def robot_kernel(robot: Robot, formulation: str) -> str:
     return f"{name}_drive"
 
 
-def offset_kernel(robot: Robot, formulation: str) -> str:
-    """Return ``OFFSET_KERNEL`` for a robot with offset joints that the kernel supports.
-
-    Raises ValueError for a formulation other than "exact" and for universal platform joints.
-    """
+def force_kernel(robot: Robot, formulation: str) -> str:
+    """Return the name of the force kernel of a robot, which may have offsets; raise ValueError if none."""
+    if robot.offsets is None:
+        return robot_kernel(robot, formulation)
     need_offset_formulation(formulation)
-    if robot.offsets is not None and robot.offsets.has_spinning_parts:
+    if robot.offsets.has_spinning_parts:
         raise ValueError(
             'robot: offsets: platform_joint: expected "spherical", got "universal"; use inverse_dynamics'
         )
@@ -83,31 +78,25 @@ def module(name: str) -> ModuleType:
 
 
 def robot_numbers(robot: Robot, rotors: bool = False) -> Array:
-    """Return the constants of the robot in the order of ``struct stewart_robot``; ``rotors`` includes its
-    rotors.
-    """
+    """Return the constants of a robot in the order of ``struct stewart_robot``, optionally with rotors."""
     need_no_offsets(robot)
-    names = (*LEG, *ROTOR) if rotors else LEG
-    return _numbers(robot, [columns(of_symbol(robot, name)) for name in names])
+    return _numbers(robot, (*LEG, *ROTOR) if rotors else LEG)
 
 
 def offset_numbers(robot: Robot) -> Array:
     """Return the constants of the robot in the order of ``struct stewart_offset_robot``."""
     offsets = JointOffsets() if robot.offsets is None else robot.offsets
-    own = [columns(of_symbol(robot, name)) for name in (*LEG, *ROTOR)]
-    return _numbers(robot, own + [columns(of_symbol(offsets, name)) for name in OFFSETS])
+    return _numbers(robot, (*LEG, *ROTOR), [columns(of_symbol(offsets, name)) for name in OFFSETS])
 
 
-def _numbers(robot: Robot, of_legs: Sequence[Array]) -> Array:
-    legs = np.concatenate(of_legs, axis=1)
+def _numbers(robot: Robot, names: Sequence[str], more: Sequence[Array] = ()) -> Array:
+    legs = np.concatenate([*(columns(of_symbol(robot, name)) for name in names), *more], axis=1)
     platform = [np.ravel(stored(np.asarray(of_symbol(robot, name)))) for name in PLATFORM]
     return np.concatenate([legs.ravel(), *platform])
 
 
 def need_representable(robot: Robot, precision: str) -> None:
-    """Raise ValueError for the first constant that exceeds the range of ``precision``, "double" or
-    "float".
-    """
+    """Raise ValueError for the first constant beyond the range of ``precision``, "double" or "float"."""
     largest = float(np.finfo(np.float64 if precision == "double" else np.float32).max)
     for name in (*LEG, *ROTOR, *PLATFORM):
         values = np.asarray(of_symbol(robot, name))

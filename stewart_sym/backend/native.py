@@ -1,4 +1,4 @@
-"""Compilation of C sources into a shared library, which is cached and loaded with ctypes.
+"""Compilation of C sources into shared libraries, which are stored in a cache folder and loaded with ctypes.
 
 A library is compiled in a temporary folder and published by one rename, so that no process loads an
 unfinished file. The lock only prevents simultaneous compilation of the same library.
@@ -9,7 +9,6 @@ import ctypes
 import functools
 import hashlib
 import importlib.util
-import json
 import os
 import platform
 import shlex
@@ -18,30 +17,21 @@ import subprocess
 import sys
 import tempfile
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
-COMPILE_TIMEOUT = 300.0
-"""Longest duration of one compiler run (s)."""
-
-_NATIVE = "-march=native"
 # Code on Windows is always position independent, and clang rejects the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
-FLAGS = ("-O3", "-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off", _NATIVE)
+_COMMON = ("-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off")
+_NATIVE = "-march=native"
+FLAGS = ("-O3", *_COMMON, _NATIVE)
 """Compiler flags of libraries for this machine."""
-
-PORTABLE_FLAGS = (
-    *("-O2", "-std=c99", *_POSITION, "-shared", "-fvisibility=hidden"),
-    *("-fno-math-errno", "-ffp-contract=off"),
-)
-"""Compiler flags of libraries that are distributed: any processor of the same architecture, exported symbols
-only.
-"""
+PORTABLE_FLAGS = ("-O2", *_COMMON, "-fvisibility=hidden")
+"""Compiler flags of distributed libraries: any processor of the same architecture, exported symbols only."""
 # A library linked with one of these switches the whole process to flush-to-zero.
 _REJECTED = frozenset({"-Ofast", "-ffast-math", "-funsafe-math-optimizations"})
 _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
-
 # Names of the lines of /proc/cpuinfo with the model and its instruction sets (x86, Arm, RISC-V, POWER).
 _PROCESSOR_LINES = ("model", "flags", "Features", "CPU", "isa", "uarch", "cpu\t")
 
@@ -49,9 +39,7 @@ _loaded: dict[str, ctypes.CDLL] = {}
 
 
 class CompilerError(RuntimeError):
-    """Error of building or loading a library, in one line; ``log`` is the output of the compiler, or
-    empty.
-    """
+    """Error of building or loading a library, in one line; ``log`` is the output of the compiler."""
 
     def __init__(self, message: str, log: str = "") -> None:
         """Join the lines of ``message``."""
@@ -59,31 +47,11 @@ class CompilerError(RuntimeError):
         self.log = log
 
 
-@dataclass(frozen=True)
-class Compiler:
-    """Working C compiler: ``command`` begins with the program, ``version`` is the first line of its
-    version.
-    """
+class Compiler(NamedTuple):
+    """Working C compiler: command with arguments, and the first line of its version."""
 
     command: tuple[str, ...]
     version: str
-
-
-@dataclass(frozen=True)
-class _Recipe:
-    """All inputs that determine a library."""
-
-    name: str
-    sources: dict[str, str]
-    compiler: Compiler
-    flags: tuple[str, ...]
-
-    @property
-    def key(self) -> str:
-        compiler = (self.compiler.command, self.compiler.version)
-        # Native code runs only on processors of the same kind.
-        parts = [self.name, sorted(self.sources.items()), compiler, self.flags, _processor()]
-        return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:32]
 
 
 def find_compiler() -> Compiler | None:
@@ -93,10 +61,16 @@ def find_compiler() -> Compiler | None:
     """
     requested = os.environ.get("CC", "").strip()
     if requested:
-        return _requested_compiler(requested)
-    for command in _candidates():
+        try:
+            return _working(shlex.split(requested, posix=sys.platform != "win32"))
+        except (ValueError, CompilerError) as error:
+            raise CompilerError(f"CC={requested!r} is not a working C compiler: {error}") from error
+    commands = [["cc"], ["gcc"], ["clang"]]
+    if importlib.util.find_spec("ziglang") is not None:
+        commands.append([sys.executable, "-m", "ziglang", "cc"])
+    for command in commands:
         with contextlib.suppress(CompilerError):
-            return Compiler(command, _version(command))
+            return _working(command)
     return None
 
 
@@ -106,82 +80,44 @@ def load(
     flags: Sequence[str] = (),
     defines: Mapping[str, str | int] | None = None,
 ) -> ctypes.CDLL:
-    """Load the shared library of ``sources``, compiled only if the cache does not contain it.
+    """Load the shared library of C files, text by file name, and compile it if it is not in the cache.
 
-    The cache is ``$STEWART_SYM_CACHE``, otherwise the cache folder of the user. If it cannot be written, a
-    temporary folder replaces it with a RuntimeWarning. Calls into the library release the interpreter lock. A
-    repeated call returns the same object.
-
-    Parameters
-    ----------
-    name : str
-        Letters, digits, and underscores; start of the file name of the library, and its name in errors.
-    sources : mapping of str to str
-        Text by file name; ``.c`` files are compiled, ``.h`` files are in the same folder.
-    flags : sequence of str
-        Compiler flags after the default flags.
-    defines : mapping of str to str or int, optional
-        Values of macros.
-
-    Returns
-    -------
-    ctypes.CDLL
-        Loaded library.
-
-    Raises
-    ------
-    CompilerError
-        If there is no compiler, or it fails.
-    ValueError
-        If a flag changes the floating-point arithmetic of the process.
+    ``flags`` follow FLAGS, and ``defines`` are values of macros. A repeated call returns the same object.
+    Raises CompilerError without a compiler or if it fails, and ValueError for a flag of fast arithmetic.
     """
     macros = [f"-D{macro}={value}" for macro, value in sorted((defines or {}).items())]
-    recipe = _recipe(name, sources, (*FLAGS, *macros, *flags))
-    key = recipe.key
-    if key not in _loaded:
+    compiler = _needed_compiler()
+    command = (*compiler.command, *FLAGS, *macros, *flags)
+    inputs = (name, sorted(sources.items()), command, compiler.version, _processor())
+    file = f"{name}-{hashlib.sha256(repr(inputs).encode()).hexdigest()[:32]}{_SUFFIX}"
+    if file not in _loaded:
         # Threads that load the same library at the same time receive the same object.
-        _loaded.setdefault(key, _open(recipe, f"{name}-{key}{_SUFFIX}"))
-    return _loaded[key]
+        _loaded.setdefault(file, _open(file, lambda folder: _compile(folder, name, sources, command)))
+    return _loaded[file]
 
 
-def compiled(
-    folder: Path,
-    name: str,
-    sources: Mapping[str, str],
-    flags: Sequence[str] = (),
-    base: Sequence[str] = FLAGS,
-) -> Path:
-    """Compile into ``folder`` without the cache; return the path of the library, which is not loaded.
-
-    ``base`` contains the flags before ``flags``, FLAGS or PORTABLE_FLAGS. Raises the errors of ``load``.
-    """
-    return _compile(folder, _recipe(name, sources, (*base, *flags)))
+def compiled(folder: Path, name: str, sources: Mapping[str, str], flags: Sequence[str] = FLAGS) -> Path:
+    """Compile a library into ``folder`` with ``flags`` alone and return its path; raises as ``load``."""
+    return _compile(folder, name, sources, (*_needed_compiler().command, *flags))
 
 
 def ran(command: Sequence[str], folder: Path) -> str:
-    """Run a compiler or one of its tools in ``folder``; return its output.
-
-    Raises CompilerError if it fails, exceeds COMPILE_TIMEOUT, or does not start.
-    """
-    # The first error is recognized only in English messages.
-    env = {"PATH": os.defpath, **os.environ, "LC_ALL": "C"}
-    env |= dict.fromkeys(("TMPDIR", "TMP", "TEMP", "ZIG_LOCAL_CACHE_DIR"), str(folder))
-    # Zig's default is below the home folder, and Zig does not run if that folder is read-only.
-    env.setdefault("ZIG_GLOBAL_CACHE_DIR", str(folder))
+    """Run a compiler in ``folder``, and return its output; raise CompilerError if it fails."""
+    # Errors are recognized in English, and the default folders of Zig may be read-only.
+    zig = {f"ZIG_{kind}_CACHE_DIR": str(folder) for kind in ("LOCAL", "GLOBAL")}
     try:
         done = subprocess.run(
             command,
             cwd=folder,
-            env=env,
+            env={**zig, **os.environ, "LC_ALL": "C"},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             encoding="utf-8",
             errors="replace",
-            timeout=COMPILE_TIMEOUT,
             check=False,
         )
-    except (OSError, subprocess.TimeoutExpired) as error:
+    except OSError as error:
         raise CompilerError(f"{command[0]} does not run: {error}") from error
     if done.returncode != 0:
         lines = [line.strip() for line in done.stdout.splitlines() if line.strip()]
@@ -191,35 +127,12 @@ def ran(command: Sequence[str], folder: Path) -> str:
     return done.stdout
 
 
-def _recipe(name: str, sources: Mapping[str, str], flags: tuple[str, ...]) -> _Recipe:
-    compiler = find_compiler()
-    if compiler is None:
-        raise CompilerError("no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`")
-    for where, words in (("CC", compiler.command), ("flags", flags)):
-        for flag in _REJECTED.intersection(words):
-            raise ValueError(f"{where}: {flag} changes the arithmetic of the whole process; remove the flag")
-    return _Recipe(name, dict(sources), compiler, flags)
-
-
-def _requested_compiler(requested: str) -> Compiler:
-    try:
-        words = shlex.split(requested, posix=sys.platform != "win32")
-        program = shutil.which(words[0].strip('"'))
-        if program is None:
-            raise CompilerError(f"{words[0]} not found")
-        command = (os.path.abspath(program), *words[1:])
-        return Compiler(command, _version(command))
-    except (ValueError, CompilerError) as error:
-        raise CompilerError(f"CC={requested!r} is not a working C compiler: {error}") from error
-
-
-def _candidates() -> Iterator[tuple[str, ...]]:
-    for program in ("cc", "gcc", "clang"):
-        path = shutil.which(program)
-        if path is not None:
-            yield (os.path.abspath(path),)
-    if importlib.util.find_spec("ziglang") is not None:
-        yield (sys.executable, "-m", "ziglang", "cc")
+def _working(words: Sequence[str]) -> Compiler:
+    program = shutil.which(words[0].strip('"'))
+    if program is None:
+        raise CompilerError(f"{words[0]} not found")
+    command = (os.path.abspath(program), *words[1:])
+    return Compiler(command, _version(command))
 
 
 @functools.cache
@@ -229,56 +142,49 @@ def _version(command: tuple[str, ...]) -> str:
         return ran((*command, "--version"), Path(folder)).strip().partition("\n")[0]
 
 
+def _needed_compiler() -> Compiler:
+    compiler = find_compiler()
+    if compiler is None:
+        raise CompilerError("no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`")
+    return compiler
+
+
 @functools.cache
 def _processor() -> str:
-    """Describe the model and the instruction sets of the processors of this machine."""
+    """Describe the model and the instruction sets, because native code runs only on similar processors."""
+    lines: set[str] = set()
+    with contextlib.suppress(OSError):
+        lines.update(Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines())
     machine = f"{sys.platform} {platform.machine()} {platform.processor()} {sys.maxsize}"
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
-    except OSError:
-        return machine
-    return "\n".join([machine, *sorted({line for line in lines if line.startswith(_PROCESSOR_LINES)})])
+    return "\n".join([machine, *sorted(line for line in lines if line.startswith(_PROCESSOR_LINES))])
 
 
-def _open(recipe: _Recipe, file: str) -> ctypes.CDLL:
+def _open(file: str, build: Callable[[Path], Path]) -> ctypes.CDLL:
+    """Load a library from the cache, or from a temporary folder if the cache cannot be used."""
     try:
-        return _open_in(_cache_folder(), recipe, file)
+        return _open_in(_cache_folder(), file, build)
     except OSError as error:
-        fault = error
-    try:
-        # A loaded library requires no file, except on Windows, where the folder remains.
-        with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
-            library = _open_in(Path(folder), recipe, file)
-    except OSError as error:
-        raise CompilerError(
-            f"the compiled library {recipe.name} can't be stored or loaded: {error}"
-        ) from error
-    warnings.warn(
-        f"compiled libraries are kept for this process alone ({fault}); set STEWART_SYM_CACHE to a folder "
-        "that you may write",
-        RuntimeWarning,
-        stacklevel=3,
-    )
-    return library
+        text = f"compiled libraries are kept for this process alone ({error}); "
+        remedy = "set STEWART_SYM_CACHE to a folder that you may write"
+        warnings.warn(text + remedy, RuntimeWarning, stacklevel=3)
+    # A loaded library requires no file, except on Windows, where the folder remains.
+    with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
+        return _open_in(Path(folder), file, build)
 
 
-def _open_in(folder: Path, recipe: _Recipe, file: str) -> ctypes.CDLL:
+def _open_in(folder: Path, file: str, build: Callable[[Path], Path]) -> ctypes.CDLL:
     library = folder / file
     if not library.exists():
         with _locked(folder / f"{file}.lock"):
             if not library.exists():
                 with tempfile.TemporaryDirectory(dir=folder, ignore_cleanup_errors=True) as place:
-                    os.replace(_compile(Path(place), recipe), library)
+                    os.replace(build(Path(place)), library)
     return ctypes.CDLL(str(library))
 
 
 @contextlib.contextmanager
 def _locked(path: Path) -> Iterator[None]:
-    """Hold the lock file of a library, if the system and the folder support locks.
-
-    The lock of a killed process ends with the process. Two processes may rarely hold it together, which only
-    repeats a compilation.
-    """
+    """Hold a lock file if the system supports locks; a killed process releases it."""
     try:
         with path.open("w") as file, contextlib.ExitStack() as held:
             with contextlib.suppress(ImportError, OSError):
@@ -295,33 +201,28 @@ def _locked(path: Path) -> Iterator[None]:
 
 def _cache_folder() -> Path:
     """Return the cache folder, created if missing; raise OSError if that fails."""
-    own = os.environ.get("STEWART_SYM_CACHE")
-    if not own:
-        import platformdirs
+    import platformdirs
 
-        own = platformdirs.user_cache_dir("stewart-sym", appauthor=False)
-    folder = Path(own).absolute()
+    own = os.environ.get("STEWART_SYM_CACHE")
+    folder = Path(own or platformdirs.user_cache_dir("stewart-sym", appauthor=False)).absolute()
     folder.mkdir(parents=True, exist_ok=True)
     return folder
 
 
-def _compile(folder: Path, recipe: _Recipe) -> Path:
-    for file, text in recipe.sources.items():
+def _compile(folder: Path, name: str, sources: Mapping[str, str], command: tuple[str, ...]) -> Path:
+    for flag in _REJECTED.intersection(command):
+        raise ValueError(f"CC: {flag} changes the arithmetic of the whole process; remove the flag")
+    for file, text in sources.items():
         (folder / file).write_text(text, encoding="utf-8", newline="\n")
-    library = folder / f"{recipe.name}{_SUFFIX}"
+    library = folder / f"{name}{_SUFFIX}"
     # Relative file names avoid blanks and non-ASCII characters of the home folder.
-    files = sorted(file for file in recipe.sources if file.endswith(".c"))
+    files = sorted(file for file in sources if file.endswith(".c"))
     libraries = () if sys.platform == "win32" else ("-lm",)
-    # Some compilers do not support the flag, or the assembler does not support the instructions.
-    portable = tuple(flag for flag in recipe.flags if flag != _NATIVE)
-    for flags in dict.fromkeys((recipe.flags, portable)):
-        try:
-            ran((*recipe.compiler.command, *flags, *files, "-o", library.name, *libraries), folder)
-            break
-        except CompilerError as error:
-            fault = error
-    else:
-        raise CompilerError(f"can't compile {recipe.name}: {fault}", fault.log)
-    if not library.is_file():
-        raise CompilerError(f"{recipe.compiler.command[0]} compiled {recipe.name} but wrote no library")
+    try:
+        ran((*command, *files, "-o", library.name, *libraries), folder)
+    except CompilerError as error:
+        if _NATIVE not in command:
+            raise CompilerError(f"can't compile {name}: {error}", error.log) from error
+        # Some compilers do not support the flag, or the assembler does not support the instructions.
+        return _compile(folder, name, sources, tuple(word for word in command if word != _NATIVE))
     return library

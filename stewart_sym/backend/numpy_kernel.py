@@ -1,6 +1,5 @@
 """NumPy kernels, with components of poses as input arrays and arrays and statuses as output."""
 
-import functools
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -26,76 +25,47 @@ class NumpyKernel:
     """NumPy kernel of one formulation with one robot."""
 
     name: str
-    robot: Robot
+    robot: SimpleNamespace
 
     @classmethod
     def prepare(cls, robot: Robot, formulation: str) -> "NumpyKernel":
-        """Select the module."""
-        return cls(robot_kernel(robot, formulation), robot)
+        """Select the module, and convert the robot."""
+        return cls(robot_kernel(robot, formulation), legs_side_by_side(robot))
 
     def forces(self, motion: Motion) -> InverseDynamicsResult:
         """Compute the inverse dynamics of every pose; results are NaN if the status is not 0."""
-        source, suspect = module(self.name), np.zeros(math.prod(motion.shape), dtype=np.bool_)
-
-        def solved(on: Any, robot: Any, part: Any, at: slice) -> Any:
-            found = source.solved(on, robot, part)
-            suspect[at] = found.suspect
-            return {**vars(found.terms), **vars(found)}
-
-        def checked(on: Any, robot: Any, part: Any, _: slice) -> Any:
-            return vars(source.inverse_dynamics(on, robot, part))
-
-        found, status = on_arrays(solved, self._robot, motion, OUTPUTS["inverse_dynamics"])
-        if suspect.any():
-            close = suspect.reshape(motion.shape)
-            few = Motion._unchecked(**{name: value[close] for name, value in vars(loaded(motion)).items()})
-            status[close] = on_arrays(checked, self._robot, few, {})[1]
-            _blank(found, status)
-        return InverseDynamicsResult(**found, status=status)
+        found, status = self._computed(motion)
+        return InverseDynamicsResult(**_blanked(found, status), status=status)
 
     def terms(self, motion: Motion) -> dict[str, Array]:
-        """Compute D, K, H, and c of every pose without a solve or status; values are finite if H is
-        singular.
-        """
+        """Compute the terms of every pose, whose D, K, H, and c are finite if H is singular."""
+        return self._computed(motion)[0]
 
+    def _computed(self, motion: Motion) -> tuple[dict[str, Array], Codes]:
         def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
-            return vars(module(self.name).terms(on, robot, part))
+            found = module(self.name).inverse_dynamics(on, robot, part)
+            return {**vars(found.terms), **vars(found)}
 
-        shapes = {name: OUTPUTS["inverse_dynamics"][name] for name in ("D", "K", "H", "c")}
-        return on_arrays(run, self._robot, motion, shapes)[0]
+        return on_arrays(run, self.robot, motion, OUTPUTS["inverse_dynamics"])
 
     def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
-        """Compute joint reactions by name for axial forces ``x`` (N), shape (..., 6), without a status.
-
-        ``bearing`` contains the bearing distances (m), shape (6,).
-        """
+        """Compute joint reactions by name for axial forces ``x`` (N), (..., 6); ``bearing`` (m) is (6,)."""
         axial = np.broadcast_to(x, (*motion.shape, 6)).reshape(-1, 6)
 
         def run(on: Any, robot: Any, part: Any, at: slice) -> Any:
             reactions = module(self.name).leg_reactions
-            found = vars(reactions(on, robot.leg, robot, part, axial[at].T, bearing[:, None]))
-            by_leg = {
-                name: [list(leg) for leg in zip(*value, strict=True)]
-                for name, value in found.items()
-                if isinstance(value, list)
-            }
-            return found | by_leg
+            return vars(reactions(on, robot.leg, robot, part, axial[at].T, bearing[:, None]))
 
-        return on_arrays(run, self._robot, motion, OUTPUTS["joint_reactions"])[0]
+        # The legs are on the last axis of the generated code.
+        shapes = {name: shape[::-1] for name, shape in OUTPUTS["joint_reactions"].items()}
+        found, _ = on_arrays(run, self.robot, motion, shapes)
+        return {name: np.moveaxis(each, -1, len(motion.shape)) for name, each in found.items()}
 
     def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
-        """Compute the joint reactions of every pose; results are NaN if the status is not 0.
-
-        ``bearing`` contains the bearing distances (m), shape (6,).
-        """
+        """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
         forces = self.forces(motion)
         found = self.reactions_of(motion, forces.x, bearing)
-        _blank(found, forces.status)
-        return JointReactionsResult(**found, status=forces.status)
-
-    @functools.cached_property
-    def _robot(self) -> SimpleNamespace:
-        return legs_side_by_side(self.robot)
+        return JointReactionsResult(**_blanked(found, forces.status), status=forces.status)
 
 
 def on_arrays(
@@ -106,68 +76,45 @@ def on_arrays(
 ) -> tuple[dict[str, Array], Codes]:
     """Evaluate a function of a generated module for every pose; return its results by name, and the status.
 
-    Parameters
-    ----------
-    run : callable
-        Function of the arithmetic, the robot, a motion, and the slice of its poses, which returns results by
-        name.
-    robot : SimpleNamespace
-        Robot as a structure of a generated module.
-    motion : Motion
-        Poses and rates.
-    shapes : mapping of str to tuple of int
-        Shape of each result for one pose.
-
-    Returns
-    -------
-    tuple of dict and ndarray
-        Result arrays, NaN if the status is not 0, and the status.
+    ``run`` takes the arithmetic, the robot, a motion, and the slice of its poses, and returns results by
+    name. ``shapes`` are the shapes of the results for one pose. Results of any status are returned.
     """
     count = math.prod(motion.shape)
     found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
     status = np.zeros(count, dtype=np.int32)
-    given = {name: _components(value, motion.shape) for name, value in vars(loaded(motion)).items()}
+    components = {name: math.prod(shape) for name, shape in MOTION.items()}
+    given = {
+        name: np.ascontiguousarray(value.reshape(count, components[name]).T)
+        for name, value in vars(loaded(motion)).items()
+    }
+    arithmetic = module("arithmetic").Arithmetic(np)
     for first in range(0, count, _AT_ONCE):
         at = slice(first, min(first + _AT_ONCE, count))
         part = SimpleNamespace(**{name: list(rows[:, at]) for name, rows in given.items()})
         with np.errstate(all="ignore"):
-            made = run(_arithmetic(), robot, part, at)
+            made = run(arithmetic, robot, part, at)
         for name, target in found.items():
             _store(target[at], made[name])
         status[at] = made.get("status", OK)
-    _blank(found, status)
     shaped = {name: each.reshape(*motion.shape, *shapes[name]) for name, each in found.items()}
     return shaped, status.reshape(motion.shape)
 
 
-def _blank(found: Mapping[str, Array], status: Codes) -> None:
-    """Set results to NaN if the status is not 0."""
-    bad = status != OK
-    if bad.any():
-        for values in found.values():
-            values[bad] = np.nan
-
-
-@functools.cache
-def _arithmetic() -> Any:
-    return module("arithmetic").Arithmetic(np)
+def _blanked(found: dict[str, Array], status: Codes) -> dict[str, Array]:
+    """Set results to NaN if the status is not 0, and return them."""
+    for values in found.values():
+        values[status != OK] = np.nan
+    return found
 
 
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:
     """Convert a robot to a structure of a generated module; constants of the legs have shape (6, 1)."""
     need_no_offsets(robot)
     legs = {name: columns(of_symbol(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
-    leg = {
-        name: list(rows) if np.ndim(of_symbol(robot, name)) > 1 else rows[0] for name, rows in legs.items()
-    }
+    leg = {name: list(rows) if len(rows) > 1 else rows[0] for name, rows in legs.items()}
     platform = {name: stored(np.asarray(of_symbol(robot, name))) for name in PLATFORM}
     parts = {name: list(each) if each.shape else each for name, each in platform.items()}
     return SimpleNamespace(leg=SimpleNamespace(**leg), **parts)
-
-
-def _components(value: Array, shape: tuple[int, ...]) -> Array:
-    """Return components of an array with a leading shape as shape (components, poses)."""
-    return np.ascontiguousarray(value.reshape(math.prod(shape), math.prod(value.shape[len(shape) :])).T)
 
 
 def _store(target: Array, value: Any) -> None:

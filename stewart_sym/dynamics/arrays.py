@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from ..backend.kernel import OFFSETS, module, offset_kernel, overflows, robot_kernel, stored
+from ..backend.kernel import OFFSETS, force_kernel, module, overflows, stored
 from ..io.arguments import instance, leading_shape
 from ..io.frozen import Frozen
 from ..results import OK
@@ -93,10 +93,7 @@ class ArrayKernel(Frozen):
 
     def __post_init__(self) -> None:
         instance(self.robot, Robot, "robot")
-        if self.robot.offsets is None:
-            name = robot_kernel(self.robot, self.formulation)
-        else:
-            name = offset_kernel(self.robot, self.formulation)
+        name = force_kernel(self.robot, self.formulation)
         if not hasattr(self.xp, "asarray"):
             got = type(self.xp).__name__
             raise ValueError(f"xp: expected an array namespace such as numpy or jax.numpy, got {got}")

@@ -99,9 +99,8 @@ class ForceKernel(Frozen):
         instance(self.robot, Robot, "robot")
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
-        rotors, offsets = takes_rotors(self.name), self.robot.offsets is not None
-        prepare = self.c_function("prepare")
-        model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors, offsets)
+        prepare, rotors = self.c_function("prepare"), takes_rotors(self.name)
+        model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors)
         # The memory layout is kept, because a copy would be slower.
         object.__setattr__(self, "model", model)
         if self.warns and self.fidelity != "general":

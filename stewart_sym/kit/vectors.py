@@ -151,7 +151,7 @@ def rejected(robot: Robot, fidelity: str, precision: str) -> list[Vector]:
 def knows_axes(robot: Robot, fidelity: str) -> bool:
     """Return True if the forces of a level depend on the fixed axes of the universal joints."""
     level = fidelities.resolved(robot, "exact", fidelity)
-    return robot.base_joint == "universal" and fidelities.knows_axes(robot, level)
+    return robot.base_joint == "universal" and bool(fidelities.levels(robot)[level]["universal"])
 
 
 def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:

@@ -23,17 +23,9 @@ OUTSIDE = 0.9
 MOST_DISTANCE, BEYOND = 3.0, 0.05
 """Largest plausible distances of a center of mass from its joint, and beyond it, over the leg length."""
 LEAST_OFFSET = (1e-6, 1e-3)
-"""Bounds of the distance of a center of mass from its joint, over the leg length, that indicate a wrong unit.
-
-Such values are meters in a file of millimeters. Values below the bounds are zero except for rounding.
-"""
+"""Range of the distance from the joint, over the leg length, of meters in a file of millimeters."""
 IN_METERS = 0.05
 """Ratio of the limits to the legs below which limits are in meters in a file of another length_unit."""
-LEAST_STROKE = 5e-4
-"""Smallest plausible stroke, relative to the leg length.
-
-Piezo stacks have 1e-3. An entry in meters instead of millimeters changes 0.3 to 3e-4.
-"""
 
 
 def of_home(robot: Robot, t: Array) -> Iterator[Finding]:
@@ -64,20 +56,16 @@ def _of_axes(robot: Robot, t: Array) -> Iterator[Finding]:
 
 
 def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
-    """Yield a finding about a home beyond the length limits, limits of no pose, or a stroke near zero."""
+    """Yield a finding about a home beyond the length limits, or limits of no pose."""
     low, high = robot.length_limits.T
     beyond = np.flatnonzero((low > L) | (high < L)).tolist()
     size, longest = radius(robot.b) + radius(robot.p), float(np.mean(high))
-    short = np.flatnonzero(high - low < LEAST_STROKE * np.where(np.isfinite(high), high, 0.0)).tolist()
     limits = f"length_limits {low.min():.4g} to {high.max():.4g} m"
-    legs = f"legs {L.min():.4g} to {L.max():.4g} m long at the home pose"
+    limits += f": legs {L.min():.4g} to {L.max():.4g} m long at the home pose"
     in_meters = longest < IN_METERS * np.mean(L)
     unit = "limits given in m in a file of another length_unit" if in_meters else ""
     if robot.home_position is not None and beyond:
-        of_home = (
-            "home of another point than the platform frame's origin, a stroke without 0 in it, or limits "
-            "between other points than the joints"
-        )
+        of_home = "home of another point than the platform frame's origin, or a stroke without 0 in it"
         i = max(beyond, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
         yield Finding(
             "home",
@@ -86,21 +74,14 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
         )
     elif OUTSIDE * np.mean(low) > min(np.mean(L), OUTSIDE * MOST_LEGS * size):
         cause = "limits in millimeters, centimeters, or inches, or points of another machine"
-        yield Finding("length-limits", f"{limits}: {legs}; likely cause: {cause}")
+        yield Finding("length-limits", f"{limits}; likely cause: {cause}")
     elif longest < OUTSIDE * np.mean(L):
         cause = unit or "the stroke given, expected the length from joint to joint"
-        yield Finding("length-limits", f"{limits}: {legs}; likely cause: {cause}")
-    elif short:
-        i = short[0]
-        yield Finding(
-            "length-limits",
-            f"length_limits of {legs_text(short)}: a stroke of {high[i] - low[i]:.3g} m in legs of "
-            f"{high[i]:.4g} m; likely cause: stroke or limits given in m in a file of another length_unit",
-        )
+        yield Finding("length-limits", f"{limits}; likely cause: {cause}")
 
 
 def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:
-    """Yield findings about centers of mass of leg parts far away, in another unit, or beyond the joint."""
+    """Yield findings about centers of mass of leg parts far away or beyond the joint."""
     for part, r, sign, joint in (
         ("upper", robot.r_u0, "negative", "platform joint"),
         ("lower", -robot.r_d0, "positive", "base joint"),

@@ -32,9 +32,6 @@ def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
     axis /= np.linalg.norm(axis)
     around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
     crossed = _crossed(around_b, around_p)
-    if crossed is not None and crossed[1]:
-        yield _crossing(*crossed[0], "their platform points exchanged")
-        return
     order = np.argsort(np.angle(around_b), kind="stable")
     b, p, heights = robot.b[order], robot.p[order], level_positions(robot, axis, HEIGHTS)
     turned = np.sum(around_p * np.conj(around_b))
@@ -52,7 +49,11 @@ def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
             "hexagons (expected pairs of base points above gaps of the platform points)",
         )
     elif crossed is not None:
-        yield _crossing(*crossed[0], "platform points in another order than base points, or mirrored")
+        yield Finding(
+            "crossing",
+            f"legs {crossed[0] + 1}, {crossed[1] + 1} cross at the home pose; likely cause: their platform "
+            "points exchanged, platform points in another order than base points, or mirrored",
+        )
 
 
 def _better_order(b: Array, p: Array, heights: Array, twisted: bool) -> Finding | None:
@@ -66,7 +67,8 @@ def _better_order(b: Array, p: Array, heights: Array, twisted: bool) -> Finding 
     if not mispaired and not (twisted and ratio > 2.0):
         return None
     shift = min(k, LEGS - k)
-    cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
+    shifted = f"shifted by {shift} of six places"
+    cause = shifted if turn > 0 else "in the opposite sense (mirrored) or exchanged"
     return Finding(
         "leg-order",
         f"scaled condition number {given:.2g} with the platform parallel to the base, "
@@ -75,37 +77,13 @@ def _better_order(b: Array, p: Array, heights: Array, twisted: bool) -> Finding 
     )
 
 
-def _crossing(i: int, j: int, cause: str) -> Finding:
-    return Finding("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
-
-
-def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[tuple[int, int], bool] | None:
-    """Return legs that cross, seen along the machine axis, or None; b and p are points in the complex plane.
-
-    The flag is True if an exchange of the two platform points removes the crossing and a reversal of all does
-    not.
-    """
+def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[int, int] | None:
+    """Return the legs that cross most, seen along the machine axis in the complex plane, or None."""
     pairs = list(itertools.combinations(range(LEGS), 2))
     first, second = np.array(pairs).T
     sizes = np.sqrt(np.mean(np.abs(b) ** 2) * np.mean(np.abs(p) ** 2))
-
-    def ways(p: NDArray[np.complex128]) -> Array:
-        return np.asarray(((b[first] - b[second]) * np.conj(p[first] - p[second])).real / sizes)
-
-    given = ways(p)
-    if not given.min() < EXCHANGED:
-        return None
-    order = np.argsort(np.angle(b))
-    reversed_ = [ways(p[order][np.roll(range(LEGS), k)[::-1]][np.argsort(order)]).min() for k in range(LEGS)]
-    undone = []
-    for i, j in pairs:
-        other = p.copy()
-        other[[i, j]] = other[[j, i]]
-        undone.append(ways(other).min())
-    best = int(np.argmax(undone))
-    if undone[best] > max(EXCHANGED, *reversed_):
-        return pairs[best], True
-    return pairs[int(np.argmin(given))], False
+    products = ((b[first] - b[second]) * np.conj(p[first] - p[second])).real / sizes
+    return pairs[int(np.argmin(products))] if products.min() < EXCHANGED else None
 
 
 def _around(points: Array, axis: Array) -> NDArray[np.complex128]:

@@ -13,7 +13,7 @@ MOST_GRAVITY = 50.0
 """Largest plausible gravity (m/s^2): twice Jupiter's; the Moon's is 1,620 in mm/s^2 and 162 in cm/s^2."""
 MOST_SIZE = 50.0
 """Largest plausible RMS radius of points (m); larger machines are rarer than files in millimeters."""
-LEAST_SIZE, STRAY = 1e-4, 50.0
+STRAY = 50.0
 MOST_PROPORTION = (2.5, 200.0)
 """Largest ratio of platform to base: of exchanged points, and of points in another unit."""
 SLENDER = (1.5, 0.4, 0.5, 1.5)
@@ -41,17 +41,8 @@ Rods have 0.1; an inertia that is too small by 1e-6 makes it 1000 times smaller.
 """
 MOST_SPEED = 50.0
 """Largest plausible leg speed limit (m/s)."""
-LONGEST_STROKE = 300.0
-"""Longest plausible time of a stroke at the speed limit (s).
-
-Telescopes have 60 s. An entry in m/s instead of mm/s changes 0.5 s to 500 s.
-"""
 MOST_MOTOR_SPEED = 3200.0
 """Largest plausible motor speed (rad/s), 30,000 revolutions per minute."""
-LEAST_LEAD = 6e-5
-"""Smallest plausible lead (m). A lead of 50 mm in meters is as small in a file in millimeters."""
-SLOW, FASTER = 0.3, 100.0
-"""Range of plausible leg speeds at the motor speed limit, relative to the leg speed limit."""
 
 
 def of_numbers(robot: Robot) -> Iterator[Finding]:
@@ -82,9 +73,7 @@ def _of_points(robot: Robot) -> Iterator[Finding]:
         )
     elif max(base, platform) > MOST_SIZE and min(base, platform) * MOST_PROPORTION[1] > max(base, platform):
         yield Finding("length-unit", f"{sizes}; likely cause: points in millimeters, expected meters")
-    elif 0.0 < max(base, platform) < LEAST_SIZE:
-        yield Finding("length-unit", f"{sizes}; likely cause: points in kilometers, expected meters")
-    elif platform > 0.0 and base > 0.0:
+    else:
         yield from list(_of_proportion(robot, platform / base, sizes)) or _of_lightness(robot, sizes)
 
 
@@ -101,7 +90,7 @@ def _strays(points: Array) -> list[int]:
 
 def _of_proportion(robot: Robot, ratio: float, sizes: str) -> Iterator[Finding]:
     exchanged, unit = MOST_PROPORTION
-    gyration = float(np.sqrt(np.linalg.eigvalsh(robot.I_p)[-1].clip(min=0.0) / robot.M))
+    gyration = float(_gyration(robot.I_p, robot.M))
     most, thin, low, high = SLENDER
     slender = gyration < thin * radius(robot.p) and low < gyration / radius(robot.b) < high
     if ratio > unit or ratio < 1.0 / unit:
@@ -109,11 +98,8 @@ def _of_proportion(robot: Robot, ratio: float, sizes: str) -> Iterator[Finding]:
         cause = f"{larger} points in millimeters, or {smaller} points in meters in a file of millimeters"
         yield Finding("proportion", f"{sizes}; likely cause: {cause}")
     elif ratio > exchanged or (ratio > most and slender):
-        body = "" if ratio > exchanged else f", {gyration:.3g} m in radius of gyration of the platform"
-        yield Finding(
-            "proportion",
-            f"{sizes}{body}; likely cause: base_point and platform_point exchanged (the base is fixed)",
-        )
+        cause = "base_point and platform_point exchanged (the base is fixed)"
+        yield Finding("proportion", f"{sizes}; likely cause: {cause}")
 
 
 def _of_lightness(robot: Robot, sizes: str) -> Iterator[Finding]:
@@ -138,7 +124,7 @@ def _density(mass: float, r: float) -> float:
 
 def _of_bodies(robot: Robot, size: float) -> Iterator[Finding]:
     """Yield findings about masses, radii of gyration, and the center of mass of the platform."""
-    gyration = float(np.sqrt(np.linalg.eigvalsh(robot.I_p)[-1].clip(min=0.0) / robot.M))
+    gyration = float(_gyration(robot.I_p, robot.M))
     reach = max(_reach(robot), 2.0 * gyration)
     density = _density(robot.M, reach)
     if density > DENSEST and reach > 0.0 and not gyration > MOST_GYRATION * size:
@@ -163,60 +149,42 @@ def _of_bodies(robot: Robot, size: float) -> Iterator[Finding]:
 
 def _of_gyration(name: str, masses: Array, inertias: Array, size: float, least: float) -> Iterator[Finding]:
     """Yield a finding about radii of gyration beyond the machine, or below ``least`` (m)."""
-    largest = np.linalg.eigvalsh(inertias)[:, -1].clip(min=0.0)
-    gyration = np.sqrt(largest / masses)
+    gyration = _gyration(inertias, masses)
     wide, narrow = gyration > MOST_GYRATION * size, (0.0 < gyration) & (gyration < least)
     legs = np.flatnonzero(wide if wide.any() else narrow).tolist()
     if not legs or not size > 0.0:
         return
-    cause = (
-        "inertia in kg mm^2, g cm^2 or kg cm^2, or about a point that is not the center of mass"
-        if wide.any()
-        else "inertia converted from kg mm^2 twice, or masses in grams"
-    )
+    cause = "inertia converted from kg mm^2 twice, or masses in grams"
+    if wide.any():
+        cause = "inertia in kg mm^2, g cm^2 or kg cm^2, or about a point that is not the center of mass"
     where = name if name == "platform" else f"{name} of {legs_text(legs)}"
     yield Finding(
         "inertia-size",
-        f"{where}: inertia {largest[legs[0]]:.3g} kg m^2 at {masses[legs[0]]:g} kg is that of a body "
-        f"{gyration[legs[0]]:.3g} m in radius of gyration, on a machine of {size:.3g} m; likely "
-        f"cause: {cause}",
+        f"{where}: inertia of a body of {masses[legs[0]]:g} kg with {gyration[legs[0]]:.3g} m in radius of "
+        f"gyration, on a machine of {size:.3g} m; likely cause: {cause}",
     )
 
 
+def _gyration(inertias: Array, masses: Array | float) -> Array:
+    """Return the largest radii of gyration of bodies (m)."""
+    return np.asarray(np.sqrt(np.linalg.eigvalsh(inertias)[..., -1].clip(min=0.0) / masses))
+
+
 def _of_speeds(robot: Robot) -> Iterator[Finding]:
-    """Yield findings about speed limits of legs and motors that do not fit the stroke or each other."""
-    low, high = robot.length_limits.T
-    # Limits in another unit, which the home pose reveals, are no reason to question speeds.
-    size = radius(robot.b) + radius(robot.p)
-    limit, stroke = robot.speed_limit, np.where(np.isfinite(high), np.minimum(high - low, 3.0 * size), 0.0)
-    fast, slow = np.isfinite(limit) & (limit > MOST_SPEED), stroke > LONGEST_STROKE * limit
-    legs = np.flatnonzero(fast if fast.any() else slow).tolist()
-    if legs:
-        i = legs[0]
-        seen = "" if fast.any() else f", {stroke[i]:.4g} m of stroke take {stroke[i] / limit[i]:.3g} s"
-        cause = "given in mm/s" if fast.any() else "given in m/s in a file of another length_unit"
-        yield Finding(
-            "speed-limit",
-            f"speed_limit of {legs_text(legs)}: {limit[i]:.4g} m/s{seen}; likely cause: {cause}",
-        )
-    elif robot.drive is not None and np.any(np.abs(robot.drive.lead) < LEAST_LEAD):
-        lead = np.abs(robot.drive.lead)
-        small = np.flatnonzero(lead < LEAST_LEAD).tolist()
+    """Yield a finding about speed limits of legs or motors that are too large."""
+    fast = _above(robot.speed_limit, MOST_SPEED)
+    if fast:
+        worst = robot.speed_limit[fast[0]]
+        text = f"speed_limit of {legs_text(fast)}: {worst:.4g} m/s; likely cause: given in mm/s"
+        yield Finding("speed-limit", text)
+    elif robot.drive is not None and (fast := _above(robot.drive.speed_limit, MOST_MOTOR_SPEED)):
         yield Finding(
             "drive-speed",
-            f"lead of {legs_text(small)}: {lead[small].min():.4g} m per turn; likely cause: given in m in a "
-            "file of another length_unit",
+            f"speed_limit of the drives of {legs_text(fast)}: {robot.drive.speed_limit[fast[0]]:.4g} rad/s; "
+            "likely cause: revolutions given, expected angle_unit a second",
         )
-    elif robot.drive is not None:
-        motor = robot.drive.speed_limit
-        speed = np.abs(motor / robot.drive.transmission_ratio)
-        fast = np.isfinite(motor) & ((speed > FASTER * limit) | (motor > MOST_MOTOR_SPEED))
-        legs = np.flatnonzero(fast | (np.isfinite(limit) & (speed < SLOW * limit))).tolist()
-        if legs:
-            i = legs[0]
-            yield Finding(
-                "drive-speed",
-                f"speed_limit of the drives of {legs_text(legs)}: {motor[i]:.4g} rad/s, {speed[i]:.4g} m/s "
-                f"of leg {i + 1}, whose speed_limit is {limit[i]:.4g} m/s; likely cause: revolutions given, "
-                "expected angle_unit a second, a gear counted twice, or lead or speed_limit in another unit",
-            )
+
+
+def _above(limit: Array, most: float) -> list[int]:
+    """Return the indices of finite limits above a value."""
+    return [int(i) for i in np.flatnonzero(np.isfinite(limit) & (limit > most))]

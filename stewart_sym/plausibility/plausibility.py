@@ -17,8 +17,6 @@ from .leg_order import of_order
 from .level_poses import Finding, level_home
 from .numbers import of_numbers
 
-_OF_SPEED = "drive-speed"
-"""Name of findings that do not explain findings about a machine at rest."""
 _COLLAPSED = (1e-6, 1e-12)
 """Radius of points, relative to the other points and to the coordinates, below which they have no size."""
 
@@ -26,8 +24,7 @@ _COLLAPSED = (1e-6, 1e-12)
 def find_implausible(robot: Robot) -> list[Finding]:
     """Return the findings about a robot except the suppressed ones; impossible inertias are not included.
 
-    A finding that explains others replaces them: with a wrong unit, poses are not examined. Findings about
-    motor speed limits explain no others.
+    A finding that explains others replaces them: with a wrong unit, poses are not examined.
     """
     with np.errstate(all="ignore"), warnings.catch_warnings():
         # No finding depends on the side of the base on which the platform is.
@@ -49,9 +46,8 @@ def _found(robot: Robot) -> list[Finding]:
     if collapsed:
         text = "base or platform points in one place; likely cause: a point copied and not changed"
         return left([Finding("proportion", text)])
-    single = left(of_numbers(robot))
-    found = [finding for finding in single if finding.name != _OF_SPEED]
+    found = left(of_numbers(robot))
     if not found:
         t = level_home(robot)
         found = left(of_order(robot, t)) or left(of_home(robot, t))
-    return single + [finding for finding in found if finding not in single]
+    return found

@@ -28,12 +28,9 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 
-DIGITS = 50
-
 digits = mpmath.MPContext()
-digits.dps = DIGITS
+digits.dps = 50
 """Arithmetic of 50 digits, nobody else's."""
-
 
 ON_DIGITS = Arithmetic(
     digits.mpf, {name: digits.mpf(value) for name, value in unchecked(1e-45).items()}, digits.sqrt
@@ -74,10 +71,6 @@ class Truth:
         found: list[Any] = self._interpreter.run(FORCES, self._model, given).F
         return found
 
-    def deviation(self, F: NDArray[Any], motion: Motion) -> Array:
-        """Return the errors (N) of given forces, (..., 6), for a motion."""
-        return deviation(F, self.forces(motion))
-
     @cached_property
     def _model(self) -> SimpleNamespace:
         robot = robot_structure(self.robot, number_of_digits)
@@ -92,11 +85,7 @@ class Truth:
 def form_and_level(
     base_joint: str, formulation: str, fidelity: str, rotors: bool
 ) -> tuple[Formulation, Fidelity]:
-    """Return the fidelity level of a robot and its formulation, with rotors if the level includes them.
-
-    ``rotors`` is True if the legs of the robot have rotors. Reduced levels always describe legs with
-    universal base joints.
-    """
+    """Return a formulation and a fidelity level; reduced levels have legs with universal base joints."""
     level = level_of(fidelity, rotors)
     name = kernel_name(formulation, base_joint if level.name == "general" else EXACT.base_joint)
     return BY_KERNEL[f"{name}_drive" if level.rotor != NONE else name], level
@@ -104,7 +93,5 @@ def form_and_level(
 
 def deviation(F: NDArray[Any], truth: NDArray[np.object_]) -> Array:
     """Return the errors of forces relative to forces with 50 digits (N), rounded last."""
-    difference = [
-        float(digits.mpf(float(found)) - true) for found, true in zip(F.flat, truth.flat, strict=True)
-    ]
-    return np.array(difference).reshape(F.shape)
+    pairs = zip(F.flat, truth.flat, strict=True)
+    return np.array([float(digits.mpf(float(found)) - true) for found, true in pairs]).reshape(F.shape)

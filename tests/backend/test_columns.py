@@ -2,7 +2,6 @@
 
 import ctypes
 import dataclasses
-import re
 from typing import Any
 
 import numpy as np
@@ -82,7 +81,7 @@ def check(kernel: ForceKernel, motion: Motion, stride: int | None = None, thread
 @pytest.mark.parametrize("count", SIZES)
 def test_columns_have_the_bits_and_statuses_of_the_batch(count: int, precision: forces.Precision) -> None:
     rng = np.random.default_rng(160 + count)
-    robot = flat(rng)
+    robot = flat(rng, "spherical" if count == 9 else "universal")
     motion = with_faults(rng, robot, count)
     for formulation in ("exact", "paper"):
         kernel = ss.ForceKernel(robot, formulation, precision)
@@ -94,21 +93,14 @@ def test_columns_have_the_bits_and_statuses_of_the_batch(count: int, precision: 
         assert codes >= {0, 1, 2} | ({3, 4} if precision == "double" else set())
 
 
-@pytest.mark.parametrize("fidelity", [name for name in FIDELITIES if name != "general"])
+@pytest.mark.parametrize("fidelity", FIDELITIES[1::3])
 def test_columns_of_reduced_kernels_do_too(fidelity: str) -> None:
     rng = np.random.default_rng(161)
     robot = flat(rng)
     check(ss.ForceKernel(robot, fidelity=fidelity), with_faults(rng, robot, 109))
 
 
-def test_columns_of_other_base_joints_do_too() -> None:
-    rng = np.random.default_rng(162)
-    for formulation in ("exact", "paper"):
-        robot = flat(rng, "spherical")
-        check(ss.ForceKernel(robot, formulation), with_faults(rng, robot, 109))
-
-
-@pytest.mark.parametrize("threads", [2, 3, 64])
+@pytest.mark.parametrize("threads", [3, 64])
 def test_threads_and_parts_of_longer_arrays_change_no_bit(
     threads: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -155,59 +147,29 @@ def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
     robot = random_robot(rng)
     kernel, motion = ss.ForceKernel(robot), random_motion(rng, robot, (4,))
     arrays = columns(motion, np.float64)
-    for place, name in enumerate(FIELDS[:-2]):
-        for bad in (arrays[place].T, arrays[place][:-1], arrays[place][:, 0], "forces", None):
-            with pytest.raises(ValueError, match=rf"^{name}: expected .*, got .*\Z"):
-                kernel.forces_soa(*arrays[:place], bad, *arrays[place + 1 :])
+    for bad in (arrays[1].T, arrays[1][:-1], arrays[1][:, 0], "forces", None, 1j * arrays[1]):
+        with pytest.raises(ValueError, match=r"^t: expected .*, got .*\Z"):
+            kernel.forces_soa(arrays[0], bad, *arrays[2:])
     F, status = np.zeros((6, 4)), np.zeros(4, dtype=np.int32)
-    frozen = np.zeros((6, 4))
+    frozen, room = np.zeros((6, 4)), np.zeros((9, 4))
     frozen.setflags(write=False)
-    wide = np.zeros((3, 8))[:, :4]
-    bad_ones: list[tuple[str, Any]] = [
-        ("R", ([None, *arrays[1:]], F, status)),
-        ("t", ([arrays[0], wide, *arrays[2:]], F, status)),
-        ("t", ([arrays[0], np.zeros((3, 8))[:, ::2], *arrays[2:]], F, status)),
-        ("a", ([*arrays[:5], arrays[5].astype(np.float32), *arrays[6:]], F, status)),
-        ("F", (arrays, F.T, status)),
-        ("F", (arrays, frozen, status)),
-        ("status", (arrays, F, np.zeros(4))),
-    ]
-    for name, (given, *out) in bad_ones:
-        rejects(rf"^{name}: expected .*\Z", kernel.forces_soa, *given, out=tuple(out))
-    rejects(r"^threads: expected .*\Z", kernel.forces_soa, *arrays, threads=0, out=(F, status))
-
-
-def test_what_is_wrong_with_an_array_is_told() -> None:
-    rng = np.random.default_rng(168)
-    robot = random_robot(rng)
-    kernel, motion = ss.ForceKernel(robot), random_motion(rng, robot, (4,))
-    arrays = columns(motion, np.float64)
-    F, status = np.zeros((6, 4)), np.zeros(4, dtype=np.int32)
     moved = np.zeros(3 * 4 * 8 + 1, dtype=np.uint8)[1:].view(np.float64).reshape(3, 4)
-    halves = np.zeros((9, 8))
-    room = np.zeros((9, 4))
-    plain = [getattr(motion, name).copy() for name in FIELDS]
     bad_ones: list[tuple[str, Any]] = [
-        ("status: expected an array (4,) for F (6, 4), got (3,)", (arrays, F, status[:3])),
-        ("status: expected an array of int32, got one of int64", (arrays, F, status.astype(np.int64))),
+        ("t: expected ", ([arrays[0], np.zeros((3, 8))[:, :4], *arrays[2:]], F, status)),
         ("t: expected an array at a multiple of 8 bytes", ([arrays[0], moved, *arrays[2:]], F, status)),
         ("R: expected rows .* at least their length apart", ([room.T.copy().T, *arrays[1:]], F, status)),
-        (
-            "a: expected an array of float64, got one of complex128",
-            ([*arrays[:5], 1j * arrays[5], *arrays[6:]], F, status),
-        ),
+        ("a: expected ", ([*arrays[:5], arrays[5].astype(np.float32), *arrays[6:]], F, status)),
+        ("F: expected ", (arrays, F.T, status)),
+        ("F: expected ", (arrays, frozen, status)),
         ("F: expected separate memory, got memory of R", ([room, *arrays[1:]], room[:6], status)),
-        ("status: expected separate memory, got memory of F", (arrays, F, F.view(np.int32)[0, :4])),
+        ("status: expected an array of int32, got one of int64", (arrays, F, status.astype(np.int64))),
+        (r"status: expected an array \(4,\) for F", (arrays, F, status[:3])),
     ]
     for said, (given, *out) in bad_ones:
-        pattern = re.escape(said).replace(r"\.\*", ".*")
-        rejects(rf"^{pattern}.*\Z", kernel.forces_soa, *given, out=tuple(out))
-    with pytest.raises(ValueError, match=r"^t: expected an array of real numbers, got one of complex128\Z"):
-        kernel.forces_soa(arrays[0], 1j * arrays[1], *arrays[2:])
-    with pytest.raises(ValueError, match=r"^F: expected separate memory, got memory of R\Z"):
-        kernel.forces(plain, out=(plain[0].reshape(-1)[:24].reshape(4, 6), status))
-    # Interleaved rows share none.
-    halves[:, :4] = arrays[0]
+        rejects(rf"^{said}.*\Z", kernel.forces_soa, *given, out=tuple(out))
+    rejects(r"^threads: expected .*\Z", kernel.forces_soa, *arrays, threads=0, out=(F, status))
+    # Interleaved rows share no memory.
+    halves = np.hstack([arrays[0], np.zeros((9, 4))])
     others = [np.hstack([array, array])[:, :4] for array in arrays[1:]]
     kernel.forces_soa(halves[:, :4], *others, out=(halves[:6, 4:], status))
     assert (halves[:6, 4:] == kernel.forces_soa(*arrays)[0]).all()

@@ -26,6 +26,14 @@ def test_no_compiler_is_one_line_with_a_remedy(no_compiler: None) -> None:
 
 
 def test_order_of_compilers(no_compiler: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package = tmp_path / "ziglang"
+    package.mkdir()
+    (package / "__main__.py").write_text("print('zig 1.0')\n")
+    monkeypatch.delitem(sys.modules, "ziglang")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    zig = (sys.executable, "-m", "ziglang", "cc")
+    assert native.find_compiler() == native.Compiler(zig, "zig 1.0")
     for name, code in (("gcc", 0), ("cc", 1)):
         (tmp_path / name).mkdir()
         script(tmp_path / name / name, f"echo '{name} 1.0'\necho more\nexit {code}")
@@ -34,30 +42,7 @@ def test_order_of_compilers(no_compiler: None, tmp_path: Path, monkeypatch: pyte
     gcc = str(tmp_path / "gcc" / "gcc")
     assert native.find_compiler() == native.Compiler((gcc,), "gcc 1.0")
     monkeypatch.setenv("CC", f"{gcc} -m64 '-DA=\"b c\"'")
-    chosen = native.find_compiler()
-    assert chosen is not None
-    assert chosen.command == (gcc, "-m64", '-DA="b c"')
-
-
-def test_ziglang_wheel_is_the_last_compiler(
-    cache: Path, tmp_path: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    package = tmp_path / "wheels" / "ziglang"
-    package.mkdir(parents=True)
-    (package / "__init__.py").touch()
-    (package / "__main__.py").write_text(
-        f"import os, sys\nassert sys.argv[1] == 'cc'\nos.environ['PATH'] = {os.environ['PATH']!r}\n"
-        "assert os.path.isdir(os.environ['ZIG_GLOBAL_CACHE_DIR'])\n"
-        f"os.execv({str(compiler.path)!r}, ['cc', *sys.argv[2:]])\n"
-    )
-    (tmp_path / "empty").mkdir()
-    monkeypatch.setenv("PATH", str(tmp_path / "empty"))
-    monkeypatch.setenv("PYTHONPATH", str(package.parent), prepend=os.pathsep)
-    monkeypatch.delenv("ZIG_GLOBAL_CACHE_DIR", raising=False)
-    monkeypatch.delenv("CC")
-    code = CHILD + "assert native.find_compiler().command[1:] == ('-m', 'ziglang', 'cc')\n"
-    assert run_child(code).parent == cache
-    assert len(compiler.calls) == 1
+    assert native.find_compiler() == native.Compiler((gcc, "-m64", '-DA="b c"'), "gcc 1.0")
 
 
 @pytest.mark.parametrize("broken", ["no-such-compiler -m64", "'unclosed", "failing"])
@@ -81,28 +66,12 @@ def test_compile_error_shows_the_first_error_and_keeps_the_log(cache: Path, comp
     assert "no_such_name" in message
     assert "\n" not in message
     assert "nor_this" in caught.value.log
-    assert "nor_this" not in message
     assert list(cache.iterdir()) == []
-
-
-def test_compiler_that_hangs_or_writes_no_library_is_an_error(
-    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("CC", str(script(tmp_path / "idle", "exit 0")))
-    with pytest.raises(native.CompilerError, match="compiled adder but wrote no library"):
-        load_adder()
-    hang = 'case "$*" in *--version*) ;; *) exec sleep 600 ;; esac'
-    monkeypatch.setenv("CC", str(script(tmp_path / "hanging", hang)))
-    assert native.find_compiler() is not None
-    monkeypatch.setattr(native, "COMPILE_TIMEOUT", 0.5)
-    with pytest.raises(native.CompilerError, match=r"^can't compile adder: .* timed out after 0.5 seconds"):
-        load_adder()
 
 
 def test_flags_are_strict_arithmetic(
     cache: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rejects(r"^flags: -ffast-math changes the arithmetic", load_adder, flags=("-ffast-math",))
     load_adder(flags=("-O2",))
     (call,) = compiler.calls
     words = call.split()
@@ -120,8 +89,7 @@ def test_compiler_that_does_not_know_march_native(
     before = 'case "$*" in *-march=native*) echo "error: bad value for -march" >&2; exit 1 ;; esac'
     logged = LoggedCompiler(tmp_path, before)
     monkeypatch.setenv("CC", str(logged.path))
-    first = run_child()
-    assert run_child() == first
+    load_adder()
     (call,) = logged.calls
     assert "-march" not in call
 
@@ -146,11 +114,10 @@ def test_processes_starting_at_once_on_an_empty_cache_compile_once(
 ) -> None:
     wait = "import os, time\nwhile not os.path.exists('go'): time.sleep(0.001)\n" + CHILD
     run = [sys.executable, "-c", wait]
-    processes = [subprocess.Popen(run, stdout=-1, stderr=-1, text=True, cwd=tmp_path) for _ in range(6)]
-    time.sleep(1.0)
+    processes = [subprocess.Popen(run, stdout=-1, stderr=-1, text=True, cwd=tmp_path) for _ in range(3)]
     (tmp_path / "go").touch()
     results = [process.communicate(timeout=600) for process in processes]
-    assert [process.returncode for process in processes] == [0] * 6, results
+    assert [process.returncode for process in processes] == [0] * 3, results
     assert {Path(output.strip()) for output, _ in results} == set(cache.iterdir())
     assert len(compiler.calls) == 1
 
@@ -168,38 +135,21 @@ def test_killed_process_leaves_a_cache_that_works(
         time.sleep(0.01)
     process.kill()
     process.wait()
-    assert run_child() in cache.iterdir()
+    assert Path(load_adder()._name) in cache.iterdir()
 
 
 def test_every_input_is_part_of_the_key(
-    cache: Path, compiler: LoggedCompiler, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    cache: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     libraries = [load_adder(), load_adder(sources=ADD | {"adder.h": ADD["adder.h"] + "\n"})]
     libraries += [load_adder(flags=("-O1",)), native.load("adder", ADD, defines={"N": 1})]
     monkeypatch.setattr(native, "_processor", lambda: "another processor")
     libraries.append(load_adder())
-    assert len(compiler.calls) == 5
-    other = LoggedCompiler(tmp_path, name="other-cc")
-    monkeypatch.setenv("CC", f"{other.path} -g")
+    monkeypatch.setenv("CC", f"{compiler.path} -g")
     libraries.append(load_adder())
     assert len({library._name for library in libraries}) == 6
     assert load_adder() is libraries[-1]
-    assert len(other.calls) == 1
-
-
-def test_library_without_the_cache(cache: Path, compiler: LoggedCompiler, tmp_path: Path) -> None:
-    for calls in (1, 2):
-        library = native.compiled(tmp_path, "adder", ADD)
-        assert library.parent == tmp_path
-        assert ctypes.CDLL(str(library)).add(2, 3) == 5
-        assert len(compiler.calls) == calls
-
-
-def test_library_that_does_not_load_is_one_line(cache: Path) -> None:
-    with pytest.raises(
-        native.CompilerError, match=r"^the compiled library orphan can't be stored or loaded: .*nowhere"
-    ):
-        native.load("orphan", {"orphan.c": "int nowhere(void);\nint call(void) { return nowhere(); }\n"})
+    assert len(compiler.calls) == 6
 
 
 def test_home_with_spaces_and_letters_beyond_ascii(
@@ -217,25 +167,21 @@ def test_home_with_spaces_and_letters_beyond_ascii(
     assert len(compiler.calls) == 1
 
 
-def test_unwritable_cache_gives_a_temporary_folder_that_is_removed(
-    cache: Path, temporary: Path, compiler: LoggedCompiler
+def test_unusable_cache_gives_a_temporary_folder_that_is_removed(
+    cache: Path, tmp_path: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    monkeypatch.setenv("TMPDIR", str(temporary))
     cache.mkdir(mode=0o500)
     try:
         assert run_child(CHILD, obey_permissions, cache).is_relative_to(temporary)
         assert list(temporary.iterdir()) == []
         cache.chmod(0o700)
-        library = run_child()
+        library = Path(load_adder()._name)
         cache.chmod(0o500)
         # A library that the folder already contains is loaded from there.
         assert run_child(CHILD, obey_permissions) == library
     finally:
         cache.chmod(0o700)
     assert len(compiler.calls) == 2
-
-
-def test_cache_that_is_a_file_gives_a_temporary_folder(
-    cache: Path, temporary: Path, compiler: LoggedCompiler
-) -> None:
-    cache.touch()
-    assert run_child(without=cache).is_relative_to(temporary)

@@ -159,7 +159,7 @@ def test_every_fidelity_is_within_rounding_of_its_own_truth(level: str) -> None:
     condition = float(ss.condition_number(ss.wrench_matrix(robot, motion)).max())
     for precision, epsilon in (("double", EPSILON), ("float", np.finfo(np.float32).eps)):
         F = ss.ForceKernel(robot, "exact", precision, level).forces(motion)  # type: ignore[arg-type]
-        off = np.abs(Truth(robot, "exact", level).deviation(F, motion)).max()
+        off = np.abs(deviation(F, Truth(robot, "exact", level).forces(motion))).max()
         assert 0.0 < off <= 100 * epsilon * condition * np.abs(F).max()
 
 
@@ -234,7 +234,7 @@ def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
         for precision, epsilon in (("double", EPSILON), ("float", np.finfo(np.float32).eps)):
             errors, peak = entry_of(found, "exact", name, precision)["errors"]["I"], peak_of(found, "I")
             F = ss.ForceKernel(robot, "exact", precision, name).forces(motions["I"][:3])  # type: ignore[arg-type]
-            off = np.abs(Truth(robot, "exact", name).deviation(F, motions["I"][:3])).max()
+            off = np.abs(deviation(F, Truth(robot, "exact", name).forces(motions["I"][:3]))).max()
             # Three poses of those that were sampled or are like them.
             assert 0.2 * off <= errors["rounding"] * peak <= 100 * epsilon * peak
 

@@ -167,16 +167,9 @@ def scaled(**factors: float) -> Change:
     return of(**{name: lambda value, factor=factor: factor * value for name, factor in factors.items()})
 
 
-def driven(speed: float | None = None, **numbers: float) -> Change:
-    """Drives of these numbers; speed: the limit of the legs, m/s, as it is for None."""
-    limit = {} if speed is None else {"speed_limit": np.full(6, speed)}
-    return of(drive=ss.Drive(**{"lead": 0.005, **numbers}), **limit)
-
-
-def short_stroke(robot: Robot) -> Robot:
-    """The machine with a stroke of 0.3 mm about the leg lengths of its home pose."""
-    middle = robot.length_limits.mean(axis=1)
-    return replace(robot, length_limits=np.column_stack([middle - 1.5e-4, middle + 1.5e-4]))
+def driven(**numbers: float) -> Change:
+    """Drives of these numbers."""
+    return of(drive=ss.Drive(**{"lead": 0.005, **numbers}))
 
 
 def alike(unit: float) -> Change:
@@ -199,6 +192,11 @@ OTHER_UNIT = "limits in millimeters, centimeters, or inches"
 TWICE = "converted from kg mm^2 twice"
 
 
+def like_base(robot: Robot) -> Robot:
+    """Base and platform exchanged, with a body like the base."""
+    return replace(robot, b=0.55 * robot.b, p=robot.b, I_p=robot.M * 0.15**2 * np.eye(3))
+
+
 def along_legs(robot: Robot) -> Robot:
     return replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b)
 
@@ -207,29 +205,36 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     # name of the doubt -> what is wrong: change of a sound machine, words of its cause
     "length-unit": {
         "millimeters": (scaled(b=1e3, p=1e3), "points in millimeters"),
+        "20 mm in millimeters": (scaled(b=20.0, p=20.0, M=1e-5), "points in millimeters"),
     },
     "proportion": {
-        "base in millimeters": (scaled(b=1e3), "base points in millimeters"),
+        "platform in millimeters": (scaled(p=1e3), "platform points in millimeters"),
         "exchanged": (
             lambda robot: replace(robot, b=0.6 * robot.p, p=robot.b),
             "base_point and platform_point exchanged",
         ),
         "all platform points in one place": (same(*[0] * 6, of_base=False), "in one place"),
+        "exchanged, body": (like_base, "base_point and platform_point exchanged"),
     },
     "stray-point": {"one point in millimeters": (one_leg("b", 2, 1e3), "base_point of leg 3")},
     "gravity": {"gravity in mm/s^2": (scaled(g=1e3), "given in mm/s^2")},
     "": {
         "mass in grams": (scaled(M=1e3, m_d=1e3, m_u=1e3), "grams"),
         "platform points numbered the other way": (of(p=lambda p: p[MIRROR]), "mirrored"),
+        "platform points of a left-handed frame": (of(p=lambda p: p[MIRROR] * [1, -1, 1]), ""),
     },
     "mass": {"platform in grams": (scaled(M=1e3, I_p=1e3), "in grams")},
     "inertia-size": {
         "platform's 1e-6 of what it is": (scaled(I_p=1e-6), TWICE),
-        "platform's in kg mm^2": (scaled(I_p=1e6), "platform: inertia"),
+        "upper parts' in kg cm^2": (scaled(I_u0=1e4), "kg cm^2"),
+        "one lower part's in kg mm^2": (one_leg("I_d0", 4, 1e6), "lower part of leg 5"),
     },
     "center-of-mass": {
         "platform's in mm": (of(R_0=lambda R_0: 1e3 * (R_0 + 0.1)), "platform: center_of_mass"),
+        "lower ones in mm": (scaled(r_d0=1e3), "lower part of all legs: center_of_mass"),
+        "lower one in m in a file of mm": (one_leg("r_d0", 1, 1e-3), "meters in a file of millimeters"),
         "upper ones of the wrong sign": (scaled(r_u0=-1.0), "wrong sign, expected a negative"),
+        "lower ones of the wrong sign": (scaled(r_d0=-0.5), "wrong sign, expected a positive"),
     },
     "leg-order": {
         f"platform points shifted by {by}": (
@@ -237,14 +242,19 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
             f"shifted by {by}",
         )
         for by in (1, 2, 3)
-    },
+    }
+    | {"platform points of opposite legs exchanged": (of(p=lambda p: p[OPPOSITE]), "or exchanged")},
     "crossing": {
         "two platform points exchanged": (of(p=lambda p: p[SECOND]), "legs 1, 2 cross"),
     },
     "joint-singularity": {"universal axis along the leg": (along_legs, "across the leg")},
     "length-limits": {
+        "limits in millimeters, alike": (alike(1e3), OTHER_UNIT),
         "limits in millimeters": (scaled(length_limits=1e3), OTHER_UNIT),
-        "a stroke in meters in a file of millimeters": (short_stroke, "a stroke of 0.0003 m in legs of"),
+        "limits in meters in a file of millimeters": (
+            scaled(length_limits=1e-3),
+            "limits given in m in a file",
+        ),
         "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
     },
     "home": {"home of another point": (of(home_position=np.array([0.0, 0.0, 1.7])), "home of another point")},
@@ -252,16 +262,12 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
     "drive-speed": {
         "revolutions a minute": (driven(speed_limit=5000.0), "5000 rad/s"),
-        "lead in meters in a file of millimeters": (
-            driven(lead=5e-6),
-            "m per turn; likely cause: given in m in",
-        ),
     },
     "speed-limit": {
         "speed limit in mm/s": (scaled(speed_limit=1e3), "given in mm/s"),
     },
     "condition": {
-        "four legs from one base point": (same(0, 0, 0, 0, 4, 5, of_platform=False), "in one place"),
+        "platform on one line": (of(p=lambda p: np.outer(p[:, 0], [1, 2, 3])), ""),
         "similar hexagons": (of(p=ring(0.3, BASE)), "similar hexagons"),
         "two legs the same": (same(0, 0, 2, 3, 4, 5), "in one place"),
     },
