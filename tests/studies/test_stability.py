@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import stability_tables
 from command_line import Run
 from machines import machine_in_motion, random_motion, random_robot
 from sweeps import share
@@ -158,7 +159,7 @@ def test_the_command_writes_the_study(tmp_path: Path, monkeypatch: pytest.Monkey
         {path.stem for path in tmp_path.glob("*.csv")} == names == {each.name for each in failures.FAMILIES}
     )
     assert {path.stem for path in tmp_path.glob("*.png")} == {"zero_length"}
-    assert study.tables(figures).keys() == {"stability_families", "stability_cases"}
+    assert stability_tables.tables(figures).keys() == {"stability_families", "stability_cases"}
 
 
 def test_the_header_s_reasons_for_its_thresholds_are_what_the_committed_sweep_saw() -> None:
