@@ -25,21 +25,12 @@ SLIDES = slice(2, 18, 3)
 class JointTree:
     """Motions (n,) in joint coordinates.
 
-    Attributes
-    ----------
-    coordinates : ndarray, shape (n, 18)
-        Two angles and the length of each leg.
-    quaternion : ndarray, shape (n, 4)
-        Orientation of the platform relative to the upper part that carries it, scalar first.
-    rates, accelerations : ndarray, shape (n, 21)
-        Joint rates of the legs, then the angular velocity of the platform relative to its leg, platform
-        frame; and their derivatives.
-    resistance : ndarray, shape (n, 21)
-        Generalized forces of joint friction and external load.
-    per_twist : ndarray, shape (n, 21, 6)
-        Joint rates per twist [v; omega] of the platform.
-    jacobian : ndarray, shape (n, 6, 3, 3)
-        Velocities of the leg tips per joint rates of the legs.
+    ``coordinates``, (n, 18), are two angles and the length of each leg, and ``quaternion``, (n, 4), is the
+    orientation of the platform relative to the upper part that carries it, scalar first. ``rates``, (n, 21),
+    are the joint rates of the legs, then the angular velocity of the platform relative to its leg in the
+    platform frame, and ``accelerations`` their derivatives. ``resistance``, (n, 21), are the generalized
+    forces of joint friction and external load. ``per_twist``, (n, 21, 6), are joint rates per twist [v;
+    omega] of the platform, and ``jacobian``, (n, 6, 3, 3), velocities of the leg tips per joint rates.
     """
 
     coordinates: Array
@@ -52,9 +43,7 @@ class JointTree:
     _acceleration: Array
 
     def platform_acceleration(self, joints: Array) -> Array:
-        """Return [a; alpha], (n, 6), for joint accelerations, (n, 21), of the leg that carries the
-        platform.
-        """
+        """Return [a; alpha], (n, 6), for joint accelerations, (n, 21), of the leg with the platform."""
         change = (joints - self.accelerations)[:, 3 * CARRIER :, None]
         return self._acceleration + np.linalg.solve(self.per_twist[:, 3 * CARRIER :], change)[..., 0]
 
@@ -66,9 +55,7 @@ class JointTree:
 
 
 def base_frames(robot: Robot) -> Array:
-    """Return frames of the first joints, (6, 3, 3), with the x axis along k; columns are axes in the base
-    frame.
-    """
+    """Return frames of the first joints, (6, 3, 3), with the x axis along k; columns are their axes."""
     k = robot.k
     across = np.cross(k, np.eye(3)[np.argmin(np.abs(k), axis=-1)])
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
@@ -115,9 +102,7 @@ def joint_tree(robot: Robot, motion: Motion) -> JointTree:
 
 
 def _legs(robot: Robot, S: Array) -> tuple[Array, Array, Array]:
-    """Return angles and lengths, revolute axes in columns, and frames of the parts for leg vectors,
-    (n, 6, 3).
-    """
+    """Return angles and lengths, revolute axes in columns, and frames of the parts for S, (n, 6, 3)."""
     frames, L = base_frames(robot), np.linalg.norm(S, axis=-1)
     along, second, third = np.moveaxis(np.einsum("kji,nkj->nki", frames, S) / L[..., None], -1, 0)
     coordinates = np.stack([np.arctan2(second, -third), np.arccos(along), L], axis=-1)
