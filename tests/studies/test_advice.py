@@ -19,7 +19,6 @@ from cost_figures import (
     SCENE,
     TOLERANCES,
     budget,
-    entry,
     errors,
     figures_of,
     hasty,
@@ -169,14 +168,6 @@ def test_what_a_machine_has_not_forces_nothing() -> None:
     smooth = dataclasses.replace(robot, **dict.fromkeys(("C_u", "C_p", "C_s"), np.zeros(6)))
     assert without_effect(smooth) == {"friction"}
     assert without_effect(random_robot(rng, "spherical")) == {"off-axis", "axial", "momentum"}
-
-
-def test_a_cheaper_kernel_with_more_physics_is_no_reason() -> None:
-    richer = entry("exact slender double", 1000, 0.5)
-    poorer = entry("exact point_masses double", 1000, 0.1)
-    found = advice(figures_of(richer, poorer), budget(0.4))
-    assert found.chosen is poorer
-    assert answer(found)[1:] == ["Cheaper ones leave nothing out that it has, yet err more."]
 
 
 def test_terms_are_what_the_derivation_says_of_each_fidelity() -> None:
