@@ -66,7 +66,7 @@ def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
 
 
 def test_a_summary_tells_a_silent_error_from_a_status() -> None:
-    distance, block = np.array([1.0, 0.1, 0.01]), np.zeros(3, dtype=np.int64)
+    distance = np.array([1.0, 0.1, 0.01])
     ones, truth = np.ones(3), np.zeros(3, dtype=np.int32)
     for status, condition, wrong, rejected_good, rejected_at in (
         ([0, 0, 0], 1.0, 1, 0, math.inf),
@@ -75,9 +75,7 @@ def test_a_summary_tells_a_silent_error_from_a_status() -> None:
     ):
         error = np.array([0.5, 1e4 * condition, 0.5])
         pose = np.array([1.0, condition, 1.0])
-        found = study.summary(
-            Verdict(error, pose, pose, np.array(status, np.int32), truth, block, ones), distance
-        )
+        found = study.summary(Verdict(error, pose, pose, np.array(status, np.int32), truth, ones), distance)
         assert (found["wrong"], found["rejected_good"], found["rejected_at"]) == (
             wrong,
             rejected_good,

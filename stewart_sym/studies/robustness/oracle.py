@@ -164,7 +164,7 @@ class Verdict:
 
     ``error`` is the largest error of a block in rounding units of its ``size``, NaN with a status of the
     kernel or the truth, and ``condition`` is the condition number of that block. ``pose`` is the largest
-    condition number of block, scaled H, and leg frames. ``block`` is the index in ``BLOCKS``.
+    condition number of block, scaled H, and leg frames.
     """
 
     error: Array
@@ -172,7 +172,6 @@ class Verdict:
     pose: Array
     status: Codes
     truth: Codes
-    block: NDArray[np.int64]
     size: Array
 
     @property
@@ -227,7 +226,7 @@ def _unsolvable(status: Codes) -> Verdict:
     """Return the verdict on answers for singular machines."""
     none = np.full(len(status), np.nan)
     truth = np.full_like(status, SINGULAR)
-    return Verdict(none, none, none, status, truth, np.zeros_like(truth), none)
+    return Verdict(none, none, none, status, truth, none)
 
 
 def truth_of(cases: Cases, kernel: str, precision: str = "double", samples: int = SAMPLES) -> Truth:
@@ -267,8 +266,8 @@ def judge(
     count, length, known = len(values), _length(cases)[:, None], truth.status == OK
     least = truth.scaled if floor or kernel in FORCES else np.ones(count)
     error, condition, size = np.full(count, np.nan), np.ones(count), np.ones(count)
-    block, solved = np.zeros(count, dtype=np.int64), (status == OK) & known
-    for number, (places, powers) in enumerate(BLOCKS[kernel].values()):
+    solved = (status == OK) & known
+    for places, powers in BLOCKS[kernel].values():
         weight, true = length**powers, truth.values[:, places]
         off = (np.abs(values[:, places] - true) * weight).max(axis=1)
         # The forces are differences of D and x.
@@ -278,20 +277,19 @@ def judge(
         own = np.fmax(np.fmax(moved / whole, least), 1.0)
         units = np.where(solved, off / (EPSILON[precision] * whole), np.nan).astype(np.float64)
         worse = np.where(solved, ~(units / own <= error / condition), known & (own > condition))
-        for kept, new in ((error, units), (condition, own), (size, whole), (block, np.full(count, number))):
+        for kept, new in ((error, units), (condition, own), (size, whole)):
             kept[worse] = new[worse]
     condition = np.where(known, condition, np.inf)
     pose = np.fmax(np.fmax(condition, truth.scaled), truth.frames)
-    return Verdict(error, condition, pose, status, truth.status, block, size)
+    return Verdict(error, condition, pose, status, truth.status, size)
 
 
 def run(cases: Cases, kernel: str, precision: str) -> tuple[NDArray[Any], Codes]:
     """Run a kernel in "double", "float", or "wide" arithmetic; return outputs (n, m) and statuses (n,)."""
     kind = _TYPES[precision]
+    inputs = (cases.robots, cases.motions, cases.forces)
     with np.errstate(over="ignore"):
-        given = [
-            np.ascontiguousarray(each, dtype=kind) for each in (cases.robots, cases.motions, cases.forces)
-        ]
+        given = [np.ascontiguousarray(each, dtype=kind) for each in inputs]
     count = len(given[0])
     width = sum(math.prod(shape) for shape in _SHAPES[kernel].values())
     out, status = np.full((count, width), np.nan, dtype=kind), np.zeros(count, dtype=np.int32)
