@@ -299,7 +299,10 @@ FAMILIES = (
     Family(
         *("scale_extreme", "Machines of 1e-200 to 1e200 m: overflow and subnormal numbers"),
         *("overflow, underflow", "status 1 if a result or a square exceeds the range of double"),
-        *("radius of the base, m", _extreme, 7, False),
+        "radius of the base, m",
+        _extreme,
+        seed=7,
+        in_range=False,
     ),
 )
 """Families of cases that approach a failure, in the order of the report."""

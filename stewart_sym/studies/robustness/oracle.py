@@ -246,7 +246,7 @@ def truth_of(cases: Cases, kernel: str, precision: str = "double", samples: int 
     change = np.zeros(values.shape)
     for step in np.eye(whole.shape[1]) if samples < 0 else signs:
         parts = np.split(whole * (1 + amount * step), ends, axis=1)
-        beside, codes = run(Cases(*parts, cases.distance), kernel, "wide")
+        beside, codes = run(Cases(parts[0], parts[1], parts[2], cases.distance), kernel, "wide")
         by = np.abs((beside - values) / amount).astype(np.float64)
         by[(codes != OK) & (status == OK)] = np.inf
         change = change + by if samples < 0 else np.fmax(change, by)
