@@ -158,14 +158,8 @@ def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
         both = [height(point.worst), height(other.worst)]
         axes.plot([point.ns, other.ns], both, ":", color=point.color, linewidth=0.9, alpha=0.7, zorder=1.5)
     corners = [(point.ns, height(point.worst)) for point in front(given)]
-    stroke: Any = {
-        "color": _FRONT,
-        "linewidth": 4.0,
-        "alpha": 0.35,
-        "solid_joinstyle": "round",
-        "zorder": 1.0,
-    }
-    axes.step(*zip(*corners, strict=True), where="post", **stroke)
+    wide: Any = {"color": _FRONT, "linewidth": 4.0, "alpha": 0.35, "solid_joinstyle": "round", "zorder": 1.0}
+    axes.step(*zip(*corners, strict=True), where="post", **wide)
     _limits(axes, given, height)
     axes.set_xlabel("time per pose, ns, median")
 
