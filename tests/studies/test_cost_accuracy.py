@@ -14,11 +14,9 @@ from machines import dasgupta, random_motion, random_robot, random_robot_of
 from mpmath import mp
 from numpy.typing import NDArray
 from reduced_machines import at_rest
-from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
-from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.motion import Motion
@@ -26,7 +24,7 @@ from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy import cost as study
-from stewart_sym.studies.accuracy.budget import MARGIN, papers_motions, read_budget
+from stewart_sym.studies.accuracy.budget import papers_motions, read_budget
 from stewart_sym.studies.accuracy.cost import cost, entry_of, worst
 from stewart_sym.studies.common.output import Figures, csv_lines
 
@@ -35,7 +33,6 @@ pytestmark = pytest.mark.usefixtures("quickly")
 Array = NDArray[np.float64]
 
 EPSILON = np.finfo(np.float64).eps
-FAST_LEVELS = ("general", "slender", "massless_static")
 
 
 # the scene
@@ -67,59 +64,31 @@ def test_a_motion_through_a_singular_pose_is_told(scene: Path) -> None:
         read_budget(scene)
 
 
-def test_margin_and_rate_have_defaults(scene: Path) -> None:
-    scene.write_text(SCENE.replace("margin = 2", "").replace("rate = 1000.0", ""))
-    read = read_budget(scene)
-    assert (read.margin, read.rate) == (MARGIN, None)
-
-
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
         ("schema = 1", "schema = 2", "schema: expected 1, got 2"),
-        ("schema = 1", "", "schema: missing"),
-        ("schema = 1", "schema = ", "not valid TOML"),
         ("margin", "margn", 'margn: unknown key, did you mean "margin"?'),
-        ("rate = 1000.0", "xyz = 1", "xyz: unknown key, expected one of schema, robot, motions"),
         ("robots/robot.toml", "robots/none.toml", "scene.toml: robot: expected a file, there is no "),
-        ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
-        ('robot = "robots/robot.toml"', "", "robot: missing"),
         ('motions = ["I"]', "motions = []", "motions: expected a list of one or more of I, II, III or CSV"),
-        ('motions = ["I"]', 'motions = "I"', "motions: expected a list of one or more of I, II, III or CSV"),
-        ('motions = ["I"]', "", "motions: missing"),
-        ('motions = ["I"]', "motions = [1]", "motions: expected one line of text, got 1"),
         ('["I"]', '["I", "II", "I"]', "motions: expected each motion once, 'I' is given twice"),
         ('["I"]', '["IV"]', "scene.toml: motions: expected a file, there is no "),
         ("tolerance = 0.05", "tolerance = 0", "tolerance: expected a number > 0, got 0"),
-        ("tolerance = 0.05", "tolerance = -0.1", "tolerance: expected a number > 0, got -0.1"),
         ("tolerance = 0.05", "tolerance = nan", "tolerance: expected a finite number, got nan"),
-        ("tolerance = 0.05", "tolerance = inf", "tolerance: expected a finite number, got inf"),
-        ("tolerance = 0.05", 'tolerance = "5 %"', "tolerance: expected a finite number, got '5 %'"),
         ("tolerance = 0.05", "", "tolerance: missing"),
         ("margin = 2", "margin = 0.5", "margin: expected a number >= 1, got 0.5"),
-        ("rate = 1000.0", "rate = 0", "rate: expected a number > 0, got 0"),
-        ("rate = 1000.0", "rate = inf", "rate: expected a finite number, got inf"),
     ],
 )
-@pytest.mark.parametrize("subcommand", ["choose-fidelity", "chart"])
 def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
-    scene: Path, capsys: pytest.CaptureFixture[str], subcommand: str, old: str, new: str, words: str
+    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
 ) -> None:
     assert old in SCENE
     scene.write_text(SCENE.replace(old, new, 1))
     before = folder_state(scene.parent)
-    more = {"choose-fidelity": ["--json", scene.parent / "out.json"], "chart": ["-o", scene.parent / "out"]}[
-        subcommand
-    ]
-    line = fails_in_one_line(capsys, subcommand, scene, *more)
+    line = fails_in_one_line(capsys, "chart", scene, "-o", scene.parent / "out")
     assert words in line
     assert str(scene) in line
     assert folder_state(scene.parent) == before
-
-
-def test_a_missing_scene_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    line = fails_in_one_line(capsys, "choose-fidelity", tmp_path / "none.toml")
-    assert "none.toml: cannot read the scene of choose-fidelity: No such file" in line
 
 
 def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -151,7 +120,7 @@ def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     np.testing.assert_allclose(found.astype(float), expected, rtol=0, atol=1e-13 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize("level", slow_but(FAST_LEVELS, FIDELITIES))
+@pytest.mark.parametrize("level", ["general", "slender", "massless_static"])
 def test_every_fidelity_is_within_rounding_of_its_own_truth(level: str) -> None:
     rng = np.random.default_rng(6)
     robot = random_robot(rng)
@@ -167,9 +136,7 @@ def test_deviations_keep_digits_that_double_has_not() -> None:
     robot, motion = dasgupta(), papers_motions()["I"][3:5]
     true = Truth(robot).forces(motion)
     nearest = true.astype(np.float64)
-    off = deviation(nearest, true)
-    assert off.shape == (2, 6)
-    assert 0.0 < np.abs(off).max() <= 0.5 * np.spacing(np.abs(nearest).max())
+    assert 0.0 < np.abs(deviation(nearest, true)).max() <= 0.5 * np.spacing(np.abs(nearest).max())
     assert np.isnan(deviation(np.full((2, 6), np.nan), true)).all()
 
 
@@ -237,22 +204,6 @@ def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
             off = np.abs(deviation(F, Truth(robot, "exact", name).forces(motions["I"][:3]))).max()
             # Three poses of those that were sampled or are like them.
             assert 0.2 * off <= errors["rounding"] * peak <= 100 * epsilon * peak
-
-
-def test_rounding_in_float_is_the_worst_of_all_poses(found: Figures) -> None:
-    robot, motions = dasgupta(), papers_motions()
-    for path, motion in motions.items():
-        one, other = (ss.ForceKernel(robot, "exact", p).forces(motion) for p in ("float", "double"))  # type: ignore[arg-type]
-        largest = np.abs(one - other).max() / peak_of(found, path)
-        errors = entry_of(found, "exact", "general", "float")["errors"][path]
-        assert errors["rounding"] == pytest.approx(largest, rel=1e-6)
-
-
-def test_peaks_are_the_largest_forces(found: Figures) -> None:
-    for name, motion in papers_motions().items():
-        F = newton_euler.inverse_dynamics(dasgupta(), motion).F
-        assert peak_of(found, name) == pytest.approx(np.abs(F).max(), rel=1e-9)
-        assert found["motions"][name]["poses"] == 61
 
 
 def test_other_implementations_are_near_the_truth(found: Figures) -> None:

@@ -104,26 +104,6 @@ def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
     }
 
 
-def test_all_points_are_named_inside_the_picture_and_no_names_overlap(picture: Figure) -> None:
-    found = made_up()
-    for axes, panel in zip(picture.axes, (TOTAL, ROUNDING), strict=True):
-        names = boxes(axes)
-        assert names.keys() == {p.name for p in points(found) if p.panel == panel and not p.beside}
-        assert not overlapping(names)
-        frame = axes.get_window_extent()
-        assert all(frame.x0 <= box.x0 and box.x1 <= frame.x1 for box in names.values())
-        assert all(frame.y0 <= box.y0 and box.y1 <= frame.y1 for box in names.values())
-
-
-def test_no_name_covers_a_point(picture: Figure) -> None:
-    for axes in picture.axes:
-        names = boxes(axes)
-        for line in axes.get_lines():
-            if line.get_marker() not in ("None", None, ""):
-                for x, y in axes.transData.transform(line.get_xydata()):
-                    assert not any(box.contains(x, y) for box in names.values())
-
-
 @pytest.mark.usefixtures("unnamed")
 def test_errors_of_zero_have_a_band_below_all_others() -> None:
     found = made_up()
@@ -149,38 +129,6 @@ def test_points_without_an_answer_are_drawn_above_all_others() -> None:
     assert left[-1] == right[-1] == "unsolvable"
 
 
-@pytest.mark.usefixtures("unnamed")
-def test_the_legend_names_no_color_without_points() -> None:
-    def named(drawn: Figure) -> set[str]:
-        return {text.get_text() for text in drawn.legends[0].get_texts()}
-
-    made = made_up()
-    exact = [each for each in made["candidates"] if each["formulation"] == "exact"]
-    assert named(figure(made)) - named(figure(made | {"candidates": exact})) == {"paper, double"}
-
-
-def test_float_kernels_are_hollow_and_may_be_on_the_front(picture: Figure) -> None:
-    every = [point for point in points(made_up()) if point.panel == TOTAL]
-    hollow = {
-        float(line.get_xdata()[0])  # type: ignore[index, arg-type]
-        for line in picture.axes[0].get_lines()
-        if line.get_marker() != "None" and line.get_markerfacecolor() == "white"
-    }
-    assert hollow == {point.ns for point in every if point.beside}
-    assert any(point.beside for point in front(every))
-    assert any(not point.beside for point in front(every))
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("unnamed")
-def test_a_run_that_others_disturbed_says_so(picture: Figure) -> None:
-    assert made_up()["taken_by_others"] is None
-    assert picture.get_suptitle().endswith("machine")
-    title = figure(made_up() | {"taken_by_others": 0.42, "load": 3.25}).get_suptitle()
-    assert title.count("\n") == 1
-    assert title.endswith("took 42 % of the cores' time, load 3.2")
-
-
 def crowd(where: list[tuple[float, float]], size: tuple[float, float] = (6.0, 4.0)) -> Axes:
     picture = Figure(figsize=size, layout="constrained")
     axes = picture.subplots()
@@ -194,18 +142,6 @@ def test_names_of_points_at_one_place_do_not_overlap() -> None:
     axes = crowd([(5.0, 5.0)] * 14)
     assert [text.get_text() for text in axes.texts] == [f"point number {i}" for i in range(14)]
     assert not overlapping(boxes(axes))
-
-
-def test_names_of_points_in_the_corners_stay_inside() -> None:
-    axes = crowd([(0.0, 0.0), (10.0, 0.0), (0.0, 10.0), (10.0, 10.0)])
-    frame = axes.get_window_extent()
-    assert all(frame.x0 <= box.x0 and box.x1 <= frame.x1 for box in boxes(axes).values())
-
-
-def test_places_are_the_same_on_every_run() -> None:
-    where = [(float(x), float(y)) for x, y in np.random.default_rng(3).uniform(1, 9, (12, 2))]
-    first, second = (crowd(where).texts for _ in range(2))
-    assert [text.get_position() for text in first] == [text.get_position() for text in second]
 
 
 def test_too_many_names_are_rejected() -> None:

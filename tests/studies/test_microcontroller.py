@@ -6,14 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import microcontroller as measure
-import numpy as np
 import pytest
 import toolchain
-from machines import dasgupta, random_robot
+from machines import dasgupta
 from microcontroller import right
 from sweeps import slow_but
 
-from stewart_sym.backend.native import CompilerError
 from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
 from stewart_sym.studies.common.output import Figures
@@ -145,24 +143,6 @@ def test_a_double_in_a_float_object_is_found(tmp_path: Path, text: str, told: st
     assert told in toolchain.double_arithmetic(compiled(tmp_path, text))
 
 
-def test_functions_of_libraries_are_found(tmp_path: Path) -> None:
-    text = "#include <math.h>\n#include <stdlib.h>\nvoid *f(float x);\n"
-    text += "void *f(float x) { return malloc((size_t)sinf(x)); }\n"
-    assert toolchain.asked_for(compiled(tmp_path, text)) - toolchain.HARMLESS == {"malloc", "sinf"}
-
-
-def test_a_circle_of_calls_has_no_depth_of_stack(tmp_path: Path) -> None:
-    text = "int f(int n);\n"
-    text += "int f(int n) { volatile int a[9]; a[0] = n; return n ? f(n - 1) * a[0] + a[0] : 1; }\n"
-    text += "int g(int n);\nint g(int n) { return f(n) + 1; }\n"
-    text += "int h(int n);\nint h(int n) { volatile int a[9]; a[0] = n; return a[0]; }\n"
-    built = compiled(tmp_path, text)
-    usage = [built.with_suffix(".su")]
-    with pytest.raises(CompilerError, match="calls itself"):
-        toolchain.deepest_stack(built, usage, "g")
-    assert 36 <= toolchain.deepest_stack(built, usage, "h") <= 56
-
-
 def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     vectors, unsolvable = measure.vectors, measure.unsolvable_motions
 
@@ -181,17 +161,3 @@ def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPa
     assert (row["failed"], row["rejected_wrongly"]) == (1, 1)
     assert row["worst"] > 1
     assert not right(row)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("level", "scale", "joint", "baked"),
-    [("massless", 1e-3, "spherical", False), ("slender_friction", 10.0, "universal", True)],
-)
-def test_levels_of_machines_of_other_sizes_and_joints_run_on_the_processors(
-    level: str, scale: float, joint: str, baked: bool
-) -> None:
-    """In float, which has the smaller range."""
-    row = measure.measured(random_robot(np.random.default_rng(2), joint, scale=scale), level, baked, "float")
-    assert right(row), row
-    assert row["instructions"] <= AT_MOST[baked]

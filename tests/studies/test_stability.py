@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import stability_tables
 from command_line import Run
 from machines import machine_in_motion, random_motion, random_robot
 from sweeps import share
@@ -15,7 +16,6 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.derive.emit.header import CASES, THRESHOLDS
 from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.rotation import quaternion_from_rotation, quaternion_product, rotation_from_rpy
 from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.results import OK, SINGULAR
 from stewart_sym.studies.robustness import failures, pictures, study
@@ -66,7 +66,7 @@ def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
 
 
 def test_a_summary_tells_a_silent_error_from_a_status() -> None:
-    distance, block = np.array([1.0, 0.1, 0.01]), np.zeros(3, dtype=np.int64)
+    distance = np.array([1.0, 0.1, 0.01])
     ones, truth = np.ones(3), np.zeros(3, dtype=np.int32)
     for status, condition, wrong, rejected_good, rejected_at in (
         ([0, 0, 0], 1.0, 1, 0, math.inf),
@@ -75,9 +75,7 @@ def test_a_summary_tells_a_silent_error_from_a_status() -> None:
     ):
         error = np.array([0.5, 1e4 * condition, 0.5])
         pose = np.array([1.0, condition, 1.0])
-        found = study.summary(
-            Verdict(error, pose, pose, np.array(status, np.int32), truth, block, ones), distance
-        )
+        found = study.summary(Verdict(error, pose, pose, np.array(status, np.int32), truth, ones), distance)
         assert (found["wrong"], found["rejected_good"], found["rejected_at"]) == (
             wrong,
             rejected_good,
@@ -113,32 +111,11 @@ def test_near_a_failure_every_kernel_is_right_or_says_so(family: failures.Family
         assert summary["worst"] < 100, kernel
 
 
-def test_orientations_without_a_singularity_keep_their_digits_at_a_pitch_of_90_degrees() -> None:
-    robot, motion = machine_in_motion(4)
-    R = rotation_from_rpy([0.3, 0.5 * np.pi - 1e-9, 0.2])
-    motion = dataclasses.replace(motion, R=R)
-    F = ss.ForceKernel(robot).forces(motion)
-    e = quaternion_from_rotation(R)
-    e_dot = 0.5 * quaternion_product(np.array([0.0, *motion.omega]), e)
-    e_ddot = 0.5 * (
-        quaternion_product(np.array([0.0, *motion.alpha]), e)
-        + quaternion_product(np.array([0.0, *motion.omega]), e_dot)
-    )
-    load = {"F_ext": motion.F_ext, "M_ext": motion.M_ext}
-    found = Motion.from_quaternion(motion.t, e, motion.v, e_dot, motion.a, e_ddot, **load)
-    assert np.abs(ss.ForceKernel(robot).forces(found) - F).max() < 1e-11 * np.abs(F).max()
-
-
 def test_random_cases_near_failure_are_right_or_say_so() -> None:
-    cases = share(100_000)
+    cases = share(50_000)
     found = study.sweep(cases, seed=11)
     assert found["cases"] >= 0.99 * cases
     assert [count["shown"] for count in found["counts"] if count["shown"]] == []
-
-
-def test_the_command_prints_the_sweep(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["stability", "--cases", "200", "--seed", "1"]) == 0
-    assert "random cases near failure" in capsys.readouterr().out
 
 
 def test_too_few_cases_are_rejected_in_one_line(run: Run) -> None:
@@ -158,7 +135,7 @@ def test_the_command_writes_the_study(tmp_path: Path, monkeypatch: pytest.Monkey
         {path.stem for path in tmp_path.glob("*.csv")} == names == {each.name for each in failures.FAMILIES}
     )
     assert {path.stem for path in tmp_path.glob("*.png")} == {"zero_length"}
-    assert study.tables(figures).keys() == {"stability_families", "stability_cases"}
+    assert stability_tables.tables(figures).keys() == {"stability_families", "stability_cases"}
 
 
 def test_the_header_s_reasons_for_its_thresholds_are_what_the_committed_sweep_saw() -> None:

@@ -30,19 +30,11 @@ TERMS: Mapping[str, str] = {
     "joint": "the right equations of joint and inertia",
     "digits": "double precision",
 }
-"""Terms that a kernel may omit, as text; ``joint`` are the corrections of faults 1 to 3, which `paper`
-lacks.
-"""
+"""Terms that a kernel may omit, as text; ``joint`` are the corrections of faults 1 to 3 of `paper`."""
 
-_LEGS: Mapping[str, frozenset[str]] = {
-    "general": frozenset({"off-axis", "axial", "rods", "masses"}),
-    "axisymmetric": frozenset({"axial", "rods", "masses"}),
-    "slender": frozenset({"rods", "masses"}),
-    "point_masses": frozenset({"masses"}),
-    "massless": frozenset(),
-}
-"""Terms that each kind of leg includes."""
-
+_LEG_TERMS = ("off-axis", "axial", "rods", "masses")
+_LEGS = ("general", "axisymmetric", "slender", "point_masses", "massless")
+"""Kinds of legs; each includes one of the terms of legs less than the kind before."""
 
 _INERTIA = frozenset({"axial", "rods", "reflected", "momentum"})
 """Terms without effect at rest."""
@@ -50,11 +42,7 @@ _INERTIA = frozenset({"axial", "rods", "reflected", "momentum"})
 
 @dataclass(frozen=True)
 class Advice:
-    """Selected kernel.
-
-    ``chosen`` is None if no kernel is within the budget, and ``closest`` is the kernel with the smallest
-    excess.
-    """
+    """Selected kernel, None if no kernel is within the budget, and the kernel with the smallest excess."""
 
     budget: Budget
     cost: Figures
@@ -62,19 +50,14 @@ class Advice:
     closest: Figures
 
     def needed(self) -> tuple[tuple[frozenset[str], Figures], ...]:
-        """Return the terms of the selected kernel that no cheaper kernel may omit, separately or in
-        combination.
-
-        Each entry also contains the next cheaper kernel that omits these terms and as few others as possible.
-        """
+        """Return sets of terms that no cheaper kernel may omit, each with the next cheaper kernel without."""
         if self.chosen is None:
             return ()
         rotors, every = self.budget.robot.has_rotors, self.cost["candidates"]
         kept = terms(candidate_of(self.chosen), rotors) - without_effect(self.budget.robot)
         if "rates" not in kept:
             kept -= _INERTIA
-        # The last kernel that omits the same terms is the most expensive one, which is the next cheaper
-        # kernel.
+        # The last kernel that omits the same terms is the most expensive one, thus the next cheaper kernel.
         dropped = {
             kept - terms(candidate_of(entry), rotors): entry for entry in every[: every.index(self.chosen)]
         }
@@ -106,20 +89,16 @@ def _misses(entry: Figures, budget: Budget) -> tuple[float, float]:
 def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
     """Return the terms (keys of TERMS) that a kernel includes; ``rotors`` is True for robots with rotors."""
     level = level_of(candidate.fidelity, rotors)
-    kept = set(_LEGS[level.legs])
-    if level.moving:
-        kept.add("rates")
-    if level.friction:
-        kept.add("friction")
-    if level.rotor != NONE:
-        kept.add("reflected")
-    if level.rotor == FULL:
-        kept.add("momentum")
-    if candidate.formulation == "exact":
-        kept.add("joint")
-    if candidate.precision == "double":
-        kept.add("digits")
-    return frozenset(kept)
+    included = {
+        "rates": level.moving,
+        "friction": level.friction,
+        "reflected": level.rotor != NONE,
+        "momentum": level.rotor == FULL,
+        "joint": candidate.formulation == "exact",
+        "digits": candidate.precision == "double",
+    }
+    of_legs = _LEG_TERMS[_LEGS.index(level.legs) :]
+    return frozenset(of_legs).union(name for name, kept in included.items() if kept)
 
 
 def without_effect(robot: Robot) -> frozenset[str]:
@@ -155,37 +134,25 @@ def report(found: Advice) -> str:
     return "\n\n".join([head, table(cost, found), "\n".join(answer(found))])
 
 
-_WHERE = (
+_NOTE = (
+    "Errors are shares of the peak force of their motion, the worst motion counts.\n"
     f"Rounding is measured at {SAMPLED} poses spread over each motion and where force and condition "
     "number are largest, the model error at all poses."
 )
-
-_COLUMNS = (
-    *("kernel", "operations", "ns per pose", "in a batch"),
-    *("model error", "RMS", "rounding", "total"),
-)
+_COLUMNS = ("operations", "ns per pose", "in a batch", "model error", "RMS", "rounding", "total")
 
 
 def table(cost: Figures, found: Advice | None = None) -> str:
     """Format all candidates, the cheapest first; with advice, the selected kernel is marked."""
-    header = [*_COLUMNS, *([] if found is None else [""])]
-    rows = [
-        (
-            candidate_of(entry).name,
-            str(entry["operations"]),
-            f"{entry['one_pose_ns']:.0f}",
-            f"{entry['batch_ns']:.0f}",
-            *(_share(worst(entry, *part)) for part in (("model",), ("model_rms",), ("rounding",), ())),
-            *([] if found is None else [_mark(entry, found)]),
-        )
-        for entry in cost["candidates"]
-    ]
-    note = "Errors are shares of the peak force of their motion, the worst motion counts."
-    return f"{aligned(header, rows)}\n\n{note}\n{_WHERE}"
-
-
-def _share(error: float) -> str:
-    return f"{error:.1e}" if error else "0"
+    marked = [] if found is None else [""]
+    rows = []
+    for entry in cost["candidates"]:
+        errors = (worst(entry, *part) for part in (("model",), ("model_rms",), ("rounding",), ()))
+        times = (f"{entry[name]:.0f}" for name in ("one_pose_ns", "batch_ns"))
+        shares = (f"{error:.1e}" if error else "0" for error in errors)
+        mark = [] if found is None else [_mark(entry, found)]
+        rows.append((candidate_of(entry).name, str(entry["operations"]), *times, *shares, *mark))
+    return f"{aligned(['kernel', *_COLUMNS, *marked], rows)}\n\n{_NOTE}"
 
 
 def _mark(entry: Figures, found: Advice) -> str:

@@ -29,22 +29,11 @@ _KEYS = ("schema", "robot", "motions", "tolerance", "margin", "rate")
 
 @dataclass(frozen=True, eq=False)
 class Budget:
-    """Requirements of a kernel.
+    """Requirements of a kernel for motions of shape (n,) with a solution at every pose.
 
-    Attributes
-    ----------
-    robot : Robot
-        Robot.
-    motions : mapping of str to Motion
-        Motions of shape (n,) with a solution at every pose.
-    tolerance : float
-        Permitted error of the forces, as a fraction of the peak force of a motion.
-    margin : float
-        Safety factor; a kernel is acceptable if its error times ``margin`` is within the tolerance.
-    rate : float or None
-        Required rate of single poses on one core (Hz); None for no requirement.
-    files : tuple of Path
-        Files from which the budget was read.
+    ``tolerance`` is the permitted error of the forces as a fraction of the peak force of a motion. A kernel
+    is acceptable if its error times ``margin`` is within the tolerance. ``rate`` is the required rate of
+    single poses on one core (Hz), None for no requirement. ``files`` are the files that were read.
     """
 
     robot: Robot
@@ -59,25 +48,9 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     """Read a scene file of ``choose-fidelity`` (TOML, schema 1) with file names relative to its folder.
 
     The keys are ``robot`` (file), ``motions`` (names of the paths of the paper or CSV files, as in
-    ``read_trajectory``), ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
-
-    Parameters
-    ----------
-    path : str or os.PathLike
-        Scene file.
-
-    Returns
-    -------
-    Budget
-        Budget.
-
-    Raises
-    ------
-    ValueError
-        If a file cannot be read or violates its schema, or if a pose is unsolvable: ``file: key: expected X,
-        got Y (at line n)``.
-    ImportError
-        If a spline requires SciPy.
+    ``read_trajectory``), ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz). Raises ValueError
+    if a file cannot be read or violates its schema, or if a pose is unsolvable, and ImportError if a spline
+    requires SciPy.
     """
     source = os.fspath(path)
     with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
@@ -86,8 +59,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
 
 def _budget(d: Mapping[str, Any], source: str) -> Budget:
     file = f"{source}: "
-    needed = ("schema", "robot", "motions", "tolerance")
-    top = toml_reader.checked_table(d, file, _KEYS, needed)
+    top = toml_reader.checked_table(d, file, _KEYS, _KEYS[:4])
     toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     names = _names(top["motions"], f"{file}motions")
     tolerance = toml_reader.positive(top["tolerance"], f"{file}tolerance")
@@ -96,9 +68,8 @@ def _budget(d: Mapping[str, Any], source: str) -> Budget:
         raise ValueError(f"{file}margin: expected a number >= 1, got {margin:g}")
     rate = toml_reader.positive(top["rate"], f"{file}rate") if "rate" in top else None
     robot_file = toml_reader.file_beside(top["robot"], source, "robot")
-    logs = {
-        name: toml_reader.file_beside(name, source, "motions") for name in names if name not in PAPER_PATHS
-    }
+    own = [name for name in names if name not in PAPER_PATHS]
+    logs = {name: toml_reader.file_beside(name, source, "motions") for name in own}
     robot = Robot.from_toml(robot_file)
     motions = {name: _motion(robot, name, logs.get(name), f"{file}motions: ") for name in names}
     return Budget(robot, motions, tolerance, margin, rate, (Path(source), robot_file, *logs.values()))

@@ -41,15 +41,10 @@ FEW, SLOW, MANY = 64, 1_024, 4_096
 """Number of poses of a C loop of one-pose calls, of a NumPy batch, and of a C batch."""
 
 SAMPLED = 12
-"""Number of evenly spaced poses of a motion at which rounding is measured.
-
-The poses with the largest force and the largest condition number are added.
-"""
+"""Number of poses of a motion for rounding, besides those with the largest force and condition number."""
 
 _ROUNDING = 100 * float(np.finfo(np.float64).eps)
-"""Largest difference of two kernels of the same model in double precision, relative to force times condition
-number.
-"""
+"""Largest difference of two double-precision kernels of a model over force times condition number."""
 
 
 # --- figures ----------------------------------------------------------------------------------
@@ -85,10 +80,8 @@ def worst(entry: Figures, *parts: str) -> float:
 
 
 _UNITS = {
-    "errors": "share of the motion's peak force",
-    "rounding": "share of the motion's peak force",
-    "operations": "per pose",
-    "ns": "per pose",
+    **dict.fromkeys(("errors", "rounding"), "share of the motion's peak force"),
+    **dict.fromkeys(("operations", "ns"), "per pose"),
     "taken_by_others": "share of the cores' time",
     "load": "busy processes",
 }
@@ -104,42 +97,16 @@ def cost(
     rounds: int = QUICK_ROUNDS,
     progress: Progress = silent,
 ) -> Figures:
-    """Measure every candidate for the motions.
+    """Measure every candidate for motions of shape (n,) with a solution at every pose.
 
-    A candidate has the operations and the times per pose, single and in a batch.
+    Returns the largest force of each motion (N), and records of the candidates, the cheapest first, with
+    operations and times per pose (ns), single and in a batch. By motion, a candidate has the largest and the
+    RMS modeling error relative to `exact` general, and the largest rounding error at the sampled poses. A
+    modeling error within the differences of two double-precision kernels of the same equations counts as 0.
+    Errors are infinite if poses are unsolvable. A precision that cannot represent the constants of the robot
+    is omitted. ``implementations`` also measures other implementations of `exact` general.
 
-    By motion, a candidate has the largest and the RMS modeling error relative to `exact` general, and the
-    largest rounding error at the sampled poses. A modeling error within the differences of two
-    double-precision kernels of the same equations counts as 0. Errors are infinite if poses are unsolvable.
-
-    The core time used by other processes and the load are None if the system does not provide them. A
-    precision that cannot represent the constants of the robot is omitted.
-
-    Parameters
-    ----------
-    robot : Robot
-        Robot.
-    motions : mapping of str to Motion
-        Motions of shape (n,) with a solution at every pose.
-    implementations : bool
-        True also measures other implementations of `exact` general.
-    rounds : int
-        Number of rounds of the timing.
-    progress : Progress
-        Display of the progress.
-
-    Returns
-    -------
-    dict
-        Largest actuator force of each motion (N), and records of the candidates, the cheapest first
-        (operations, then precision), with times in ns.
-
-    Raises
-    ------
-    ValueError
-        If all forces of a motion are zero.
-    native.CompilerError
-        Without a C compiler.
+    Raises ValueError if all forces of a motion are zero, and native.CompilerError without a C compiler.
     """
     kernels = _compiled(robot, progress)
     paths = tracked(progress, motions.items(), lambda each: f"computing the forces of {each[0]}")
@@ -148,9 +115,7 @@ def cost(
     ways = _ways(robot) if implementations else {}
     errors: dict[Candidate, Figures] = {candidate: {} for candidate in kernels}
     # Candidates with the same equations, which share the reference solution, are adjacent.
-    by_model = [
-        [*each] for _, each in itertools.groupby(kernels, lambda each: (each.formulation, each.fidelity))
-    ]
+    by_model = [[*each] for _, each in itertools.groupby(kernels, lambda candidate: candidate[:2])]
     models = [(name, candidates) for name in cases for candidates in by_model]
     for name, candidates in tracked(progress, models, lambda model: f"computing {model[0]} at 50 digits"):
         for candidate, found in cases[name].errors({each: kernels[each] for each in candidates}).items():
@@ -190,23 +155,11 @@ def _times(name: str, raw: tuple[float, ...]) -> Figures:
     return {f"{name}ns": statistics.median(raw), f"{name}raw_ns": raw}
 
 
-def candidates(robot: Robot) -> list[Candidate]:
-    """List every available fidelity level of every formulation for a robot, in both precisions."""
-    return [
-        Candidate(formulation, level, precision)
-        for formulation in FORMULATIONS
-        for level in fidelity.available(robot, formulation)
-        for precision in PRECISIONS
-    ]
-
-
 _RICHEST_FIRST = tuple(dict.fromkeys((*fidelity.DRIVE_FIDELITIES, *fidelity.FIDELITIES)))
 
 
 def _cost(entry: Figures) -> tuple[int, int, int, int]:
-    """Return a sorting key that is independent of times: operations, precision, then the more complete
-    model.
-    """
+    """Return a sorting key: operations, precision, then the more complete model."""
     return (
         entry["operations"],
         PRECISIONS.index(entry["precision"]),
@@ -219,8 +172,9 @@ def _cost(entry: Figures) -> tuple[int, int, int, int]:
 
 
 def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
-    """Compile all kernels in parallel."""
-    every = candidates(robot)
+    """Compile every available fidelity level of every formulation in both precisions, in parallel."""
+    levels = [(each, level) for each in FORMULATIONS for level in fidelity.available(robot, each)]
+    every = [Candidate(*level, precision) for level in levels for precision in PRECISIONS]
     with ThreadPoolExecutor(CORES) as pool:
         made = {each: pool.submit(_kernel, robot, each) for each in every}
         done = tracked(progress, made.items(), lambda pair: f"compiling {pair[0].name}")

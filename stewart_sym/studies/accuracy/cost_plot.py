@@ -60,25 +60,15 @@ def full_report(found: Figures) -> Report:
 
 
 def points(found: Figures) -> list[Point]:
-    """Return the total errors of single poses for all levels and precisions, and the rounding errors of all
-    implementations.
-    """
-    kernels = [
-        Point(
-            ROUNDING,
-            f"{kind}, {entry['precision']}",
-            ns,
-            {name: errors["rounding"] for name, errors in entry["errors"].items()},
-            _EXACT if entry["precision"] == "double" else _FLOAT,
-        )
-        for entry in found["candidates"]
-        if candidate_of(entry)[:2] == ("exact", "general")
-        for kind, ns in (("one pose", entry["one_pose_ns"]), ("batch", entry["batch_ns"]))
-    ]
-    others = [
-        Point(ROUNDING, each["name"], each["ns"], each["rounding"], _OTHER)
-        for each in found["implementations"]
-    ]
+    """Return total errors of all levels and precisions, and rounding errors of all implementations."""
+    ways = found["implementations"]
+    others = [Point(ROUNDING, each["name"], each["ns"], each["rounding"], _OTHER) for each in ways]
+    kernels = []
+    for entry in (each for each in found["candidates"] if candidate_of(each)[:2] == ("exact", "general")):
+        rounding = {name: errors["rounding"] for name, errors in entry["errors"].items()}
+        color = _EXACT if entry["precision"] == "double" else _FLOAT
+        for kind, ns in (("one pose", entry["one_pose_ns"]), ("batch", entry["batch_ns"])):
+            kernels.append(Point(ROUNDING, f"{kind}, {entry['precision']}", ns, rounding, color))
     return [*map(_of_fidelity, found["candidates"]), *kernels, *others]
 
 
@@ -129,9 +119,8 @@ def figure(found: Figures) -> Figure:
     marks = dict(zip(found["motions"], itertools.cycle(_MARKERS), strict=False))
     picture = new_figure(12.4, 7.8)
     left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
-    picture.suptitle(
-        "\n".join([f"Speed against accuracy: {as_written(found['robot'])}", *_disturbance(found)])
-    )
+    title = f"Speed against accuracy: {as_written(found['robot'])}"
+    picture.suptitle("\n".join([title, *_disturbance(found)]))
     _draw(left, _of(every, TOTAL), marks)
     _draw(right, _of(every, ROUNDING), marks)
     left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
@@ -168,17 +157,9 @@ def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
     for point, other in ((point, named[point.beside]) for point in given if point.beside in named):
         both = [height(point.worst), height(other.worst)]
         axes.plot([point.ns, other.ns], both, ":", color=point.color, linewidth=0.9, alpha=0.7, zorder=1.5)
-    best = front(given)
-    axes.step(
-        [point.ns for point in best],
-        [height(point.worst) for point in best],
-        where="post",
-        color=_FRONT,
-        linewidth=4.0,
-        alpha=0.35,
-        solid_joinstyle="round",
-        zorder=1.0,
-    )
+    corners = [(point.ns, height(point.worst)) for point in front(given)]
+    wide: Any = {"color": _FRONT, "linewidth": 4.0, "alpha": 0.35, "solid_joinstyle": "round", "zorder": 1.0}
+    axes.step(*zip(*corners, strict=True), where="post", **wide)
     _limits(axes, given, height)
     axes.set_xlabel("time per pose, ns, median")
 
@@ -221,16 +202,11 @@ def _limits(axes: Axes, given: Sequence[Point], height: Callable[[float], float]
 def _legend(picture: Figure, marks: Mapping[str, str], drawn: Set[str]) -> None:
     dots: Any = {"color": _OTHER, "linestyle": "", "markersize": 5.0}
     colors = {"exact, double": _EXACT, "paper, double": _PAPER, "float": _FLOAT, "other code": _OTHER}
+    titles = {name: f"Path {name}" if name in PAPER_PATHS else name for name in marks}
+    shown = [each for each in colors.items() if each[1] in drawn]
     handles = [
-        *(
-            legend_line(f"Path {name}" if name in PAPER_PATHS else name, marker=mark, **dots)
-            for name, mark in marks.items()
-        ),
-        *(
-            legend_line(label, color=color, linewidth=3.0)
-            for label, color in colors.items()
-            if color in drawn
-        ),
+        *(legend_line(titles[name], marker=mark, **dots) for name, mark in marks.items()),
+        *(legend_line(label, color=color, linewidth=3.0) for label, color in shown),
         legend_line("the same in float", color=_FLOAT, linestyle=":", marker="o", **_HOLLOW),
         legend_line("Pareto front, worst motion", color=_FRONT, linewidth=4.0, alpha=0.35),
     ]
@@ -238,10 +214,8 @@ def _legend(picture: Figure, marks: Mapping[str, str], drawn: Set[str]) -> None:
 
 
 def _name(axes: Axes, given: Sequence[Point]) -> None:
-    height = _heights(given)
-    names = [
-        (point.name, (point.ns, height(point.worst)), point.color) for point in given if not point.beside
-    ]
+    height, named = _heights(given), [point for point in given if not point.beside]
+    names = [(point.name, (point.ns, height(point.worst)), point.color) for point in named]
     markers = [[(point.ns, height(error)) for error in point.errors.values()] for point in given]
     bars = [(min(of_point), max(of_point)) for of_point in markers]
     name_points(axes, names, [marker for of_point in markers for marker in of_point], bars)

@@ -37,30 +37,11 @@ _TITLES = {
 
 
 def benchmark(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Figures:
-    """Measure all cases on this machine.
+    """Measure all cases on this machine, and return the data of ``bench.json``.
 
-    Parameters
-    ----------
-    robot : Robot or None
-        Robot, whose poses are near the middle of its workspace. None means the robot of the paper near its
-        Paths I and II.
-    quick : bool
-        True uses fewer rounds and smaller batches.
-    progress : Progress
-        Display of the progress.
-
-    Returns
-    -------
-    dict
-        Data of ``bench.json``.
-
-    Raises
-    ------
-    ValueError
-        If the base joints of the robot are not universal, if it has no regular poses, or if a result is
-        wrong.
-    CompilerError
-        Without a C compiler.
+    ``robot`` None means the robot of the paper near its Paths I and II; poses of other robots are near the
+    middle of their workspace. ``quick`` uses fewer rounds and smaller batches. Raises ValueError for a robot
+    without universal base joints or regular poses, or a wrong result, and CompilerError without a compiler.
     """
     machine = host.machine()
     progress("preparing the poses")
@@ -105,10 +86,9 @@ def ratios(found: Figures, case: Figures) -> dict[str, float]:
 
 def full_report(found: Figures) -> Report:
     """Create the report with all results as tables, JSON data, and plots."""
-    drawn = {"bench": FORCES, "bench_motion": EQUATIONS}
     figures = {
         name: Picture(functools.partial(picture, found, group), SMALL, ("png", "svg"))
-        for name, group in drawn.items()
+        for name, group in (("bench", FORCES), ("bench_motion", EQUATIONS))
     }
     return Report(report(found), data=found, figures=figures)
 

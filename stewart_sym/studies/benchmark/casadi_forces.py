@@ -1,38 +1,26 @@
 """CasADi candidate of ``benchmark``: the `exact` equations in CasADi symbols, from which CasADi generates C.
 
 The equations are restated here in plain form. CasADi eliminates common subexpressions and solves the linear
-system. This module must not depend on the derivation and the generated kernels.
+system. This module must not depend on the derivation and the generated kernels, except the C structs.
 """
 
 import itertools
-import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+from ...generated.interface import STRUCTS
 from ...io.extras import needed_for
 
 with needed_for("the comparison with CasADi"):
     import casadi
 
-_LEG = {"b": 3, "p": 3, "k": 3, "m_d": 1, "r_d0": 3, "I_d0": 6, "m_u": 1, "r_u0": 3, "I_u0": 6}
-_LEG |= dict.fromkeys(("C_u", "C_p", "C_s"), 1)
-_PLATFORM = {"M": 1, "R_0": 3, "I_p": 6, "g": 3}
-_MOTION = {"R": 9, **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), 3)}
-"""Number of components of each quantity of a leg, of the platform with gravity, and of a motion, in their
-order.
-"""
-
-LEG_NUMBERS, MOTION_NUMBERS = sum(_LEG.values()), sum(_MOTION.values())
-ROBOT_NUMBERS = 6 * LEG_NUMBERS + sum(_PLATFORM.values())
-
 Matrix = Any
 """CasADi's SX, for which CasADi provides no types."""
 
 Numbers = SimpleNamespace
-"""Quantities by their names in the layout."""
+"""Quantities by their names in the C structs."""
 
 _SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 _FREE = ("INPUT", "OUTPUT", "PARAMETER", "CONST", "ASSIGN", "NEG")
@@ -48,23 +36,21 @@ class Program:
 
 
 LegEquations = Callable[[Numbers, Numbers], Numbers]
-"""Equations of a leg as a function of its constants and of the motion, load, and gravity of the platform.
-
-The results are the quantities that the platform requires: q, s, K, and D of (1), (3), (21), and (24), and the
-friction moment f of (18).
-"""
+"""Function of the constants of a leg and of the motion and gravity that returns q, s, K, D, and f of (18)."""
 
 
 def program(equations: LegEquations) -> Program:
-    """Generate C code of the `exact` inverse dynamics with ``base_frame`` or ``leg_frame`` as the leg
-    equations.
+    """Generate C code of the `exact` inverse dynamics with ``base_frame`` or ``leg_frame`` as leg equations.
 
-    The inputs are the constants in the order of ``struct stewart_robot`` and the motion in the order of
-    ``struct stewart_motion``.
+    The inputs are numbers in the order of ``struct stewart_robot`` and ``struct stewart_motion``.
     """
-    robot, motion = casadi.SX.sym("robot", ROBOT_NUMBERS), casadi.SX.sym("motion", MOTION_NUMBERS)
-    F = casadi.cse(_forces(robot, motion, equations))
+    of_leg, of_platform, of_motion = (sum(_sizes(name).values()) for name in ("leg", "platform", "motion"))
+    robot, motion = casadi.SX.sym("robot", 6 * of_leg + of_platform), casadi.SX.sym("motion", of_motion)
+    legs = casadi.vertsplit(robot[: 6 * of_leg], of_leg)
+    F = casadi.cse(_forces(legs, robot[6 * of_leg :], motion, equations))
     function = casadi.Function("casadi_forces", [robot, motion], [F])
+    generator = casadi.CodeGenerator("casadi_forces.c")
+    generator.add(function)
     one_pose = (
         "\nint one_pose(const double *machine, const double *motion, double *F)\n{\n"
         f"    const double *arg[{function.sz_arg()}] = {{machine, motion}};\n"
@@ -75,23 +61,15 @@ def program(equations: LegEquations) -> Program:
     )
     free = {getattr(casadi, f"OP_{name}") for name in _FREE}
     operations = sum(function.instruction_id(i) not in free for i in range(function.n_instructions()))
-    return Program({"casadi_forces.c": _emitted(function) + one_pose}, operations)
+    return Program({"casadi_forces.c": generator.dump() + one_pose}, operations)
 
 
-def _emitted(function: Any) -> str:
-    generator = casadi.CodeGenerator("casadi_forces.c")
-    generator.add(function)
-    with tempfile.TemporaryDirectory(prefix="stewart-sym-") as folder:
-        return Path(generator.generate(f"{folder}/")).read_text(encoding="utf-8")
-
-
-def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:
+def _forces(legs: list[Matrix], platform: Matrix, motion: Matrix, equations: LegEquations) -> Matrix:
     """Compute F, (30)-(37)."""
-    legs = casadi.vertsplit(robot[: 6 * LEG_NUMBERS], LEG_NUMBERS)
-    platform, at = _named(robot[6 * LEG_NUMBERS :], _PLATFORM), _named(numbers, _MOTION)
-    at.g = platform.g
-    done = [equations(_named(leg, _LEG), at) for leg in legs]
-    M, R_0, I_p, g = platform.M, platform.R_0, platform.I_p, platform.g
+    body, at = _named(platform, "platform"), _named(motion, "motion")
+    at.g = body.g
+    done = [equations(_named(leg, "leg"), at) for leg in legs]
+    M, R_0, I_p, g = body.M, body.R_0, body.I_p, body.g
     R, omega, alpha = at.R, at.omega, at.alpha
 
     R_c = R @ R_0  # (30)
@@ -136,17 +114,8 @@ def base_frame(leg: Numbers, at: Numbers) -> Numbers:
     r_d = T @ leg.r_d0  # (11)
     r_u = T @ (casadi.vertcat(L, 0, 0) + leg.r_u0)  # (12)
     I = T @ (leg.I_d0 + leg.I_u0) @ T.T  # (15), (16)  # noqa: E741
-    a_d = cross(A, r_d) + cross(W, cross(W, r_d))  # (13)
-    a_u = Lddot * s + cross(A, r_u) + cross(W, cross(W, r_u)) + 2 * Ldot * cross(W, s)  # (14)
     f = leg.C_s * (W - omega)  # in (18)
-    C = (  # right side of (20)
-        leg.m_d * cross(r_d, a_d - g)
-        + leg.m_u * cross(r_u, a_u - g)
-        + I @ A
-        + cross(W, I @ W)
-        + leg.C_u * W
-        + f
-    )
+    a_u, C = _moment(leg, Numbers(s=s, r_d=r_d, r_u=r_u, I=I, W=W, A=A, Ldot=Ldot, Lddot=Lddot, g=g, f=f))
     M_u = dot(s, C) / dot(s, n)  # (29)
     K = cross(C - M_u * n, s) / L  # (21)
     D = leg.m_u * dot(s, a_u - g) + leg.C_p * Ldot  # (24)
@@ -179,24 +148,30 @@ def leg_frame(leg: Numbers, at: Numbers) -> Numbers:
     x = casadi.SX([1, 0, 0])
     r_d, r_u = leg.r_d0, L * x + leg.r_u0
     I = leg.I_d0 + leg.I_u0  # noqa: E741
-    a_d = cross(A, r_d) + cross(W, cross(W, r_d))
-    a_u = Lddot * x + cross(A, r_u) + cross(W, cross(W, r_u)) + 2 * Ldot * cross(W, x)
     f = leg.C_s * (W - T.T @ at.omega)
-    C = (
-        leg.m_d * cross(r_d, a_d - g)
-        + leg.m_u * cross(r_u, a_u - g)
-        + I @ A
-        + cross(W, I @ W)
-        + leg.C_u * W
-        + f
-    )
+    a_u, C = _moment(leg, Numbers(s=x, r_d=r_d, r_u=r_u, I=I, W=W, A=A, Ldot=Ldot, Lddot=Lddot, g=g, f=f))
     K = T @ casadi.vertcat(0, (C[2] + kappa * C[0]) / L, -C[1] / L)
     D = leg.m_u * (a_u[0] - g[0]) + leg.C_p * Ldot
     return Numbers(q=q, s=s, K=K, D=D, f=T @ f)
 
 
-def _named(numbers: Matrix, sizes: Mapping[str, int]) -> Numbers:
-    """Split numbers into quantities in the order of ``sizes``; nine or six numbers are a matrix."""
+def _moment(leg: Numbers, at: Numbers) -> tuple[Matrix, Matrix]:
+    """Compute the acceleration of the upper part (14) and the right side of (20) in any frame."""
+    cross, W, A = casadi.cross, at.W, at.A
+    a_d = cross(A, at.r_d) + cross(W, cross(W, at.r_d))  # (13)
+    a_u = at.Lddot * at.s + cross(A, at.r_u) + cross(W, cross(W, at.r_u)) + 2 * at.Ldot * cross(W, at.s)
+    weights = leg.m_d * cross(at.r_d, a_d - at.g) + leg.m_u * cross(at.r_u, a_u - at.g)
+    return a_u, weights + at.I @ A + cross(W, at.I @ W) + leg.C_u * W + at.f
+
+
+def _sizes(struct: str) -> dict[str, int]:
+    """Return the number of components of each member of a C struct; only the matrix R has nine."""
+    return {name: 9 if name == "R" else (1, 3, 6)[len(shape)] for name, shape in STRUCTS[struct].items()}
+
+
+def _named(numbers: Matrix, struct: str) -> Numbers:
+    """Split numbers into the members of a C struct; nine or six numbers are a matrix."""
+    sizes = _sizes(struct)
     parts: list[Matrix] = casadi.vertsplit(numbers, [0, *itertools.accumulate(sizes.values())])
     found = dict(zip(sizes, parts, strict=True))
     for name, part in found.items():

@@ -20,24 +20,10 @@ AGREEMENT = 1e-10
 class Case:
     """Code that computes a quantity at several poses.
 
-    Attributes
-    ----------
-    group, name, what : str
-        Table, row, and description.
-    task : Task
-        Timed code; a unit is a pose.
-    found : callable
-        Function that returns the results after a run, shape (n, k).
-    expected : ndarray, shape (m, k)
-        Results of the reference at the first poses.
-    operations : int or None
-        Operations per pose, if they are counted.
-    tolerance : float
-        Largest relative difference of the results.
-    package : str or None
-        Compared package; None for code of stewart-sym.
-    plus, minus : Task or None
-        Tasks whose times per unit are added and subtracted.
+    ``group``, ``name``, and ``what`` are table, row, and description. ``task`` is the timed code, whose unit
+    is a pose; the times of ``plus`` and ``minus`` are added and subtracted. ``found`` returns the results of
+    a run, shape (n, k), and ``expected`` are results of the reference at the first poses, shape (m, k), with
+    the largest relative difference ``tolerance``. ``package`` is None for code of stewart-sym.
     """
 
     group: str
@@ -58,18 +44,15 @@ class Case:
         return [task for task in (self.task, self.plus, self.minus) if task is not None]
 
     def difference(self) -> float:
-        """Return the largest difference from the expected results, relative to the largest value of a pose.
-
-        Raises ValueError if the difference is too large.
-        """
+        """Return the largest difference relative to the largest value of a pose; ValueError if too large."""
         self.task.run(1)
         count = min(len(self.expected), self.task.units)
         found, truth = self.found()[:count], self.expected[:count]
         worst = float(np.max(np.abs(found - truth).max(axis=-1) / np.abs(truth).max(axis=-1)))
-        if not worst <= self.tolerance:
-            text = f"results differ from the reference by {worst:.1e}, expected {self.tolerance:g}"
-            raise ValueError(f"{self.name}: {text}")
-        return worst
+        if worst <= self.tolerance:
+            return worst
+        text = f"results differ from the reference by {worst:.1e}, expected {self.tolerance:g}"
+        raise ValueError(f"{self.name}: {text}")
 
     def figure(self, raw: Mapping[Task, tuple[float, ...]], difference: float) -> Figures:
         """Return the record: time per pose (ns) in each round, median, and quartiles."""

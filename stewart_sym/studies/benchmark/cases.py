@@ -1,6 +1,7 @@
 """Cases that ``benchmark`` times: our kernels, the vector reference, CasADi, Pinocchio, and MuJoCo."""
 
 import ctypes
+import functools
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -29,9 +30,7 @@ NAME: Formulation = "exact"
 """Measured formulation."""
 
 FEW, SLOW, MANY, LARGE = 64, 1_000, 10_000, 200_000
-"""Number of poses of a loop in C (within the first cache), of a NumPy batch, of the reference, and of a C
-batch.
-"""
+"""Number of poses of a loop in C (in the first cache), a NumPy batch, the reference, and a C batch."""
 
 _EQUATION_POSES = 16
 """Number of poses whose outputs, except the regressor, fit into the first cache."""
@@ -78,13 +77,9 @@ def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
     model = ForceKernel(robot, NAME).model
     yield _one_pose(FORCES, "one pose", "C, F alone", function, model, few, 6, truth, operations=count)
     large = poses.resized(LARGE)
-    rows: tuple[tuple[str, Precision, int], ...] = (
-        ("batch, one core", "double", 1),
-        (f"batch, {CORES} cores", "double", CORES),
-        ("batch, float", "float", 1),
-    )
-    for name, precision, threads in rows:
-        yield _batch(FORCES, name, large, truth, count, precision, threads)
+    yield _batch(FORCES, "batch, one core", large, truth, count)
+    yield _batch(FORCES, f"batch, {CORES} cores", large, truth, count, threads=CORES)
+    yield _batch(FORCES, "batch, float", large, truth, count, "float")
     yield _columns(large, truth, count)
     function = getattr(c_kernel.library(NAME), f"stewart_{NAME}_inverse_dynamics")
     every, what = _operations("OPERATIONS"), "C, D K H c x F"
@@ -96,13 +91,13 @@ def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
         ("NumPy kernel", "numpy", "vectorized", every),
         ("vector reference", "reference", "NumPy, base frame", None),
     ):
-        prepared = prepared_kernel(robot, NAME, backend)
-        call = _forces_of(prepared, slow.motion)
-        yield Case(FORCES, name, what, Task(repeated(call), SLOW), call, truth, operations)
+        call = functools.partial(prepared_kernel(robot, NAME, backend).forces, slow.motion)
+        found = functools.partial(_F_of, call)
+        yield Case(FORCES, name, what, Task(repeated(call), SLOW), found, truth, operations)
 
 
-def _forces_of(prepared: Any, motion: Motion) -> Callable[[], Array]:
-    return lambda: np.asarray(prepared.forces(motion).F)
+def _F_of(call: Callable[[], Any]) -> Array:
+    return np.asarray(call().F)
 
 
 def _one_pose(
@@ -117,10 +112,9 @@ def _one_pose(
     F: Array | None = None,
     **more: Any,
 ) -> Case:
-    """Return the case of a C function for one pose, called from a loop in C.
+    """Return the case of a C function for one pose, called from a loop in C, with input forces ``F``.
 
-    ``numbers`` is the number of results of each pose, the first of which are compared, and ``F`` are input
-    forces.
+    ``numbers`` is the number of results of each pose, the first of which are compared.
     """
     out, columns = np.zeros((len(poses), numbers)), more.pop("all_columns", False)
     run = kernel_loop(function, machine, poses.rows, out, F, columns)
@@ -141,9 +135,8 @@ def _batch(
     prepared = ForceKernel(poses.robot, NAME, precision)
     arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
     F, status = np.zeros((len(poses), 6), dtype=prepared.dtype), np.zeros(len(poses), dtype=np.int32)
-    run = repeated(lambda: prepared.forces(arrays, threads, out=(F, status)))
+    task = Task(repeated(lambda: prepared.forces(arrays, threads, out=(F, status))), len(poses))
     tolerance = AGREEMENT if precision == "double" else 1e-3
-    task = Task(run, len(poses))
     return Case(group, name, "C, F alone", task, lambda: F, truth, operations, tolerance)
 
 
@@ -173,13 +166,13 @@ def _compared(poses: Poses, truth: Array) -> Iterator[Case]:
     if not absent("casadi"):
         from . import casadi_forces
 
+        numbers = kernel.robot_numbers(few.robot)
         programs = ((CLOSED, "leg", casadi_forces.leg_frame), (PLAIN, "base", casadi_forces.base_frame))
         for name, frame, legs in programs:
             made = casadi_forces.program(legs)
             function = native.load("bench_casadi", made.sources, _FUSED).one_pose
-            numbers, what = kernel.robot_numbers(few.robot), f"C, {frame} frame"
             more: dict[str, Any] = {"operations": made.operations, "package": "CasADi"}
-            yield _one_pose(FORCES, name, what, function, numbers, few, 6, truth, **more)
+            yield _one_pose(FORCES, name, f"C, {frame} frame", function, numbers, few, 6, truth, **more)
     yield from inverse_engines(few, truth)
 
 
@@ -191,7 +184,6 @@ def _equations(poses: Poses) -> Iterator[Case]:
     robot, motion = robot_of_bodies(poses.robot), poses.motion
     few = Poses(robot, poses.arrays)
     F = np.ascontiguousarray(newton_euler.inverse_dynamics(robot, motion).F)
-    model, numbers = ForceKernel(robot, NAME).model, kernel.robot_numbers(robot)
     acceleration = np.concatenate([few.arrays[5], few.arrays[4]], axis=-1)
     terms = equations.equations_of_motion(robot, motion, backend="reference")
     slopes = equations.force_derivatives(robot, motion, backend="numpy")
@@ -203,6 +195,7 @@ def _equations(poses: Poses) -> Iterator[Case]:
     solved: Any = {"F": F, "tolerance": 1e-8}
     forces, motions = c_kernel.library(f"{NAME}_forces"), closed_form.library(NAME)
     of_columns = c_kernel.library(f"{NAME}_regressor")
+    model, numbers = ForceKernel(robot, NAME).model, kernel.robot_numbers(robot)
     rows: tuple[tuple[str, Any, str, int, Array, dict[str, Any]], ...] = (
         (INVERSE, forces, "forces", 6, F, {}),
         ("bias", motions, "bias_and_friction", 6, terms.bias_and_friction, {}),
@@ -215,7 +208,7 @@ def _equations(poses: Poses) -> Iterator[Case]:
     )
     for name, library, function, size, expected, more in rows:
         what = f"stewart_{NAME}_{function}"
-        compiled, machine = getattr(library, what), numbers if more.get("all_columns") else model
+        compiled, machine = getattr(library, what), numbers if "all_columns" in more else model
         yield _one_pose(EQUATIONS, name, what, compiled, machine, few, size, expected, **more)
     yield from forward_engines(few, F, acceleration)
 
@@ -236,17 +229,8 @@ def _flat(*parts: Array) -> Array:
 def _calls(poses: Poses, truth: Array) -> Iterator[Case]:
     """Yield calls of one pose from Python."""
     slot = ForceKernel(poses.robot, NAME).single_pose()
-
-    def solved() -> Array:
-        F = []
-        for row in poses.rows:
-            slot.numbers[...] = row
-            slot.solve()
-            F.append(slot.F.copy())
-        return np.array(F)
-
     slot.numbers[...] = poses.rows[0]
-    yield Case(CALLS, "OnePose.solve()", "Python", Task(repeated(slot.solve), 1), solved, truth)
+    yield Case(CALLS, "OnePose.solve()", "Python", Task(repeated(slot.solve), 1), lambda: slot.F[None], truth)
     given: list[tuple[Robot, Motion]] = [(poses.robot, poses.motion[i]) for i in range(len(poses))]
     task = Task(over(inverse_dynamics, given), len(poses))
 
@@ -268,25 +252,22 @@ def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
     numbers, few = kernel.robot_numbers(poses.robot), poses.resized(FEW)
     for number, made in enumerate(passes(), 1):
         library = native.load(f"bench_pass_{number}", made.sources)
-        model = np.zeros(made.model_numbers)
-        pointer = c_kernel.address
+        model, pointer = np.zeros(made.model_numbers), c_kernel.address
         if getattr(library, f"stewart_{NAME}_prepare")(pointer(numbers), pointer(model)):
             raise ValueError(f"{made.name}: the constants of the robot cannot be prepared")
         function, name, what = getattr(library, _FORCES), f"{made.name}, one pose", made.meaning
         count = made.operations[1]
         yield _one_pose(PASSES, name, what, function, model, few, 6, truth, operations=count)
-        yield _batch_of_pass(poses, truth, made.name, what, library, model, count)
+        task, F = _batch_of_pass(getattr(library, f"{_FORCES}_batch"), model, poses)
+        yield Case(PASSES, f"{made.name}, batch", what, task, F, truth, count)
 
 
-def _batch_of_pass(
-    poses: Poses, truth: Array, name: str, what: str, library: Any, model: Array, operations: int
-) -> Case:
+def _batch_of_pass(function: Any, model: Array, poses: Poses) -> tuple[Task, Callable[[], Array]]:
+    """Return the task that calls a batch function in C, and the function that returns its forces."""
     F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-    function, address = getattr(library, f"{_FORCES}_batch"), c_kernel.address
-    motions = c_kernel.pointers(poses.arrays)
+    size, address, motions = ctypes.c_size_t(len(poses)), c_kernel.address, c_kernel.pointers(poses.arrays)
 
     def call() -> None:
-        function(address(model), ctypes.c_size_t(len(poses)), motions, address(F), address(status))
+        function(address(model), size, motions, address(F), address(status))
 
-    task = Task(repeated(call), len(poses))
-    return Case(PASSES, f"{name}, batch", what, task, lambda: F, truth, operations)
+    return Task(repeated(call), len(poses)), lambda: F

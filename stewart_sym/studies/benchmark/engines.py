@@ -28,8 +28,6 @@ STIFFNESS = 1e7
 _CORRECTIONS = 3
 """Number of corrections of MuJoCo's joint coordinates; each reduces the error to a small fraction."""
 
-_W_LAST = [1, 2, 3, 0]
-
 
 def inverse_engines(poses: Poses, expected: Array) -> Iterator[Case]:
     """Yield the installed engines that compute the actuator forces; ``expected`` are forces, (n, 6)."""
@@ -57,22 +55,14 @@ def _forward_case(
     expected: Array,
     tolerance: float,
 ) -> Case:
-    """Return the case of an engine: the calls for all poses and for an empty model, and joint
-    accelerations.
-    """
+    """Return the case of an engine: calls for all poses and for an empty model, and joint accelerations."""
     run, empty = (Task(call, len(expected)) for call in calls)
-    label = f"forward dynamics, {name}"
-    return Case(
-        EQUATIONS,
-        label,
-        f"{what} - call",
-        run,
-        lambda: tree.platform_acceleration(joints()),
-        expected,
-        tolerance=tolerance,
-        package=name,
-        minus=empty,
-    )
+    more: Any = {"tolerance": tolerance, "package": name, "minus": empty}
+
+    def found() -> Array:
+        return tree.platform_acceleration(joints())
+
+    return Case(EQUATIONS, f"forward dynamics, {name}", f"{what} - call", run, found, expected, **more)
 
 
 # --- Pinocchio --------------------------------------------------------------------------------
@@ -90,17 +80,14 @@ def _rnea(poses: Poses, tree: JointTree, expected: Array) -> Case:
     matrices = np.swapaxes(tree.per_twist[:, SLIDES], -1, -2)[several]
     right = np.einsum("nji,nj->ni", tree.per_twist, tau - tree.resistance)[several, :, None]
     empty = over(partial(pin.rnea, nothing, nothing.createData()), [3 * (np.zeros(0),)] * len(states))
-    return Case(
-        FORCES,
-        "Pinocchio",
-        "rnea + solve - call",
-        Task(over(partial(pin.rnea, model, data), states), len(states)),
-        lambda: np.linalg.solve(matrices, right)[: len(tau), :, 0],
-        expected,
-        package="Pinocchio",
-        plus=Task(over(np.linalg.solve, [(matrices, right)]), _SOLVED),
-        minus=Task(empty, len(states)),
-    )
+    task = Task(over(partial(pin.rnea, model, data), states), len(states))
+    solve = Task(over(np.linalg.solve, [(matrices, right)]), _SOLVED)
+    more: Any = {"package": "Pinocchio", "plus": solve, "minus": Task(empty, len(states))}
+
+    def found() -> Array:
+        return np.asarray(np.linalg.solve(matrices, right)[: len(tau), :, 0])
+
+    return Case(FORCES, "Pinocchio", "rnea + solve - call", task, found, expected, **more)
 
 
 def _constraint_dynamics(robot: Robot, tree: JointTree, forces: Array, expected: Array) -> Case:
@@ -130,7 +117,7 @@ def _constraint_dynamics(robot: Robot, tree: JointTree, forces: Array, expected:
 
 
 def _positions(tree: JointTree) -> Array:
-    return np.hstack([tree.coordinates, tree.quaternion[:, _W_LAST]])
+    return np.hstack([tree.coordinates, np.roll(tree.quaternion, -1, axis=1)])
 
 
 def _pinocchio_model(robot: Robot) -> tuple[Any, list[Any]]:
@@ -150,11 +137,10 @@ def _pinocchio_model(robot: Robot) -> tuple[Any, list[Any]]:
     platform = model.addJoint(uppers[CARRIER], pin.JointModelSpherical(), here, "platform")
     model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0 - carried, robot.I_p), here)
     contact, local = pin.ContactType.CONTACT_3D, pin.ReferenceFrame.LOCAL
+    points = (pin.SE3(np.eye(3), point - carried) for point in robot.p)
     constraints = [
-        pin.RigidConstraintModel(
-            contact, model, upper, here, platform, pin.SE3(np.eye(3), point - carried), local
-        )
-        for upper, point in zip(uppers[:CARRIER], robot.p, strict=False)
+        pin.RigidConstraintModel(contact, model, upper, here, platform, point, local)
+        for upper, point in zip(uppers[:CARRIER], points, strict=False)
     ]
     return model, constraints
 

@@ -1,10 +1,12 @@
 """Machine as a tree of joints for rigid-body engines: coordinates, rates, accelerations, and joint forces.
 
 Each of the six legs is revolute about k, revolute about y, and prismatic along s. A spherical joint connects
-the platform to the last leg, and five points close the loops. Engines share no equation with the kernels.
+the platform to the last leg, and five points close the loops. Engines share no equation with the kernels;
+rotations of the legs are from the vector reference.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +14,7 @@ from ...backend.numpy_kernel import loaded
 from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...motion.rotation import cross_matrix, quaternion_from_rotation
+from ...reference import newton_euler
 from ...robot.robot import Robot
 
 CARRIER = 5
@@ -25,21 +28,12 @@ SLIDES = slice(2, 18, 3)
 class JointTree:
     """Motions (n,) in joint coordinates.
 
-    Attributes
-    ----------
-    coordinates : ndarray, shape (n, 18)
-        Two angles and the length of each leg.
-    quaternion : ndarray, shape (n, 4)
-        Orientation of the platform relative to the upper part that carries it, scalar first.
-    rates, accelerations : ndarray, shape (n, 21)
-        Joint rates of the legs, then the angular velocity of the platform relative to its leg, platform
-        frame; and their derivatives.
-    resistance : ndarray, shape (n, 21)
-        Generalized forces of joint friction and external load.
-    per_twist : ndarray, shape (n, 21, 6)
-        Joint rates per twist [v; omega] of the platform.
-    jacobian : ndarray, shape (n, 6, 3, 3)
-        Velocities of the leg tips per joint rates of the legs.
+    ``coordinates``, (n, 18), are two angles and the length of each leg, and ``quaternion``, (n, 4), is the
+    orientation of the platform relative to the upper part that carries it, scalar first. ``rates``, (n, 21),
+    are the joint rates of the legs, then the angular velocity of the platform relative to its leg in the
+    platform frame, and ``accelerations`` their derivatives. ``resistance``, (n, 21), are the generalized
+    forces of joint friction and external load. ``per_twist``, (n, 21, 6), are joint rates per twist [v;
+    omega] of the platform, and ``jacobian``, (n, 6, 3, 3), velocities of the leg tips per joint rates.
     """
 
     coordinates: Array
@@ -52,9 +46,7 @@ class JointTree:
     _acceleration: Array
 
     def platform_acceleration(self, joints: Array) -> Array:
-        """Return [a; alpha], (n, 6), for joint accelerations, (n, 21), of the leg that carries the
-        platform.
-        """
+        """Return [a; alpha], (n, 6), for joint accelerations, (n, 21), of the leg with the platform."""
         change = (joints - self.accelerations)[:, 3 * CARRIER :, None]
         return self._acceleration + np.linalg.solve(self.per_twist[:, 3 * CARRIER :], change)[..., 0]
 
@@ -66,9 +58,7 @@ class JointTree:
 
 
 def base_frames(robot: Robot) -> Array:
-    """Return frames of the first joints, (6, 3, 3), with the x axis along k; columns are axes in the base
-    frame.
-    """
+    """Return frames of the first joints, (6, 3, 3), with the x axis along k; columns are their axes."""
     k = robot.k
     across = np.cross(k, np.eye(3)[np.argmin(np.abs(k), axis=-1)])
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
@@ -77,68 +67,45 @@ def base_frames(robot: Robot) -> Array:
 
 def joint_tree(robot: Robot, motion: Motion) -> JointTree:
     """Compute the joint motion at poses (n,); base joints must be universal."""
-    given = loaded(motion)
-    R, omega = given.R, given.omega[:, None]
-    q = np.einsum("nij,kj->nki", R, robot.p)
-    S = given.t[:, None] + q - robot.b
-    coordinates, axes, upper = _legs(robot, S)
-    sideways = np.swapaxes(np.cross(np.swapaxes(axes, -1, -2), S[..., None, :]), -1, -2)
-    jacobian = np.concatenate([sideways, upper[..., :1]], axis=-1)
+    given, leg, k = loaded(motion), newton_euler.legs(robot, motion), np.broadcast_to(robot.k, (6, 3))
+    R, to_platform = given.R, np.swapaxes(given.R, -1, -2)
+    _, second, third = np.moveaxis(np.einsum("kji,nkj->nki", base_frames(robot), leg.y), -1, 0)
+    tilt = np.arccos(np.einsum("ki,nki->nk", k, leg.s))
+    coordinates = np.stack([np.arctan2(third, second), tilt, leg.L[..., 0]], axis=-1)
+    axes = np.stack([np.broadcast_to(k, leg.y.shape), leg.y], axis=-1)
+    jacobian = np.stack([np.cross(k, leg.S), np.cross(leg.y, leg.S), leg.s], axis=-1)
     # Joint rates of the legs and of the joint below the platform are linear in the twist.
-    arms = np.concatenate([np.broadcast_to(np.eye(3), (*q.shape, 3)), -cross_matrix(q)], axis=-1)
+    arms = np.concatenate([np.broadcast_to(np.eye(3), (*leg.q.shape, 3)), -cross_matrix(leg.q)], axis=-1)
     of_legs = np.linalg.inv(jacobian) @ arms
     turn = np.zeros((len(R), 3, 6))
     turn[..., 3:] = np.eye(3)
-    below = np.swapaxes(R, -1, -2) @ (turn - axes[:, CARRIER] @ of_legs[:, CARRIER, :2])
+    below = to_platform @ (turn - axes[:, CARRIER] @ of_legs[:, CARRIER, :2])
     per_twist = np.concatenate([of_legs.reshape(len(R), -1, 6), below], axis=1)
     rates = _product(per_twist, np.concatenate([given.v, given.omega], axis=-1))
-    legs = rates[:, :-3].reshape(-1, 6, 3)
-    W = _product(axes, legs[..., :2])
-    moving = np.cross(legs[..., :1] * axes[..., 0], legs[..., 1:2] * axes[..., 1])
-    tips = given.a[:, None] + np.cross(given.alpha[:, None], q) + np.cross(omega, np.cross(omega, q))
-    drift = np.cross(W, np.cross(W, S)) + np.cross(moving, S)
-    drift += 2 * legs[..., 2:] * np.cross(W, upper[..., 0])
-    accelerations = np.linalg.solve(jacobian, (tips - drift)[..., None])[..., 0]
-    turned = _product(axes[:, CARRIER], accelerations[:, CARRIER, :2]) + moving[:, CARRIER]
-    spin = _product(np.swapaxes(R, -1, -2), given.alpha - turned - np.cross(W[:, CARRIER], given.omega))
-    relative = np.swapaxes(upper[:, CARRIER], -1, -2) @ R
+    accelerations = np.concatenate([_product(np.swapaxes(axes, -1, -2), leg.A), leg.Lddot], axis=-1)
+    W, A = leg.W[:, CARRIER], leg.A[:, CARRIER]
+    spin = _product(to_platform, given.alpha - A - np.cross(W, given.omega))
     return JointTree(
         coordinates.reshape(len(R), -1),
-        quaternion_from_rotation(relative),
+        quaternion_from_rotation(np.swapaxes(leg.T[:, CARRIER], -1, -2) @ R),
         rates,
         np.concatenate([accelerations.reshape(len(R), -1), spin], axis=-1),
-        _resistance(robot, motion, q, W, legs, axes, jacobian),
+        _resistance(robot, given, leg, rates[:, :-3].reshape(-1, 6, 3), axes, jacobian),
         per_twist,
         jacobian,
         np.concatenate([given.a, given.alpha], axis=-1),
     )
 
 
-def _legs(robot: Robot, S: Array) -> tuple[Array, Array, Array]:
-    """Return angles and lengths, revolute axes in columns, and frames of the parts for leg vectors,
-    (n, 6, 3).
-    """
-    frames, L = base_frames(robot), np.linalg.norm(S, axis=-1)
-    along, second, third = np.moveaxis(np.einsum("kji,nkj->nki", frames, S) / L[..., None], -1, 0)
-    coordinates = np.stack([np.arctan2(second, -third), np.arccos(along), L], axis=-1)
-    (sin_1, sin_2), (cos_1, cos_2) = (np.moveaxis(f(coordinates[..., :2]), -1, 0) for f in (np.sin, np.cos))
-    x = np.stack([cos_2, sin_1 * sin_2, -cos_1 * sin_2], axis=-1)
-    y = np.stack([np.zeros_like(sin_1), cos_1, sin_1], axis=-1)
-    upper = frames @ np.stack([x, y, np.cross(x, y)], axis=-1)
-    return coordinates, np.stack([np.broadcast_to(frames[..., 0], S.shape), upper[..., 1]], axis=-1), upper
-
-
 def _resistance(
-    robot: Robot, motion: Motion, q: Array, W: Array, rates: Array, axes: Array, jacobian: Array
+    robot: Robot, given: Any, leg: newton_euler.Legs, rates: Array, axes: Array, jacobian: Array
 ) -> Array:
     """Compute the generalized forces of friction and load, (n, 21)."""
-    given = loaded(motion)
-    friction = robot.C_s[:, None] * (W - given.omega[:, None])
     joints = np.concatenate([-robot.C_u[:, None] * rates[..., :2], -robot.C_p[:, None] * rates[..., 2:]], -1)
-    joints[..., :2] -= np.einsum("nkij,nki->nkj", axes, friction)
+    joints[..., :2] -= np.einsum("nkij,nki->nkj", axes, leg.f)
     # The load acts at the reference point and is moved to the point that the last leg carries.
     force = _product(given.R, given.F_ext)
-    moment = _product(given.R, given.M_ext) + friction.sum(axis=1) - np.cross(q[:, CARRIER], force)
+    moment = _product(given.R, given.M_ext) + leg.f.sum(axis=1) - np.cross(leg.q[:, CARRIER], force)
     joints[:, CARRIER] += np.einsum("nij,ni->nj", jacobian[:, CARRIER], force)
     joints[:, CARRIER, :2] += np.einsum("nij,ni->nj", axes[:, CARRIER], moment)
     in_platform = _product(np.swapaxes(given.R, -1, -2), moment)

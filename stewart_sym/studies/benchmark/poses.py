@@ -1,6 +1,4 @@
-"""Poses for ``benchmark``: near the paths of the paper, or near the middle of the workspace of another
-robot.
-"""
+"""Poses for ``benchmark``: near the paths of the paper, or near the middle of another workspace."""
 
 import functools
 from dataclasses import dataclass, replace
@@ -49,25 +47,23 @@ class Poses:
 def bench_poses(robot: Robot | None, count: int) -> Poses:
     """Generate different regular poses with motion and load, which are identical in every run.
 
-    ``robot`` None means the robot of the paper. Raises ValueError if its base joints are not universal or if
-    it has no regular poses near its middle.
+    Raises ValueError if the base joints are not universal, or if no poses near the middle are regular.
     """
     rng = np.random.default_rng(1998)
     if robot is None:
         robot = dasgupta1998()
-        R, t, omega, v, alpha, a = _near_the_paths(rng, count)
+        moving = _near_the_paths(rng, count)
     elif robot.base_joint != "universal":
         raise ValueError(f"{robot.name}: expected universal base joints, which the baselines require")
     else:
         if robot.has_rotors:
             warn(f"{robot.name}: timed without its rotors, which the baselines do not have")
             robot = replace(robot, drive=None)
-        R, t, omega, v, alpha, a = _near_the_middle(rng, count, robot)
-    weight = robot.M * 9.81
-    F_ext = 0.5 * weight * rng.normal(size=(count, 3))
-    M_ext = 0.5 * weight * float(np.ptp(robot.p)) * rng.normal(size=(count, 3))
-    arrays = (R, t, omega, v, alpha, a, F_ext, M_ext)
-    poses = Poses(robot, tuple(np.ascontiguousarray(array, dtype=np.float64) for array in arrays))
+        moving = _near_the_middle(rng, count, robot)
+    load = 0.5 * robot.M * 9.81
+    loads = (scale * rng.normal(size=(count, 3)) for scale in (load, load * float(np.ptp(robot.p))))
+    arrays = tuple(np.ascontiguousarray(array, dtype=np.float64) for array in (*moving, *loads))
+    poses = Poses(robot, arrays)
     if reference.inverse_dynamics(robot, poses.motion).status.any():
         raise ValueError(f"{robot.name}: no regular poses about the middle of its workspace")
     return poses
@@ -84,9 +80,8 @@ def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
         return np.asarray(both[turn, np.arange(count)])
 
     R = taken("R") @ rotation_from_rpy(0.01 * rng.normal(size=(count, 3)))
-    t = taken("t") + 0.003 * rng.normal(size=(count, 3))
-    rates = (taken(name) + 0.02 * rng.normal(size=(count, 3)) for name in ("omega", "v", "alpha", "a"))
-    return R, t, *rates
+    spread = {"t": 0.003, **dict.fromkeys(("omega", "v", "alpha", "a"), 0.02)}
+    return R, *(taken(name) + scale * rng.normal(size=(count, 3)) for name, scale in spread.items())
 
 
 def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
@@ -96,9 +91,6 @@ def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tupl
     up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])
     home = center + size * up - robot.p.mean(axis=0)
     rate = np.sqrt(9.81 / size)
-
-    def some(scale: float) -> Array:
-        return scale * rng.normal(size=(count, 3))
-
-    R, t = rotation_from_rpy(some(0.1)), home + some(0.05 * size)
-    return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
+    scales = (0.1, 0.05 * size, *(0.2 * each for each in (rate, rate * size, rate**2, rate**2 * size)))
+    turns, shifts, *rates = (scale * rng.normal(size=(count, 3)) for scale in scales)
+    return rotation_from_rpy(turns), home + shifts, *rates

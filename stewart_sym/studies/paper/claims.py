@@ -1,8 +1,4 @@
-"""Claims in the text of the paper compared with the computed results, each with a verdict by an explicit
-rule.
-
-Only this module contains numbers of the paper.
-"""
+"""Claims of the paper, with its numbers, compared with the results; each verdict has an explicit rule."""
 
 from collections.abc import Callable
 
@@ -22,34 +18,26 @@ PAPER_FLOPS = {"leg": 694, "platform": 273, "final": 452, "total": 4889}
 SERIAL_ARM_FLOPS = 1454
 """Operations of the Newton-Euler inverse dynamics of a serial arm with six joints (section 4.5)."""
 
-
 Check = Callable[[Reproduction, str], tuple[object, ...]]
-"""Function that returns the result of a formulation as text with units, whether the claim is correct, and
-optionally whether it is partly correct.
-"""
-_CLAIMS: list[tuple[str, str, str, Check]] = []
+"""Function that returns the result of a formulation as text, and True if the claim is correct, or partly."""
+_CLAIMS: list[tuple[Figures, Check]] = []
 
 
 def _claim(where: str, says: str, rule: str) -> Callable[[Check], Check]:
     """Return a decorator that adds a check to the claims, in the order of the paper."""
 
     def added(check: Check) -> Check:
-        _CLAIMS.append((where, says, rule, check))
+        _CLAIMS.append(({"where": where, "says": says, "rule": rule}, check))
         return check
 
     return added
 
 
 def claims(found: Reproduction) -> list[Figures]:
-    """Check every claim, in the order of the paper.
-
-    Each record contains the section, the claim, the rule of the verdict, and for each formulation the result
-    as text with units, and the verdict.
-    """
+    """Return every claim, in the order of the paper, with its result and verdict by formulation."""
     return [
-        {"where": where, "says": says, "rule": rule}
-        | {form: _measured(*check(found, form)) for form in ("paper", "exact")}
-        for where, says, rule, check in _CLAIMS
+        claim | {form: _measured(*check(found, form)) for form in ("paper", "exact")}
+        for claim, check in _CLAIMS
     ]
 
 
@@ -58,9 +46,7 @@ def _measured(text: object, holds: object, partly: object = False) -> Figures:
 
 
 def counted_fractions(run: PathRun) -> Array:
-    """Return |F_d / F| of all legs and samples, 1-D, at which |F| >= NEAR_ZERO of the largest |F| of the
-    leg.
-    """
+    """Return |F_d / F|, 1-D, of all samples with |F| >= NEAR_ZERO of the largest |F| of the leg."""
     size = np.abs(run.F)
     return np.asarray(np.abs(run.fraction)[size >= NEAR_ZERO * size.max(axis=0)])
 
@@ -200,11 +186,9 @@ def _steep(found: Reproduction, form: str) -> tuple[object, ...]:
 
 @_claim("5.2, Fig. 9", "Path III: forces of the order of 1e5 N", "1e5 to 1e6 N on the paper's time grid")
 def _singular(found: Reproduction, form: str) -> tuple[object, ...]:
-    run = found.runs["III", form]
-    text = (
-        f"{_short(largest(run))} N at {_worst_time(run):.1f} s; H is singular at {found.singular_time:.3f} s"
-    )
-    return text, 1e5 <= largest(run) < 1e6, largest(run) >= 1e5
+    run, force = found.runs["III", form], largest(found.runs["III", form])
+    text = f"{_short(force)} N at {_worst_time(run):.1f} s; H is singular at {found.singular_time:.3f} s"
+    return text, 1e5 <= force < 1e6, force >= 1e5
 
 
 @_claim(
@@ -212,8 +196,7 @@ def _singular(found: Reproduction, form: str) -> tuple[object, ...]:
 )
 def _precisely(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["III", form]
-    peak = float(run.time[run.condition.argmax()])
-    worst = _worst_time(run)
+    peak, worst = float(run.time[run.condition.argmax()]), _worst_time(run)
     text = f"condition number {_short(run.condition.max())} at {peak:.1f} s, forces largest at {worst:.1f} s"
     return text, peak == worst
 
@@ -263,10 +246,8 @@ def _more(found: Reproduction, form: str) -> tuple[object, ...]:
     "rank correlation above 0.5 on every path (partly: on one)",
 )
 def _relation(found: Reproduction, form: str) -> tuple[object, ...]:
-    ranks = {}
-    for name in PAPER_PATHS:
-        run = found.runs[name, form]
-        ranks[name] = rank_correlation(run.condition, np.max(np.abs(run.F), axis=-1))
+    runs = {name: found.runs[name, form] for name in PAPER_PATHS}
+    ranks = {name: rank_correlation(run.condition, np.abs(run.F).max(axis=-1)) for name, run in runs.items()}
     text = "rank correlation of condition number and largest |F|: "
     text += ", ".join(f"{name} {value:+.2f}" for name, value in ranks.items())
     strong = [value > 0.5 for value in ranks.values()]

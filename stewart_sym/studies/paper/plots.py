@@ -56,10 +56,8 @@ def forces_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
             values = curve.values(paper)[:, leg]
             axes.plot(paper.time, values, color=curve.color, linestyle=curve.dash, **_PAPER_LINE)
         _letters(axes, [(c.letter, float(c.values(paper)[-1, leg]), c.color) for c in _CURVES])
-    handles = [
-        legend_line(f"{c.letter}: {c.meaning}", color=c.color, linestyle=c.dash, **_PAPER_LINE)
-        for c in _CURVES
-    ]
+    marks = [(f"{c.letter}: {c.meaning}", {"color": c.color, "linestyle": c.dash}) for c in _CURVES]
+    handles = [legend_line(label, **style, **_PAPER_LINE) for label, style in marks]
     legend_below(figure, [*handles, *_formulation_handles("same for S")])
     return figure
 
@@ -84,21 +82,17 @@ def condition_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
     axes = figure.subplots()
     figure.suptitle(f"Fig. {number}  Path {paper.path}: condition number of H")
     color, scaled = _CURVES[0].color, _CURVES[2].color
-    axes.plot(exact.time, exact.condition, color=color, **_EXACT_LINE)
-    axes.plot(paper.time, paper.condition, color=color, **_PAPER_LINE)
-    axes.plot(paper.time, paper.scaled_condition, color=scaled, linestyle="--", **_PAPER_LINE)
+    axes.plot(paper.time, paper.condition, color=color, label="thin: paper, moments in N m", **_PAPER_LINE)
+    axes.plot(exact.time, exact.condition, color=color, label="band: exact, the same H", **_EXACT_LINE)
+    label = "moments divided by a length: no unit"
+    axes.plot(paper.time, paper.scaled_condition, "--", color=scaled, label=label, **_PAPER_LINE)
     axes.set(xlabel="time, s", ylabel="condition number", xlim=(paper.time[0], paper.time[-1]))
     if paper.condition.max() > 1e3:
         axes.set_yscale("log")
         log_numbers(axes.yaxis)
     else:
         axes.set_ylim(bottom=0)
-    handles = [
-        legend_line("thin: paper, moments in N m", color=color, **_PAPER_LINE),
-        legend_line("band: exact, the same H", color=color, **_EXACT_LINE),
-        legend_line("moments divided by a length: no unit", color=scaled, linestyle="--", **_PAPER_LINE),
-    ]
-    legend_below(figure, handles)
+    legend_below(figure)
     return figure
 
 
@@ -149,8 +143,7 @@ def _spread(heights: dict[str, float], gap: float) -> dict[str, float]:
     return dict(zip(names, placed.tolist(), strict=True))
 
 
-# Between two samples, a fraction changes by more than this fraction of the panel height only next to a zero
-# of F.
+# Only next to a zero of F, a fraction changes by more than this fraction of the panel height in a step.
 _LEAP = 0.5
 
 

@@ -1,6 +1,7 @@
 """Reproduction of section 5 of the paper: Paths I-III, errors due to the printed faults, work, and energy."""
 
 import dataclasses
+import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -16,6 +17,7 @@ from ...kinematics.conditioning import characteristic_length, condition_number, 
 from ...motion.motion import Motion, at_rest
 from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler
+from ...reference.newton_euler import EXACT
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...singularities.path_singularities import singularity_crossings
@@ -24,17 +26,11 @@ from ..common.output import Columns, Figures, of_legs
 LIGHT_PLATFORM = 4.0
 """Platform mass (kg), comparable to the mass of one leg, for the claim on the mass ratio."""
 
-FAULTS: tuple[frozenset[int], ...] = (
-    *(frozenset({fault}) for fault in (newton_euler.SPIN, newton_euler.MOMENT, newton_euler.TRANSPORT)),
-    newton_euler.PAPER,
-    frozenset({newton_euler.SIGN}),
-)
+_SINGLE = (newton_euler.SPIN, newton_euler.MOMENT, newton_euler.TRANSPORT)
+FAULTS = (*(frozenset({fault}) for fault in _SINGLE), newton_euler.PAPER, frozenset({newton_euler.SIGN}))
 """Sets of printed faults whose effect is measured: each fault alone, and the faults of `paper` together."""
 
-_FORMULATION: Mapping[frozenset[int], Formulation] = {
-    newton_euler.EXACT: "exact",
-    newton_euler.PAPER: "paper",
-}
+_FORMULATION: Mapping[frozenset[int], Formulation] = {EXACT: "exact", newton_euler.PAPER: "paper"}
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
@@ -95,7 +91,7 @@ def reproduce(progress: Progress = silent) -> Reproduction:
     runs = {(name, form): run_path(robot, name, form) for name in PAPER_PATHS for form in FORMULATIONS}
     every = tracked(progress, FAULTS, lambda _: "measuring the printed faults")
     costs = [fault_cost(robot, faults) for faults in every]
-    kept = [(name, faults) for name in PAPER_PATHS for faults in (newton_euler.EXACT, *FAULTS)]
+    kept = [(name, faults) for name in PAPER_PATHS for faults in (EXACT, *FAULTS)]
     each = tracked(progress, kept, lambda _: "comparing work and energy")
     work = [work_energy(robot, *of_path) for of_path in each]
     return Reproduction(
@@ -118,15 +114,9 @@ def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool
     motion = path.sample(time)
     motion = at_rest(motion.R, motion.t) if rest else motion
     forces = inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
-    return PathRun(
-        path=name,
-        formulation=formulation,
-        time=time,
-        F=forces.F,
-        F0=massless_forces(robot, motion),
-        condition=condition_number(forces.H),
-        scaled_condition=scaled_condition_number(forces.H, characteristic_length(robot)),
-    )
+    scaled = scaled_condition_number(forces.H, characteristic_length(robot))
+    F0, condition = massless_forces(robot, motion), condition_number(forces.H)
+    return PathRun(name, formulation, time, forces.F, F0, condition, scaled)
 
 
 def run_columns(run: PathRun) -> Columns:
@@ -144,16 +134,13 @@ def without_friction(robot: Robot) -> Robot:
 
 
 def fault_cost(robot: Robot, faults: frozenset[int]) -> Figures:
-    """Return the RMS of F - F_exact over the RMS of F_exact by path, in motion and at rest, without
-    friction.
-    """
+    """Return the RMS of F - F_exact over the RMS of F_exact by path, moving and at rest, without friction."""
     frictionless = without_friction(robot)
-    moving = {name: path.sample(path.time_grid(dtau)) for name, (path, dtau) in PAPER_PATHS.items()}
-    resting = {name: at_rest(motion.R, motion.t) for name, motion in moving.items()}
-    found = {
-        how: {name: _difference(frictionless, motion, faults) for name, motion in motions.items()}
-        for how, motions in (("moving", moving), ("at_rest", resting))
-    }
+    found: dict[str, Figures] = {"moving": {}, "at_rest": {}}
+    for name, (path, dtau) in PAPER_PATHS.items():
+        motion = path.sample(path.time_grid(dtau))
+        found["moving"][name] = _difference(frictionless, motion, faults)
+        found["at_rest"][name] = _difference(frictionless, at_rest(motion.R, motion.t), faults)
     return {"faults": sorted(faults), **found}
 
 
@@ -186,14 +173,12 @@ def operations() -> list[Figures]:
     The final system comprises the sum of c, the solution, and F = D - x.
     """
     found = []
-    for form in FORMULATIONS:
-        for friction in ("frictionless", "friction"):
-            parts = module(kernel_name(form, "universal")).OPERATIONS[friction]
-            leg, platform, total = (np.array(parts[part]) for part in ("leg", "platform", "total"))
-            final = total - 6 * leg - platform
-            counts = {"leg": leg, "platform": platform, "final": final, "total": total}
-            named = {"formulation": form, "friction": friction == "friction"}
-            found.append(named | {part: each.tolist() for part, each in counts.items()})
+    for form, friction in itertools.product(FORMULATIONS, ("frictionless", "friction")):
+        parts = module(kernel_name(form, "universal")).OPERATIONS[friction]
+        leg, platform, total = (np.array(parts[part]) for part in ("leg", "platform", "total"))
+        counts = {"leg": leg, "platform": platform, "final": total - 6 * leg - platform, "total": total}
+        named = {"formulation": form, "friction": friction == "friction"}
+        found.append(named | {part: each.tolist() for part, each in counts.items()})
     return found
 
 

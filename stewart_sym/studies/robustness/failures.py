@@ -27,6 +27,7 @@ MACHINE = "singular machine"
 """Kind of machines that are singular at every pose; a kernel that solves with H must return a status."""
 SIZES, MASSES = (1e-4, 1e3), (1e-6, 1e6)
 """Extremes of the size (m) and mass (kg) of a random machine."""
+RATES = ("omega", "v", "alpha", "a")
 
 Draw = Callable[[np.random.Generator, Cases, Array], Array]
 """Function that changes cases, given distances (n,), and returns the distances from the failure."""
@@ -43,7 +44,7 @@ def distances() -> Array:
 def singular(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     """Move poses near singular poses. Distances are fractions of a random way; NaN if there is none."""
     (R, t), n = _pose(cases), len(way)
-    size = np.abs(cases.legs[:, :, :3]).max(axis=(1, 2))[:, None]
+    size = np.abs(cases.legs["b"]).max(axis=(1, 2))[:, None]
     start = _side(cases, R, t)
     phi, shift, found = np.zeros((n, 3)), np.zeros((n, 3)), np.zeros(n, dtype=np.bool_)
     for _ in range(200):
@@ -59,8 +60,8 @@ def singular(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
         same = _side(cases, *at) == start
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     place = (low + rng.choice([-1.0, 1.0], n) * way)[:, None]
-    cases.motions[:, :9] = (rotation_from_vector(place * phi) @ R).reshape(-1, 9)
-    cases.motions[:, 9:12] = t + place * shift
+    cases.motion["R"] = rotation_from_vector(place * phi) @ R
+    cases.motion["t"] = t + place * shift
     return np.where(found, way, np.nan)
 
 
@@ -76,7 +77,8 @@ def joint(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     each, leg = np.arange(len(way)), rng.integers(6, size=len(way))
     s = _unit(_points(cases, *_pose(cases))[1][each, leg])
     across = _unit(cross(s, rng.normal(size=s.shape)))
-    cases.legs[each, leg, 6:9] = _unit(rng.choice([-1.0, 1.0], (len(way), 1)) * s + way[:, None] * across)
+    side = rng.choice([-1.0, 1.0], (len(way), 1))
+    cases.legs["k"][each, leg] = _unit(side * s + way[:, None] * across)
     return way
 
 
@@ -93,7 +95,7 @@ def short(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     q = _points(cases, R, t)[0][each, leg]
     reach = np.fmax(np.abs(q), np.abs(t)).max(axis=1)
     aside = _unit(rng.normal(size=q.shape))
-    cases.legs[each, leg, :3] = q + t - (way * reach)[:, None] * aside
+    cases.legs["b"][each, leg] = q + t - (way * reach)[:, None] * aside
     return way
 
 
@@ -101,8 +103,9 @@ def heavy(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     """Multiply masses and inertias of a random leg by up to 1e6, with its fixed axis near the leg."""
     light = 10.0 ** -rng.uniform(0.0, 6.0, len(way))
     each, leg = np.arange(len(way)), rng.integers(6, size=len(way))
-    for part in (slice(9, 10), slice(13, 20), slice(23, 29)):
-        cases.legs[each, leg, part] /= light[:, None]
+    for part in ("m_d", "I_d0", "m_u", "I_u0"):
+        numbers = cases.legs[part]
+        numbers[each, leg] = (numbers[each, leg].T / light).T
     joint(rng, cases, 10.0 ** -rng.uniform(0.0, 3.0, len(way)))
     return light
 
@@ -112,13 +115,13 @@ def proportions(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     n, which = len(way), rng.integers(3, size=len(way))
     small = np.where(which == 0, 1.0, 10.0 ** -rng.uniform(0.0, 5.0, n))[:, None]
     body = np.where(rng.random((n, 1)) < 0.5, small, 1.0)
-    cases.legs[:, :, 3:6] *= small[:, None]
-    cases.robots[:, 193:196] *= body
-    cases.robots[:, 196:202] *= body**2
-    cases.motions[:, 27:] *= body
+    cases.legs["p"] *= small[:, None]
+    cases.robot["R_0"] *= body
+    cases.robot["I_p"] *= body**2
+    cases.motion["M_ext"] *= body
     longer = np.where(rng.random((n, 6)) < 0.5, 10.0 ** rng.uniform(0.0, 4.0, (n, 6)), 1.0)
     longer[which == 1] = 1.0
-    cases.legs[:, :, :3] -= (longer - 1.0)[..., None] * _points(cases, *_pose(cases))[1]
+    cases.legs["b"] -= (longer - 1.0)[..., None] * _points(cases, *_pose(cases))[1]
     return np.asarray(np.minimum(small[:, 0], 1.0 / longer.max(axis=1)))
 
 
@@ -128,24 +131,23 @@ def far(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     With distances for float it is 100 radii, because rounding of R changes the inertia by the square of them.
     """
     distance = proportions(rng, cases, way)
-    p = cases.legs[:, :, 3:6]
+    p, moving = cases.legs["p"], cases.motion
     times = 10.0 ** rng.uniform(0.0, 4.0 if way.min() < 1e-9 else 2.0, len(way))
     d = _unit(rng.normal(size=(len(way), 3))) * (times * np.sqrt((p * p).sum(axis=(1, 2)) / 6.0))[:, None]
-    _, _, omega, v, alpha, a, F_ext, M_ext = np.split(cases.motions, np.arange(9, 30, 3), axis=1)
-    r = np.einsum("nij,nj->ni", _pose(cases)[0], d)
-    cases.robots[:, 193:196] += d
+    r, omega = np.einsum("nij,nj->ni", moving["R"], d), moving["omega"]
+    cases.robot["R_0"] += d
     p += d[:, None]
-    cases.motions[:, 9:12] -= r
-    v -= cross(omega, r)
-    a -= cross(alpha, r) + cross(omega, cross(omega, r))
-    M_ext += cross(d, F_ext)
+    moving["t"] -= r
+    moving["v"] -= cross(omega, r)
+    moving["a"] -= cross(moving["alpha"], r) + cross(omega, cross(omega, r))
+    moving["M_ext"] += cross(d, moving["F_ext"])
     return np.minimum(distance, 1.0 / times)
 
 
 def turned(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     """Rotate singular machines by random angles, except one third of them."""
     phi = 0.8 * rng.normal(size=(len(way), 3)) * (rng.random((len(way), 1)) > 1.0 / 3.0)
-    cases.motions[:, :9] = rotation_from_vector(phi).reshape(-1, 9)
+    cases.motion["R"] = rotation_from_vector(phi)
     return np.zeros(len(way))
 
 
@@ -158,12 +160,12 @@ def not_finite(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
 
 def _points(cases: Cases, R: Array, t: Array) -> tuple[Array, Array]:
     """Compute q and S of all legs, (n, 6, 3) each, at poses R (n, 3, 3), t (n, 3)."""
-    q = cases.legs[:, :, 3:6] @ np.swapaxes(R, -1, -2)
-    return q, q + t[:, None] - cases.legs[:, :, :3]
+    q = cases.legs["p"] @ np.swapaxes(R, -1, -2)
+    return q, q + t[:, None] - cases.legs["b"]
 
 
 def _pose(cases: Cases) -> tuple[Array, Array]:
-    return cases.motions[:, :9].reshape(-1, 3, 3), cases.motions[:, 9:12]
+    return cases.motion["R"], cases.motion["t"]
 
 
 def _unit(vectors: Array) -> Array:
@@ -207,29 +209,33 @@ def path_III() -> tuple[list[Robot], list[Motion]]:
     return [robot] * len(motions), motions
 
 
-def _turns(robot: Robot, motion: Motion, turns: list[Array]) -> Cases:
-    """Return cases of one machine, one for each rotation."""
-    motions = [dataclasses.replace(motion, R=R) for R in turns]
-    return cases_of([robot] * len(turns), motions, distances())
+def _path_III(rng: np.random.Generator) -> Cases:
+    return cases_of(*path_III(), distances())
+
+
+def _turned(robot: Robot, motion: Motion, R: Array) -> Cases:
+    """Return cases of one machine with rotations (n, 3, 3)."""
+    cases = cases_of([robot] * POINTS, [motion] * POINTS, distances())
+    cases.motion["R"] = R
+    return cases
 
 
 def _hexagons(rng: np.random.Generator) -> Cases:
     robot = similar_hexagons(rng)
-    turns = [rotation_from_vector(np.array([0.0, 0.0, 0.5 * np.pi - d])) for d in distances()]
-    return _turns(robot, random_motion(rng, robot), turns)
+    R = rotation_from_vector((0.5 * np.pi - distances())[:, None] * np.array([0.0, 0.0, 1.0]))
+    return _turned(robot, random_motion(rng, robot), R)
 
 
 def _line(rng: np.random.Generator) -> Cases:
     moving, axis = random_motion(rng, random_machine(rng)), np.array([0.6, 0.64, 0.48])
-    turns = [rotation_from_vector(d * axis) @ moving.R for d in distances()]
-    return _turns(meeting_one_line(rng, moving), moving, turns)
+    R = rotation_from_vector(distances()[:, None] * axis) @ moving.R
+    return _turned(meeting_one_line(rng, moving), moving, R)
 
 
 def _flat(rng: np.random.Generator) -> Cases:
     robot = flat(rng)
-    R = rotation_from_vector(np.array([0.0, 0.0, 0.3]))
-    cases = _turns(robot, random_motion(rng, robot), [R] * POINTS)
-    cases.motions[:, 9:11], cases.motions[:, 11] = (0.1, 0.07), distances()
+    cases = _turned(robot, random_motion(rng, robot), rotation_from_vector(np.array([0.0, 0.0, 0.3])))
+    cases.motion["t"][:, :2], cases.motion["t"][:, 2] = (0.1, 0.07), distances()
     return cases
 
 
@@ -239,7 +245,8 @@ def _walk(draw: Draw, legs: str = LEGS[0], rest: bool = False) -> Callable[[np.r
     def make(rng: np.random.Generator) -> Cases:
         robot = random_machine(rng, legs=legs)
         cases = cases_of([robot] * POINTS, [random_motion(rng, robot)] * POINTS, distances())
-        cases.motions[:, 12:24] *= not rest
+        for rate in RATES:
+            cases.motion[rate] *= not rest
         state = rng.bit_generator.state
         for i in range(POINTS):
             rng.bit_generator.state = state
@@ -262,25 +269,17 @@ def _extreme(rng: np.random.Generator) -> Cases:
     return cases_of(robots, motions, sizes)
 
 
-_PIVOTS = "elimination with partial pivoting; status 4 if a pivot is at the rounding level of its row"
+def _singular(name: str, title: str, axis: str, make: Callable[[np.random.Generator], Cases]) -> Family:
+    remedy = "elimination with partial pivoting; status 4 if a pivot is at the rounding level of its row"
+    return Family(f"singular_{name}", title, "H singular", remedy, axis, make, 6)
+
+
 _ALONG, _ANGLE = "leg along its universal joint's fixed axis", "angle between a leg and its fixed axis, rad"
 FAMILIES = (
-    Family(
-        *("singular_path_III", "Path III crosses a singular pose", "H singular", _PIVOTS),
-        *("time from the crossing, s", lambda rng: cases_of(*path_III(), distances()), 6),
-    ),
-    Family(
-        *("singular_hexagons", "Similar hexagons turned by 90 degrees", "H singular", _PIVOTS),
-        *("angle from 90 degrees, rad", _hexagons, 6),
-    ),
-    Family(
-        *("singular_line", "Six legs meet one line", "H singular", _PIVOTS),
-        *("turn away from that pose, rad", _line, 6),
-    ),
-    Family(
-        *("singular_flat", "Six legs in one plane", "H singular", _PIVOTS),
-        *("height over the plane, m", _flat, 6),
-    ),
+    _singular("path_III", "Path III crosses a singular pose", "time from the crossing, s", _path_III),
+    _singular("hexagons", "Similar hexagons turned by 90 degrees", "angle from 90 degrees, rad", _hexagons),
+    _singular("line", "Six legs meet one line", "turn away from that pose, rad", _line),
+    _singular("flat", "Six legs in one plane", "height over the plane, m", _flat),
     Family(
         *("joint_singularity", "A leg's joint singularity, moving machine", _ALONG),
         "sine and frame from k x s, dynamics in joint coordinates; status 3 for a sine of rounding level",
@@ -298,12 +297,8 @@ FAMILIES = (
         *("length over the largest term of its sum", _walk(short), 3),
     ),
     Family(
-        *(
-            "scale_extreme",
-            "Machines of 1e-200 to 1e200 m: overflow and subnormal numbers",
-            "overflow, underflow",
-        ),
-        "status 1 if a result or a square exceeds the range of double",
+        *("scale_extreme", "Machines of 1e-200 to 1e200 m: overflow and subnormal numbers"),
+        *("overflow, underflow", "status 1 if a result or a square exceeds the range of double"),
         "radius of the base, m",
         _extreme,
         seed=7,
@@ -335,18 +330,20 @@ def random_cases(kind: str, rng: np.random.Generator, count: int, each: int, dec
 
     Distances are logarithmically uniform over the decades. A quarter of the motions is at rest.
     """
-    numbers = random_machines(rng, -(-count // each), kind == MACHINE)
-    robots = np.repeat(numbers, each, axis=0)[:count]
-    motions = _random_motions(rng, robots)
-    motions[rng.integers(4, size=count) == 0, 12:24] = 0.0
-    forces = GRAVITY * robots[:, 192:193] * rng.normal(size=(count, 6))
-    cases = Cases(robots, motions, forces, np.zeros(count))
+    machines = random_machines(rng, -(-count // each), kind == MACHINE)
+    robots = np.repeat(machines.robots, each, axis=0)[:count]
+    cases = Cases(robots, np.empty((count, 30)), np.empty((count, 6)), np.empty(count))
+    _move(rng, cases)
+    at_rest = rng.integers(4, size=count) == 0
+    for rate in RATES:
+        cases.motion[rate][at_rest] = 0.0
+    cases.forces[:] = GRAVITY * cases.robot["M"][:, None] * rng.normal(size=(count, 6))
     cases.distance[:] = KINDS[kind](rng, cases, 10.0 ** -rng.uniform(0.0, decades, count))
     return cases[np.isfinite(cases.distance)]
 
 
-def random_machines(rng: np.random.Generator, count: int, are_singular: bool) -> Array:
-    """Generate machines as numbers (count, 205), half of them of about one meter, others of any size.
+def random_machines(rng: np.random.Generator, count: int, are_singular: bool) -> Cases:
+    """Generate machines without motion, half of them of about one meter, others of any size.
 
     ``are_singular`` selects machines of the families of ``singular_machines`` in turn.
     """
@@ -361,18 +358,20 @@ def random_machines(rng: np.random.Generator, count: int, are_singular: bool) ->
             else random_machine(rng, size, mass, legs)
         )
     none = Motion(R=np.eye(3), t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))
-    return cases_of(machines, [none] * count).robots
+    return cases_of(machines, [none] * count)
 
 
-def _random_motions(rng: np.random.Generator, robots: Array) -> Array:
-    """Generate motions (n, 30) near the home pose, with rates of the time scale of each machine."""
-    b = robots[:, :192].reshape(-1, 6, 32)[:, :, :3]
+def _move(rng: np.random.Generator, cases: Cases) -> None:
+    """Set motions near the home pose, with rates of the time scale of each machine."""
+    b = cases.legs["b"]
     home = b.mean(axis=1)
     sizes = np.sqrt(((b - home[:, None]) ** 2).sum(axis=2).mean(axis=1))
     home[:, 2] += 1.1 * sizes
-    rate2, weight = GRAVITY / sizes, GRAVITY * robots[:, 192]
+    rate2, weight = GRAVITY / sizes, GRAVITY * cases.robot["M"]
     rate = np.sqrt(rate2)
-    spread = [0.15 * sizes, 0.5 * rate, 0.5 * rate * sizes, 0.5 * rate2, 0.5 * rate2 * sizes]
-    vectors = [scale[:, None] * rng.normal(size=home.shape) for scale in (*spread, weight, weight * sizes)]
-    R = rotation_from_vector(0.2 * rng.normal(size=home.shape)).reshape(-1, 9)
-    return np.concatenate([R, home + vectors[0], *vectors[1:]], axis=1)
+    spread = (0.15 * sizes, 0.5 * rate, 0.5 * rate * sizes, 0.5 * rate2, 0.5 * rate2 * sizes)
+    loads = (weight, weight * sizes)
+    for name, scale in zip(("t", *RATES, "F_ext", "M_ext"), (*spread, *loads), strict=True):
+        cases.motion[name] = scale[:, None] * rng.normal(size=home.shape)
+    cases.motion["t"] += home
+    cases.motion["R"] = rotation_from_vector(0.2 * rng.normal(size=home.shape))

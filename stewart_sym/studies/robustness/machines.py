@@ -34,11 +34,10 @@ def random_machine(
         for radius, angles in ((size, _BASE), (0.6 * size, _PLATFORM))
     )
     m_d, m_u = mass * 10.0 ** rng.uniform(-1.0, 1.0, (2, 6)) * (1e-12 if legs == LEGS[3] else 1.0)
-    aside = 0.1 if legs == LEGS[0] else 0.0
+    general = float(legs == LEGS[0])
     along = rng.uniform(0.1, 0.6, (2, 6))
-    off = aside * rng.normal(size=(2, 6, 2))
-    damping = mass * np.sqrt(GRAVITY / size) * rng.uniform(0.02, 0.2, (3, 6))
-    damping *= 1.0 if legs == LEGS[0] else 0.0
+    off = 0.1 * general * rng.normal(size=(2, 6, 2))
+    damping = general * mass * np.sqrt(GRAVITY / size) * rng.uniform(0.02, 0.2, (3, 6))
     home = b.mean(axis=0) + np.array([0.0, 0.0, 1.1 * size]) + p - b
     return Robot(
         name=f"random, {legs} legs",

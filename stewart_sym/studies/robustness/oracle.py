@@ -5,6 +5,7 @@ fast kernels. The condition number of an output is its change by relative change
 """
 
 import ctypes
+import dataclasses
 import functools
 import math
 from dataclasses import dataclass
@@ -41,16 +42,11 @@ SAMPLES = 3
 _TRUTH = "every_output"
 _TYPES: dict[str, Any] = {"double": np.float64, "float": np.float32, "wide": np.longdouble}
 EPSILON = {"double": 2.0**-52, "float": 2.0**-23}
+_WIDE = {"SQRT": "sqrtl", "FABS": "fabsl", "EPSILON": "LDBL_EPSILON", "MAX": "LDBL_MAX"}
 _DEFINES: dict[str, dict[str, str | int]] = {
     "double": {},
     "float": {"STEWART_FLOAT": 1},
-    "wide": {
-        "STEWART_REAL": "long double",
-        "STEWART_SQRT": "sqrtl",
-        "STEWART_FABS": "fabsl",
-        "STEWART_EPSILON": "LDBL_EPSILON",
-        "STEWART_MAX": "LDBL_MAX",
-    },
+    "wide": {"STEWART_REAL": "long double", **{f"STEWART_{name}": each for name, each in _WIDE.items()}},
 }
 _FLAGS = {"double": (), "float": (), "wide": ("-O1", "-include", "float.h", "-include", "math.h")}
 _SHAPES = {name: {"F": (6,)} for name in FORCES[:2]} | {_TRUTH: STRUCTS["forces"], **closed_form.OUTPUTS}
@@ -64,24 +60,25 @@ _POWERS = {
     "B": (1, 0),
 }
 """Powers of the platform size that make the last three of six rows and columns comparable with the first."""
-_LEG = 32
-"""Number of constants of a leg."""
+
+
+def _members(struct: str, tensor: tuple[int, ...]) -> list[Any]:
+    """Return names, types, and shapes of the members of a C struct, whose tensors have a given shape."""
+    shapes = STRUCTS[struct].items()
+    return [(name, np.float64, tensor if shape == (3, 3) else shape) for name, shape in shapes]
+
+
+# Symmetric tensors have six numbers.
+_ROBOT = np.dtype([("legs", _members("leg", (6,)), (6,)), *_members("platform", (6,))])
+_MOTION = np.dtype(_members("motion", (3, 3)))
 
 
 @dataclass(frozen=True, eq=False)
 class Cases:
-    """Machines with one motion each, as numbers of the C structures.
+    """Machines with one motion each, as numbers of the C structs, and with the names of their members.
 
-    Attributes
-    ----------
-    robots : ndarray, shape (n, 205)
-        Robots in the layout of ``stewart_robot``.
-    motions : ndarray, shape (n, 30)
-        Motions in the layout of ``stewart_motion``.
-    forces : ndarray, shape (n, 6)
-        Actuator forces of the forward dynamics (N).
-    distance : ndarray, shape (n,)
-        Distance from a failure.
+    ``robots`` has the shape (n, 205), ``motions`` (n, 30). ``forces``, (n, 6), are actuator forces of the
+    forward dynamics (N), and ``distance``, (n,), are distances from a failure.
     """
 
     robots: Array
@@ -90,9 +87,19 @@ class Cases:
     distance: Array
 
     @property
-    def legs(self) -> Array:
-        """View of the constants of the legs, shape (n, 6, 32)."""
-        return self.robots[:, : 6 * _LEG].reshape(-1, 6, _LEG)
+    def robot(self) -> NDArray[Any]:
+        """View of the robots with the members of ``stewart_robot``, shape (n,)."""
+        return self.robots.view(_ROBOT)[:, 0]
+
+    @property
+    def legs(self) -> NDArray[Any]:
+        """View of the legs with the members of ``stewart_leg``, shape (n, 6)."""
+        return np.asarray(self.robot["legs"])
+
+    @property
+    def motion(self) -> NDArray[Any]:
+        """View of the motions with the members of ``stewart_motion``, shape (n,)."""
+        return self.motions.view(_MOTION)[:, 0]
 
     def __getitem__(self, where: Any) -> "Cases":
         """Return some of the cases."""
@@ -155,10 +162,9 @@ class Truth:
 class Verdict:
     """Errors of a kernel, shape (n,) each.
 
-    ``error`` is the largest error of a block in rounding units of its ``size``, NaN if the kernel or the
-    truth has a status, and ``condition`` is the condition number of that block. ``pose`` is the largest
-    condition number: of the block, of the scaled H, and of the leg frames. ``status`` is the status of the
-    kernel, ``truth`` the true one, and ``block`` the index in ``BLOCKS``.
+    ``error`` is the largest error of a block in rounding units of its ``size``, NaN with a status of the
+    kernel or the truth, and ``condition`` is the condition number of that block. ``pose`` is the largest
+    condition number of block, scaled H, and leg frames.
     """
 
     error: Array
@@ -166,7 +172,6 @@ class Verdict:
     pose: Array
     status: Codes
     truth: Codes
-    block: NDArray[np.int64]
     size: Array
 
     @property
@@ -198,26 +203,22 @@ def check(
     Raises native.CompilerError without a compiler, or with a ``long double`` that is not wider than double.
     """
     cases = cases.rounded() if precision == "float" else cases
-    truths: dict[str, Truth] = {}
+    truth = functools.cache(lambda source: truth_of(cases, source, precision, samples))
     found = {}
     for kernel in kernels:
+        values, status = run(cases, kernel, precision)
         if not solvable:
-            found[kernel] = _unsolvable(run(cases, kernel, precision)[1])
+            found[kernel] = _unsolvable(status)
             continue
         source = _TRUTH if kernel in FORCES else kernel
-        if source not in truths:
-            truths[source] = truth_of(cases, source, precision, samples)
-        values, status = run(cases, kernel, precision)
-        found[kernel] = judge(kernel, values, status, truths[source], cases, precision, floor)
+        found[kernel] = judge(kernel, values, status, truth(source), cases, precision, floor)
         again = (found[kernel].ratio > DOUBTFUL) & (found[kernel].ratio < 30.0 * DOUBTFUL)
         again |= found[kernel].rejected_good(precision)
         if samples and again.any():
-            separate = truth_of(cases[again], source, precision, samples=-1)
-            closer = judge(kernel, values[again], status[again], separate, cases[again], precision, floor)
-            parts = {name: np.array(each) for name, each in vars(found[kernel]).items()}
-            for name, each in vars(closer).items():
-                parts[name][again] = each
-            found[kernel] = Verdict(**parts)
+            change = truth(source).change.copy()
+            change[again] = truth_of(cases[again], source, precision, samples=-1).change
+            closer = dataclasses.replace(truth(source), change=change)
+            found[kernel] = judge(kernel, values, status, closer, cases, precision, floor)
     return found
 
 
@@ -225,7 +226,7 @@ def _unsolvable(status: Codes) -> Verdict:
     """Return the verdict on answers for singular machines."""
     none = np.full(len(status), np.nan)
     truth = np.full_like(status, SINGULAR)
-    return Verdict(none, none, none, status, truth, np.zeros_like(truth), none)
+    return Verdict(none, none, none, status, truth, none)
 
 
 def truth_of(cases: Cases, kernel: str, precision: str = "double", samples: int = SAMPLES) -> Truth:
@@ -241,16 +242,11 @@ def truth_of(cases: Cases, kernel: str, precision: str = "double", samples: int 
     whole = np.concatenate(inputs, axis=1)
     ends = np.cumsum([each.shape[1] for each in inputs])[:-1]
     rng = np.random.default_rng(whole.shape[1])
+    signs = (rng.choice([-1.0, 1.0], whole.shape) for _ in range(samples))
     change = np.zeros(values.shape)
-    for sample in range(whole.shape[1] if samples < 0 else samples):
-        if samples < 0:
-            step = np.zeros(whole.shape[1])
-            step[sample] = 1.0
-        else:
-            step = rng.choice([-1.0, 1.0], whole.shape)
+    for step in np.eye(whole.shape[1]) if samples < 0 else signs:
         parts = np.split(whole * (1 + amount * step), ends, axis=1)
-        moved = Cases(parts[0], parts[1], parts[2], cases.distance)
-        beside, codes = run(moved, kernel, "wide")
+        beside, codes = run(Cases(parts[0], parts[1], parts[2], cases.distance), kernel, "wide")
         by = np.abs((beside - values) / amount).astype(np.float64)
         by[(codes != OK) & (status == OK)] = np.inf
         change = change + by if samples < 0 else np.fmax(change, by)
@@ -267,12 +263,11 @@ def judge(
     floor: bool = False,
 ) -> Verdict:
     """Compare outputs (n, m) with the truth, block by block; keep the worst block of each case."""
-    count, length = len(values), _length(cases)[:, None]
+    count, length, known = len(values), _length(cases)[:, None], truth.status == OK
     least = truth.scaled if floor or kernel in FORCES else np.ones(count)
     error, condition, size = np.full(count, np.nan), np.ones(count), np.ones(count)
-    block, known = np.zeros(count, dtype=np.int64), truth.status == OK
     solved = (status == OK) & known
-    for number, (places, powers) in enumerate(BLOCKS[kernel].values()):
+    for places, powers in BLOCKS[kernel].values():
         weight, true = length**powers, truth.values[:, places]
         off = (np.abs(values[:, places] - true) * weight).max(axis=1)
         # The forces are differences of D and x.
@@ -282,20 +277,19 @@ def judge(
         own = np.fmax(np.fmax(moved / whole, least), 1.0)
         units = np.where(solved, off / (EPSILON[precision] * whole), np.nan).astype(np.float64)
         worse = np.where(solved, ~(units / own <= error / condition), known & (own > condition))
-        for kept, new in ((error, units), (condition, own), (size, whole), (block, np.full(count, number))):
+        for kept, new in ((error, units), (condition, own), (size, whole)):
             kept[worse] = new[worse]
     condition = np.where(known, condition, np.inf)
     pose = np.fmax(np.fmax(condition, truth.scaled), truth.frames)
-    return Verdict(error, condition, pose, status, truth.status, block, size)
+    return Verdict(error, condition, pose, status, truth.status, size)
 
 
 def run(cases: Cases, kernel: str, precision: str) -> tuple[NDArray[Any], Codes]:
     """Run a kernel in "double", "float", or "wide" arithmetic; return outputs (n, m) and statuses (n,)."""
     kind = _TYPES[precision]
+    inputs = (cases.robots, cases.motions, cases.forces)
     with np.errstate(over="ignore"):
-        given = [
-            np.ascontiguousarray(each, dtype=kind) for each in (cases.robots, cases.motions, cases.forces)
-        ]
+        given = [np.ascontiguousarray(each, dtype=kind) for each in inputs]
     count = len(given[0])
     width = sum(math.prod(shape) for shape in _SHAPES[kernel].values())
     out, status = np.full((count, width), np.nan, dtype=kind), np.zeros(count, dtype=np.int32)
@@ -306,7 +300,7 @@ def run(cases: Cases, kernel: str, precision: str) -> tuple[NDArray[Any], Codes]
 
 def _length(cases: Cases) -> Array:
     """Compute the root mean square distance of the platform points from the reference point, (n,)."""
-    p = cases.legs[:, :, 3:6]
+    p = cases.legs["p"]
     largest = np.abs(p).max(axis=(1, 2))
     square: Array = ((p / largest[:, None, None]) ** 2).sum(axis=(1, 2))
     return np.asarray(largest * np.sqrt(square / 6.0))
@@ -324,13 +318,14 @@ def _scaled(cases: Cases, values: NDArray[Any]) -> Array:
 
 def _frames(cases: Cases) -> Array:
     """Compute the effect of a rounding unit on the leg frames: 1 over |k x s|, and terms of S over L."""
-    legs, motions = (each.astype(np.longdouble) for each in (cases.legs, cases.motions))
-    q = np.einsum("nij,nlj->nli", motions[:, :9].reshape(-1, 3, 3), legs[:, :, 3:6])
-    t, b = np.broadcast_to(motions[:, None, 9:12], q.shape), legs[:, :, :3]
+    b, p, k = (cases.legs[name].astype(np.longdouble) for name in "bpk")
+    R, t = (cases.motion[name].astype(np.longdouble) for name in "Rt")
+    q = np.einsum("nij,nlj->nli", R, p)
+    t = np.broadcast_to(t[:, None], q.shape)
     S = q + t - b
     with np.errstate(all="ignore"):
         L = np.sqrt((S * S).sum(axis=-1))
-        normal = np.cross(legs[:, :, 6:9], S / L[..., None])
+        normal = np.cross(k, S / L[..., None])
         sine = np.sqrt((normal * normal).sum(axis=-1))
         reach = np.max(np.abs([q, t, b]), axis=(0, -1))
         worst = np.fmax(1 / sine, reach / L).max(axis=1)

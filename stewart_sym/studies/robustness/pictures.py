@@ -15,13 +15,7 @@ from ..common.report import SMALL, Picture
 from .oracle import EPSILON
 from .study import WRONG, Course
 
-_STYLES = tuple(
-    zip(
-        ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"),
-        ("o", "s", "^", "v", "D", "P"),
-        strict=True,
-    )
-)
+_COLORS, _MARKERS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"), "os^vDP"
 _FLOOR, _CEILING = 1e-17, 1e4
 
 
@@ -37,9 +31,8 @@ def figure_of(course: Course) -> Figure:
     """Plot the errors of all kernels over the distance, with marks at the distances with a status."""
     figure = new_figure(7.0, 5.6)
     ax = figure.subplots()
-    for number, ((name, found), (color, marker)) in enumerate(
-        zip(course.verdicts.items(), _STYLES, strict=True)
-    ):
+    curves = zip(course.verdicts.items(), _COLORS, _MARKERS, strict=True)
+    for number, ((name, found), color, marker) in enumerate(curves):
         error = np.clip(found.error * EPSILON["double"], _FLOOR, _CEILING)
         # The markers of the curves are offset, so that overlapping curves are distinguishable.
         style = {"color": color, "marker": marker, "markersize": 4.0, "markevery": (number % 4, 4)}

@@ -106,8 +106,13 @@ def _twice(points: Whole) -> Points:
     return points, points
 
 
-def _either_way(rng: np.random.Generator, pair: Points) -> Points:
+def _point_and_line(rng: np.random.Generator) -> Points:
+    pair = _with(rng, _point(rng, 3)), _with(rng, _line(rng, 3))
     return pair if rng.random() < 0.5 else pair[::-1]
+
+
+def _point_and_point(rng: np.random.Generator) -> Points:
+    return _with(rng, _point(rng, 3)), _with(rng, _point(rng, 3))[::-1]
 
 
 def _regulus(rng: np.random.Generator) -> Points:
@@ -150,10 +155,7 @@ NEARLY: dict[str, Callable[[np.random.Generator], Points]] = {
         rng, (_with(rng, _point(rng, 4)), _any(rng)), ((4, 5),)
     ),
 }
-"""Families that are singular for one reason and nearly singular for others, to any degree within 24 bits.
-
-Several pivots are small, and none of them may be distinguishable.
-"""
+"""Families that are singular for one reason and nearly singular for others, to any degree within 24 bits."""
 
 FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
     # All legs meet this line.
@@ -163,14 +165,9 @@ FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
     "four legs from one base point": lambda rng: (_with(rng, _point(rng, 4)), _any(rng)),
     "four legs to one platform point": lambda rng: (_any(rng), _with(rng, _point(rng, 4))),
     # All legs meet the line through both points.
-    "three legs from one point, three to one": lambda rng: (
-        _with(rng, _point(rng, 3)),
-        _with(rng, _point(rng, 3))[::-1],
-    ),
+    "three legs from one point, three to one": _point_and_point,
     # A plane pencil has rank 2.
-    "three legs between a point and a line": lambda rng: _either_way(
-        rng, (_with(rng, _point(rng, 3)), _with(rng, _line(rng, 3)))
-    ),
+    "three legs between a point and a line": _point_and_line,
     # Lines that join corresponding points of two lines have rank 3, lines that meet two lines rank 4.
     "four legs of a regulus": _regulus,
     "five legs between two lines": lambda rng: (_with(rng, _line(rng, 5)), _with(rng, _line(rng, 5))),

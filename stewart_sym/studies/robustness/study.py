@@ -1,4 +1,4 @@
-"""Stability study: families of failures and random cases times kernels, with report, data, and tables."""
+"""Stability study: families of failures and random cases times kernels, with report and data."""
 
 import os
 from collections.abc import Iterable, Iterator, Mapping
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...results import OK, STATUS_TEXT
-from ..common.output import Figures, aligned, paragraph, table
+from ..common.output import Figures, aligned
 from ..common.report import Picture, Report
 from .failures import FAMILIES, KINDS, MACHINE, UNLIKE, Family, random_cases
 from .oracle import EPSILON, FORCES, GOOD, Verdict, check
@@ -62,7 +62,7 @@ def sweep(
 ) -> Figures:
     """Check random cases near failure in double, and a tenth as many in float, in equal parts for each kind.
 
-    Returns the counts of ``_summary`` for each kernel, kind, and precision, and their sums. Raises ValueError
+    Returns the counts of ``summary`` for each kernel, kind, and precision, and their sums. Raises ValueError
     for less than one case of each kind, and native.CompilerError as ``check``.
     """
     if cases < len(kinds) * SHARE:
@@ -74,14 +74,9 @@ def sweep(
             progress(f"computing {kind}, {precision}", done / (len(kinds) * (1.0 + 1.0 / SHARE)))
             done += 1.0 / share
             counts += _counts(kind, precision, -(-cases // (share * len(kinds))), seed)
-    return {
-        "cases": sum(count["cases"] for count in counts if count["kernel"] == _named(FORCES[0])),
-        "wrong": sum(count["wrong"] for count in counts),
-        "rejected_good": sum(count["rejected_good"] for count in counts),
-        "wrong_above": WRONG,
-        "good_below": GOOD,
-        "counts": counts,
-    }
+    totals = {name: sum(count[name] for count in counts) for name in ("wrong", "rejected_good")}
+    total = sum(count["cases"] for count in counts if count["kernel"] == _named(FORCES[0]))
+    return {"cases": total, **totals, "wrong_above": WRONG, "good_below": GOOD, "counts": counts}
 
 
 def _counts(kind: str, precision: str, wanted: int, seed: int) -> Iterator[Figures]:
@@ -95,7 +90,7 @@ def _counts(kind: str, precision: str, wanted: int, seed: int) -> Iterator[Figur
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         chunks = list(pool.map(chunk, starts))
     for kernel in chunks[0]:
-        parts = [chunk[kernel] for chunk in chunks if kernel in chunk]
+        parts = [chunk[kernel] for chunk in chunks]
         worst = max(parts, key=lambda part: part["worst"])
         sums = {name: sum(part[name] for part in parts) for name in _SUMS}
         shown = next((part["shown"] for part in parts if part["shown"]), "")
@@ -124,11 +119,11 @@ _SUMS = ("cases", "answered", "wrong", "rejected_good")
 def summary(found: Verdict, distance: Array, precision: str = "double", in_range: bool = True) -> Figures:
     """Summarize the results of one kernel.
 
-    The numbers are those of ``cases``, of results with status OK (``answered``), of these with an error above
-    ``WRONG`` units times the condition number (``wrong``), and of good poses with a status
-    (``rejected_good``). ``worst`` is the largest error over the condition number with status OK, -1 without
-    any, at distance ``where``. ``rejected_at`` is the smallest condition number of a pose with a status, inf
-    without one. ``digits`` are the decimal digits of the worst result. ``shown`` describes a failed case.
+    ``answered`` counts results with status OK, ``wrong`` the results of these with an error above ``WRONG``
+    units times the condition number, and ``rejected_good`` good poses with a status. ``worst`` is the largest
+    error over the condition number with status OK, -1 without any, at distance ``where``. ``rejected_at`` is
+    the smallest condition number of a pose with a status, inf without one. ``digits`` are the decimal digits
+    of the worst result. ``shown`` describes a failed case.
     """
     ratio, good = found.ratio, found.rejected_good(precision) & in_range
     rejected = (found.status != OK) & (found.truth == OK)
@@ -156,7 +151,7 @@ def _named(kernel: str) -> str:
     return kernel.replace("_", " ")
 
 
-# --- report, data, and tables of the documentation ------------------------------------------------
+# --- report and data ------------------------------------------------
 
 
 def full_report(found: Iterable[Course], swept: Figures, figures: Mapping[str, Picture]) -> Report:
@@ -193,29 +188,23 @@ def sweep_report(swept: Figures) -> str:
 
 
 def _listed(counts: list[Figures]) -> str:
-    header = (
-        "kernel",
-        "cases",
-        "ok",
-        "worst",
-        "at distance",
-        "digits",
-        "wrong",
-        "rejected at",
-        "good rejected",
-    )
+    header = ("kernel", *(name for name, _, _ in _COLUMNS))
     rows = [
         (
             ", ".join(count[name] for name in ("kind", "precision", "kernel") if name in count),
-            f"{count['cases']}",
-            f"{count['answered']}",
-            *(f"{count['worst']:.3g}" if count["worst"] >= 0.0 else "-", f"{count['where']:.1e}"),
-            f"{count['digits']:.1f}",
-            *(f"{count['wrong']}", f"{count['rejected_at']:.1e}", f"{count['rejected_good']}"),
+            *("-" if count[key] < 0.0 else f"{count[key]:{form}}" for _, key, form in _COLUMNS),
         )
         for count in counts
     ]
     return "\n".join([aligned(header, rows), *(count["shown"] for count in counts if count["shown"])])
+
+
+_COLUMNS = (
+    *(("cases", "cases", "d"), ("ok", "answered", "d"), ("worst", "worst", ".3g")),
+    *(("at distance", "where", ".1e"), ("digits", "digits", ".1f"), ("wrong", "wrong", "d")),
+    *(("rejected at", "rejected_at", ".1e"), ("good rejected", "rejected_good", "d")),
+)
+"""Columns of the printed tables: title, count, and format."""
 
 
 _UNITS = {
@@ -225,64 +214,3 @@ _UNITS = {
     "wrong_above": "rounding units over the condition number of the problem",
     "good_below": "condition number",
 }
-
-
-def tables(found: Figures) -> dict[str, str]:
-    """Return the Markdown tables of the documentation from ``stability.json`` by name."""
-    rows = [_row(family, family["counts"]) for family in found["families"]]
-    return {
-        "stability_families": paragraph(_COLUMNS) + table(_HEADER, rows),
-        "stability_cases": _cases(found["sweep"]),
-    }
-
-
-_HEADER = ("failure", "sweep", "remedy", "worst", "status from", "digits left", "undetected")
-_COLUMNS = (
-    "`stewart-sym stability` approaches each failure with every kernel, and measures errors against `long "
-    "double`, which is tested against 50 digits. Worst: the largest error of any kernel with status 0, in "
-    "rounding units times the condition number of the problem itself. Status from: the condition number of "
-    "the first pose with a status. Digits left: of the worst answer with status 0. Undetected: the kernels "
-    "that give a wrong answer (worst above 1000) with status 0."
-)
-
-
-def _row(family: Figures, counts: list[Figures]) -> tuple[str, ...]:
-    rejected = min(count["rejected_at"] or np.inf for count in counts)
-    return (
-        *(family["fails"], family["title"], family["remedy"]),
-        f"{max(count['worst'] or np.inf for count in counts):.2g}",
-        f"{rejected:.0e}" if np.isfinite(rejected) else "never",
-        f"{min(count['digits'] for count in counts):.0f}",
-        "; ".join(count["kernel"] for count in counts if count["wrong"]) or "none",
-    )
-
-
-def _cases(swept: Figures) -> str:
-    """Format the random cases by kind and in total."""
-    kinds = dict.fromkeys(count["kind"] for count in swept["counts"])
-    rows = [_of_kind(kind, [each for each in swept["counts"] if each["kind"] == kind]) for kind in kinds]
-    lowest = min(each["rejected_at"] or np.inf for each in swept["counts"] if each["precision"] == "double")
-    lead = paragraph(
-        f"The sweep has {swept['cases']:,} random cases in double and float. {swept['wrong']:,} answers are "
-        f"wrong with status 0, and {swept['rejected_good']:,} good poses have a status. Worst: the largest "
-        "error as above, with its precision and kernel; any answer for a singular machine is wrong. In "
-        f"double no pose has a status at a condition number below {lowest:.0e}. "
-        "`stewart-sym stability --cases N` generates N other cases from `--seed`."
-    )
-    header = ("random cases", "cases", "kernels", "worst", "wrong", "good poses with a status")
-    return lead + table(header, rows)
-
-
-def _of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
-    kernels = list(dict.fromkeys(count["kernel"] for count in counts))
-    worst = max(counts, key=lambda count: count["worst"])
-    return (
-        kind,
-        f"{sum(count['cases'] for count in counts if count['kernel'] == kernels[0]):,}",
-        ", ".join(kernels),
-        f"{worst['worst']:.2g} ({worst['precision']}, {worst['kernel']})"
-        if worst["answered"]
-        else "unsolvable",
-        f"{sum(count['wrong'] for count in counts):,}",
-        f"{sum(count['rejected_good'] for count in counts):,}",
-    )

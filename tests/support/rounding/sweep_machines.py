@@ -30,8 +30,8 @@ def cases_near(kind: str, seed: int, count: int, each: int = 1) -> Cases:
 
 def case(cases: Cases, index: int) -> tuple[ss.Robot, ss.Motion, Array]:
     """The machine, the motion, and the actuator forces of a case."""
-    numbers, motion = cases.robots[index], cases.motions[index]
-    legs, upper = numbers[:192].reshape(6, 32), np.triu_indices(3)
+    machine, moving, upper = cases.robot[index], cases.motion[index], np.triu_indices(3)
+    legs = machine["legs"]
 
     def tensor(six: Array) -> Array:
         full = np.zeros((*six.shape[:-1], 3, 3))
@@ -41,22 +41,14 @@ def case(cases: Cases, index: int) -> tuple[ss.Robot, ss.Motion, Array]:
     robot = ss.Robot(
         name="random",
         base_joint="universal",
-        **{
-            name: legs[:, at] for name, at in (("m_d", 9), ("m_u", 19), ("C_u", 29), ("C_p", 30), ("C_s", 31))
-        },
-        **{
-            name: legs[:, i : i + 3] for name, i in (("b", 0), ("p", 3), ("k", 6), ("r_d0", 10), ("r_u0", 20))
-        },
-        **{name: tensor(legs[:, i : i + 6]) for name, i in (("I_d0", 13), ("I_u0", 23))},
-        M=numbers[192],
-        R_0=numbers[193:196],
-        I_p=tensor(numbers[196:202]),
-        g=numbers[202:],
+        **{name: tensor(legs[name]) if name[0] == "I" else legs[name] for name in legs.dtype.names},
+        M=machine["M"],
+        R_0=machine["R_0"],
+        I_p=tensor(machine["I_p"]),
+        g=machine["g"],
     )
-    np.testing.assert_allclose(robot_numbers(robot), numbers, rtol=1e-15)
-    parts = np.split(motion, np.cumsum([9, *[3] * 6]))
-    vectors = dict(zip(list(MOTION)[1:], parts[1:], strict=True))
-    return robot, ss.Motion(R=parts[0].reshape(3, 3), **vectors), cases.forces[index]
+    np.testing.assert_allclose(robot_numbers(robot), cases.robots[index], rtol=1e-15)
+    return robot, ss.Motion(**{name: moving[name] for name in MOTION}), cases.forces[index]
 
 
 def differentiated(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Any]:

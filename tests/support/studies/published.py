@@ -17,9 +17,9 @@ import benchmark_tables as benchmark
 import chart_tables as charts
 import microcontroller_tables as microcontroller
 import planning_study as planning
+import stability_tables as stability
 
 from stewart_sym.studies.common.output import Figures
-from stewart_sym.studies.robustness import study as robustness
 
 STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "bench": benchmark.tables,
@@ -27,7 +27,7 @@ STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "controller": microcontroller.tables,
     "controller_drive": microcontroller.drive_tables,
     "plan": planning.tables,
-    "stability": robustness.tables,
+    "stability": stability.tables,
 }
 """Function that generates the tables of each study, by the name of its JSON file."""
 

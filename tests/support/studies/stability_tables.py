@@ -1,0 +1,66 @@
+"""Tables of the documentation from the figures of ``stability``: families of failures, and random cases."""
+
+import numpy as np
+
+from stewart_sym.studies.common.output import Figures, paragraph, table
+
+
+def tables(found: Figures) -> dict[str, str]:
+    """Return the Markdown tables of the documentation from ``stability.json`` by name."""
+    rows = [_row(family, family["counts"]) for family in found["families"]]
+    return {
+        "stability_families": paragraph(_COLUMNS) + table(_HEADER, rows),
+        "stability_cases": _cases(found["sweep"]),
+    }
+
+
+_HEADER = ("failure", "sweep", "remedy", "worst", "status from", "digits left", "undetected")
+_COLUMNS = (
+    "`stewart-sym stability` approaches each failure with every kernel, and measures errors against `long "
+    "double`, which is tested against 50 digits. Worst: the largest error of any kernel with status 0, in "
+    "rounding units times the condition number of the problem itself. Status from: the condition number of "
+    "the first pose with a status. Digits left: of the worst answer with status 0. Undetected: the kernels "
+    "that give a wrong answer (worst above 1000) with status 0."
+)
+
+
+def _row(family: Figures, counts: list[Figures]) -> tuple[str, ...]:
+    rejected = min(count["rejected_at"] or np.inf for count in counts)
+    return (
+        *(family["fails"], family["title"], family["remedy"]),
+        f"{max(count['worst'] or np.inf for count in counts):.2g}",
+        f"{rejected:.0e}" if np.isfinite(rejected) else "never",
+        f"{min(count['digits'] for count in counts):.0f}",
+        "; ".join(count["kernel"] for count in counts if count["wrong"]) or "none",
+    )
+
+
+def _cases(swept: Figures) -> str:
+    """Format the random cases by kind and in total."""
+    kinds = dict.fromkeys(count["kind"] for count in swept["counts"])
+    rows = [_of_kind(kind, [each for each in swept["counts"] if each["kind"] == kind]) for kind in kinds]
+    lowest = min(each["rejected_at"] or np.inf for each in swept["counts"] if each["precision"] == "double")
+    lead = paragraph(
+        f"The sweep has {swept['cases']:,} random cases in double and float. {swept['wrong']:,} answers are "
+        f"wrong with status 0, and {swept['rejected_good']:,} good poses have a status. Worst: the largest "
+        "error as above, with its precision and kernel; any answer for a singular machine is wrong. In "
+        f"double no pose has a status at a condition number below {lowest:.0e}. "
+        "`stewart-sym stability --cases N` generates N other cases from `--seed`."
+    )
+    header = ("random cases", "cases", "kernels", "worst", "wrong", "good poses with a status")
+    return lead + table(header, rows)
+
+
+def _of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
+    kernels = list(dict.fromkeys(count["kernel"] for count in counts))
+    worst = max(counts, key=lambda count: count["worst"])
+    return (
+        kind,
+        f"{sum(count['cases'] for count in counts if count['kernel'] == kernels[0]):,}",
+        ", ".join(kernels),
+        f"{worst['worst']:.2g} ({worst['precision']}, {worst['kernel']})"
+        if worst["answered"]
+        else "unsolvable",
+        f"{sum(count['wrong'] for count in counts):,}",
+        f"{sum(count['rejected_good'] for count in counts):,}",
+    )
