@@ -24,6 +24,8 @@ MOST_DISTANCE, BEYOND = 3.0, 0.05
 """Largest plausible distances of a center of mass from its joint, and beyond it, over the leg length."""
 LEAST_OFFSET = (1e-6, 1e-3)
 """Range of the distance from the joint, over the leg length, of meters in a file of millimeters."""
+LEAST_STROKE = 5e-4
+"""Smallest plausible stroke over the leg length; piezo stacks have 1e-3."""
 IN_METERS = 0.05
 """Ratio of the limits to the legs below which limits are in meters in a file of another length_unit."""
 
@@ -56,7 +58,7 @@ def _of_axes(robot: Robot, t: Array) -> Iterator[Finding]:
 
 
 def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
-    """Yield a finding about a home beyond the length limits, or limits of no pose."""
+    """Yield a finding about a home beyond the length limits, limits of no pose, or a stroke near zero."""
     low, high = robot.length_limits.T
     beyond = np.flatnonzero((low > L) | (high < L)).tolist()
     size, longest = radius(robot.b) + radius(robot.p), float(np.mean(high))
@@ -78,6 +80,11 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
     elif longest < OUTSIDE * np.mean(L):
         cause = unit or "the stroke given, expected the length from joint to joint"
         yield Finding("length-limits", f"{limits}; likely cause: {cause}")
+    elif np.any(high - low < LEAST_STROKE * np.where(np.isfinite(high), high, 0.0)):
+        cause = "stroke or limits given in m in a file of another length_unit"
+        yield Finding(
+            "length-limits", f"{limits}, a stroke of {min(high - low):.3g} m; likely cause: {cause}"
+        )
 
 
 def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:

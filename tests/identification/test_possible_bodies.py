@@ -30,7 +30,7 @@ def test_parameters_make_the_robot_again() -> None:
 
 
 def test_possible_machines_are_not_named_and_impossible_ones_are() -> None:
-    for seed in range(4):
+    for seed in (3, 11, 19):
         base, values = truth(robot(seed))
         assert physical.negative(robot(seed), base, values, np.eye(base.rank)) == ((), ())
     place = {name: i for i, name in enumerate(base.names)}

@@ -59,7 +59,7 @@ def test_a_marked_name_is_shown_as_text(command: str, folder: Path, run: Run) ->
     robot = ss.Robot.from_toml("marked.toml")
     time = np.linspace(0.0, 1.0, 20)
     turned = 0.01 * np.sin(time)[:, None] * np.ones(6)
-    home = np.append(robot.home_position, np.zeros(3))
+    home = np.append(ss.home_pose(robot).t, np.zeros(3))
     write(folder / "log.csv", NAMES, np.column_stack([time, turned + home]))
     out, err = run(*command.split())
     texts = written(folder) | {"terminal": out, "warnings": err}
