@@ -10,6 +10,7 @@ from kits import few_vectors
 from log_files import NAMES, write
 
 import stewart_sym as ss
+from stewart_sym.dynamics.home_pose import home_pose
 
 MARKED = (
     "\"quoted' </h1><b>&amp; */ ??/ \\ %s ]]> --> \u202egnp.exe\u2066\u200b\u00ad\ufeff\U000e0041\u00a0\u05d0"
@@ -59,7 +60,7 @@ def test_a_marked_name_is_shown_as_text(command: str, folder: Path, run: Run) ->
     robot = ss.Robot.from_toml("marked.toml")
     time = np.linspace(0.0, 1.0, 20)
     turned = 0.01 * np.sin(time)[:, None] * np.ones(6)
-    home = np.append(ss.home_pose(robot).t, np.zeros(3))
+    home = np.append(home_pose(robot).t, np.zeros(3))
     write(folder / "log.csv", NAMES, np.column_stack([time, turned + home]))
     out, err = run(*command.split())
     texts = written(folder) | {"terminal": out, "warnings": err}
