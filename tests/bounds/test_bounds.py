@@ -55,6 +55,7 @@ def figures(robot: ss.Robot, motion: ss.Motion, precision: str) -> Figures | Non
     return Figures(least, float(bound.max() / errors.max()), float(errors.max() / unit / condition))
 
 
+@pytest.mark.slow
 @sweep
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_bound_is_never_below_the_true_error_and_seldom_far_above(precision: str) -> None:
@@ -97,6 +98,7 @@ def test_bound_holds_where_products_are_fused_into_sums(monkeypatch: pytest.Monk
         assert found.least >= 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_bound_holds_for_wild_rates_and_loads_and_legs_near_their_axes(precision: Any) -> None:
     rng = np.random.default_rng(11)
@@ -171,6 +173,7 @@ def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
     np.testing.assert_array_equal(bound, wanted.bound)
 
 
+@pytest.mark.slow
 @sweep
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_forces_are_those_of_the_kernel_and_within_their_bound(precision: Any) -> None:

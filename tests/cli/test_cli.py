@@ -95,6 +95,7 @@ def test_generate_names_the_option_that_is_wrong(robot: Path, fails: Fails) -> N
     assert not (robot.parent / "kit").exists()
 
 
+@pytest.mark.slow
 @few_vectors()
 def test_generate_lists_the_files_and_writes_none(robot: Path, run: Run) -> None:
     target = robot.parent / "kit"
@@ -152,6 +153,7 @@ def test_every_subcommand_has_an_example_and_no_folder_is_called_like_standard_o
             assert error.endswith(f"got - for standard output (see stewart-sym {name} --help)")
 
 
+@pytest.mark.slow
 def test_checking_a_robot_loads_nothing_heavy(robot: Path) -> None:
     code = "import sys; from stewart_sym.cli.main import main; main(sys.argv[1:]); print(*sys.modules)"
     done = subprocess.run(

@@ -99,6 +99,7 @@ def test_an_output_that_cannot_be_written_is_named_before_work(robot: Path, fail
     assert list(robot.parent.iterdir()) == [robot]
 
 
+@pytest.mark.slow
 def test_a_full_standard_output_is_one_line(robot: Path) -> None:
     command = [sys.executable, "-W", "ignore", "-m", "stewart_sym.cli.main", "check", str(robot)]
     with open("/dev/full", "w") as full:
@@ -108,6 +109,7 @@ def test_a_full_standard_output_is_one_line(robot: Path) -> None:
     assert lines == ["stewart-sym: error: standard output: No space left on device"]
 
 
+@pytest.mark.slow
 def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, trajectory: Path, run: Run) -> None:
     # Millimeters as leg lengths in m: the likely cause is a warning, what came of it the error.
     lengths = [f"{time},{','.join(6 * [str(900 + time)])}" for time in range(8)]
@@ -140,6 +142,7 @@ def test_an_overflow_that_affects_results_is_one_warning_and_none_with_an_error(
     assert capsys.readouterr().err == ""
 
 
+@pytest.mark.slow
 def test_a_reader_that_goes_away_is_no_traceback(robot: Path) -> None:
     command = f"'{sys.executable}' -W ignore -m stewart_sym.cli.main check '{robot}' | true"
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True)
@@ -162,6 +165,7 @@ def test_forces_warns_of_crossings_between(robot: Path, crossing: Path, trajecto
     assert "singular" not in run("forces", robot, trajectory, "-o", output).err
 
 
+@pytest.mark.slow
 def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> None:
     folder = robot.parent / "found"
     told = run("singularities", robot, "III", "-o", folder).out

@@ -118,6 +118,7 @@ def test_robots_are_listed_shown_and_copied(tmp_path: Path, run: Run, fails: Fai
     assert json.loads(run("robots", "--json").out)["robots"]["unal"]["platform_mass_kg"] == 2.146
 
 
+@pytest.mark.slow
 def test_check_draws_the_machine_into_a_folder(tmp_path: Path, run: Run) -> None:
     file = Path(robots.__file__).parent / "tsai2000.toml"
     text = run("check", file, "-o", tmp_path / "out").out

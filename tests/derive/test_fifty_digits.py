@@ -32,6 +32,7 @@ def error(found: NDArray[np.float64], true: mp.matrix) -> float:
     return float(difference / max(abs(value) for value in expected))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", slow_but([EXACT, PAPER], FORMULATIONS), ids=lambda form: form.kernel_name)
 def test_c_equals_50_digit_truth_to_rounding(form: Formulation) -> None:
     """Every output, and forces of the prepared kernel, of one pose and of a batch."""
@@ -115,6 +116,7 @@ def test_regressor_times_parameters_is_the_wrench_of_actuators_and_load(seed: in
         assert np.max(np.abs(difference)) <= 1e-12 * np.max(terms)
 
 
+@pytest.mark.slow
 def test_columns_that_are_sums_of_others_on_every_machine_are_so_at_50_digits() -> None:
     dependent = dependencies()
     assert len(dependent) == 8

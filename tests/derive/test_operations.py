@@ -70,6 +70,7 @@ def executed(
     return [counts for _, counts in found]
 
 
+@pytest.mark.slow
 @OF_FORMS
 def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
@@ -79,6 +80,7 @@ def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Pa
     assert found == module(name).OPERATIONS["friction"]["total"]
 
 
+@pytest.mark.slow
 @OF_FORMS
 def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(4)

@@ -81,6 +81,7 @@ def compared(seed: int, count: int) -> tuple[int, int]:
     return within, without
 
 
+@pytest.mark.slow
 @sweep
 def test_it_equals_a_linear_program() -> None:
     count = share(1_000, 10)

@@ -71,6 +71,7 @@ def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run
     assert {row["first_limit"] for row in rows} >= {"feasible", "leg_length", "joint_angle"}
 
 
+@pytest.mark.slow
 def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(run: Run) -> None:
     few = ("--samples", 500, "--no-plots")
     for position, doubted in ((0.7, False), (700.0, True)):
@@ -82,6 +83,7 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
         assert ("1000 times as much does not: is the unit of" in told) == doubted
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("options", "words"),
     [
@@ -104,6 +106,7 @@ def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
     assert volumes[0] < 0.9 * volumes[1]
 
 
+@pytest.mark.slow
 def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(folder: Path, run: Run) -> None:
     edit(folder / "hexapod.toml", "force_limit = 500.0", "force_limit = 150.0")
     captured = run("size-actuators", "hexapod.toml", "trajectory.csv", "trajectory.csv", "--quantile", 1)

@@ -202,6 +202,7 @@ def noisy(request: pytest.FixtureRequest) -> list[Noisy]:
     return found
 
 
+@pytest.mark.slow
 def test_deviations_of_needs_cover_the_errors_that_noise_makes(noisy: list[Noisy]) -> None:
     off: dict[str, list[np.ndarray]] = {}
     for _, true, _, needs in noisy:
@@ -228,6 +229,7 @@ def test_deviations_of_needs_cover_the_errors_that_noise_makes(noisy: list[Noisy
             assert np.mean(joined < 1.96) == pytest.approx(0.95, abs=0.04), name
 
 
+@pytest.mark.slow
 def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list[Noisy]) -> None:
     rng, seen = np.random.default_rng(0), set()
     for robot, true, log, needs in noisy:

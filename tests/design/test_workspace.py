@@ -92,6 +92,7 @@ def test_volumes_of_rotations_are_those_of_independent_random_poses(kind: Kind) 
     assert made.error < (0.1 if kind == "orientation" else 0.5) * made.volume
 
 
+@pytest.mark.slow
 def test_positions_and_rotations_are_those_of_the_tool() -> None:
     rng = np.random.default_rng(0)
     plain = limited(rng)
@@ -255,6 +256,7 @@ def test_distances_of_legs_are_the_least_of_their_points() -> None:
             assert least - found[n, pair] < 2e-2 * least + 1e-3
 
 
+@pytest.mark.slow
 def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     robot = limited(np.random.default_rng(2))
     free = dataclasses.replace(robot, length_limits=np.tile([0.0, math.inf], (6, 1)))

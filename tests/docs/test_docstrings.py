@@ -50,6 +50,7 @@ CHECKED = {
 }
 
 
+@pytest.mark.slow
 def test_every_parameter_and_result_of_a_function_is_described() -> None:
     for name in (*FUNCTIONS, *METHODS):
         checked = CHECKED | COMPLETE if name in MAIN else CHECKED

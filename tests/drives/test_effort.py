@@ -178,6 +178,7 @@ def forces(folder: Path, robot: ss.Robot, time: np.ndarray, *options: str) -> li
     ]
 
 
+@pytest.mark.slow
 def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     robot: ss.Robot, tmp_path: Path, run: Run
 ) -> None:

@@ -44,6 +44,7 @@ def test_forces_and_reactions_are_those_of_rotors_as_bodies(backend: Any) -> Non
                 assert np.abs(found - expected).max() < RELATIVE * np.abs(expected).max(), (seed, name)
 
 
+@pytest.mark.slow
 def test_the_kernels_of_the_forces_alone_are_right_and_their_bounds_hold() -> None:
     for seed in range(MACHINES):
         robot, motion, truth = _case(seed)
@@ -55,6 +56,7 @@ def test_the_kernels_of_the_forces_alone_are_right_and_their_bounds_hold() -> No
         assert bounded.bound.max() < 1e-9 * peak
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_equations_of_motion_are_those_of_rotors_as_bodies(backend: Any) -> None:
     for seed in range(2):
@@ -162,6 +164,7 @@ def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:
                 np.testing.assert_array_equal(values, getattr(other, name))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
     for seed in range(3):

@@ -89,6 +89,7 @@ def test_torques_are_those_of_the_python_layer(case: tuple[ss.Robot, Compiled]) 
             np.testing.assert_allclose(current[known], expected.current[i, known], rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_stribecks_decay_is_the_exponential_to_rounding() -> None:
     ones = np.ones(6)
     robot = dataclasses.replace(
@@ -100,6 +101,7 @@ def test_stribecks_decay_is_the_exponential_to_rounding() -> None:
     assert np.abs(found - np.sign(ratios) * np.exp(-(ratios**2))).max() <= 3 * EPSILON
 
 
+@pytest.mark.slow
 def test_without_axial_forces_they_are_those_of_the_motors() -> None:
     torques = Compiled(robot_named(machine(False)))
     F, L_dot = np.linspace(-900.0, 1300.0, 6), np.linspace(0.3, -0.2, 6)

@@ -44,6 +44,7 @@ def test_numbers_on_arrays_are_those_of_the_c(xp: Any, machine: str) -> None:
     np.testing.assert_allclose(np.asarray(moved.a), motion.a, rtol=0, atol=30 * EPSILON * by_force)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("rounded_twice")
 def test_formulations_and_spherical_joints_have_their_forces_on_arrays() -> None:
     rng = np.random.default_rng(33)

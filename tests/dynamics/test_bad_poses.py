@@ -243,6 +243,7 @@ def hammered(calls: list[Callable[[], bytes]], threads: int = 6, rounds: int = 1
     return not wrong
 
 
+@pytest.mark.slow
 def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

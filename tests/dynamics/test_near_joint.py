@@ -59,6 +59,7 @@ def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: s
     assert error <= UNITS * EPSILON * 60 / sine
 
 
+@pytest.mark.slow
 def test_the_joint_singularity_itself_is_said_by_every_kernel() -> None:
     robot, motion = calm(0)
     for sine, status in ((3e-12, OK), (3e-13, JOINT_SINGULAR), (0.0, JOINT_SINGULAR)):

@@ -131,6 +131,7 @@ def test_the_frame_of_an_aligned_platform_is_that_of_mujoco(
     assert any("the frame of 'platform', which is taken" in line for line in found.assumptions)
 
 
+@pytest.mark.slow
 def test_ball_constraints_close_a_urdf_as_its_loops_do(tmp_path: Path) -> None:
     def by_balls(made: Family) -> bool:
         return all(edge.kind == "ball" for edge in made.cuts)

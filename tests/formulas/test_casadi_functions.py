@@ -28,6 +28,7 @@ def called(function: Any, motion: ss.Motion, **more: Any) -> dict[str, np.ndarra
     return {name: np.squeeze(np.asarray(each)) for name, each in found.items()}
 
 
+@pytest.mark.slow
 @OF_MACHINES
 def test_values_are_those_of_the_c(machine: str, checked: bool) -> None:
     robot = MACHINES[machine]()
@@ -54,6 +55,7 @@ def test_values_are_those_of_the_c(machine: str, checked: bool) -> None:
         assert ("status" in results) is checked
 
 
+@pytest.mark.slow
 def test_statuses_are_those_of_the_c_and_numbers_are_nan_there() -> None:
     rng = np.random.default_rng(51)
     upright, motion = machine_in_motion(rng)

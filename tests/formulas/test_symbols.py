@@ -26,6 +26,7 @@ def close(found: np.ndarray, answer: np.ndarray, condition: float = 1.0) -> None
     np.testing.assert_allclose(found, answer, rtol=0, atol=1e-12 * condition * np.abs(answer).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", ["F", "M"])
 def test_formulas_of_the_papers_machine_have_the_values_of_the_c(what: str) -> None:
     robot = dasgupta()
@@ -61,6 +62,7 @@ def test_every_formulation_has_formulas_of_its_forces(formulation: Any, joint: s
         close(value(ss.symbolic(robot, name, formulation=formulation), motion), getattr(expected, name))
 
 
+@pytest.mark.slow
 def test_whole_formulas_hold_the_arguments_alone_and_the_same_values() -> None:
     robot = dasgupta()
     motion = random_motion(np.random.default_rng(42), robot)
@@ -86,6 +88,7 @@ def test_each_step_uses_arguments_constants_and_earlier_steps_and_has_a_use() ->
     assert all(isinstance(entry, sp.Symbol) for entry in formulas.result)
 
 
+@pytest.mark.slow
 def test_a_derivative_by_its_steps_is_that_of_the_values() -> None:
     robot = dasgupta()
     motion = random_motion(np.random.default_rng(43), robot)
@@ -127,6 +130,7 @@ def test_a_name_without_formulas_is_one_line(what: Any, line: str) -> None:
     rejects(f"^{line}", ss.symbolic, dasgupta(), what)
 
 
+@pytest.mark.slow
 def test_what_spherical_joints_lack_is_one_line() -> None:
     robot = random_robot(np.random.default_rng(44), "spherical")
     rejects(r'^M: expected formulation "exact" and universal base joints', ss.symbolic, robot, "M")

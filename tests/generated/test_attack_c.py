@@ -45,6 +45,7 @@ WAYS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", slow_but(["gcc-double"], WAYS))
 def test_random_cases_keep_the_contract(way: str, tmp_path: Path) -> None:
     compiler, flags, cases, chosen = WAYS[way]
@@ -133,6 +134,7 @@ BROKEN = {
 """Text of a kernel, what stands in its place, and what an oracle or a sanitizer says of it."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("broken", slow_but(["past the end"], BROKEN if FULL else ["past the end", "batch"]))
 def test_the_oracles_tell_a_broken_kernel(broken: str, tmp_path: Path) -> None:
     old, new, told = BROKEN[broken]

@@ -25,6 +25,7 @@ from stewart_sym.robot.robot import Robot
 EPSILON = float(np.finfo(np.float32).eps)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there")
 @pytest.mark.parametrize(
     "stem", slow_but(FEW[2:], [*SOME, *SOME_WITH_ROTORS] if FULL else [*FEW, *SOME_WITH_ROTORS[2:]])
@@ -52,6 +53,7 @@ def one_pose(robot: Robot, motion: Motion, formulation: str) -> NDArray[Any]:
     return F
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("forces", [in_lanes, one_pose])
 def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size(forces: Any) -> None:
     """Inputs rounded to float too."""

@@ -67,6 +67,7 @@ def test_optimized_c_compiles_silently_and_calls_nothing_but_square_roots(
     assert not re.search(r" [bBdDC] ", data), "a global variable"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("compiler", "language"), [("gcc", "c99"), ("clang", "c++")])
 def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str) -> None:
     for name in HEADERS:

@@ -79,6 +79,7 @@ def test_lengths_and_rates_are_those_of_numpy(precision: str) -> None:
         np.testing.assert_allclose(L_dot, expected.L_dot, rtol=0.0, atol=100 * eps * speed)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_pose_is_that_of_numpy_from_near_and_middling_guesses(precision: str) -> None:
     eps = float(np.finfo(PRECISIONS[precision]).eps)

@@ -100,6 +100,7 @@ def rules_found(source: Path, precision: str = PRECISIONS[0], others: Sequence[s
     return {name.removeprefix("misra-c2012-") for name in found}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ANY)
 def test_the_rules_departed_from_are_the_listed_ones(written, name: str) -> None:
     needed("cppcheck")

@@ -115,6 +115,7 @@ def checked(kit: Path, target: Target, flags: Iterable[str], folder: Path) -> No
     program.unlink()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "layout", "standard", "level", "precision"),
     slow_but(QUICK, COVERING, lambda each: each[:2]),

@@ -133,6 +133,7 @@ def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> Non
             assert status == OK or (F == UNTOUCHED).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("level", LEVELS)
 def test_numbers_that_are_not_finite_or_overflow_have_the_status_of_the_lanes(level: str) -> None:
     robot = random_robot(np.random.default_rng(12))

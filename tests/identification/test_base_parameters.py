@@ -41,6 +41,7 @@ def general_value(formula: str, robot: ss.Robot, leg: int) -> float:
     return float(total)
 
 
+@pytest.mark.slow
 def test_there_are_as_many_as_the_derivation_leaves_on_any_machine() -> None:
     assert GENERAL == 100
     for seed in range(20):
@@ -105,6 +106,7 @@ def test_what_has_no_base_parameters_is_rejected_in_one_line() -> None:
         ss.base_parameters(dasgupta(), ss.PAPER_PATHS["I"][0].sample(np.zeros(0)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["c", "numpy", "reference"])
 def test_terms_by_parameter_sum_to_those_of_the_closed_form(backend: Any) -> None:
     robot, motion = machine_in_motion(0, (1, 2))

@@ -52,6 +52,7 @@ def test_excitation_keeps_within_the_limits_of_the_motors(robot: ss.Robot, name:
     assert ss.drive_effort(limited, motion).limit_messages == ()
 
 
+@pytest.mark.slow
 def test_noisy_experiments_scatter_as_the_covariance_says(robot: ss.Robot, excited: ss.Excitation) -> None:
     count = 12
     exact = motor_forces(robot, excited.motion)

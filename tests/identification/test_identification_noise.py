@@ -53,6 +53,7 @@ def test_noise_of_poses_is_part_of_the_deviations_and_no_longer_bias() -> None:
     assert any("taken as exact" in line for line in believed.warnings)
 
 
+@pytest.mark.slow
 def test_motion_without_period_or_stated_noise_is_identified_as_well() -> None:
     found = experiment(0)
     motion = dataclasses.replace(
@@ -113,6 +114,7 @@ def barely_moved(machine: ss.Robot, found: ss.Experiment) -> Shift:
     return Shift(estimate, squares, float(np.max(out / estimate.std)))
 
 
+@pytest.mark.slow
 def test_wrong_models_are_named() -> None:
     seed = 0
     for estimate in misfits(robot(seed), experiment(seed)).values():

@@ -57,6 +57,7 @@ def test_they_give_the_wrench_of_any_motion(seed: int) -> None:
     np.testing.assert_allclose(base.matrix @ base.expansion, np.eye(25), atol=1e-15)
 
 
+@pytest.mark.slow
 def test_noisy_forces_give_them_within_what_the_covariance_says() -> None:
     runs = [ss.simulate_experiment(robot(1), excited(1), SIGMA, noise) for noise in range(40)]
     off = [run.estimate.values - run.true_values for run in runs]

@@ -69,6 +69,7 @@ def test_a_right_experiment_calls_no_result_impossible() -> None:
     assert identify.doubts(found) == list(found.warnings)
 
 
+@pytest.mark.slow
 def test_physical_estimates_belong_to_bodies_also_from_a_wrong_robot_file() -> None:
     machine, found = robot(1), experiment(1)
     guess = dataclasses.replace(machine, M=3.0 * machine.M, m_u=2.0 * machine.m_u, C_p=0.0 * machine.C_p)
@@ -92,6 +93,7 @@ def test_physical_estimates_belong_to_bodies_also_from_a_wrong_robot_file() -> N
 STATED = ("--position-std", "1e-4", "--angle-std", "1e-4")
 
 
+@pytest.mark.slow
 def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
     few = ("--samples", "80", "--candidates", "2")
     simulated = tmp_path / "simulated"

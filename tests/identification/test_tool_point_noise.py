@@ -38,6 +38,7 @@ def test_exact_forces_give_the_parameters_about_either_point(robot: ss.Robot, ex
     np.testing.assert_allclose(back.std, direct.std, rtol=1e-5)
 
 
+@pytest.mark.slow
 def test_noisy_poses_of_the_tool_are_taken_as_measured(robot: ss.Robot, excited: ss.Excitation) -> None:
     rng = np.random.default_rng(3)
     sigma, position, angle = 0.5, 2e-5, 2e-5

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from robot_files import PAPERS
 
 import stewart_sym as ss
@@ -30,6 +31,7 @@ print(json.dumps(errors))
 """
 
 
+@pytest.mark.slow
 def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extra() -> None:
     hidden = sorted(set(EXTRAS) - {"scipy"})
     command = [sys.executable, "-c", IMPORT_ALL, json.dumps([hidden, MODULES])]
@@ -61,6 +63,7 @@ print(json.dumps([told(command) for command in commands]))
 """
 
 
+@pytest.mark.slow
 def test_a_missing_scipy_is_said_in_one_line_before_the_work(tmp_path: Path) -> None:
     robot = str(PAPERS)
     log, scene, forces = (tmp_path / name for name in ("log.csv", "scene.toml", "forces.csv"))

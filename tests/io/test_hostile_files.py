@@ -126,6 +126,7 @@ HUGE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", HUGE)
 def test_ten_megabytes_are_read_or_rejected_in_seconds_and_little_memory(name: str, tmp_path: Path) -> None:
     """Each reader in a process of its own with a gigabyte and 20 s of processor time."""
@@ -165,6 +166,7 @@ def test_what_is_no_file_is_rejected(name: str, tmp_path: Path, monkeypatch: pyt
             rejects("cannot read the ", READERS[name][0], place)
 
 
+@pytest.mark.slow
 def test_a_pipe_is_read_to_its_end_and_no_further_than_a_file(tmp_path: Path) -> None:
     script = "from stewart_sym.robot.robot import Robot; print(Robot.from_toml('/dev/stdin').M)"
     command = [sys.executable, "-W", "ignore", "-c", script]

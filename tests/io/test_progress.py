@@ -33,6 +33,7 @@ def finding_poses(_: Path, progress: Progress) -> list[np.ndarray]:
     return [found.R, found.t]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("work", [reading, finding_poses])
 def test_shares_rise_and_change_nothing(work: Work, tmp_path: Path) -> None:
     shown: list[tuple[str, float]] = []

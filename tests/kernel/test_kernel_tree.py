@@ -52,6 +52,7 @@ def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.nda
     return np.stack(np.broadcast_arrays(*found.F), axis=-1), np.asarray(found.status)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "form", FORMULATIONS if FULL else (EXACT, EXACT_DRIVE, PAPER), ids=lambda form: form.name
 )
@@ -85,6 +86,7 @@ def test_near_and_at_a_joint_singularity_forces_and_statuses_are_those_of_the_c(
     assert seen == {0, 3}
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("rounded_twice")
 def test_fidelities_have_trees_as_well() -> None:
     robot, motion = machine_in_motion(8, (5,))

@@ -41,6 +41,7 @@ def check_bits(robot: Robot, motion: Motion) -> set[int]:
     return seen
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_bits_of_the_c_batch() -> None:
     rng = np.random.default_rng(7)
@@ -50,6 +51,7 @@ def test_numpy_has_the_bits_of_the_c_batch() -> None:
     assert check_bits(dasgupta(), random_motion(rng, dasgupta(), (4,))) == {0}
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
     rng = np.random.default_rng(17)

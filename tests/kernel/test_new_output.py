@@ -50,6 +50,7 @@ def test_an_output_of_several_arrays_is_named(monkeypatch: pytest.MonkeyPatch) -
 LEVEL = Fidelity("axisymmetric_at_rest", AXISYMMETRIC, False, False, "at rest, axisymmetric legs")
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_a_line_gives_a_kernel_in_c_with_the_forces_of_such_a_machine(
     monkeypatch: pytest.MonkeyPatch,

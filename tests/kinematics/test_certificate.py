@@ -93,12 +93,14 @@ def missed(seeds: range, poses: int, width: float) -> int:
     return count
 
 
+@pytest.mark.slow
 @sweep
 @pytest.mark.parametrize("width", [0.8, 3.1])
 def test_a_pose_is_found_without_a_guess_wherever_there_is_one(width: float) -> None:
     assert missed(range(1000, 1000 + share(100, 50)), share(500, 50), width) == 0
 
 
+@pytest.mark.slow
 def test_what_was_tried_or_why_there_is_no_pose_is_said() -> None:
     robot = dasgupta()
     _, L = wide_poses(np.random.default_rng(0), robot, 1, 0.1)

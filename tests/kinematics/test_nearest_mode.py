@@ -106,6 +106,7 @@ def asked(case: int, radius: float) -> tuple[ss.Robot, Array, Poses, list[Poses 
     return robot, L, guess, [levenberg_marquardt(robot, *one) for one in zip(L, *guess, strict=True)]
 
 
+@pytest.mark.slow
 @sweep
 @pytest.mark.parametrize("search", [by_numpy, by_c])
 @pytest.mark.parametrize("radius", RADII)

@@ -3,6 +3,7 @@
 import dataclasses
 
 import numpy as np
+import pytest
 from machines import Array, machine_in_motion, offsets_of
 from pinocchio_model import pinocchio_inverse_dynamics
 from scipy.optimize import least_squares
@@ -78,6 +79,7 @@ def _closed_chain(robot: ss.Robot, motion: ss.Motion, i: int) -> Array:
     return start
 
 
+@pytest.mark.slow
 def test_chains_close_as_a_root_finder_closes_them() -> None:
     for seed in range(share(100, 50)):
         for ratio in ((0.05, 0.95), (0.55, 0.95), (1.0, 5.0)):

@@ -319,6 +319,7 @@ def test_cross_compiling_runs_nothing_and_builds_the_library_alone(
     assert all("-ffp-contract=off" in line and "-std=c99" in line for line in compiled)
 
 
+@pytest.mark.slow
 def test_kit_is_built_proved_and_installed_by_plain_make(tmp_path: Path, files: dict[str, str]) -> None:
     needed("make")
     kit = written(files, tmp_path / "kit")

@@ -147,6 +147,7 @@ def test_every_function_is_wrapped() -> None:
     assert {function.stem for function in wrapped_functions()} | torques == set(CALLS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiler", ["g++", "clang++"])
 def test_no_status_is_ignored(wrapped: Path, compiler: str) -> None:
     needed(compiler)

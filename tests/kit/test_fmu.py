@@ -43,6 +43,7 @@ from stewart_sym.kit import Choice, kit
 # --- what it computes -------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", EVERY)
 def test_unit_is_valid_by_the_schema_and_the_rules_of_the_standard(case: str, tmp_path: Path) -> None:
     (tmp_path / "unit.fmu").write_bytes(made(case).content)

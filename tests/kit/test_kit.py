@@ -62,6 +62,7 @@ def test_every_two_options_together_give_a_kit_that_proves_itself(tmp_path: Path
     proves_itself(tmp_path / "kit", list(COMPILERS)[number % len(COMPILERS)], "-O0")
 
 
+@pytest.mark.slow
 def test_kit_holds_only_what_was_asked_for() -> None:
     kernels = {
         "forces": {"stewart_exact_pose.h", "stewart_exact_pose.c", "stewart_kit.h", SOLVE},
@@ -73,6 +74,7 @@ def test_kit_holds_only_what_was_asked_for() -> None:
         assert set(kit_names(machine("random"), choice)) == NAMES | files
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("scalar", "bake"), [(False, False), (True, True)])
 def test_operations_of_a_kit_are_those_that_its_header_counts(scalar: bool, bake: bool) -> None:
     made = kit_of(choice=Choice(scalar=scalar, bake=bake))
@@ -92,6 +94,7 @@ def test_selftest_without_stdio_prints_nothing_and_needs_no_printf(tmp_path: Pat
     assert "printf" not in builds.run("nm", "-u", "selftest.o", cwd=tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", ["random", "spherical"])
 def test_constants_reach_the_compiled_robot_to_the_bit(which: str) -> None:
     robot = machine(which)
@@ -110,6 +113,7 @@ def test_kernel_files_are_the_committed_ones(formulation: str) -> None:
     assert files == dict(item for each in committed for item in each.items())
 
 
+@pytest.mark.slow
 def test_digest_follows_constants() -> None:
     robot = machines.dasgupta()
     variants = [robot, dataclasses.replace(robot, M=np.nextafter(robot.M, 41))]
@@ -123,6 +127,7 @@ def test_digest_follows_constants() -> None:
     assert len(digests) == 2
 
 
+@pytest.mark.slow
 def test_manifest_tells_options_version_and_every_file() -> None:
     made = kit_of(choice=Choice(("kinematics", "forces"), scalar=True))
     manifest = json.loads(made.files["manifest.json"])
@@ -174,6 +179,7 @@ def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
     assert all(re.fullmatch(r"stewart_robot_[0-9a-f]{12}", symbol) for symbol in symbols)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiler", ["gcc", "clang++"])
 def test_any_name_compiles(tmp_path: Path, compiler: str) -> None:
     name = '*/ int x; /* "a" \\n %s @kernel@ //* ??/ ünï 机器人 {0} | `b` \\'

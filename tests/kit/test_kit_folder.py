@@ -59,6 +59,7 @@ def test_edited_file_is_rejected_without_force_and_replaced_with_it(tmp_path: Pa
     assert contents(tmp_path) == {**fresh, "notes.txt": b"mine too"}
 
 
+@pytest.mark.slow
 def test_kit_of_a_changed_robot_replaces_what_nobody_edited(tmp_path: Path) -> None:
     put(kit_of("Old"), tmp_path)
     put(kit_of("New"), tmp_path)

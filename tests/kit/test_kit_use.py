@@ -101,6 +101,7 @@ def test_the_command_of_a_readme_run_in_its_folder_changes_nothing(tmp_path: Pat
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
+@pytest.mark.slow
 def test_another_language_in_the_same_folder_leaves_no_empty_folders(tmp_path: Path) -> None:
     (tmp_path / "example").mkdir()
     (tmp_path / "example" / "own").touch()

@@ -195,6 +195,7 @@ def test_matlab_names_the_argument_that_does_not_fit_and_takes_integers(
 COMMAND = re.compile(r"^    ((?:python|octave-cli|cargo|stewart-sym) .*)$")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("language", "functions"),
     [
@@ -238,6 +239,7 @@ def test_the_self_test_sees_the_last_bit_of_a_number_that_no_function_reads(
         ran(command, tmp_path)
 
 
+@pytest.mark.slow
 def test_a_robot_s_name_may_hold_quotes(tmp_path: Path) -> None:
     robot = replace(dasgupta(), name='a "big" one\\"""')
     with kits.few_vectors():

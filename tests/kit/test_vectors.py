@@ -65,6 +65,7 @@ def test_derived_and_generated_forces_are_the_same_to_45_digits(base_joint: str,
     assert off(interpreter.forces(at)["F"], interpreter.inverse_dynamics(at)["F"]) < 1e-45
 
 
+@pytest.mark.slow
 @few_vectors()
 def test_forces_of_vectors_are_those_of_truth_to_the_bit() -> None:
     robot = machine()
@@ -145,6 +146,7 @@ def test_forward_kinematics_is_asked_only_where_lengths_settle_the_pose() -> Non
     assert counts["float"] < counts["double"] == 8
 
 
+@pytest.mark.slow
 def test_forward_kinematics_starts_away_from_its_answer() -> None:
     for vector in of("forward_kinematics"):
         assert np.abs(vector.inputs["R_guess"] - vector.answers["R"]).max() > 1e-3

@@ -91,6 +91,7 @@ def test_frozen_rows_are_named_and_not_used(noise: str, count: int) -> None:
     assert span.end == one.time[i + count]
 
 
+@pytest.mark.slow
 def test_a_rest_is_not_a_frozen_log() -> None:
     """Moves with rests of five rows and more, also with speeds that jump."""
     time = np.arange(0.0, 6.0, 0.01)
@@ -136,6 +137,7 @@ def profiles(seed: int) -> tuple[Array, Array]:
     return time, np.stack(columns, axis=-1)
 
 
+@pytest.mark.slow
 def test_good_logs_are_neither_faulty_nor_correlated() -> None:
     rng = np.random.default_rng(0)
     for seed in range(2):
@@ -159,6 +161,7 @@ def correlated(rng: np.random.Generator, shape: tuple[int, ...], share: float) -
     return noise
 
 
+@pytest.mark.slow
 def test_correlated_noise_is_told_and_its_deviations_cover_the_errors() -> None:
     """At 200 rows in the shortest period the noise shows beside the motion."""
     keeps = 0.9

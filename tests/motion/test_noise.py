@@ -112,6 +112,7 @@ def first_rows(seed: int, count: int) -> Case:
     return Case(one.robot, one.time[:count], one.true[:, :count], one.F[:count])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [12, 39])
 def test_noise_of_few_rows_is_found_and_its_deviations_cover_the_errors(count: int) -> None:
     runs, found = [], []

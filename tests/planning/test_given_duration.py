@@ -68,6 +68,7 @@ def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes(
     assert certify_plan(dataclasses.replace(plan, robot=case(2)[0])).base_angle is None
 
 
+@pytest.mark.slow
 def test_energy_of_a_plan_is_summed_between_jumps_of_the_forces() -> None:
     robot, _, quick = case(1)
     ends = quick.profile.times
@@ -184,6 +185,7 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     assert certify_plan(plan).is_valid
 
 
+@pytest.mark.slow
 def test_the_least_time_is_named_where_a_duration_is_shorter() -> None:
     robot, path, quick = case(0)
     with pytest.raises(ValueError, match=f"duration: expected at least the least time, {quick.duration:.3g}"):

@@ -60,6 +60,7 @@ def test_the_motion_in_time_has_the_rates_of_its_poses() -> None:
     np.testing.assert_allclose(ends.t, path(np.array([0.0, 1.0])).t, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_faster_motion_breaks_a_limit() -> None:
     robot, path = limited_case(0)
     plan = parameterize_path(robot, path, grid_size=50)

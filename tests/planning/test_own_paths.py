@@ -127,6 +127,7 @@ def test_rates_that_are_those_of_the_poses_are_accepted(path: Path, blur: bool) 
     need_rates(ROBOT, blurred(path) if blur else path, PLACES)
 
 
+@pytest.mark.slow
 def test_limits_of_speed_alone_give_the_least_time_and_a_warning_that_names_the_others() -> None:
     robot, poses = via_case(2)
     path = straight(robot, poses)
@@ -141,6 +142,7 @@ def test_limits_of_speed_alone_give_the_least_time_and_a_warning_that_names_the_
     assert certify_plan(plan).is_valid
 
 
+@pytest.mark.slow
 def test_a_singular_pose_between_the_nodes_is_named_by_the_force_that_it_takes() -> None:
     turn = np.array([0.0, 0.0, 1.6])
 

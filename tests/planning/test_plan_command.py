@@ -140,6 +140,7 @@ def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run) 
     assert "give length_unit=mm" in error
 
 
+@pytest.mark.slow
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
     rows = ["time,t_x,t_y,t_z,theta_x,theta_y,theta_z", "0,0,0,0.65,0,0,0", "1,0.1,0.05,0.7,0.1,-0.1,0.2"]
     (folder / "poses.csv").write_text("\n".join(rows) + "\n")
@@ -230,6 +231,7 @@ def test_the_motion_is_written_with_rates_and_load_in_every_euler_order(tmp_path
         np.testing.assert_allclose(getattr(found, name), getattr(waving(time), name), atol=1e-12)
 
 
+@pytest.mark.slow
 def test_forces_of_the_written_trajectory_are_the_plans_own(tmp_path: Path) -> None:
     shutil.copy(HEXAPOD, tmp_path)
     file = tmp_path / "hexapod.toml"

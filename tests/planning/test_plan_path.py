@@ -51,6 +51,7 @@ def planned() -> PlannedPath:
     return plan_path(*via_case(7))
 
 
+@pytest.mark.slow
 def test_the_path_passes_its_via_poses() -> None:
     _, poses = via_case(7)
     found = planned()
@@ -73,6 +74,7 @@ def test_parameters_and_times_off_a_path_are_named() -> None:
     np.testing.assert_allclose(timed.sample(times).t[1, 0], timed.sample(times[1, 0]).t, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_rates_of_a_path_are_derivatives_of_its_poses() -> None:
     robot, poses = via_case(8)
     path = plan_path(dataclasses.replace(robot, tool=np.array([0.01, -0.02, 0.05])), poses).path

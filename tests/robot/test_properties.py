@@ -71,6 +71,7 @@ def results(robot: Robot, motion: Motion, backend: Any = "c") -> Results:
     }
 
 
+@pytest.mark.slow
 @FEW
 @given(seed=seeds, shape=st.sampled_from([(1,), (3,), (9,), (2, 3), (0,), (2, 0), (1, 1, 1)]))
 def test_a_batch_is_its_poses_to_the_last_bit(seed: int, shape: tuple[int, ...]) -> None:
@@ -124,6 +125,7 @@ UNITS = {  # powers of mass, length and time
 }
 
 
+@pytest.mark.slow
 @FEW
 @given(seed=seeds, mass=st.integers(-12, 12), length=st.integers(-12, 12), time=st.integers(-12, 12))
 def test_other_units_change_no_bit_but_the_exponent(seed: int, mass: int, length: int, time: int) -> None:

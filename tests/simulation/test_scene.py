@@ -55,6 +55,7 @@ def scene(tmp_path: Path) -> Path:
     return scene_of(SWING, tmp_path)
 
 
+@pytest.mark.slow
 def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     output = scene.parent / "deep" / "out"
     captured = run("simulate", scene, "-o", output)
@@ -81,6 +82,7 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
 
 
+@pytest.mark.slow
 def test_energy_drift_is_written_and_drawn(scene: Path, run: Run, fails: Fails) -> None:
     output = scene.parent / "out"
     told = run("simulate", scene, "-o", output, "--energy-drift").out

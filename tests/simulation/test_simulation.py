@@ -100,6 +100,7 @@ def test_start_and_accelerations_are_those_asked_for() -> None:
         )
 
 
+@pytest.mark.slow
 def test_runs_of_twice_the_accuracy_agree() -> None:
     robot = machine()
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
@@ -172,6 +173,7 @@ def test_a_leg_at_its_speed_limit_stops_the_run() -> None:
     assert np.abs(L_dot[:-1]).max() < 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("joint", [None, "universal"], ids=["plain", "U-C-U"])
 @pytest.mark.parametrize("end", ["base", "platform"])
 def test_a_joint_at_its_largest_angle_stops_the_run_at_the_root(end: str, joint: str | None) -> None:
@@ -213,6 +215,7 @@ def test_a_singular_pose_stops_the_run() -> None:
     assert (condition[:-1] < 50.0).all()
 
 
+@pytest.mark.slow
 def test_tracking_path_III_stops_at_its_singular_pose() -> None:
     """The crossing is far shorter than a step; the run begins on the way, a third of a second before."""
     robot = dasgupta()

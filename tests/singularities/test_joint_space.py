@@ -79,6 +79,7 @@ def tally(seeds: range, most: int, rates: str) -> Counter[str]:
     return Counter(found.values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rates", ["L_ddot, time", ""])
 def test_every_crossing_is_named_and_no_other_path(rates: str) -> None:
     found = tally(range(8), 100, rates)
@@ -86,6 +87,7 @@ def test_every_crossing_is_named_and_no_other_path(rates: str) -> None:
     assert found["followed"] > 1
 
 
+@pytest.mark.slow
 @sweep
 @pytest.mark.parametrize("rates", ["L_ddot", "time"])
 def test_a_path_that_crosses_and_returns_between_two_samples_is_named(rates: str) -> None:

@@ -186,6 +186,7 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> dict[str, Array]:
     return found
 
 
+@pytest.mark.slow
 @sweep
 @pytest.mark.parametrize("family", LOST)
 def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family: str) -> None:
@@ -198,6 +199,7 @@ def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family
             assert radii or (status == results.SINGULAR).all(), (name, seed)
 
 
+@pytest.mark.slow
 def test_good_poses_are_not_singular_from_far_away() -> None:
     """Up to the distance at which rounding of the points is that of a condition number of 1e12."""
     for seed, radii in enumerate(10.0 ** np.arange(1, 9, 1 if FULL else 3)):
@@ -209,6 +211,7 @@ def test_good_poses_are_not_singular_from_far_away() -> None:
                 assert (status == results.OK).all(), (name, radii)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("family", LOST)
 def test_no_pose_of_a_moderate_condition_number_is_singular(family: str) -> None:
     for seed, apart in enumerate((1e-11, 1e-8, 1e-2) if FULL else (1e-11, 1e-2)):

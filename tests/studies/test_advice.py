@@ -80,6 +80,7 @@ def brute_force(tolerance: float) -> tuple[str, str, str]:
     return chosen
 
 
+@pytest.mark.slow
 def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: Figures) -> None:
     answers = []
     for tolerance in TOLERANCES:
@@ -98,6 +99,7 @@ def simple(level: str, seed: int) -> tuple[Robot, Motion]:
     return robot, random_motion(rng, robot, (6,))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("level", ["frictionless", "slender"])
 def test_a_machine_that_truly_is_simple_gets_the_simple_kernel(
     level: str, monkeypatch: pytest.MonkeyPatch
@@ -274,6 +276,7 @@ def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(scene: 
     assert not kit.exists()
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 @few_vectors()
 def test_advise_generates_the_kernel_that_it_chose(scene: Path, run: Run) -> None:

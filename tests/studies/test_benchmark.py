@@ -141,6 +141,7 @@ def test_missing_packages_are_left_out_and_named(tmp_path: Path, monkeypatch: py
     rejects(r"^bench\.json: expected .*, got none of CasADi", benchmark_tables.tables, found)
 
 
+@pytest.mark.slow
 def test_a_partial_run_replaces_no_published_one(tmp_path: Path) -> None:
     (tmp_path / "bench.json").write_text(json.dumps({"left_out": ["CasADi"]}))
     committed = Path(__file__).parents[2] / ".docs" / "bench.json"

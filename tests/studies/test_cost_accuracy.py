@@ -107,6 +107,7 @@ def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFi
 # 50 digits
 
 
+@pytest.mark.slow
 @OF_EACH_FORMULATION
 def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     """Which has its own text of the sums over the legs, and its own solve."""
@@ -120,6 +121,7 @@ def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     np.testing.assert_allclose(found.astype(float), expected, rtol=0, atol=1e-13 * np.abs(expected).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("level", ["general", "slender", "massless_static"])
 def test_every_fidelity_is_within_rounding_of_its_own_truth(level: str) -> None:
     rng = np.random.default_rng(6)
@@ -143,6 +145,7 @@ def test_deviations_keep_digits_that_double_has_not() -> None:
 # the figures
 
 
+@pytest.mark.slow
 def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: Figures) -> None:
     kernel = ("formulation", "fidelity", "precision")
     names = [{name: entry[name] for name in kernel} for entry in found["candidates"]]
@@ -231,6 +234,7 @@ def test_constants_that_float_cannot_hold_leave_float_out(monkeypatch: pytest.Mo
     assert {entry["precision"] for entry in made["candidates"]} == {"double"}
 
 
+@pytest.mark.slow
 def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
     monkeypatch.setattr(study, "PRECISIONS", ("double",))

@@ -138,16 +138,19 @@ def crowd(where: list[tuple[float, float]], size: tuple[float, float] = (6.0, 4.
     return axes
 
 
+@pytest.mark.slow
 def test_names_of_points_at_one_place_do_not_overlap() -> None:
     axes = crowd([(5.0, 5.0)] * 14)
     assert [text.get_text() for text in axes.texts] == [f"point number {i}" for i in range(14)]
     assert not overlapping(boxes(axes))
 
 
+@pytest.mark.slow
 def test_too_many_names_are_rejected() -> None:
     rejects("not enough room in the plot", crowd, [(5.0, 5.0)] * 40, (2.0, 1.5))
 
 
+@pytest.mark.slow
 def test_pictures_are_written_as_png_and_svg(tmp_path: Path, picture: Figure) -> None:
     draw(Picture(lambda: picture, SMALL, ("png", "svg")), tmp_path / "all")
     pixels = matplotlib.image.imread(tmp_path / "all.png")

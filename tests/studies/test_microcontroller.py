@@ -59,6 +59,7 @@ def row(request: pytest.FixtureRequest) -> Figures:
     return measured(*KIT_NAMES[request.param])
 
 
+@pytest.mark.slow
 def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
     assert row["poses"] > measure.MOTIONS
     assert (row["failed"], row["rejected_wrongly"], row["selftest"]) == (0, 0, 0)
@@ -143,6 +144,7 @@ def test_a_double_in_a_float_object_is_found(tmp_path: Path, text: str, told: st
     assert told in toolchain.double_arithmetic(compiled(tmp_path, text))
 
 
+@pytest.mark.slow
 def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     vectors, unsolvable = measure.vectors, measure.unsolvable_motions
 

@@ -131,6 +131,7 @@ def opened(browser: Browser, case: Case) -> Iterator[Opened]:
     found.close()
 
 
+@pytest.mark.slow
 def test_warnings_and_json_are_those_of_forces(case: Case) -> None:
     assert case.warned == case.warned_by_forces == case.doubts
     found = {name: [leg[name] for leg in case.legs] for name in VERDICTS}
