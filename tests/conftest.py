@@ -1,8 +1,7 @@
-"""How tests are shared among workers: by modules, which make once what their tests share, long ones first.
+"""Fixtures of all tests, and their distribution to workers by modules that share results.
 
-``--dist loadgroup --no-loadscope-reorder`` hands the modules out in this order, so that what remains for the
-end is short and the workers finish together. Modules and not marks of ``xdist_group`` make the groups,
-since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
+Modules and not marks of ``xdist_group`` make the groups, since pytest-xdist 3.8 writes a mark into a node id
+that pytest 9.2 no longer reads.
 """
 
 import functools
@@ -45,20 +44,6 @@ SHARING = (
 )
 """Modules that share what takes seconds and is made once a worker."""
 GROUPS = {module: group[0] for group in SHARING for module in group}
-LONG = (
-    *("test_generated", "test_degenerate_families", "test_cost_accuracy", "test_cost_plot"),
-    *("test_float", "test_rotor", "test_wrong_constants", "test_drive_terms", "test_controls", "test_fmu"),
-    *("test_figures", "test_near_joint", "test_joint_space", "test_log_faults", "test_noise"),
-    *("test_least_time", "test_bounds", "test_plan_command", "test_plausibility", "test_scalar"),
-    *("test_native", "test_kinematics_c", "test_cli", "test_design_commands"),
-    *("test_plan_path", "test_scene", "test_cli_forces", "test_publish", "test_forces"),
-    *("test_identification_noise", "test_motion_kernels", "test_hostile_files"),
-    *("test_static_c", "test_attack_c", "test_portability", "test_round_trip"),
-    *("test_build", "test_torque_kits", "test_singularity", "test_along_path"),
-    *("test_workspace", "test_regressor_c", "test_written_logs", "test_simulation", "test_cpp"),
-    *("test_extras", "test_rate_doubts", "test_mounting", "test_logs", "test_misra", "test_hidden_marks"),
-)
-"""Modules, or the first of those that share, whose tests take more than three seconds, the longest first."""
 
 
 _USUAL = ("stewart_exact", "stewart_exact_forces")
@@ -141,8 +126,6 @@ def sweep_library() -> Iterator[None]:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     if not FULL:
         items[:] = [item for item in items if item.get_closest_marker("full") is None]
-    rank = {name: number for number, name in enumerate(LONG)}
-    items.sort(key=lambda item: rank.get(item.path.stem, len(LONG)))
 
 
 def pytest_unconfigure() -> None:
