@@ -56,6 +56,7 @@ def client(tmp_path: Path, cache: Path, compiler: LoggedCompiler) -> Iterator[An
         yield client
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_a_cold_cluster_maps_a_workspace_to_the_same_bits_and_compiles_at_most_once_a_worker(
     client: Any, compiler: LoggedCompiler

@@ -84,6 +84,7 @@ def test_forces_of_any_shape_are_those_of_the_prepared_kernel_to_the_last_bit(pr
     assert ss.force_error_bounds(robot, motion[:0]).bound.shape == (0, 3, 6)
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_bound_holds_where_products_are_fused_into_sums(monkeypatch: pytest.MonkeyPatch) -> None:
     """In float, whose bounds round as coarsely as the forces."""

@@ -98,6 +98,7 @@ def by_strain(pose: rounding.Pose, entry: int) -> float:
     return min(bound / error for error, bound in found)
 
 
+@pytest.mark.full
 @pytest.mark.slow
 @needs_compiler
 def test_every_quantity_is_bounded_by_itself() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from command_line import Run
-from sweeps import slow_but
+from sweeps import FULL
 
 from stewart_sym.io.toml_text import toml_text
 
@@ -103,7 +103,7 @@ FREE = ("condition_number", "_std_", "/std/", "time_s", "/steps", "certificate/s
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
-@pytest.mark.parametrize("command", slow_but(["forces"], COMMANDS))
+@pytest.mark.parametrize("command", COMMANDS if FULL else ["forces"])
 def test_every_figure_of_a_command_scales_with_the_machine(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, run: Run
 ) -> None:

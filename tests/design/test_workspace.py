@@ -57,6 +57,7 @@ def deviations(seeds: range, poses: int) -> list[float]:
     return found
 
 
+@pytest.mark.full
 @sweep
 @pytest.mark.slow
 def test_the_exact_volume_is_within_the_error() -> None:

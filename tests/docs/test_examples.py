@@ -20,9 +20,10 @@ from pages import (
 from sweeps import FULL, slow_but
 
 _HEAVY = ("gallery/mpc", "gallery/computed-torque", "gallery/controller-models")
-_HEAVY += ("howto/plan", "howto/languages", "howto/cmake")
+_HEAVY += ("howto/plan", "howto/languages", "howto/cmake", "howto/simulate", "howto/drives", "howto/fidelity")
+_HEAVY += ("gallery/motors",)
 HEAVY = set() if FULL else {f".docs/{name}.md" for name in _HEAVY}
-"""Pages whose examples take 15 CPU seconds and more."""
+"""Pages whose examples take nine seconds of processor time and more."""
 RUNNING = [
     page
     for page in PAGES

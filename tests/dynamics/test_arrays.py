@@ -122,6 +122,7 @@ def test_single_precision_on_arrays_errs_as_single_precision_does() -> None:
     assert 0 < np.abs(found.F - expected).max() < 1e-3 * np.abs(expected).max()
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_gradients_by_jax_of_mapped_poses_are_the_derivatives_of_the_forces() -> None:
     import jax

@@ -39,6 +39,7 @@ def test_formulas_of_the_papers_machine_have_the_values_of_the_c(what: str) -> N
     )
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_formulas_of_any_machine_have_the_values_of_the_c() -> None:
     robot = MACHINES["random"]()

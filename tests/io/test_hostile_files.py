@@ -175,6 +175,7 @@ def test_a_pipe_is_read_to_its_end_and_no_further_than_a_file(tmp_path: Path) ->
     assert done.stderr.splitlines()[-1].endswith(b"longer than 262,144 bytes")
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_fuzzing_the_readers_finds_nothing(tmp_path: Path) -> None:
     if importlib.util.find_spec("atheris") is None:

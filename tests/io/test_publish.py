@@ -164,7 +164,7 @@ SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", INTERRUPTED)
+@pytest.mark.parametrize("name", INTERRUPTED if FULL else ["forces"])
 def test_a_killed_run_leaves_whole_files(at_robot: Path, name: str) -> None:
     """Real signals at random times, most of them in the second half of a run, where it writes."""
     chance, out = random.Random(name), at_robot / "out"

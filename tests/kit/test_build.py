@@ -144,6 +144,7 @@ def test_client_keeps_to_its_path(tmp_path: Path, generator: Path) -> None:
     assert f"cycles: {cycles}\n" in output
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_build_follows_its_robot_file_and_stops_with_the_words_of_the_generator(
     tmp_path: Path, generator: Path

@@ -125,6 +125,7 @@ def test_binary_shows_the_functions_of_co_simulation_and_nothing_else() -> None:
     assert not shown & {"fmi2SetTime", "fmi2GetDerivatives", "fmi2EnterEventMode", "fmi2NewDiscreteStates"}
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_another_tool_builds_the_unit_of_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     case = "lanes"

@@ -127,6 +127,7 @@ def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes() -> Non
     assert 1.0 - 5e-3 < share.max() <= 1.0 + 1e-6
 
 
+@pytest.mark.full
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::stewart_sym.drives.effort.DriveLimitWarning")
 def test_motors_that_hold_the_machine_with_nearly_all_their_torque_move_it_as_fast_as_they_can() -> None:

@@ -111,6 +111,7 @@ def test_what_turns_the_rotors_is_that_of_the_reference(base_joint: str) -> None
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_friction_that_is_smoothed_over_a_small_speed_comes_to_nearly_the_same(
     bare: ss.Robot, robot: ss.Robot

@@ -196,6 +196,7 @@ def test_terms_of_rotors_are_what_the_derivation_says() -> None:
         assert has - {"reflected", "momentum"} == terms(Candidate("exact", plain, "double"))
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_rotors_get_a_kernel_with_rotors_and_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
@@ -293,6 +294,7 @@ def test_advise_generates_the_kernel_that_it_chose(scene: Path, run: Run) -> Non
     run("choose-fidelity", scene, "--generate", kit, "--force", "--bake")
 
 
+@pytest.mark.full
 @pytest.mark.slow
 def test_chart_of_the_papers_machine_needs_no_scene(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, found: Figures

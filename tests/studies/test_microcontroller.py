@@ -10,7 +10,7 @@ import pytest
 import toolchain
 from machines import dasgupta
 from microcontroller import right
-from sweeps import slow_but
+from sweeps import FULL
 
 from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
@@ -33,9 +33,11 @@ OPPOSITE = [("double", False), ("float", True)]
 QUICK = ("float", False)
 """The kit that is measured in the fast tests; the others take as long each."""
 
-pytestmark = pytest.mark.skipif(
-    bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there"
-)
+pytestmark = [
+    pytest.mark.skipif(bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there"),
+    # Each kit is compiled and run on an emulated processor.
+    pytest.mark.slow,
+]
 
 
 @cache
@@ -48,18 +50,17 @@ def study_of(kits: list[tuple[str, bool]]) -> Figures:
 
 
 @pytest.fixture(
-    scope="module", params=[[QUICK], pytest.param(KITS, marks=pytest.mark.slow)], ids=["one kit", "all kits"]
+    scope="module", params=[[QUICK], pytest.param(KITS, marks=pytest.mark.full)], ids=["one kit", "all kits"]
 )
 def found(request: pytest.FixtureRequest) -> Figures:
     return study_of(request.param)
 
 
-@pytest.fixture(params=slow_but(["float-general"], KIT_NAMES))
+@pytest.fixture(params=KIT_NAMES if FULL else ["float-general"])
 def row(request: pytest.FixtureRequest) -> Figures:
     return measured(*KIT_NAMES[request.param])
 
 
-@pytest.mark.slow
 def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
     assert row["poses"] > measure.MOTIONS
     assert (row["failed"], row["rejected_wrongly"], row["selftest"]) == (0, 0, 0)
@@ -111,7 +112,6 @@ def agrees_with_the_committed(found: Figures, name: str) -> None:
     assert committed == today, f"run `microcontroller.py` and `published.py`: .docs/{name}"
 
 
-@pytest.mark.slow
 def test_the_committed_figures_of_a_drive_are_those_found_today(tmp_path: Path) -> None:
     robot = measure.driven_robot(tmp_path, DOCS)
     rows = [measure.measured(robot, "general", baked, precision) for precision, baked in OPPOSITE]
@@ -144,7 +144,6 @@ def test_a_double_in_a_float_object_is_found(tmp_path: Path, text: str, told: st
     assert told in toolchain.double_arithmetic(compiled(tmp_path, text))
 
 
-@pytest.mark.slow
 def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     vectors, unsolvable = measure.vectors, measure.unsolvable_motions
 
