@@ -1,8 +1,9 @@
 """The command ``stewart-sym`` with its subcommands.
 
 The command reads arguments, calls the library, prints results, and converts errors into one line and an exit
-code: 0 success, 1 ``derive --check`` found differences, 2 error, 128 + n for signal n (130 for Ctrl-C, 143
-for SIGTERM, 129 for SIGHUP). A subcommand imports SymPy, SciPy, and Matplotlib only if it uses them.
+code: 0 success, 1 negative result of ``derive --check``, ``identify``, ``plan``, or ``stability``, 2 error,
+128 + n for signal n (130 for Ctrl-C, 143 for SIGTERM, 129 for SIGHUP). A subcommand imports SymPy, SciPy, and
+Matplotlib only if it uses them.
 """
 
 import argparse
@@ -109,7 +110,3 @@ def _unknown(name: str) -> NoReturn:
     if new is not None:
         raise argparse.ArgumentTypeError(f"{name}: renamed; use {new}")
     raise argparse.ArgumentTypeError(f"expected a subcommand, got {shown(name)}{hint(name, SUBCOMMANDS)}")
-
-
-if __name__ == "__main__":
-    sys.exit(main())

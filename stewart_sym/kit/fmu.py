@@ -18,7 +18,6 @@ from ..derive.package.fmu import model_identifier
 # Earliest date that a zip archive supports.
 _DATE = (1980, 1, 1, 0, 0, 0)
 _SYSTEMS = {"linux": "linux", "win32": "win", "darwin": "darwin"}
-_SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 
 
 def packed(symbol: str, texts: Mapping[str, str]) -> bytes:
@@ -53,7 +52,7 @@ def packed(symbol: str, texts: Mapping[str, str]) -> bytes:
         }
         with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as place:
             made = native.compiled(Path(place), identifier, code, native.PORTABLE_FLAGS)
-            files[f"{folder}/{identifier}{_SUFFIX}"] = made.read_bytes()
+            files[f"{folder}/{made.name}"] = made.read_bytes()
     return _archive(files)
 
 

@@ -9,7 +9,6 @@ from ..derive.kernel.outputs import FORCES, OUTPUTS
 from ..derive.package.text_format import template
 from ..io.arguments import option, shown
 from ..io.toml_text import toml_text
-from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
 TORQUE = "torque"
@@ -86,9 +85,7 @@ DEFAULT = Choice()
 
 def check(choice: Choice, robot: Robot) -> None:
     """Raise ValueError for an option that is unknown or conflicts with another one."""
-    need_no_offsets(robot)
     option(choice.precision, tuple(PRECISIONS), "precision")
-    option(choice.formulation, ("exact", "paper"), "formulation")
     robot_kernel(robot, choice.formulation)
     if not choice.functions:
         raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got none")

@@ -32,7 +32,6 @@ from .interpreter import FLOATS, KitInterpreter, Numbers
 from .kit_options import PRECISIONS, STEMS
 from .parts import fields as fields_of
 
-KINEMATICS = STEMS["kinematics"]
 CLOSED_FORM = (*STEMS["motion"], *STEMS["derivatives"])
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")
 FUNCTIONS = (*(stem for stems in STEMS.values() for stem in stems), *ROTATION)

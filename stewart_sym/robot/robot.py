@@ -19,7 +19,6 @@ from . import fields, schema_2
 from .bodies import inertias_of_parts, low_densities
 from .drive import Drive
 from .fields import LEGS as LEGS
-from .fields import WARNING_NAMES as WARNING_NAMES
 from .fields import base_joint
 from .fields import legs_text as legs_text
 from .offsets import JointOffsets

@@ -1,4 +1,4 @@
-"""``workspace`` and ``size`` from the command line: what they write, and bad input that leaves nothing."""
+"""``workspace`` and ``size-actuators`` as commands: what they write, and bad input that leaves nothing."""
 
 import json
 from pathlib import Path

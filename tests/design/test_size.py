@@ -271,10 +271,10 @@ def test_the_picture_has_room_for_a_stroke_with_its_margin_where_the_limits_do()
 
 
 def limited_near(
-    rng: np.random.Generator, robot: ss.Robot, true: ss.ActuatorRequirementsResult, factor: float = 1.0
+    rng: np.random.Generator, robot: ss.Robot, true: ss.ActuatorRequirementsResult
 ) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray], ss.Robot]:
-    """Peaks of the needs times a factor, limits beside them, and the robot with these limits."""
-    peaks = {name: factor * np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
+    """Peaks of the needs, limits beside them, and the robot with these limits."""
+    peaks = {name: np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
     limits = {name: peak * rng.uniform(0.97, 1.03, 6) for name, peak in peaks.items()}
     stated = {name: limits[name] for name in ("force_limit", "speed_limit")}
     angles = [limits[f"joint_angle_limit at the {end}"] for end in ("base", "platform")]

@@ -6,7 +6,7 @@ of variable length, no loop without a bound. The rules are those that cppcheck 2
 
 import re
 import subprocess
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -84,13 +84,13 @@ def written(tmp_path_factory: pytest.TempPathFactory):
     return write
 
 
-def rules_found(source: Path, precision: str = PRECISIONS[0], others: Sequence[str] = ()) -> set[str]:
-    """Numbers of the rules by which the addon finds something; others: names of sources beside it."""
+def rules_found(source: Path, precision: str = PRECISIONS[0]) -> set[str]:
+    """Numbers of the rules by which the addon finds something."""
     command = ["cppcheck", "--addon=misra", "--std=c99", "--quiet", "-D__GNUC__=12", "-USTEWART_REAL"]
     # Without the flow of values, which takes most of the time and is cut off by the clock.
     command += ["-U__cplusplus", "--performance-valueflow-max-time=0", "--template={id}", precision]
     done = subprocess.run(
-        [*command, source.name, *others], cwd=source.parent, capture_output=True, text=True, check=True
+        [*command, source.name], cwd=source.parent, capture_output=True, text=True, check=True
     )
     found = set(done.stderr.split())
     if "STEWART_RESTRICT" in source.read_text():

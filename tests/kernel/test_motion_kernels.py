@@ -85,8 +85,7 @@ def test_numpy_has_the_statuses_of_the_c_batch_where_h_is_singular() -> None:
 def at_50_digits(seed: int) -> tuple[Robot, Motion, dict[str, Array]]:
     """A machine, a motion, its equations, forces and their derivatives, rounded once.
 
-    That the derivatives are differences of the forces, and the equations inverse dynamics,
-    ``tests/kit/test_vectors`` shows.
+    ``tests/kit/test_vectors.py`` compares them with inverse dynamics and differences of forward dynamics.
     """
     rng = np.random.default_rng(seed)
     robot = dasgupta() if seed == 0 else random_robot(rng)

@@ -19,7 +19,7 @@ from stewart_sym.motion import smoothing
 from stewart_sym.motion.log_reader import _pose_log, read_csv, read_log
 from stewart_sym.motion.trajectory import Log, PoseLog
 from stewart_sym.singularities.joint_space import on_platform
-from stewart_sym.studies.reports.track import NOISE_SHARE, peak_noise
+from stewart_sym.studies.reports.track import NOISE_THRESHOLD, peak_noise
 
 NOISES = ("3", "4", "5", "white")
 
@@ -58,7 +58,7 @@ def test_peaks_without_a_warning_are_within_two_percent_and_verdicts_hold(
     for runs in sweep.values():
         for one, F, sd in runs:
             true, peak = np.abs(one.F).max(axis=0), np.abs(F).max(axis=0)
-            sure = peak_noise(F, sd) <= NOISE_SHARE
+            sure = peak_noise(F, sd) <= NOISE_THRESHOLD
             assert np.all(np.abs(peak - true)[sure] <= 0.02 * true[sure])
             limit = true * rng.uniform(0.9, 1.1, 6)
             for leg, verdict in enumerate(limit_status(np.abs(F), limit, sd)):

@@ -23,7 +23,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.plausibility.plausibility import find_implausible
-from stewart_sym.robot.robot import WARNING_NAMES
+from stewart_sym.robot.fields import WARNING_NAMES
 
 Check = Callable[[ss.Robot], Told]
 

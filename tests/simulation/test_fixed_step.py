@@ -14,17 +14,14 @@ from stewart_sym.simulation.fixed_step import advance
 DURATION = 0.1
 
 
-def swinging(robot: ss.Robot, count: int = 1, load: bool = False) -> ss.Motion:
+def swinging(robot: ss.Robot, count: int = 1) -> ss.Motion:
     """States (count,) near home, moving and turning fast."""
     rng = np.random.default_rng(5)
-    wrench = robot.M * rng.normal(size=(2, count, 3))
     return ss.Motion(
         R=rotation_from_vector(0.2 * rng.normal(size=(count, 3))),
         t=home_position(robot.b, machine_size(robot)) + 0.05 * rng.normal(size=(count, 3)),
         omega=2.0 * rng.normal(size=(count, 3)),
         v=0.5 * rng.normal(size=(count, 3)),
-        F_ext=wrench[0] if load else None,
-        M_ext=wrench[1] if load else None,
     )
 
 

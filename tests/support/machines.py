@@ -69,17 +69,16 @@ def random_robot(
     )
 
 
-def in_axes(robot: Robot, base: Array, platform: Array | None = None) -> Robot:
-    """The same machine with both frames turned: x becomes `base` x, on the platform `platform` x if given."""
-    platform = base if platform is None else platform
+def in_axes(robot: Robot, base: Array) -> Robot:
+    """The same machine with both frames turned: x becomes `base` x."""
     return dataclasses.replace(
         robot,
         b=robot.b @ base.T,
         k=robot.k @ base.T,
         g=base @ robot.g,
-        p=robot.p @ platform.T,
-        R_0=platform @ robot.R_0,
-        I_p=platform @ robot.I_p @ platform.T,
+        p=robot.p @ base.T,
+        R_0=base @ robot.R_0,
+        I_p=base @ robot.I_p @ base.T,
     )
 
 

@@ -39,15 +39,11 @@ class Answer:
     spin: Array
 
 
-def pinocchio_inverse_dynamics(robot: Robot, motion: Motion, lead: Array | None = None) -> Answer:
-    """Actuator forces and joint reactions of one pose (leading shape ()).
-
-    lead: m per turn of screws whose nuts turn the upper parts, (6,).
-    """
+def pinocchio_inverse_dynamics(robot: Robot, motion: Motion) -> Answer:
+    """Actuator forces and joint reactions of one pose (leading shape ())."""
     chain = _chain_of(robot)
     legs = [chain(robot, motion, i) for i in range(6)]
     n = len(legs[0].tip_jacobian)
-    share = np.zeros(6) if lead is None else lead / (2 * np.pi)
     # Unknown: the force or wrench on each leg's end, n components, and the actuator's force F.
     rows, right = np.zeros((6 * (n + 1), 6 * (n + 1))), np.zeros(6 * (n + 1))
     balance = slice(6 * n, None)
@@ -57,14 +53,14 @@ def pinocchio_inverse_dynamics(robot: Robot, motion: Motion, lead: Array | None 
     for i, leg in enumerate(legs):
         own = slice(n * i, n * i + n)
         rows[own, own] = leg.tip_jacobian.T[leg.free]
-        rows[own, 6 * n + i] = leg.actuated(share[i])[leg.free]
+        rows[own, 6 * n + i] = leg.actuated()[leg.free]
         right[own] = (leg.torques(np.zeros(n)) + leg.sliding_friction())[leg.free]
         rows[balance, own] = leg.on_platform
         right[balance] += np.concatenate([np.zeros(3), leg.f])
     found = np.linalg.solve(rows, right)
     wrenches, F = found[: 6 * n].reshape(6, n), found[6 * n :]
     for i, leg in enumerate(legs):
-        left = leg.torques(wrenches[i]) - leg.actuated(share[i]) * F[i] + leg.sliding_friction()
+        left = leg.torques(wrenches[i]) - leg.actuated() * F[i] + leg.sliding_friction()
         np.testing.assert_allclose(left, 0, atol=1e-8 * (np.abs(F).max() + 1))
     F_u, M_u = zip(*(leg.base_reaction() for leg in legs), strict=True)
     F_p, M_p = zip(*(leg.prismatic_reaction() for leg in legs), strict=True)
@@ -208,15 +204,15 @@ class _Chain(ABC):
         columns[3:, :3] = pin.skew(self.lever)
         return columns[:, : len(self.tip_jacobian)]
 
-    def actuated(self, share: float) -> Array:
-        """Generalized forces of a unit force of the actuator; share: lead over 2 pi, of parts that turn."""
+    def actuated(self) -> Array:
+        """Generalized forces of a unit force of the actuator."""
         e = np.zeros(self.model.nv)
         e[self.slide] = 1.0
         return e
 
     def sliding_friction(self) -> Array:
         """Generalized force against the friction of sliding."""
-        return self.robot.C_p[self.i] * self.v[self.slide] * self.actuated(0.0)
+        return self.robot.C_p[self.i] * self.v[self.slide] * self.actuated()
 
     def moved(self, joint: int) -> Array:
         """Coordinate of a joint with its rate and acceleration."""
@@ -322,12 +318,6 @@ class OffsetChain(UniversalChain):
     def _tip_jacobian(self, q: Array) -> Array:
         velocity = super()._tip_jacobian(q)
         return pin.getJointJacobian(self.model, self.data, self.last, WORLD) if self.spins else velocity
-
-    def actuated(self, share: float) -> Array:
-        e = super().actuated(share)
-        if self.spins:
-            e[self.slide + 1] = share
-        return e
 
     def _constraint_moment(self) -> float:
         # At the moving axis, along the normal k x y to both axes.

@@ -7,7 +7,7 @@ import numpy as np
 from stewart_sym.drives.leg_limits import replaced_rows
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.reports.track import NOISE_SHARE, Columns, Digest, in_parts
+from stewart_sym.studies.reports.track import NOISE_THRESHOLD, Columns, Digest, in_parts
 
 
 class Track(NamedTuple):
@@ -19,7 +19,7 @@ class Track(NamedTuple):
 
 
 def track(
-    robot: Robot, trajectory: Trajectory | PoseLog, noise_share: float = NOISE_SHARE, **options: Any
+    robot: Robot, trajectory: Trajectory | PoseLog, noise_share: float = NOISE_THRESHOLD, **options: Any
 ) -> Track:
     """Run a trajectory of n instants; options: of ``in_parts``."""
     digest, columns = Digest(robot, trajectory.time, replaced_rows(trajectory)), []

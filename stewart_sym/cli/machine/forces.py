@@ -19,7 +19,7 @@ from ...io.extras import need
 from ...motion.log_rates import noise_text
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import Picture, Report, draw
-from ...studies.reports.track import Digest, header_lines, in_parts
+from ...studies.reports.track import NOISE_THRESHOLD, Digest, header_lines, in_parts
 from ..inputs import robot_of, trajectory_of
 from ..options import Arguments, Parser, positive
 from ..output import results
@@ -35,7 +35,7 @@ def add_arguments(parser: Parser) -> None:
     parser.valued("plot", Path, text, metavar="FILE.png")
     parser.chosen("on-singular", ("raise", "nan"), "treatment of unsolvable poses: an error, or rows of nan")
     text = "fraction of the peak force of a leg that three standard deviations may reach without a warning"
-    parser.valued("noise-threshold", positive, text, 0.02, "FRACTION")
+    parser.valued("noise-threshold", positive, text, NOISE_THRESHOLD, "FRACTION")
     parser.log()
     parser.output("FILE.csv", "CSV file; - for standard output", html=True)
 

@@ -31,8 +31,8 @@ _UNITS = (
 _FURTHER = {
     "force": {
         "force, rms": "rms_force",
-        "max_push_force": "max_push_force",
-        "max_pull_force": "max_pull_force",
+        "push force, peak": "max_push_force",
+        "pull force, peak": "max_pull_force",
     },
     "power": {"power into the leg": "max_driving_power", "power out of the leg": "max_braking_power"},
     "torque": {"torque, rms": "rms_torque"},

@@ -36,7 +36,7 @@ from ...robot.robot import LEGS, Robot
 from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .drives import DriveDigest, drive_columns
 
-NOISE_SHARE = 0.02
+NOISE_THRESHOLD = 0.02
 """Fraction of the peak force that ``SURE`` standard deviations may reach without a warning."""
 
 # Limits of the legs by their names in the JSON data.

@@ -45,15 +45,10 @@ def block_inputs(robot: Robot, motion: Motion, leg: int) -> dict[str, mp.mpf]:
     return values
 
 
-def truth(
-    form: Formulation, robot: Robot, motion: Motion, raw: list[dict[str, mp.mpf]] | None = None
-) -> dict[str, mp.matrix]:
-    """D, K, H, c, x, F from the blocks as they were derived, without sharing, at 50 digits.
-
-    raw: the inputs of each leg; None for those of the robot and the motion.
-    """
+def truth(form: Formulation, robot: Robot, motion: Motion) -> dict[str, mp.matrix]:
+    """D, K, H, c, x, F from the blocks as they were derived, without sharing, at 50 digits."""
     blocks = derived(form)
-    raw = raw or [block_inputs(robot, motion, i) for i in range(6)]
+    raw = [block_inputs(robot, motion, i) for i in range(6)]
     own = blocks.platform.run(raw[0], mp.sqrt)
     c = mp.matrix([*own["c_force"], *own["c_moment"]])
     D, K, H = mp.matrix(6, 1), mp.matrix(6, 3), mp.matrix(6, 6)

@@ -40,8 +40,8 @@ def limited_case(seed: int, friction: bool = True) -> tuple[Robot, PosePath]:
     return with_limits(robot, path), path
 
 
-def planned_case(seed: int, friction: bool = True) -> tuple[Robot, PosePath]:
+def planned_case(seed: int) -> tuple[Robot, PosePath]:
     """A machine with limits of force and a planned path of six via poses."""
-    robot, poses = via_case(seed, 6, friction)
+    robot, poses = via_case(seed, 6)
     path = plan_path(robot, poses).path
     return with_limits(robot, path), path

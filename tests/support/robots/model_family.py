@@ -299,7 +299,7 @@ def mjcf(made: Family, seed: int) -> str:
                 f'<{tag} name="{edge.name}" body1="{ends[0]}" body2="{ends[1]}" anchor="{anchor}"/>'
             )
 
-    def inside(name: str, frame: tuple[Array, Array], joints: str = "") -> str:
+    def inside(name: str, frame: tuple[Array, Array]) -> str:
         """Write the bodies that one carries, in a frame."""
         carried = [edge for edge in made.edges if edge.one == name]
         found = []
