@@ -1,6 +1,6 @@
 """Build files of a kit: a CMake project with an installable package, and a plain makefile.
 
-The error bounds of the kernels are valid for the compiler options in these files.
+The tolerances of the self-test are valid for the compiler options in these files.
 """
 
 import re

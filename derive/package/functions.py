@@ -107,7 +107,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Vector:
-    """Test vector: one call of one function with inputs, expected results, and error bounds.
+    """Test vector: one call of one function with inputs, expected results, and tolerances.
 
     Attributes
     ----------
@@ -121,7 +121,7 @@ class Vector:
         Flat arrays by member of the C struct, in its order: results with 50 digits, rounded to the nearest
         double. Empty for a status other than 0.
     bounds : dict
-        Bounds of the rounding errors of ``answers``, > 0, in units of the epsilon of the precision.
+        Tolerances of ``answers``, > 0, in units of the epsilon of the precision.
     ordinary : bool
         True if a machine may perform the motion.
     status : int

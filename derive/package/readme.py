@@ -1,4 +1,4 @@
-"""README of a kit: inputs, outputs, operations, stack, and error bounds of each function."""
+"""README of a kit: inputs, outputs, operations, stack, and tolerances of each function."""
 
 import math
 import textwrap
@@ -23,8 +23,8 @@ class Figures:
     Attributes
     ----------
     error, worst : float
-        Median and largest relative error bound of the ordinary test vectors. The error bound of a vector is
-        its largest bound divided by the largest answer in the same array; nan without vectors.
+        Median and largest relative tolerance of the ordinary test vectors. The tolerance of a vector is
+        its largest tolerance divided by the largest answer in the same array; nan without vectors.
     stack, batch_stack : int, optional
         Stack (bytes); None if not measured, or without a batch.
     """
@@ -201,7 +201,7 @@ def _detected(kit: Kit) -> str:
 
 
 _ARITHMETIC = {
-    "double": "The arithmetic is `double`, and so are the bounds of the self-test.",
+    "double": "The arithmetic is `double`, and so are the tolerances of the self-test.",
     "float": "The arithmetic is `float`; the object code contains no `double`.",
 }
 

@@ -194,9 +194,9 @@ def _readme(choice: Choice, machine: Machine, made: Parts, found: Mapping[str, l
 
 
 def _errors(vectors_of: list[Vector]) -> Array:
-    """Compute median and largest relative error bound of the ordinary vectors (rounding units), (2,).
+    """Compute median and largest relative tolerance of the ordinary vectors (rounding units), (2,).
 
-    The relative error bound of a vector is the largest ratio of a bound to the largest value of the same
+    The relative tolerance of a vector is the largest ratio of a tolerance to the largest value of the same
     array. Without ordinary vectors both results are nan.
     """
     found = [

@@ -207,7 +207,8 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
         _plane(panels[3], course.motor_speed, course.torque, speed, torque)
         panels[3].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
     margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
-    drawn.suptitle(f"{as_written(robot.name)}: requirements of the motions; limits dashed; {margin}", fontsize=10.0)
+    title = f"{as_written(robot.name)}: requirements of the motions; limits dashed; {margin}"
+    drawn.suptitle(title, fontsize=10.0)
     legend_below(drawn)
     return drawn
 
