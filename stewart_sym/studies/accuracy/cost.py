@@ -41,7 +41,7 @@ FEW, SLOW, MANY = 64, 1_024, 4_096
 """Number of poses of a C loop of one-pose calls, of a NumPy batch, and of a C batch."""
 
 SAMPLED = 12
-"""Number of poses of a motion for rounding, besides those with the largest force and condition number."""
+"""Number of poses of a motion for rounding, and more with the largest force and condition number."""
 
 _ROUNDING = 100 * float(np.finfo(np.float64).eps)
 """Largest difference of two double-precision kernels of a model over force times condition number."""
