@@ -81,7 +81,7 @@ def _near_median(values: Array) -> Flags:
 
 
 def _equal_runs(values: Array) -> Flags:
-    """Return True for rows that repeat the row before in all columns, in runs of at least three equal rows."""
+    """Return True for rows that repeat the row before in all columns, in runs of three or more rows."""
     repeated = np.concatenate([[False], (np.diff(values, axis=0) == 0.0).all(axis=1)])
     edges = np.flatnonzero(np.diff(np.concatenate([[False], repeated, [False]]).astype(int)))
     found = np.zeros(len(values), dtype=bool)

@@ -203,7 +203,8 @@ def _design(since: Array, step: float, cells: int) -> list[sparse.csr_matrix]:
     t = np.clip(since, 0.0, knots[-DEGREE - 1] * (1.0 - 1e-15))
     size = cells + DEGREE
     return [
-        (BSpline.design_matrix(t, knots[r : len(knots) - r], DEGREE - r) @ _differences(size, r)).tocsr() / step**r
+        (BSpline.design_matrix(t, knots[r : len(knots) - r], DEGREE - r) @ _differences(size, r)).tocsr()
+        / step**r
         for r in range(3)
     ]
 
@@ -275,7 +276,9 @@ class _Problem:
     def _log_determinant(self) -> float:
         """Return the logarithm of the determinant of D D^T, a Toeplitz matrix, in closed form."""
         j, m, d = np.arange(self.order), self.size - self.order, self.order
-        return float(np.sum(gammaln(j + 1) + gammaln(m + d + j + 1) - gammaln(d + j + 1) - gammaln(m + j + 1)))
+        return float(
+            np.sum(gammaln(j + 1) + gammaln(m + d + j + 1) - gammaln(d + j + 1) - gammaln(m + j + 1))
+        )
 
 
 def _likeliest(since: Array, u: Array, known: Array, least: Array) -> tuple[float, int, Array]:
