@@ -1,7 +1,7 @@
-"""Logs of a robot, read with the conventions of its robot file: tool point, rotation order, length mode."""
+"""Logs of a robot, read with the conventions of its robot file: tool point, rotation order, home pose."""
 
-import dataclasses
 import os
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -9,10 +9,9 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
-from ..motion.log_reader import AS_SHOWN, PLAIN, read_log, trajectory_from, with_units_of
-from ..motion.logs import TrajectoryFormat
-from ..motion.noise_level import TrajectoryWarning
-from ..motion.trajectory import JointTrajectory, PoseLog, SmoothingOptions, Trajectory
+from ..motion.log_reader import AS_SHOWN, PLAIN, read_log
+from ..motion.trajectory import SmoothingOptions, Trajectory
+from ..motion.trajectory_format import TrajectoryFormat, TrajectoryWarning
 from ..robot.robot import Robot
 from .offset_legs import leg_lengths
 from .trajectory_checks import log_doubts, need_units
@@ -21,7 +20,7 @@ from .trajectory_checks import log_doubts, need_units
 def form_of(robot: Robot, form: TrajectoryFormat = PLAIN) -> TrajectoryFormat:
     """Return the format of the robot's logs; the robot file supplies unspecified settings."""
     order, lengths = form.euler_order or robot.euler_order, form.length_mode or robot.length_mode
-    return dataclasses.replace(form, euler_order=order, length_mode=lengths)
+    return replace(form, euler_order=order, length_mode=lengths)
 
 
 def read_log_of(
@@ -30,54 +29,39 @@ def read_log_of(
     form: TrajectoryFormat = PLAIN,
     smoothing: SmoothingOptions = AS_SHOWN,
     progress: Progress = silent,
-) -> PoseLog | JointTrajectory:
-    """Read a log whose poses and loads refer to the robot's tool; relative lengths become absolute.
+) -> Trajectory:
+    """Read a log whose poses and loads refer to the robot's tool; relative coordinates become absolute.
 
-    The robot file supplies settings that the format does not specify. Motions computed from the result
-    describe the reference point.
-
-    Raises the errors of ``read_log``, and ValueError for relative lengths without a home pose or with a sum
-    that is not positive. Raises ValueError if numbers fit the robot only in another unit and neither the
-    format nor the file specifies the unit. Warns if other numbers do not fit the robot.
+    Raises the errors of ``read_log``, and ValueError if numbers fit the robot only in another unit that
+    neither the format nor the file states. Warns if other numbers do not fit the robot.
     """
-    log = read_log(path, form_of(robot, form), smoothing, progress, partial(need_units, robot))
-    if isinstance(log, PoseLog):
-        log = log.of_tool(robot.tool)
-    else:
-        log = _loaded_at(robot.tool, _absolute(robot, log) if log.relative else log)
-    for doubt in log_doubts(robot, log, with_units_of(path, form).length_unit or "m"):
+    form = form_of(robot, form)
+    log = read_log(path, form, smoothing, progress, partial(need_units, robot))
+    if form.length_mode == "relative" and log.in_joints:
+        log = _with_home(robot, log, leg_lengths(robot, np.eye(3), _home(robot, log)))
+    if form.pose_mode == "relative" and not log.in_joints:
+        log = _with_home(robot, log, np.concatenate([_home(robot, log) + robot.tool, np.zeros(3)]))
+    log = log.of_tool(robot.tool)
+    for doubt in log_doubts(robot, log):
         warn(f"{log.source}: {doubt}", TrajectoryWarning)
     return log
 
 
-def _loaded_at(tool: Array, log: JointTrajectory) -> JointTrajectory:
-    """Return the log with its load moved from the tool point (m), platform frame, to the reference point."""
-    if log.F_ext is None or not tool.any():
-        return log
-    moment = np.cross(tool, log.F_ext)
-    return log._replace(M_ext=moment if log.M_ext is None else log.M_ext + moment)
-
-
-def trajectory_for(
-    robot: Robot,
-    path: str | os.PathLike[str],
-    form: TrajectoryFormat = PLAIN,
-    smoothing: SmoothingOptions = AS_SHOWN,
-) -> Trajectory | JointTrajectory:
-    """Read a log as ``read_log_of``; poses become a motion of the reference point."""
-    log = read_log_of(robot, path, form, smoothing)
-    return trajectory_from(log) if isinstance(log, PoseLog) else log
-
-
-def _absolute(robot: Robot, log: JointTrajectory) -> JointTrajectory:
-    """Return the log with the lengths at the home pose added."""
+def _home(robot: Robot, log: Trajectory) -> Array:
+    """Return the home position (m); raise ValueError if the robot has none."""
     if robot.home_position is None:
-        raise ValueError(f"{log.source}: relative lengths: add home_position to the robot file")
-    L = log.L + leg_lengths(robot, np.eye(3), robot.home_position)
-    if np.any(L <= 0.0):
-        i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
-        raise ValueError(
-            f"{log.source}: line {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g} with "
-            "the length of the home pose added"
-        )
-    return log._replace(L=L, relative=False)
+        raise ValueError(f"{log.source}: relative coordinates; add home_position to the robot file")
+    return robot.home_position
+
+
+def _with_home(robot: Robot, log: Trajectory, home: Array) -> Trajectory:
+    """Return the log with coordinates, shape (6,), added to its values."""
+    assert log.coordinates is not None
+    found = log.coordinates.copy()
+    found[0] += home
+    if log.in_joints and np.any(found[0] <= 0.0):
+        i, leg = (int(index) for index in np.argwhere(found[0] <= 0.0)[0])
+        place = f"{log.source}: line {log.rows[i]}: L_{leg + 1}"
+        raise ValueError(f"{place}: length {found[0, i, leg]:g} m with the length at home; check length_unit")
+    noise = None if log.noise is None else replace(log.noise, coordinates=found)
+    return replace(log, coordinates=found, noise=noise)

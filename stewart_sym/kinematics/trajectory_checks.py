@@ -1,15 +1,16 @@
 """Plausibility checks of a robot's log: units of lengths and angles, and the side of the base."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io.array_types import Array
+from ..motion.log_samples import LogSamples
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_about_axes
-from ..motion.text.unit_row import LENGTH_UNITS
-from ..motion.trajectory import MOST_TURNS, JointTrajectory, Log, PoseLog, angle_range
+from ..motion.trajectory import MOST_TURNS, Trajectory, angle_range
+from ..motion.trajectory_format import LENGTH_UNITS
 from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
 from .mounting import platform_side
@@ -18,9 +19,8 @@ from .pose_search import rates_per_twist
 
 # Number of samples that are checked.
 _SOME = 64
-# Factors of a mistaken unit: meters read as millimeters, meters as centimeters, centimeters as millimeters.
-# The second value is the smallest plausible distance from the base, relative to the base size.
-_TIMES, _NEAR = (1000, 100, 10), 0.2
+# Smallest plausible distance from the base, relative to the base size.
+_NEAR = 0.2
 # Plausible ranges of leg lengths relative to the machine size and to the longest leg, and the usual range,
 # which determines the suggested units.
 _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0)
@@ -28,16 +28,14 @@ LEAST_TURN = 0.5
 """Smallest range of an angle (rad) that is checked for degrees."""
 
 
-def log_doubts(robot: Robot, log: PoseLog | JointTrajectory, unit: str = "m") -> list[str]:
-    """Return a warning text for each implausible property of a few samples, read in length unit ``unit``."""
+def log_doubts(robot: Robot, log: Trajectory) -> list[str]:
+    """Return a warning text for each implausible property of a few samples."""
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
-    if isinstance(log, JointTrajectory):
-        found = [length_doubt(robot, log.L[some], unit)]
+    if log.in_joints:
+        found = [length_doubt(robot, log.lengths[0, some])]
     else:
         motion = log.at(some)
-        found = [length_doubt(robot, leg_lengths(robot, motion.R, motion.t), unit), side_doubt(robot, motion)]
-        if found[0] is None:
-            found.append(unit_doubt(robot, log, some) or angle_doubt(robot, log, some))
+        found = [length_doubt(robot, leg_lengths(robot, motion.R, motion.t)), side_doubt(robot, motion)]
     return [doubt for doubt in found if doubt is not None]
 
 
@@ -45,100 +43,93 @@ def log_doubts(robot: Robot, log: PoseLog | JointTrajectory, unit: str = "m") ->
 _RANGE = (0.05, 0.95)
 
 
-def need_units(robot: Robot, log: Log) -> None:
-    """Raise ValueError with the remedy if lengths or angles fit the robot only in another unit.
+def need_units(robot: Robot, log: LogSamples) -> None:
+    """Raise ValueError with the remedy if numbers fit the robot only in another unit.
 
-    A row of units has no priority over the numbers. If an option gives the unit, ``log_doubts`` issues a
-    warning instead.
+    Units that an option or the robot file states are not checked.
     """
-    some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
-    written = {name: [x[some] for x in vector] for name, vector in log.written.items()}
-    few = replace(log, time=log.time[some], rows=[log.rows[i] for i in some], written=written)
-    if "length_unit" not in log.given_units:
-        _need_length_unit(robot, log, few)
-    if "angle_unit" not in log.given_units and "theta" in log.written:
+    some = np.linspace(0, len(log.lines) - 1, min(len(log.lines), _SOME)).astype(np.int64)
+    few = replace(log, lines=log.lines[some], vectors={name: x[some] for name, x in log.vectors.items()})
+    given = [kind for kind, place in log.unit_places.items() if place == "the options"]
+    if "length_unit" not in given:
+        _need_length_unit(robot, few)
+    if "angle_unit" not in given and "theta" in log.vectors:
         _need_angle_unit(robot, log, few)
 
 
-def _need_length_unit(robot: Robot, log: Log, few: Log) -> None:
-    low, high = _USUAL
-    if "L" in few.written:
-        lengths = few.vector("L")
-        if log.form.length_mode == "relative":
-            lengths, low = np.abs(lengths), 0.0
-    else:
-        lengths = leg_lengths(robot, *_reference_poses(robot, few))
-    typical, size, (near, far), text = _beside_size(robot, lengths)
-    written = typical / log.form.meters_per_unit
-    units = [name for name, each in LENGTH_UNITS.items() if low * size <= each * written <= high * size]
-    if units and not (near * size if low else 0.0) <= typical <= far * size:
-        raise log.other_unit("length_unit", text, units)
-    if "L" not in few.written and log.unit_line is not None and log.form.length_unit != "m":
-        _need_larger_unit(robot, log, few)
+def _need_length_unit(robot: Robot, few: LogSamples) -> None:
+    unit = few.file_format.length_unit or "m"
+    factor = LENGTH_UNITS[unit]
+    fits = [name for name, each in LENGTH_UNITS.items() if _fits(robot, few, each / factor)]
+    if fits and unit not in fits:
+        text = _beside_size(robot, _lengths(robot, few, 1.0))[3]
+        raise _other_unit(few, "length_unit", text, fits)
 
 
-def _need_larger_unit(robot: Robot, log: Log, few: Log) -> None:
-    """Raise ValueError if the legs allow the positions only in a larger unit than in the row of units."""
+def _lengths(robot: Robot, few: LogSamples, times: float) -> Array:
+    """Return leg lengths (m) for coordinates in another unit."""
+    if "L" in few.vectors:
+        home = np.zeros(6)
+        if few.file_format.length_mode == "relative" and robot.home_position is not None:
+            home = leg_lengths(robot, np.eye(3), robot.home_position)
+        return times * few.vectors["L"] + home
+    t, R = _poses(robot, few, times)
+    return leg_lengths(robot, R, t)
+
+
+def _poses(robot: Robot, few: LogSamples, times: float) -> tuple[Array, Array]:
+    """Return t (m) and R of the reference point for positions in another unit."""
     theta, _, order = few.angles()
-    t, R = few.vector("t"), rotation_about_axes(theta, order)
-    far = float(np.linalg.norm(t, axis=-1).max())
-    how = impossible(robot, t, R, robot.tool) if far < _NEAR * np.ptp(robot.b, axis=0).max() else None
-    if how is None:
-        return
-    units = [
-        name
-        for name, factor in LENGTH_UNITS.items()
-        if factor > log.form.meters_per_unit
-        and impossible(robot, t * factor / log.form.meters_per_unit, R, robot.tool) is None
-    ]
-    if units:
-        raise log.other_unit("length_unit", f"t of up to {far:.3g} m, which leads {how}", units)
+    R = rotation_about_axes(theta, order)
+    t = times * few.vectors["t"] - R @ robot.tool
+    if few.file_format.pose_mode == "relative" and robot.home_position is not None:
+        t = t + robot.home_position + robot.tool
+    return t, R
 
 
-def _need_angle_unit(robot: Robot, log: Log, few: Log) -> None:
-    theta = np.unwrap(log.vector("theta"), axis=0)
+def _fits(robot: Robot, few: LogSamples, times: float) -> bool:
+    """Return True if the machine can have the leg lengths of coordinates in another unit."""
+    lengths = _lengths(robot, few, times)
+    typical, size, _, _ = _beside_size(robot, lengths)
+    low, high = _USUAL
+    if not low * size <= typical <= high * size:
+        return False
+    if "L" in few.vectors:
+        return True
+    t, R = _poses(robot, few, times)
+    return bool(np.linalg.norm(t, axis=-1).max() >= _NEAR * np.ptp(robot.b, axis=0).max()) or (
+        impossible(robot, t, R) is None
+    )
+
+
+def _need_angle_unit(robot: Robot, log: LogSamples, few: LogSamples) -> None:
+    theta = np.unwrap(log.vectors["theta"], axis=0)
     spans = np.ptp(np.quantile(theta, _RANGE, axis=0), axis=0)
-    if spans.max() <= LEAST_TURN:
+    if spans.max() <= LEAST_TURN or log.file_format.angle_unit != "rad":
         return
-    t, order = few.vector("t"), log.form.rotation_order
-    some = few.vector("theta")
-    if log.form.radians_per_unit != 1.0:
-        return
-    R, in_degrees = (rotation_about_axes(angles, order) for angles in (some, np.radians(some)))
-    wrong = np.any(spans > MOST_TURNS) or impossible(robot, t, R, robot.tool) is not None
-    if wrong and impossible(robot, t, in_degrees, robot.tool) is None:
+    in_degrees = replace(few, vectors=few.vectors | {"theta": np.radians(few.vectors["theta"])})
+    wrong = np.any(spans > MOST_TURNS) or impossible(robot, *_poses(robot, few, 1.0)) is not None
+    if wrong and impossible(robot, *_poses(robot, in_degrees, 1.0)) is None:
         axis = int(np.argmax(spans))
         finding = f"{angle_range(theta, axis)}, which the legs allow only in degrees"
-        raise log.other_unit("angle_unit", finding, ["deg"])
+        raise _other_unit(few, "angle_unit", finding, ["deg"])
 
 
-def _reference_poses(robot: Robot, log: Log) -> tuple[Array, Array]:
-    """Return R, shape (n, 3, 3), and t of the reference point (m), shape (n, 3), from a log of tool poses."""
-    theta, _, order = log.angles()
-    R = rotation_about_axes(theta, order)
-    return R, log.vector("t") - R @ robot.tool
+def _other_unit(log: LogSamples, kind: str, finding: str, units: Sequence[str]) -> ValueError:
+    """Return the error for numbers that fit other units."""
+    unit = getattr(log.file_format, kind)
+    remedies = " or ".join(f"{kind}={each}" for each in units)
+    place = log.unit_places.get(kind)
+    stated = f" ({unit} in {place})" if place else ""
+    return ValueError(f"{log.source}: {finding}{stated}; state {remedies}, or {kind}={unit} if it is right")
 
 
-def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
-    """Return a warning text if leg lengths (m) do not fit the robot's size, else None.
-
-    ``unit`` is the key of ``LENGTH_UNITS`` with which the log was read.
-    """
+def length_doubt(robot: Robot, lengths: Array) -> str | None:
+    """Return a warning text if leg lengths (m) do not fit the robot's size, else None."""
     typical, size, (near, far), text = _beside_size(robot, lengths)
     if near * size <= typical <= far * size:
         return None
-    low, high = _USUAL
-    written = typical / LENGTH_UNITS[unit]
-    units = [name for name, factor in LENGTH_UNITS.items() if low * size <= factor * written <= high * size]
-    hints = [f"length_unit={name}" for name in units]
-    cause = (
-        f"are they in another unit ({' or '.join(hints)})"
-        if units
-        else f"is length_unit={unit} right, and are the robot file's lengths in meters"
-        if typical < size
-        else "is it the log of another machine, or are the robot file's lengths not in meters"
-    )
-    return f"{text}: {cause}?"
+    return f"{text}; forces are implausible; check length_unit and the unit of the robot file"
 
 
 def meters_doubt(robot: Robot, lengths: Array) -> str | None:
@@ -157,40 +148,8 @@ def _beside_size(robot: Robot, lengths: Array) -> tuple[float, float, tuple[floa
     return typical, size, shares, f"lengths of {typical:.4g} m compared with {of} {size:.4g} m"
 
 
-def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
-    """Return a warning text if the legs allow the angles of some samples only in degrees, else None."""
-    theta, t = log.coordinates[0, :, 3:], log.coordinates[0, some, :3]
-    tool = np.zeros(3) if log.tool is None else log.tool
-    spans = np.ptp(theta, axis=0)
-    axis = int(np.argmax(spans))
-    if not log.in_radians or not LEAST_TURN < spans[axis] or np.any(spans > MOST_TURNS):
-        return None
-    R, in_degrees = (rotation_about_axes(each, log.order) for each in (theta[some], np.radians(theta[some])))
-    how = impossible(robot, t, R, tool)
-    if how is None or impossible(robot, t, in_degrees, tool) is not None:
-        return None
-    return (
-        f"{angle_range(theta, axis)} leads {how}, in degrees it does not: "
-        "are angles in degrees (angle_unit=deg)?"
-    )
-
-
-def unit_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
-    """Return a warning text if the legs allow the poses only many times farther from the base, else None."""
-    t, R = log.coordinates[0, some, :3], rotation_about_axes(log.coordinates[0, some, 3:], log.order)
-    tool = np.zeros(3) if log.tool is None else log.tool
-    far = float(np.linalg.norm(t, axis=-1).max())
-    how = impossible(robot, t, R, tool) if far < _NEAR * np.ptp(robot.b, axis=0).max() else None
-    for times in _TIMES if how is not None else ():
-        if impossible(robot, times * t, R, tool) is None:
-            cause = f"t of up to {far:.3g} m leads {how}, {times} times as much does not"
-            return f"{cause}: is the unit of lengths right?"
-    return None
-
-
-def impossible(robot: Robot, t: Array, R: Array, tool: Array) -> str | None:
-    """Return the reason for which tool poses are unreachable: length limits or a singular pose; else None."""
-    t = t - R @ tool
+def impossible(robot: Robot, t: Array, R: Array) -> str | None:
+    """Return the reason for which poses are unreachable, length limits or a singular pose; else None."""
     L = leg_lengths(robot, R, t)
     if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
         return "legs beyond length_limits"

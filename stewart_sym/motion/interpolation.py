@@ -1,17 +1,7 @@
-"""Piecewise polynomials of degree 5: a trajectory between its samples, and B-splines.
+"""Polynomials of degree 5 between the samples of a trajectory, with their poses, rates, and accelerations."""
 
-The quintic between two samples keeps their poses, rates and accelerations.
-
-Between samples whose rates come from a spline of degree 5, as those of ``read_csv``, positions are that
-spline.
-"""
-
-from __future__ import annotations
-
-import functools
-import math
-from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,33 +13,33 @@ from . import rotation
 from .motion import Motion, at_rest
 from .sample_times import apart, elapsed, parts, time_text
 from .straight_line import MOST_STEPS
-from .trajectory import PoseLog, Replaced, Trajectory, Uncertainty, need_trajectory
+from .trajectory import Trajectory, need_trajectory
 
 Path = Callable[[Array], Motion]
-"""Function that returns the motion, shape (n,), at times (n,) (s)."""
+"""Times, s, (n,) -> the motion there, of shape (n,)."""
 
 
-def interpolate(trajectory: Trajectory | PoseLog) -> Path:
-    """Return a function that interpolates a trajectory between its first and its last sample.
+def interpolate(trajectory: Trajectory) -> Path:
+    """Return the trajectory as a motion at any times from its first sample to its last, s, (...).
 
-    Between two samples, position and rotation vector are polynomials of degree 5 in time. Loads change
-    linearly.
+    Positions and, from each sample to the next, the rotation vector are polynomials of degree 5 in time;
+    loads change linearly.
 
     Parameters
     ----------
-    trajectory : Trajectory or PoseLog
-        Times and poses, or a log of poses.
+    trajectory : Trajectory
+        Times and poses.
 
     Returns
     -------
-    callable
-        Function of times (...) (s) that returns a motion of the same shape. It raises ValueError for times
-        outside the trajectory.
+    Path
+        Function of times, s, that returns motions of their shape.
 
     Raises
     ------
     ValueError
-        If there are fewer than two samples, times do not increase, or the motion has no accelerations.
+        For fewer than two samples, times that do not increase and a motion without accelerations; the
+        function for times outside.
     """
     _need_interpolable(trajectory)
     time = trajectory.time
@@ -104,7 +94,7 @@ def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
     return at
 
 
-def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
+def _need_interpolable(trajectory: Trajectory) -> None:
     """Reject, by ValueError, fewer than two samples, times that don't increase, and no accelerations."""
     need_trajectory(trajectory)
     time = trajectory.time
@@ -112,33 +102,31 @@ def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
         raise ValueError(f"{trajectory.source}: expected at least 2 samples, got {len(time)}")
     if not (time[1:] > time[:-1]).all():
         raise ValueError(f"{trajectory.source}: expected increasing times")
-    if isinstance(trajectory, Trajectory) and trajectory.motion.a is None:
+    if trajectory.given_motion is not None and trajectory.given_motion.a is None:
         raise ValueError(f"{trajectory.source}: expected a motion with accelerations, got none")
 
 
-def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
-    """Resample a trajectory at equal time steps from its first sample.
+def resample(trajectory: Trajectory, rate: float) -> Trajectory:
+    """Return the trajectory at even times from its first sample on, ``rate`` of them per second, Hz.
 
-    Each new sample has the line number of the previous sample. In long gaps of a ``PoseLog``, or of a
-    ``Trajectory`` with noise, the standard deviations include the noise at both ends and the error of
-    interpolation over gaps of this length. New samples in such gaps are marked as replaced rows.
+    Each sample has the line of the sample before it.
 
     Parameters
     ----------
-    trajectory : Trajectory or PoseLog
-        Times and poses, or a log of poses.
+    trajectory : Trajectory
+        Times and poses.
     rate : float
-        Sampling rate (Hz).
+        Samples per second, Hz.
 
     Returns
     -------
     Trajectory
-        Trajectory at equal time steps.
+        Trajectory at even times.
 
     Raises
     ------
     ValueError
-        If the rate is not > 0, if there are more than ten million samples, or as in ``interpolate``.
+        For a rate that is not > 0 or makes too many samples, and as ``interpolate``.
     """
     _need_interpolable(trajectory)
     rate = positive(rate, "rate")
@@ -151,79 +139,13 @@ def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
     i, share = _steps(time, when)
     rows = tuple(trajectory.rows[int(k)] for k in i)
-    noise, gaps = trajectory.noise, breaks(since)
-    if noise is None and gaps and isinstance(trajectory, PoseLog):
-        sure, tool = np.zeros((2, 6, len(PAIRS))), trajectory.tool
-        of = trajectory.coordinates
-        noise = Uncertainty(of, time[[0, -1]], sure, np.zeros(6), tool=tool, order=trajectory.order)
+    noise = trajectory.noise
     if noise is not None:
         start, end = noise.coordinates[:, :-1], noise.coordinates[:, 1:]
         h = np.diff(since)[:, None]
         c = quintic(h, tuple(start), tuple(end))
-        if gaps:
-            noise = in_gaps(noise, time, gaps, [f"the gap before line {trajectory.rows[k]}" for k in gaps])
-        noise = noise._replace(coordinates=np.stack(values(c[:, i], share, h[i])))
+        noise = replace(noise, coordinates=np.stack(values(c[:, i], share, h[i])))
     return Trajectory(when, path(when), trajectory.source, rows, noise)
-
-
-# Times in a gap at which covariances are given, and places of a log at which as long ones are tried.
-_IN_GAP, _TRIED = 17, 200
-
-
-def in_gaps(noise: Uncertainty, time: Array, gaps: list[int], names: Sequence[str]) -> Uncertainty:
-    """Return the uncertainty of coordinates bridged by quintics in gaps, before some of the samples.
-
-    A smooth curve holds both ends of a short gap, and its uncertainty remains; both ends of a long gap are
-    independent. How far quintics as long miss the motion elsewhere is added.
-    """
-    since, share, first = elapsed(time), np.linspace(0.0, 1.0, _IN_GAP)[:, None], 0
-    missed = functools.cache(functools.partial(_missed, since, noise.coordinates))
-    units = np.eye(6).reshape(2, 3, 6)
-    grids, covariances, spans, long = [], [], [], breaks(since)
-    at_ends = noise.covariances(time[np.add.outer(gaps, [-1, 0]).ravel()]).reshape(len(gaps), 2, 6, -1)
-    for i, both, name in zip(gaps, at_ends, names, strict=True):
-        ends, h = time[i - 1 : i + 1], since[i : i + 1] - since[i - 1]
-        # What value, rate and second rate at each end make of those inside, (g, 6).
-        made = values(quintic(h, *map(tuple, units))[:, None], share, h)
-        known = np.zeros((len(noise.sigma), 6, 6))
-        for end, of in enumerate(both):
-            for k, (p, q) in enumerate(PAIRS):
-                known[:, 3 * end + p, 3 * end + q] = known[:, 3 * end + q, 3 * end + p] = of[:, k]
-        off = missed(float(f"{h[0]:.2g}"))
-        inside = np.stack([np.einsum("ga,cab,gb->gc", made[p], known, made[q]) for p, q in PAIRS], axis=-1)
-        if i not in long:
-            inside = noise.covariances(ends[0] + h * share[:, 0])
-        inside = inside + np.stack([off[p] * off[q] for p, q in PAIRS], axis=-1)
-        before, after = np.searchsorted(noise.grid, ends[0]), np.searchsorted(noise.grid, ends[1], "right")
-        grids += [noise.grid[first:before], ends[0] + h * share[:, 0]]
-        covariances += [noise.covariance[first:before], inside]
-        spans.append(Replaced(float(ends[0]), float(ends[1]), (name,)))
-        first = int(after)
-    return noise._replace(
-        grid=np.concatenate([*grids, noise.grid[first:]]),
-        covariance=np.concatenate([*covariances, noise.covariance[first:]]),
-        replaced=(*noise.replaced, *spans),
-    )
-
-
-def _missed(since: Array, rows: Array, h: float) -> Array:
-    """By how much quintics over a time h miss values and rates of rows, (3, n, c), at most: (3, g, c).
-
-    Where no rows are that far apart without a gap, over less, and what is missed of values grows with its
-    sixth power.
-    """
-    edges = np.array([0, *breaks(since), len(since)])
-    until = np.repeat(since[edges[1:] - 1], np.diff(edges))
-    tried = min(h, float(np.max(until - since))) * (1.0 - 1e-9)
-    first = np.flatnonzero(since + tried <= until)
-    first = first[np.linspace(0, len(first) - 1, min(len(first), _TRIED)).astype(np.int64)]
-    last = np.searchsorted(since, since[first] + tried)
-    at = first[:, None] + np.rint((last - first)[:, None] * np.linspace(0.0, 1.0, _IN_GAP)).astype(np.int64)
-    step = (since[last] - since[first])[:, None, None]
-    share = (since[at] - since[first, None])[..., None] / step
-    c = quintic(step, tuple(rows[:, first, None]), tuple(rows[:, last, None]))
-    missed = np.abs(rows[:, at] - np.stack(values(c, share, step))).max(axis=1)
-    return np.asarray(missed * (h / tried) ** np.array([6.0, 5.0, 4.0])[:, None, None])
 
 
 def _steps(time: Array, when: Array) -> tuple[NDArray[np.int64], Array]:
@@ -268,203 +190,3 @@ def values(c: Array, share: Array | float, h: Array) -> Ends:
     rate = c[1] + share * (2.0 * c[2] + share * (3.0 * c[3] + share * (4.0 * c[4] + share * 5.0 * c[5])))
     second = 2.0 * c[2] + share * (6.0 * c[3] + share * (12.0 * c[4] + share * 20.0 * c[5]))
     return x, rate / h, second / h**2
-
-
-# B-splines
-
-DEGREE = 5
-
-
-def places(since: Array, step: float, cells: int) -> tuple[NDArray[np.int64], Array]:
-    """Cell of each time and the place in it, 0 to 1."""
-    place = since / step
-    cell = np.clip(place.astype(np.int64), 0, cells - 1)
-    return cell, place - cell
-
-
-def b_splines(u: Array, degree: int, rate: int = 0) -> Array:
-    """The degree + 1 B-splines on knots 1 apart that are not 0 at u in [0, 1], (n, degree + 1), or rates."""
-    # One row for each spline: sums along long rows are the fast ones.
-    N = np.ones((1, len(u)))
-    for k in range(1, degree - rate + 1):
-        starts = np.arange(1 - k, 1)[:, None]
-        rise, fall = (u - starts) / k * N, (starts + k - u) / k * N
-        N = _sum_of_neighbors(rise, fall)
-    for _ in range(rate):
-        N = _sum_of_neighbors(N, -N)
-    return N.T
-
-
-def _sum_of_neighbors(before: Array, here: Array) -> Array:
-    """Rows, one more than given, of what stands before each and at it."""
-    rows = np.zeros((len(here) + 1, here.shape[1]))
-    rows[1:] = before
-    rows[:-1] += here
-    return rows
-
-
-def along(N: Array, cell: NDArray[np.int64], coefficients: Array) -> Array:
-    """Spline of coefficients (p, c) where the B-splines of the cells are N, (n, c)."""
-    total = np.zeros((len(cell), coefficients.shape[1]))
-    for i in range(N.shape[1]):
-        total += N[:, i, None] * coefficients[cell + i]
-    return total
-
-
-def dense(cell: NDArray[np.int64], N: Array, width: int) -> Array:
-    """The B-splines of the cells as rows of all coefficients, (n, width + DEGREE)."""
-    B = np.zeros((len(cell), width + DEGREE))
-    B[np.arange(len(cell))[:, None], cell[:, None] + np.arange(DEGREE + 1)] = N
-    return B
-
-
-@functools.lru_cache(maxsize=8)
-def rates_at_half_cells(width: int) -> list[Array]:
-    """Values, rates and second rates of B-splines of knots 1 apart at every half cell: (g, p) each."""
-    cell, u = places(np.arange(2 * width + 1) / 2.0, 1.0, width)
-    return [dense(cell, b_splines(u, DEGREE, rate), width) for rate in range(3)]
-
-
-def inverse_factor(M: Array) -> Array:
-    """Inverse of the Cholesky factor of normal equations, (p, p); ValueError where samples don't fix them."""
-    try:
-        return np.asarray(np.linalg.inv(np.linalg.cholesky(M)))
-    except np.linalg.LinAlgError:
-        raise ValueError(
-            "smooth curve: the noise of some rows is much smaller than the noise of others; remove these "
-            "rows, or state the noise"
-        ) from None
-
-
-# What is off in a smooth curve besides noise: jumps that it rounds off, joints of windows
-
-PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
-"""Entries of a covariance: pairs of value, 0, rate, 1, and second rate, 2."""
-
-
-def beside_noise(coefficients: Array, resolved: Array, apart: Array, step: float) -> Array:
-    """Covariance at every half cell, (g, c, 6), that jumps of second rates and joints of windows add.
-
-    Where a second rate that may jump seems to rise, anything between what it is before and after is as
-    likely. resolved: cells over which a jump becomes a ramp, (g, c); 0 where none is likely. apart: mean of
-    the windows' own values, rates and second rates, (3, g, c), from which the joined curve differs.
-    """
-    grid = np.arange(len(resolved)) / 2.0
-    cell, u = places(grid, 1.0, len(coefficients) - DEGREE)
-    joined = np.stack([along(b_splines(u, DEGREE, i), cell, coefficients) / step**i for i in range(3)])
-    joints, ramps = joined - apart, np.zeros(apart.shape)
-    for i, ramp in enumerate(resolved.T):
-        before, after = (np.interp(grid + side * ramp, grid, joined[2, :, i]) for side in (-1.0, 1.0))
-        ramps[2, :, i] = (after - before) / math.sqrt(12.0)
-    ramps[1] = 0.25 * step * resolved * ramps[2]
-    return np.stack([ramps[i] * ramps[j] + joints[i] * joints[j] for i, j in PAIRS], axis=-1)
-
-
-# Even knots of splines, and the windows in which these are fitted
-
-WINDOW = 96
-"""Knot intervals of a window."""
-# Times are even if they are off multiples of the mean interval by less than this share of it.
-_UNEVEN = 1e-6
-# A step this many times as long as nine of ten splits a series, if both parts keep this many samples.
-_GAP, _FEWEST_SAMPLES = 8.0, 6
-
-
-class Instants(NamedTuple):
-    """Times of samples since the first, in units, s; of even samples whole numbers of their interval.
-
-    scale: how many times the noise of a column that of each sample is, (n,).
-    """
-
-    start: float
-    unit: float
-    since: Array
-    even: bool
-    scale: Array
-
-    @classmethod
-    def of(cls, time: Array, scale: Array) -> Instants:
-        """Of increasing times."""
-        since = elapsed(time)
-        unit = float(since[-1]) / (len(time) - 1)
-        count = np.rint(since / unit)
-        even = bool(np.abs(since / unit - count).max() < _UNEVEN)
-        unit, since = (unit, count) if even else (1.0, since)
-        return cls(float(time[0]), unit, since, even, scale)
-
-
-class Knots(NamedTuple):
-    """Even knots: their distance, the number of intervals between them, and samples in each on average.
-
-    whole: half a window holds a whole number of samples, so that windows see the same pattern of them.
-    """
-
-    step: float
-    cells: int
-    density: float
-    whole: bool
-
-    @classmethod
-    def of(cls, instants: Instants, cells: float) -> Knots:
-        """About so many intervals over the times: a few more where windows need them."""
-        span, half = float(instants.since[-1]), WINDOW // 2
-        step = span / cells
-        whole = instants.even and cells > WINDOW
-        if whole:
-            step = math.ceil(half * step) / half
-        needed = math.ceil(span / step * (1.0 - 1e-12))
-        return cls(step, needed if whole else whole_windows(needed), len(instants.since) * step / span, whole)
-
-    def place(self, cell: int) -> float:
-        """Time at which a cell begins."""
-        return float(round(cell * self.step)) if self.whole else cell * self.step
-
-    def windows(self) -> list[int]:
-        """First cell of every window; a single one takes all."""
-        return list(range(0, max(0, self.cells - WINDOW) + 1, WINDOW // 2))
-
-    def width(self, start: int) -> int:
-        """Cells of the window from cell ``start``; the last takes all that are left."""
-        left = self.cells - start
-        return left if left < 3 * WINDOW // 2 else WINDOW
-
-    def share(self, start: int, places: Array) -> Array:
-        """Weight of a window from cell ``start`` at places in cells; of all windows they add up to 1.
-
-        It is 0 next to an end that another window overlaps, where the one has fewer samples than the other,
-        and has no kinks, which would be accelerations where one curve is rougher than the other.
-        """
-        margin = WINDOW / 24.0
-        overlap = WINDOW / 2.0 - 2.0 * margin
-        last = start + self.width(start) >= self.cells
-        rise = np.ones_like(places) if start == 0 else (places - start - margin) / overlap
-        fall = np.ones_like(places) if last else (start + WINDOW - places - margin) / overlap
-        x = np.clip(np.minimum(rise, fall), 0.0, 1.0)
-        return np.asarray(x**3 * (10.0 - x * (15.0 - 6.0 * x)))
-
-
-def whole_windows(cells: int) -> int:
-    """At least as many cells, such that windows fill them."""
-    half = WINDOW // 2
-    return cells if cells <= WINDOW else -(-cells // half) * half
-
-
-def breaks(time: Array) -> list[int]:
-    """First samples after long gaps, so that each part has its fewest samples."""
-    step = np.diff(time)
-    found: list[int] = []
-    if len(time) < 2 * _FEWEST_SAMPLES:
-        return found
-    for i in (np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1).tolist():
-        if i - (found[-1] if found else 0) >= _FEWEST_SAMPLES and len(time) - i >= _FEWEST_SAMPLES:
-            found.append(i)
-    return found
-
-
-def check_cutoff(time: Array, cutoff: float) -> None:
-    """Raise ValueError unless samples at these times show a cut-off frequency, Hz."""
-    nyquist = 0.5 / float(np.median(np.diff(elapsed(time))))
-    if not 0.0 < cutoff < nyquist:
-        raise ValueError(
-            f"cutoff: expected a frequency > 0 and < {nyquist:g} Hz, half the rate, got {cutoff:g}"
-        )

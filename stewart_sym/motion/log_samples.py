@@ -11,9 +11,8 @@ from ..io.array_types import Array
 from ..io.error_policy import warn
 from . import rotation
 from .csv_table import CsvTable, is_number, read_table, split_unit
-from .noise_level import TrajectoryWarning
 from .sample_times import time_text
-from .trajectory_format import UNITS, TrajectoryFormat
+from .trajectory_format import UNITS, TrajectoryFormat, TrajectoryWarning
 
 POSE = ("t", "theta")
 RATES = ("v", "theta_dot", "a", "theta_ddot")
@@ -325,7 +324,7 @@ def _warn_of_dropped(table: CsvTable, good: Array, wanted: Sequence[str]) -> Non
     if len(dropped) > _MOST_DROPPED * (len(dropped) + np.count_nonzero(good)):
         raise ValueError(f"{table.source}: line {dropped[0]}: no row of numbers; check delimiter and decimal")
     warn(
-        f"{table.source}: rows without numbers ({line_ranges(dropped)}); they are not used; complete or remove them",
+        f"{table.source}: rows without numbers ({line_ranges(dropped)}); they are not used; complete them",
         TrajectoryWarning,
     )
 
@@ -363,3 +362,19 @@ def _increasing(time: Array | None, columns: Mapping[str, Array], lines: Array, 
 
 def _few(names: Sequence[str]) -> str:
     return ", ".join(name[:40] for name in names[:12])
+
+
+def number_columns(
+    table: CsvTable, names: Sequence[str], form: TrajectoryFormat
+) -> tuple[Array, Array, tuple[str, ...], list[int]]:
+    """Return times (s), columns by name or as given by the format, (n, c), the names, and the lines."""
+    cells = [split_unit(form.columns.get(name, name))[0] for name in ("time", *names)]
+    for name, cell in zip(("time", *names), cells, strict=True):
+        if cell not in table.header:
+            raise ValueError(f"{table.source}: no column {name}; name it with columns {name}=HEADER")
+    numbers, good = table.columns(cells)
+    _warn_of_dropped(table, good, cells)
+    unit = form.time_unit or _plain_unit(table.units.get(cells[0], ""), "time") or "s"
+    time = numbers[cells[0]] / round(1.0 / UNITS["time_unit"][unit])
+    values = np.stack([numbers[cell] for cell in cells[1:]], axis=-1)
+    return time, values, tuple(names), table.lines[good].tolist()

@@ -129,7 +129,7 @@ def smooth_columns(
     coefficients, bands = np.empty((fitted.size, count)), np.empty((count, fitted.size, DEGREE + 1))
     std = np.empty(count)
     for j in range(count):
-        c, factor, squares = fitted.solve(u[:, j], weights[j])
+        c, _, squares = fitted.solve(u[:, j], weights[j])
         estimated = max(squares / (len(u) - fitted.order), least[j])
         std[j] = math.sqrt(estimated if math.isnan(known[j]) else known[j]) * scale[j]
         coefficients[:, j] = c * scale[j] + mean[j]

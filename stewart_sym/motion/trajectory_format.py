@@ -23,6 +23,10 @@ MODES = ("absolute", "relative")
 """Coordinates by themselves, or relative to the home pose of the robot."""
 
 
+class TrajectoryWarning(UserWarning):
+    """Implausible or incomplete samples of a trajectory file."""
+
+
 @dataclass(frozen=True)
 class TrajectoryFormat:
     """Format of a trajectory file; None stands for the value in the robot file, or for detection.
@@ -85,7 +89,12 @@ class TrajectoryFormat:
         if self.row_rate is not None:
             number_in(self.row_rate, "row_rate", "a frequency > 0 Hz")
 
+    @property
+    def rotation_order(self) -> str:
+        """Order of the rotations."""
+        return self.euler_order or "zyx"
+
     def with_defaults(self, other: "TrajectoryFormat") -> "TrajectoryFormat":
-        """Return the format with the values of another one, such as the robot's, for unspecified attributes."""
+        """Return the format with the values of another one for unspecified attributes."""
         own = {name: value for name, value in vars(self).items() if value or value == 0.0}
         return dataclasses.replace(other, **own)

@@ -8,7 +8,7 @@ from string import Template
 
 from ..io.arguments import number_in, option, safe_text
 from ..io.toml_reader import one_line
-from ..motion.text.unit_row import LENGTH_UNITS
+from ..motion.trajectory_format import LENGTH_UNITS
 
 # Fractions: mass of the lower part, length of each part relative to the longest leg, and its limit relative
 # to the shortest leg.

@@ -9,7 +9,7 @@ import numpy as np
 from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
-from ..motion.logs import EULER_ORDERS, LENGTHS
+from ..motion.trajectory_format import EULER_ORDERS, MODES as LENGTHS
 
 LEGS = 6
 DEFAULT_GRAVITY = (0.0, 0.0, -9.81)

@@ -14,7 +14,7 @@ import numpy as np
 from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
-from ..motion.text.unit_row import LENGTH_UNITS
+from ..motion.trajectory_format import LENGTH_UNITS
 from . import fields
 from .bodies import INERTIA_KEYS, Meters, body
 from .drive import drive_of_tables, drive_tables

@@ -10,7 +10,7 @@ from ...dynamics.home_pose import HomePose, home_pose, radius
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.mounting import DECISIVE, AssemblyModeWarning
-from ...motion.text.unit_row import LENGTH_UNITS
+from ...motion.trajectory_format import LENGTH_UNITS
 from ...results import STATUS_TEXT
 from ...robot.drive import Drive
 from ...robot.robot import Robot

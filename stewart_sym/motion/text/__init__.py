@@ -1,1 +1,0 @@
-"""The text of logs: lines above their numbers, dates."""
