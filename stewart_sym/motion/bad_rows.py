@@ -6,12 +6,12 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from ..io.array_types import Array, Flags
-from .spline import SmoothCurve, smooth_columns
+from .spline import SmoothCurve, likeliest, smooth_columns
 
 LIMIT = 8.0
 """Number of standard deviations beyond which a row is an outlier."""
 _MEDIAN_ROWS = 15
-_MOST_PASSES = 12
+_MOST_ESTIMATES, _MOST_PASSES = 3, 12
 # A row is compared with the curve only if the curve is at most so many times as uncertain as a sample.
 _MOST_UNCERTAIN = 5.0
 _FROZEN_ROWS = 3
@@ -59,16 +59,20 @@ def fit_good_rows(
     """
     runs = _equal_runs(values)
     used = _near_median(values) & ~runs
-    tried: set[bytes] = set()
-    for _ in range(_MOST_PASSES):
+    options = noise_std, least_std, cutoff
+    for _ in range(_MOST_ESTIMATES):
         if np.count_nonzero(used) < _FEWEST_ROWS:
             used = np.ones(len(time), dtype=bool)
-        curve = smooth_columns(time[used], values[used], noise_std, least_std, cutoff)
-        found = _agree(curve, time, values, used, runs)
-        if np.array_equal(found, used) or found.tobytes() in tried:
+        smoothness = likeliest(time[used], values[used], *options)
+        before = used
+        for _ in range(_MOST_PASSES):
+            curve = smooth_columns(time[used], values[used], *options, smoothness)
+            found = _agree(curve, time, values, used, runs)
+            if np.array_equal(found, used):
+                break
+            used = found
+        if np.array_equal(used, before):
             break
-        tried.add(found.tobytes())
-        used = found
     return FittedRows(curve, ~used & ~runs, ~used & runs)
 
 

@@ -1,15 +1,16 @@
 """Smoothing splines whose smoothness is estimated from the samples, with the covariance of the result.
 
 A curve is a spline of degree 5 on even knots. It minimizes the squared residuals plus a penalty, the weighted
-squared differences of its coefficients (P-spline, Eilers and Marx 1996). The penalty is the prior of a Gaussian
-model, therefore the weight and the noise are estimated by restricted maximum likelihood, and the curve has a
-posterior covariance. Rows that are left out need no special treatment: the curve bridges them, and the covariance
-increases there.
+squared differences of its coefficients (P-spline, Eilers and Marx 1996). The penalty is the prior of a
+Gaussian model, therefore the weight and the noise are estimated by restricted maximum likelihood, and the
+curve has a posterior covariance. Rows that are left out need no special treatment: the curve bridges them,
+and the covariance increases there.
 """
 
 import itertools
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -27,7 +28,7 @@ PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Orders of the derivatives to which the components of a covariance belong."""
 # Range and number of the logarithms of weights among which the search for the best one starts.
 _WEIGHTS = np.linspace(-16.0, 22.0, 12)
-# The knots are fine enough if the penalty of every column has at least this many times the samples' weight (log).
+# The knots are fine enough if the logarithm of the penalty's weight relative to the samples is at least this.
 _PENALTY_DOMINATES = 6.0
 _FEWEST_CELLS = 32
 # Number of samples in the middle of a long log from which its knots and weights are estimated.
@@ -86,12 +87,21 @@ class SmoothCurve:
         return _design(time - self.start, self.step, len(self.coefficients) - DEGREE)
 
 
+class Smoothness(NamedTuple):
+    """Distance of knots (s), order of the penalty, and logarithms of its weights, shape (c,)."""
+
+    step: float
+    order: int
+    weights: Array
+
+
 def smooth_columns(
     time: Array,
     values: Array,
     noise_std: Array | None = None,
     least_std: Array | float = 0.0,
     cutoff: float | None = None,
+    smoothness: Smoothness | None = None,
 ) -> SmoothCurve:
     """Smooth columns of samples without phase shift.
 
@@ -107,34 +117,65 @@ def smooth_columns(
         Smallest standard deviation, such as that of rounding.
     cutoff : float, optional
         Frequency (Hz) at which the amplitude is halved; None: estimated.
+    smoothness : Smoothness, optional
+        Known smoothness, for example from other rows; None: estimated.
 
     Returns
     -------
     SmoothCurve
         Curves with covariances.
     """
+    u = _scaled(time, values, noise_std, least_std)
+    if smoothness is None:
+        smoothness = likeliest(time, values, noise_std, least_std, cutoff)
+    fitted = _Problem(u.since, max(4, round(float(u.since[-1]) / smoothness.step)), smoothness.order)
+    count = values.shape[1]
+    coefficients, bands = np.empty((fitted.size, count)), np.empty((count, fitted.size, DEGREE + 1))
+    std = np.empty(count)
+    for j, weight in enumerate(smoothness.weights):
+        c, _, squares = fitted.solve(u.values[:, j], weight)
+        estimated = max(squares / (len(time) - fitted.order), u.least[j])
+        std[j] = math.sqrt(estimated if math.isnan(u.known[j]) else u.known[j]) * u.scale[j]
+        coefficients[:, j] = c * u.scale[j] + u.mean[j]
+        bands[j] = std[j] ** 2 * inverse_band(fitted.normal(weight))
+    return SmoothCurve(float(time[0]), fitted.step, coefficients, std, bands)
+
+
+def likeliest(
+    time: Array,
+    values: Array,
+    noise_std: Array | None = None,
+    least_std: Array | float = 0.0,
+    cutoff: float | None = None,
+) -> Smoothness:
+    """Estimate the smoothness of columns of samples; arguments as of ``smooth_columns``."""
+    u = _scaled(time, values, noise_std, least_std)
+    if cutoff is None:
+        return _likeliest(u)
+    span, edge = float(u.since[-1]), 2.0 * math.sin(math.pi / _CELLS_PER_PERIOD)
+    cells = math.ceil(_CELLS_PER_PERIOD * cutoff * span)
+    weight = math.log(len(time) / cells) - 2 * ORDERS[-1] * math.log(edge)
+    return Smoothness(span / cells, ORDERS[-1], np.full(values.shape[1], weight))
+
+
+class _Columns(NamedTuple):
+    """Columns with mean 0 and standard deviation 1; known (or NaN) and least variance of their noise."""
+
+    since: Array
+    values: Array
+    mean: Array
+    scale: Array
+    known: Array
+    least: Array
+
+
+def _scaled(time: Array, values: Array, noise_std: Array | None, least_std: Array | float) -> _Columns:
     count = values.shape[1]
     mean, scale = values.mean(axis=0), np.std(values, axis=0)
     scale = np.where(scale > 0.0, scale, 1.0)
-    u, since = (values - mean) / scale, time - time[0]
     known = np.full(count, np.nan) if noise_std is None else (noise_std / scale) ** 2
     least = (np.broadcast_to(least_std, count) / scale) ** 2
-    if cutoff is None:
-        step, order, weights = _likeliest(since, u, known, least)
-        fitted = _Problem(since, max(4, round(float(since[-1]) / step)), order)
-    else:
-        fitted = _Problem(since, math.ceil(_CELLS_PER_PERIOD * cutoff * float(since[-1])), ORDERS[-1])
-        edge = 2.0 * math.sin(math.pi / _CELLS_PER_PERIOD)
-        weights = np.full(count, math.log(len(u) / fitted.cells) - 2 * fitted.order * math.log(edge))
-    coefficients, bands = np.empty((fitted.size, count)), np.empty((count, fitted.size, DEGREE + 1))
-    std = np.empty(count)
-    for j in range(count):
-        c, _, squares = fitted.solve(u[:, j], weights[j])
-        estimated = max(squares / (len(u) - fitted.order), least[j])
-        std[j] = math.sqrt(estimated if math.isnan(known[j]) else known[j]) * scale[j]
-        coefficients[:, j] = c * scale[j] + mean[j]
-        bands[j] = std[j] ** 2 * inverse_band(fitted.normal(weights[j]))
-    return SmoothCurve(float(time[0]), fitted.step, coefficients, std, bands)
+    return _Columns(time - time[0], (values - mean) / scale, mean, scale, known, least)
 
 
 def inverse_band(band: Array) -> Array:
@@ -152,8 +193,8 @@ def inverse_band(band: Array) -> Array:
 
     Notes
     -----
-    The matrix is block tridiagonal. Its Schur complements are eliminated forward; the blocks of the inverse follow
-    backward (Takahashi's recurrence).
+    The matrix is block tridiagonal. Its Schur complements are eliminated forward; the blocks of the inverse
+    follow backward (Takahashi's recurrence).
     """
     starts = range(0, band.shape[1], _BLOCK)
     diagonal = [_dense(band, i, i) for i in starts]
@@ -281,20 +322,22 @@ class _Problem:
         )
 
 
-def _likeliest(since: Array, u: Array, known: Array, least: Array) -> tuple[float, int, Array]:
-    """Return the distance of knots, the order, and the logarithms of the weights that are likeliest."""
-    count = len(u)
+def _likeliest(columns: _Columns) -> Smoothness:
+    """Return the likeliest smoothness of the middle of some columns, with knots as fine as necessary."""
+    count = len(columns.since)
     middle = slice(max(0, (count - _TRIAL_SAMPLES) // 2), (count + _TRIAL_SAMPLES) // 2)
-    t, x = since[middle] - since[middle][0], u[middle] - u[middle].mean(axis=0)
+    t, u = columns.since[middle], columns.values[middle]
+    t, u = t - t[0], u - u.mean(axis=0)
     for doubling in itertools.count():
         cells = _FEWEST_CELLS << doubling
         costs, weights = np.empty((2, len(ORDERS), u.shape[1]))
         problems = [_Problem(t, cells, order) for order in ORDERS]
         for i, problem in enumerate(problems):
             for j in range(u.shape[1]):
-                costs[i, j], weights[i, j] = problem.best_weight(x[:, j], known[j], least[j])
+                known, least = columns.known[j], columns.least[j]
+                costs[i, j], weights[i, j] = problem.best_weight(u[:, j], known, least)
         best = int(np.argmin(costs.sum(axis=1)))
         fine = weights[best].min() > math.log(len(t) / cells) + _PENALTY_DOMINATES
         if fine or 2 * cells > len(t):
             break
-    return problems[best].step, ORDERS[best], weights[best]
+    return Smoothness(problems[best].step, ORDERS[best], weights[best])
