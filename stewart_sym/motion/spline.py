@@ -22,7 +22,7 @@ from scipy.special import gammaln
 from ..io.array_types import Array
 
 DEGREE = 5
-ORDERS = (4, 6)
+ORDERS = (4, 6, 8)
 """Orders of the differences in the penalty; the likelier one is used."""
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Orders of the derivatives to which the components of a covariance belong."""
