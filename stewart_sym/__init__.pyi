@@ -78,7 +78,7 @@ from .motion.interpolation import interpolate as interpolate
 from .motion.interpolation import resample as resample
 from .motion.logs import TrajectoryFormat as TrajectoryFormat
 from .motion.motion import Motion as Motion
-from .motion.noise_level import TrajectoryWarning as TrajectoryWarning
+from .motion.trajectory_format import TrajectoryWarning as TrajectoryWarning
 from .motion.smooth_motion import PoseNoise as PoseNoise
 from .motion.smooth_motion import estimate_pose_noise as estimate_pose_noise
 from .motion.smoothing import SmoothSamplesResult as SmoothSamplesResult

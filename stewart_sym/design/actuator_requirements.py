@@ -16,14 +16,13 @@ from ..drives.noise import all_deviations, at_replaced
 from ..dynamics.inverse_dynamics import Formulation, inverse_dynamics, need_motion
 from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array, Flags
-from ..io.error_policy import warn
+from ..io.error_policy import SingularPoseWarning, warn
 from ..io.frozen import Frozen, read_only
 from ..io.progress import Progress, silent
 from ..kinematics.clearance import angles_between, neutral_directions
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
-from ..motion.trajectory import PoseLog, Trajectory
-from ..results import SingularPoseWarning
+from ..motion.trajectory import Trajectory
 from ..robot.robot import Robot
 from ..singularities.path_warnings import crossing_warning, row_warning
 
@@ -152,7 +151,7 @@ class ActuatorRequirementsResult(Frozen):
 
 def actuator_requirements(
     robot: Robot,
-    motions: Sequence[tuple[ArrayLike, Motion] | Trajectory | PoseLog],
+    motions: Sequence[tuple[ArrayLike, Motion] | Trajectory],
     margin: float = 0.25,
     quantiles: Sequence[float] = QUANTILES,
     formulation: Formulation = "exact",
@@ -167,7 +166,7 @@ def actuator_requirements(
     ----------
     robot : Robot
         Robot geometry and inertia, with or without drives.
-    motions : sequence of tuple, Trajectory, or PoseLog
+    motions : sequence of tuple or Trajectory
         Pairs (time, motion) of increasing times (s), shape (n,), and a Motion with its load, shape (n,); or
         trajectories, whose noise adds standard deviations.
     margin : float, optional
@@ -249,7 +248,7 @@ def checked_quantiles(quantiles: Sequence[float], where: str = "quantiles") -> A
 class _Given(NamedTuple):
     time: Array
     motion: Motion
-    log: Trajectory | PoseLog | None = None
+    log: Trajectory | None = None
 
 
 def _checked(robot: Robot, motions: object) -> list[_Given]:
@@ -258,7 +257,7 @@ def _checked(robot: Robot, motions: object) -> list[_Given]:
     found = []
     for i, pair in enumerate(motions):
         log = None
-        if isinstance(pair, Trajectory | PoseLog):
+        if isinstance(pair, Trajectory):
             log, pair = pair, (pair.time, pair.motion)
         if not isinstance(pair, tuple | list) or len(pair) != 2:
             raise ValueError(f"motions[{i}]: expected a pair (time, motion), got {type(pair).__name__}")

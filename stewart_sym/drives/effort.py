@@ -11,14 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics
 from ..io.arguments import finite_array, instance, real_array, status_text
 from ..io.array_types import Array, Flags
-from ..io.error_policy import warn
+from ..io.error_policy import SingularPoseWarning, warn
 from ..io.frozen import Frozen, read_only
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.trajectory_checks import side_change
 from ..motion.motion import Motion
 from ..motion.sample_times import least_step, time_text
-from ..motion.trajectory import PoseLog, Trajectory
-from ..results import SingularPoseWarning
+from ..motion.trajectory import Trajectory
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
 from .limit_status import USED_UP, Beyond, Extremes, Sides, amount_text, limit_status, status_codes
@@ -89,7 +88,7 @@ class DriveEffortResult(Frozen):
 
 def drive_effort(
     robot: Robot,
-    motion: Motion | Trajectory | PoseLog,
+    motion: Motion | Trajectory,
     time: ArrayLike | None = None,
     formulation: Formulation = "exact",
     backend: Backend = "c",
@@ -104,7 +103,7 @@ def drive_effort(
     ----------
     robot : Robot
         Robot with a drive.
-    motion : Motion, Trajectory or PoseLog
+    motion : Motion, Trajectory
         Motion with accelerations and any external wrench, shape (...). A trajectory has its own times; if its
         log is noisy, the result has standard deviations.
     time : array_like, shape (n,), optional
@@ -155,7 +154,7 @@ def drive_effort(
     if robot.drive is None:
         raise ValueError("robot: expected a drive, got a robot without one ([legs.drive] of its file)")
     trajectory = None
-    if isinstance(motion, Trajectory | PoseLog):
+    if isinstance(motion, Trajectory):
         if time is not None:
             raise ValueError("time: expected None with a trajectory, which contains its times")
         trajectory, time = motion, motion.time

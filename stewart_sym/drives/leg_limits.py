@@ -12,7 +12,7 @@ from ..io.array_types import Array, Flags
 from ..kinematics.clearance import angles_from, neutral_directions
 from ..motion.motion import Motion
 from ..motion.sample_times import elapsed, least_step, time_text
-from ..motion.trajectory import PoseLog, Replaced, Trajectory
+from ..motion.trajectory import Replaced, Trajectory
 from ..robot.robot import LEGS, Robot
 from .effort import trapezoids
 from .limit_status import INCONCLUSIVE_REPLACED_ROWS, USED_UP, Beyond, Extremes, amount_text, status_codes
@@ -162,7 +162,7 @@ class LegLimits:
         return self._extremes[LEG_LIMITS.index(limit)]
 
 
-def replaced_rows(trajectory: Trajectory | PoseLog) -> tuple[Replaced, ...]:
+def replaced_rows(trajectory: Trajectory) -> tuple[Replaced, ...]:
     """Return the rows of its log that a trajectory replaces."""
     return () if trajectory.noise is None else trajectory.noise.replaced
 

@@ -16,7 +16,7 @@ from ..kinematics.clearance import angles_between, neutral_directions
 from ..kinematics.inverse_kinematics import inverse_kinematics, leg_vectors
 from ..motion.motion import Motion
 from ..motion.rotation import cross
-from ..motion.trajectory import PoseLog, Trajectory
+from ..motion.trajectory import Trajectory
 from ..robot.drive import Drive
 from ..robot.robot import Robot
 from .friction import friction_force, smooth_sign
@@ -71,7 +71,7 @@ class Deviations(NamedTuple):
 
 def deviations_in_parts(
     robot: Robot,
-    trajectory: Trajectory | PoseLog,
+    trajectory: Trajectory,
     formulation: Formulation = "exact",
     backend: Backend = "c",
     neutral: Array | None = None,
@@ -103,7 +103,7 @@ def deviations_in_parts(
 
 def all_deviations(
     robot: Robot,
-    trajectory: Trajectory | PoseLog,
+    trajectory: Trajectory,
     formulation: Formulation = "exact",
     backend: Backend = "c",
     neutral: Array | None = None,
@@ -116,7 +116,7 @@ def all_deviations(
     return joined._replace(motors=MotorDeviations(*_joined(motors)) if motors else None)
 
 
-def at_replaced(trajectory: Trajectory | PoseLog, time: Array) -> Flags:
+def at_replaced(trajectory: Trajectory, time: Array) -> Flags:
     """Return True for samples, shape (n,), whose standard deviations include replaced rows of a log."""
     found = np.zeros(len(time), dtype=bool)
     for span in () if trajectory.noise is None else trajectory.noise.replaced:

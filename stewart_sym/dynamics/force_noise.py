@@ -17,7 +17,7 @@ from ..kinematics.forward_kinematics import twist_per_rates
 from ..kinematics.inverse_kinematics import legs_or_overflow
 from ..motion.motion import Motion
 from ..motion.rotation import motion_about_axes, orthonormal, rotation_from_vector
-from ..motion.trajectory import PoseLog, Trajectory, Uncertainty, need_trajectory
+from ..motion.trajectory import Trajectory, Uncertainty, need_trajectory
 from ..robot.robot import Robot
 from .forces import ForceKernel
 from .inverse_dynamics import Backend, Formulation, inverse_dynamics, with_compiler
@@ -27,7 +27,7 @@ CHUNK = 16_384
 
 
 def force_std(
-    robot: Robot, trajectory: Trajectory | PoseLog, formulation: Formulation = "exact", backend: Backend = "c"
+    robot: Robot, trajectory: Trajectory, formulation: Formulation = "exact", backend: Backend = "c"
 ) -> Array:
     """Compute the standard deviation of each actuator force caused by the noise of a log.
 
@@ -35,7 +35,7 @@ def force_std(
     ----------
     robot : Robot
         Robot model.
-    trajectory : Trajectory or PoseLog
+    trajectory : Trajectory
         Trajectory with n samples and the noise of its log, as returned by ``read_trajectory``.
     formulation : {"exact", "paper"}, optional
         "exact" for the corrected equations, "paper" for the equations as printed.
@@ -92,7 +92,7 @@ def force_std(
 
 
 def _deviations_of_forces(
-    robot: Robot, trajectory: Trajectory | PoseLog, part: slice, forces: Callable[[Motion], Array]
+    robot: Robot, trajectory: Trajectory, part: slice, forces: Callable[[Motion], Array]
 ) -> Array:
     F = forces(trajectory.at(part))
     deviation = np.zeros(F.shape)
@@ -138,7 +138,7 @@ def _quotient(x: Array, y: Array) -> Array:
     return np.divide(x, y, out=np.zeros_like(x), where=y > 0.0)
 
 
-def displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice) -> Iterator[Motion]:
+def displaced(robot: Robot, trajectory: Trajectory, part: slice) -> Iterator[Motion]:
     """Yield motions that are each displaced by one independent standard deviation, except zero displacements.
 
     The square root of the sum of the squared changes of a quantity is its standard deviation.

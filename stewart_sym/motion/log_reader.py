@@ -1,6 +1,5 @@
 """Trajectories read from CSV files, with rates from a smooth curve if the file has none."""
 
-import math
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -14,8 +13,8 @@ from ..io.toml_reader import file_name
 from .csv_table import read_table
 from .log_rates import as_given, rates_of
 from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, number_columns, read_samples
+from .rate_checks import rate_error
 from .rotation import rotation_about_axes
-from .sample_times import elapsed
 from .trajectory import SmoothingOptions, Trajectory, turn_doubt
 from .trajectory_format import TIME_UNITS, TrajectoryFormat, TrajectoryWarning
 
@@ -27,10 +26,6 @@ CURRENTS = tuple(f"current_{leg}" for leg in range(1, 7))
 """Columns of the currents of the motors."""
 # Range of the largest acceleration (m/s^2) of a moving machine, and of accelerations that are possible.
 _ORDINARY, _POSSIBLE = (0.1, 30.0), (1e-4, 1e5)
-# Distance (decades) from a power of 1000 of the ratio of changes to rates if a unit is wrong.
-_NEAR_UNIT = 0.2
-# Positions contradict rates if they differ by this fraction of the path.
-_CONTRADICTS = 0.05
 
 
 def read_log(
@@ -85,7 +80,7 @@ def read_log(
         found = np.stack([values, *(np.hstack(rates[i : i + len(rates) // 2]) for i in (0, len(rates) // 2))])
         rounding = [samples.steps[name] for name in names]
         noise = as_given(samples, smoothing, found, [steps, *np.reshape(rounding, (2, 6))])
-        _warn_of_rates(samples, found)
+        _check_rates(samples, found)
     else:
         found, noise = rates_of(samples, smoothing, values, steps)
     time = np.arange(float(len(values))) if samples.time is None else samples.time
@@ -166,27 +161,13 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
     _warn(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
 
 
-def _warn_of_rates(samples: LogSamples, found: Array) -> None:
-    """Warn if the integrals of the rates, (3, n, 6), differ from the positions."""
+def _check_rates(samples: LogSamples, found: Array) -> None:
+    """Raise ValueError, or warn, if the integrals of the rates, (3, n, 6), differ from the positions."""
     assert samples.time is not None
-    if len(samples.time) < 2 or not found[1].any():
-        return
-    steps = np.diff(elapsed(samples.time))[:, None]
-    change = np.diff(found[0], axis=0)
-    # The trapezoidal rule with the derivatives at both ends has an error of fourth order.
-    by_rates = 0.5 * steps * (found[1, 1:] + found[1, :-1]) - steps**2 / 12.0 * np.diff(found[2], axis=0)
-    path, expected = np.abs(change).sum(), np.abs(by_rates).sum()
-    decades = math.log10(path / expected) if path and expected else 0.0
-    nearest = 3 * round(decades / 3)
-    if nearest and abs(decades - nearest) < _NEAR_UNIT:
-        unit = {-3: "ms", -6: "us"}.get(nearest)
-        text = f"positions change by {path / expected:.2g} times the integral of the rates"
-        if unit and "time_unit" not in samples.unit_places:
-            raise ValueError(f"{samples.source}: {text}; state time_unit={unit}")
-        _warn(samples, f"{text}; forces are wrong; correct the unit of the rates")
-    elif np.abs(change - by_rates).sum() > _CONTRADICTS * path + np.abs(found[0]).max() * 1e-9:
-        text = "rates contradict the positions: their integral differs by "
-        text += f"{np.abs(change - by_rates).sum() / path:.0%} of the path"
+    text, unit = rate_error(samples.time, found)
+    if unit is not None and "time_unit" not in samples.unit_places:
+        raise ValueError(f"{samples.source}: {text}; state time_unit={unit}")
+    if text:
         _warn(samples, f"{text}; forces are wrong; correct the rates, or remove their columns")
 
 

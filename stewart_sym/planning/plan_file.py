@@ -20,9 +20,9 @@ from ..io.error_policy import errors_of, warn
 from ..kinematics.robot_logs import form_of
 from ..kinematics.trajectory_checks import need_units
 from ..motion.log_reader import read_poses
-from ..motion.noise_level import TrajectoryWarning
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import turn_doubt
+from ..motion.trajectory_format import TrajectoryWarning
 from ..robot.robot import Robot
 from .path_parameterization import MINIMIZE, Minimize
 from .plan_path import OBJECTIVES, PRICE, Objective, need_poses

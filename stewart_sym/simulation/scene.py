@@ -15,14 +15,13 @@ from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.mounting import path_for
-from ..kinematics.robot_logs import trajectory_for
+from ..kinematics.robot_logs import read_log_of
 from ..motion.interpolation import followed
 from ..motion.motion import Motion
-from ..motion.noise_level import TrajectoryWarning
 from ..motion.rotation import rotation_from_rpy
 from ..motion.sample_times import elapsed
 from ..motion.straight_line import PAPER_PATHS
-from ..motion.trajectory import JointTrajectory
+from ..motion.trajectory_format import TrajectoryWarning
 from ..robot.robot import Robot
 from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Reference, along
 from .simulation import (
@@ -239,8 +238,8 @@ def _reference(robot: Robot, path: str, file: Path, duration: float) -> Referenc
     """Return the reference motion from a path or a file; warn if a file ends in motion too early."""
     if path in PAPER_PATHS:
         return along(path_for(robot, path).path)
-    found = trajectory_for(robot, file)
-    if isinstance(found, JointTrajectory):
+    found = read_log_of(robot, file)
+    if found.in_joints:
         raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
     last, whole = found.motion[-1], float(elapsed(found.time)[-1])
     speed, turning = (float(np.linalg.norm(rate)) for rate in (last.v, last.omega))

@@ -32,19 +32,20 @@ from ..kinematics.forward_kinematics import (
 from ..kinematics.pose_search import newton
 from ..kinematics.robot_logs import read_log_of
 from ..motion.interpolation import interpolate
-from ..motion.log_reader import AS_SHOWN, PLAIN, trajectory_from
-from ..motion.logs import TrajectoryFormat
+from ..motion.log_reader import AS_SHOWN, PLAIN
 from ..motion.motion import Motion
-from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
-from ..motion.rate_doubts import rate_doubts
+from ..motion.rate_checks import rate_error
 from ..motion.sample_times import elapsed
-from ..motion.trajectory import JointTrajectory, SmoothingOptions, Trajectory
+from ..motion.trajectory import SmoothingOptions, Trajectory
+from ..motion.trajectory_format import TrajectoryFormat
 from ..results import SINGULAR
 from ..robot.robot import Robot
 from . import length_steps
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
 from .path_singularities import singularity_crossings
 
+# Number of samples, order of differences, and median of a standard normal distribution, for estimates of noise.
+_FEWEST_OF_NOISE, _ORDER, _MEDIAN_OF_NORMAL = 40, 6, 0.6745
 JUMPED = "the lengths jump here: no motion with the accelerations of the neighboring samples makes this step"
 OFF_RATES = "the step in lengths from the previous sample contradicts the rates at both samples"
 
@@ -175,15 +176,13 @@ def motion_from_lengths(
 
 
 def on_platform(
-    robot: Robot, joints: JointTrajectory, guess: Guess | None = None, progress: Progress = silent
+    robot: Robot, joints: Trajectory, guess: Guess | None = None, progress: Progress = silent
 ) -> Trajectory:
     """Convert a joint-space trajectory to a platform trajectory; errors contain its file and line."""
     try:
         motion = motion_from_lengths(
             robot,
-            joints.L,
-            joints.L_dot,
-            joints.L_ddot,
+            *joints.lengths,
             guess,
             joints.F_ext,
             joints.M_ext,
@@ -272,11 +271,11 @@ def read_trajectory(
     file_format = PLAIN if file_format is None else file_format
     instance(file_format, TrajectoryFormat, "file_format")
     log = read_log_of(robot, path, file_format, smoothing)
-    if isinstance(log, JointTrajectory):
+    if log.in_joints:
         return on_platform(robot, log, guess)
     if guess is not None:
         raise ValueError(f"guess: expected a log of leg lengths, {log.source} contains poses")
-    return trajectory_from(log)
+    return log
 
 
 def _in_parts(function: Callable[[slice], tuple[Array, Array]], count: int) -> tuple[Array, Array]:
@@ -329,7 +328,7 @@ def _follow(
     if robot.offsets is not None:
         # Singular poses of legs with offsets are not predicted, so each sample starts at the previous one.
         return at_rest(robot, first, L, progress)
-    noise = _noise(time, L) if sigma is None else sigma
+    noise = _noise(L) if sigma is None else sigma
     R, t, twist, rate = (np.empty((len(L), *shape)) for shape in ((3, 3), (3,), (6,), (6,)))
     done, decided, sign, noisy = 0, len(L), first.sign[0], bool(noise.any())
     for run in walked(robot, first, Legs(L, L_dot, rates), np.diff(elapsed(time))):
@@ -360,20 +359,21 @@ def _follow(
 
 def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | None) -> None:
     """Raise RatesError if rates and accelerations belong to another motion than the lengths."""
-    columns = {"L": L, "L_dot": L_dot} | ({} if L_ddot is None else {"L_ddot": L_ddot})
-    if not any(rates.any() for rates in [*columns.values()][1:]):  # poses at rest
-        return
-    legs = [[f"{name}_{leg}" for leg in range(1, 7)] for name in columns]
-    for i, doubt in rate_doubts(time, [*columns.values()], legs):
-        raise RatesError(f"{[*columns][i + 1]}: {doubt}")
+    text, _ = rate_error(time, np.stack([L, L_dot, np.zeros(L.shape) if L_ddot is None else L_ddot]))
+    if text:
+        raise RatesError(f"L_dot: {text}")
 
 
-def _noise(time: Array, L: Array) -> Array:
+def _noise(L: Array) -> Array:
     """Return the standard deviation of each length (m), shape (n, 6), estimated from the lengths."""
-    if len(L) < LEAST_SAMPLES:
+    if len(L) < _FEWEST_OF_NOISE:
         return np.zeros(L.shape)
-    shown_noise = np.maximum(rounding_steps(L) / math.sqrt(12.0), white_noise(time, L))
-    return np.broadcast_to(shown_noise, L.shape)
+    # Differences of high order contain noise alone.
+    differences = np.diff(L, _ORDER, axis=0)
+    scatter = np.median(np.abs(differences), axis=0) / (
+        _MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER))
+    )
+    return np.broadcast_to(scatter, L.shape)
 
 
 def _reject_crossings(robot: Robot, time: Array, R: Array, t: Array, twist: Array, rate: Array) -> None:

@@ -7,13 +7,13 @@ import numpy as np
 from ..io.array_types import Array
 from ..kinematics.trajectory_checks import side_change
 from ..motion.interpolation import interpolate
-from ..motion.trajectory import PoseLog, Trajectory
+from ..motion.trajectory import Trajectory
 from ..robot.robot import Robot
 from .path_singularities import singularity_crossings
 from .singular_poses import SingularityResult
 
 
-def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
+def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
     """Return a warning text about the singular poses that a log's path crosses, or None."""
     if robot.offsets is not None:
         return row_warning(robot, log)
@@ -36,7 +36,7 @@ def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
     )
 
 
-def row_warning(robot: Robot, log: Trajectory | PoseLog, places: str = "lines") -> str | None:
+def row_warning(robot: Robot, log: Trajectory, places: str = "lines") -> str | None:
     """Return a warning text from the signs of det H at the rows, or None.
 
     ``places`` is the noun for the row numbers.

@@ -16,19 +16,18 @@ from ..dynamics.force_noise import force_std
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
-from ..io.toml_reader import file_name, opened
+from ..io.toml_reader import file_name
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.mounting import path_for
 from ..kinematics.pose_search import rates_per_twist
+from ..motion.csv_table import read_table
 from ..motion.interpolation import Path, interpolate
 from ..motion.log_rates import noise_text
-from ..motion.log_reader import PLAIN
-from ..motion.logs import need_columns, read_columns
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import PAPER_PATHS, StraightLinePath
-from ..motion.trajectory import PoseLog, Replaced, Trajectory
+from ..motion.trajectory import Replaced, Trajectory
 from ..results import OK
 from ..robot.robot import Robot
 from ..simulation.state_history import SimulationResult, StateHistory, leg_states
@@ -146,7 +145,7 @@ def of_path(robot: Robot, path: str | StraightLinePath) -> MotionHistory:
     return _history(robot, name, time, path.sample(time), path.sample, path.breakpoints())
 
 
-def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> MotionHistory:
+def of_trajectory(robot: Robot, trajectory: Trajectory) -> MotionHistory:
     """Return the motion of a trajectory; its name is the file name."""
     path = interpolate(trajectory) if len(trajectory.time) > 1 else None
     name = os.path.basename(trajectory.source)
@@ -185,11 +184,12 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
     """
     source = file_name(path)
 
-    def check(header: list[str], source: str) -> None:
-        need_columns(header, ["time", *itertools.chain(*_NAMES.values())], source)
-
-    with opened(source, "run", _MOST_BYTES) as stream:
-        columns = read_columns(stream, source, check, PLAIN).columns
+    names = ["time", *itertools.chain(*_NAMES.values())]
+    table = read_table(source, what="run")
+    for name in names:
+        if name not in table.header:
+            raise ValueError(f"{source}: no column {name}; use a file run.csv of simulate")
+    columns, _ = table.columns(names)
     t, theta, v, omega, F, L = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
     return columns["time"], Motion(R=rotation_from_rpy(theta), t=t, omega=omega, v=v), F, L
 
@@ -242,7 +242,7 @@ def _history(
     return MotionHistory(name, time, motion, legs.L, legs.L_dot, forces, condition, events)
 
 
-def _noise(robot: Robot, trajectory: Trajectory | PoseLog, formulations: list[str]) -> Noise | None:
+def _noise(robot: Robot, trajectory: Trajectory, formulations: list[str]) -> Noise | None:
     if trajectory.noise is None:
         return None
     first, *others = formulations

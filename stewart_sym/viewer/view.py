@@ -15,7 +15,7 @@ from ..io.atomic_write import write_file
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..motion.straight_line import StraightLinePath
-from ..motion.trajectory import PoseLog, Trajectory
+from ..motion.trajectory import Trajectory
 from ..robot.robot import Robot
 from ..simulation.state_history import StateHistory
 from .content import content, data_text, limits_html, noise_html, parts_text, units
@@ -99,7 +99,7 @@ def frame(view: Viewer, height: int = _HEIGHT) -> str:
 
 def view(
     robot: Robot,
-    motion: Motion | StateHistory | Trajectory | PoseLog | StraightLinePath | str | None = None,
+    motion: Motion | StateHistory | Trajectory | StraightLinePath | str | None = None,
     time: Any = None,
 ) -> Viewer:
     """Show a robot in motion, in a notebook or in one HTML file.
@@ -112,7 +112,7 @@ def view(
     ----------
     robot : Robot
         Robot to display.
-    motion : Motion, StateHistory, Trajectory, PoseLog, StraightLinePath or str, optional
+    motion : Motion, StateHistory, Trajectory, StraightLinePath or str, optional
         Motion of shape (n,) at ``time``, result of ``simulate`` with its forces, trajectory, straight line,
         or path "I", "II", or "III" of the paper. By default, the robot is at rest at its home pose. A motion
         without accelerations is displayed without forces.
@@ -162,7 +162,7 @@ def _history(robot: Robot, motion: object, times: object) -> MotionHistory:
         return at_home(robot, home_pose(robot).t)
     if isinstance(motion, str | StraightLinePath):
         return of_path(robot, motion)
-    if isinstance(motion, Trajectory | PoseLog):
+    if isinstance(motion, Trajectory):
         return of_trajectory(robot, motion)
     if isinstance(motion, StateHistory):
         return of_run(robot, motion)
