@@ -44,8 +44,6 @@ def rate_error(time: Array, found: Array) -> tuple[str, str | None]:
         return f"positions change by {path / expected:.2g} times the integral of the rates", unit
     off = float(np.abs(change - by_rates).sum())
     if off > _CONTRADICTS * path + 1e-9 * float(np.abs(found[0]).max()):
-        return (
-            f"the integral of the rates differs from the positions by {off / max(path, 1e-300):.0%} of the path",
-            None,
-        )
+        share = off / path if path else math.inf
+        return f"the integral of the rates differs from the positions by {share:.0%} of the path", None
     return "", None

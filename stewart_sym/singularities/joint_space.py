@@ -44,7 +44,7 @@ from . import length_steps
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
 from .path_singularities import singularity_crossings
 
-# Number of samples, order of differences, and median of a standard normal distribution, for estimates of noise.
+# Estimates of noise: number of samples, order of differences, and median of a standard normal distribution.
 _FEWEST_OF_NOISE, _ORDER, _MEDIAN_OF_NORMAL = 40, 6, 0.6745
 JUMPED = "the lengths jump here: no motion with the accelerations of the neighboring samples makes this step"
 OFF_RATES = "the step in lengths from the previous sample contradicts the rates at both samples"
@@ -370,9 +370,8 @@ def _noise(L: Array) -> Array:
         return np.zeros(L.shape)
     # Differences of high order contain noise alone.
     differences = np.diff(L, _ORDER, axis=0)
-    scatter = np.median(np.abs(differences), axis=0) / (
-        _MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER))
-    )
+    gain = _MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER))
+    scatter = np.median(np.abs(differences), axis=0) / gain
     return np.broadcast_to(scatter, L.shape)
 
 
