@@ -78,7 +78,6 @@ from .motion.interpolation import interpolate as interpolate
 from .motion.interpolation import resample as resample
 from .motion.logs import TrajectoryFormat as TrajectoryFormat
 from .motion.motion import Motion as Motion
-from .motion.trajectory_format import TrajectoryWarning as TrajectoryWarning
 from .motion.smooth_motion import PoseNoise as PoseNoise
 from .motion.smooth_motion import estimate_pose_noise as estimate_pose_noise
 from .motion.smoothing import SmoothSamplesResult as SmoothSamplesResult
@@ -86,6 +85,7 @@ from .motion.smoothing import smooth_samples as smooth_samples
 from .motion.straight_line import PAPER_PATHS as PAPER_PATHS
 from .motion.straight_line import StraightLinePath as StraightLinePath
 from .motion.trajectory import SmoothingOptions as SmoothingOptions
+from .motion.trajectory_format import TrajectoryWarning as TrajectoryWarning
 from .planning.path_parameterization import TimedPath as TimedPath
 from .planning.path_parameterization import parameterize_path as parameterize_path
 from .planning.plan_certificate import PlanCertificate as PlanCertificate

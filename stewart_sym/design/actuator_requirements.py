@@ -16,13 +16,14 @@ from ..drives.noise import all_deviations, at_replaced
 from ..dynamics.inverse_dynamics import Formulation, inverse_dynamics, need_motion
 from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array, Flags
-from ..io.error_policy import SingularPoseWarning, warn
+from ..io.error_policy import warn
 from ..io.frozen import Frozen, read_only
 from ..io.progress import Progress, silent
 from ..kinematics.clearance import angles_between, neutral_directions
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..motion.trajectory import Trajectory
+from ..results import SingularPoseWarning
 from ..robot.robot import Robot
 from ..singularities.path_warnings import crossing_warning, row_warning
 

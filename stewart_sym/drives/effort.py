@@ -11,13 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics
 from ..io.arguments import finite_array, instance, real_array, status_text
 from ..io.array_types import Array, Flags
-from ..io.error_policy import SingularPoseWarning, warn
+from ..io.error_policy import warn
 from ..io.frozen import Frozen, read_only
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.trajectory_checks import side_change
 from ..motion.motion import Motion
 from ..motion.sample_times import least_step, time_text
 from ..motion.trajectory import Trajectory
+from ..results import SingularPoseWarning
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
 from .limit_status import USED_UP, Beyond, Extremes, Sides, amount_text, limit_status, status_codes

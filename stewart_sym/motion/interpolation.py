@@ -16,14 +16,14 @@ from .straight_line import MOST_STEPS
 from .trajectory import Trajectory, need_trajectory
 
 Path = Callable[[Array], Motion]
-"""Times, s, (n,) -> the motion there, of shape (n,)."""
+"""Function that returns the motion, shape (n,), at times (n,) (s)."""
 
 
 def interpolate(trajectory: Trajectory) -> Path:
-    """Return the trajectory as a motion at any times from its first sample to its last, s, (...).
+    """Return a function that interpolates a trajectory between its first and its last sample.
 
-    Positions and, from each sample to the next, the rotation vector are polynomials of degree 5 in time;
-    loads change linearly.
+    Between two samples, position and rotation vector are polynomials of degree 5 in time. Loads change
+    linearly.
 
     Parameters
     ----------
@@ -32,14 +32,14 @@ def interpolate(trajectory: Trajectory) -> Path:
 
     Returns
     -------
-    Path
-        Function of times, s, that returns motions of their shape.
+    callable
+        Function of times (...) (s) that returns a motion of the same shape. It raises ValueError for times
+        outside the trajectory.
 
     Raises
     ------
     ValueError
-        For fewer than two samples, times that do not increase and a motion without accelerations; the
-        function for times outside.
+        If there are fewer than two samples, times do not increase, or the motion has no accelerations.
     """
     _need_interpolable(trajectory)
     time = trajectory.time
@@ -107,26 +107,26 @@ def _need_interpolable(trajectory: Trajectory) -> None:
 
 
 def resample(trajectory: Trajectory, rate: float) -> Trajectory:
-    """Return the trajectory at even times from its first sample on, ``rate`` of them per second, Hz.
+    """Resample a trajectory at equal time steps from its first sample.
 
-    Each sample has the line of the sample before it.
+    Each new sample has the line number of the previous sample.
 
     Parameters
     ----------
     trajectory : Trajectory
         Times and poses.
     rate : float
-        Samples per second, Hz.
+        Sampling rate (Hz).
 
     Returns
     -------
     Trajectory
-        Trajectory at even times.
+        Trajectory at equal time steps.
 
     Raises
     ------
     ValueError
-        For a rate that is not > 0 or makes too many samples, and as ``interpolate``.
+        If the rate is not > 0, if there are more than ten million samples, or as in ``interpolate``.
     """
     _need_interpolable(trajectory)
     rate = positive(rate, "rate")

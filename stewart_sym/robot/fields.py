@@ -9,7 +9,8 @@ import numpy as np
 from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
-from ..motion.trajectory_format import EULER_ORDERS, MODES as LENGTHS
+from ..motion.trajectory_format import EULER_ORDERS
+from ..motion.trajectory_format import MODES as LENGTHS
 
 LEGS = 6
 DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
