@@ -22,7 +22,7 @@ from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.common.motion_columns import trajectory_columns
+from stewart_sym.kinematics.trajectory_writer import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
 
 VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
