@@ -230,6 +230,8 @@ def _numbers(texts: Sequence[str], width: int, places: list[int], delimiter: str
         columns = None if places == list(range(width)) else places
         return np.loadtxt(lines, delimiter=delimiter, comments=None, usecols=columns, ndmin=2, quotechar='"')
 
+    if not texts:
+        return np.empty((0, len(places)))
     try:
         return converted(texts)
     except ValueError:

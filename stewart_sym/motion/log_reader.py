@@ -26,6 +26,8 @@ CURRENTS = tuple(f"current_{leg}" for leg in range(1, 7))
 """Columns of the currents of the motors."""
 # Range of the largest acceleration (m/s^2) of a moving machine, and of accelerations that are possible.
 _ORDINARY, _POSSIBLE = (0.1, 30.0), (1e-4, 1e5)
+# Range of the steps of loggers (s).
+_STEPS = (2e-4, 1.0)
 
 
 def trajectory_of(
@@ -125,20 +127,21 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
     largest = float(np.abs(lengths[2]).max())
     # In millimeters, lengths and accelerations are a thousand times as large: their ratio depends on time.
     size = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
-    moves = samples.time is not None and float(np.ptp(found[0], axis=0).max()) > 0.0
     low, high = _POSSIBLE
-    if not moves or low * size <= largest <= high * size:
+    if samples.time is None or len(time) < 2 or low * size <= largest <= high * size:
         return
-    present = TIME_UNITS[samples.file_format.time_unit or "s"]
+    step, present = float(np.median(np.diff(time))), TIME_UNITS[samples.file_format.time_unit or "s"]
     fits = [
         name
         for name, unit in TIME_UNITS.items()
         if _ORDINARY[0] * size <= largest * (present / unit) ** 2 <= _ORDINARY[1] * size
+        and _STEPS[0] <= step * unit / present <= _STEPS[1]
     ]
-    finding = f"accelerations up to {largest:.2g} m/s^2 at steps of {np.median(np.diff(time)):.3g} s"
+    finding = f"accelerations up to {largest:.2g} m/s^2 at steps of {step:.3g} s"
     if fits and "time_unit" not in samples.unit_places:
         raise ValueError(f"{samples.source}: {finding}; state time_unit={' or '.join(fits)}")
-    _warn(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
+    if largest > high * size:
+        _warn(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
 
 
 def _check_rates(samples: LogSamples, found: Array) -> None:

@@ -50,6 +50,8 @@ _YEAR = 3.0e7
 # Number of digits of nanoseconds since 1970, which a double cannot represent.
 _LONG = 16
 _MOST_DECIMALS = 12
+# Number of different values that show the rounding of a column.
+_FEWEST_VALUES = 8
 # Relative rounding of a decimal number that is multiplied by a power of ten.
 _ROUNDING = 1e-15
 # Largest fraction of rows without numbers.
@@ -320,8 +322,13 @@ def _si(name: str, form: TrajectoryFormat) -> float:
 
 
 def _step(name: str, values: Array, form: TrajectoryFormat) -> float:
-    """Return the step (SI) to which a column is rounded to decimals; 0 if there is none."""
+    """Return the step (SI) to which a column is rounded to decimals; 0 if there is none.
+
+    Few or nearly constant values do not show their rounding.
+    """
     some = values[:: max(1, len(values) // 1000)]
+    if len(np.unique(some)) < _FEWEST_VALUES:
+        return 0.0
     for decimals in range(_MOST_DECIMALS):
         count = some * 10.0**decimals
         if np.all(np.abs(count - np.rint(count)) <= _ROUNDING * np.abs(count)):
