@@ -70,6 +70,8 @@ def rates_of(
     clean = _is_clean(since[used], fitted.curve, found[2])
     if options.cutoff_frequency is None and clean.any():
         found[:, :, clean] = _interpolated(since[used], values[used][:, clean], since)
+    if clean.all() and used.all() and not rounding.any():
+        return found, None
     uncertainty = _of_curve(log, found, fitted.curve, used, clean)
     if uncertainty.sigma[~clean].any():
         _warn(

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..io.arguments import safe_text
 from ..io.array_types import Array, Flags
 from ..io.error_policy import warn
 from . import rotation
@@ -144,7 +145,7 @@ def read_samples(
         defaults = TrajectoryFormat(euler_order=defaults.euler_order)
     given, form = _given(form), form.with_defaults(defaults)
     found = _columns(table, form)
-    vectors = _needed(found, form, source)
+    vectors = _needed(found, table.header, source)
     stated, places = _units(table, found, given)
     places |= {kind: "the robot file" for kind in _given(defaults) if kind not in places}
     stated = _given(defaults) | stated | given
@@ -236,7 +237,7 @@ def _name_and_unit(cell: str) -> tuple[str | None, str]:
     return None, ""
 
 
-def _needed(found: Mapping[str, str], form: TrajectoryFormat, source: str) -> list[str]:
+def _needed(found: Mapping[str, str], header: Sequence[str], source: str) -> list[str]:
     """Return the vectors that are read."""
     lengths = any(each in found for each in components_of("L"))
     position = ("L",) if lengths else ("t", "q") if "q_w" in found else POSE
@@ -245,6 +246,11 @@ def _needed(found: Mapping[str, str], form: TrajectoryFormat, source: str) -> li
     rates = LENGTH_RATES if lengths else () if "q_w" in found else RATES
     if not all(components_of(name)[0] in found for name in rates):
         rates = ()
+    if not set(found) - {"time"}:
+        raise ValueError(
+            f"{source}: no columns of a trajectory in the header ({_few(header)}); expected time, t_x, t_y, "
+            "t_z, theta_x, theta_y, theta_z, or time and L_1 to L_6; name others with columns t_x=HEADER"
+        )
     loads = [name for name in LOADS if any(each in found for each in components_of(name))]
     for name in (*position, *rates, *loads):
         for each in components_of(name):
@@ -381,7 +387,7 @@ def _increasing(time: Array | None, columns: Mapping[str, Array], lines: Lines, 
 
 
 def _few(names: Sequence[str]) -> str:
-    return ", ".join(name[:40] for name in names[:12])
+    return ", ".join(safe_text(name[:40]) for name in names[:12])
 
 
 def number_columns(
