@@ -67,9 +67,9 @@ def fit_good_rows(
             used = np.ones(len(time), dtype=bool)
         smoothness = likeliest(time[used], values[used], *options)
         before = used
-        for _ in range(_MOST_PASSES):
+        for distance in 2 ** np.arange(_MOST_PASSES):
             curves = smooth_columns(time[used], values[used], *options, smoothness)
-            found = _agree(curves, time, values, used, runs)
+            found = _agree(curves, time, values, runs, maximum_filter1d(used, 2 * distance + 1))
             if np.array_equal(found, used):
                 break
             used = found
@@ -110,8 +110,11 @@ def flagged_spans(flags: Flags) -> tuple[Array, Array]:
     return edges[::2], edges[1::2]
 
 
-def _agree(curves: SmoothCurves, time: Array, values: Array, used: Flags, runs: Flags) -> Flags:
-    """Return the rows that agree with the curves; of a run of equal rows all or none."""
+def _agree(curves: SmoothCurves, time: Array, values: Array, runs: Flags, near: Flags) -> Flags:
+    """Return the rows that agree with the curves; of a run of equal rows all or none.
+
+    A row where the curves are uncertain, inside a gap, is compared only if it is near other rows.
+    """
     agree, certain = np.ones((2, len(time)), dtype=bool)
     for curve, column in zip(curves.columns, values.T, strict=True):
         knots = curve.knots
@@ -119,8 +122,7 @@ def _agree(curves: SmoothCurves, time: Array, values: Array, used: Flags, runs: 
         noise = max(curve.noise_std, 1e-12 * float(np.abs(column).max()))
         agree &= np.abs(column - curve.evaluate(time)[0]) <= LIMIT * np.sqrt(noise**2 + variance)
         certain &= variance <= (_MOST_UNCERTAIN * noise) ** 2
-    # A row inside a gap is added after its neighbors.
-    found = agree & (certain | np.convolve(used, np.ones(3), "same").astype(bool))
+    found = agree & (certain | near)
     for first, end in zip(*flagged_spans(runs), strict=True):
         found[first:end] = agree[first:end].all()
     return found

@@ -10,12 +10,14 @@ and the covariance increases there.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 from scipy.interpolate import BSpline
-from scipy.linalg import cho_solve_banded, cholesky_banded, solve_triangular
+from scipy.linalg import cho_solve_banded, cholesky_banded
+from scipy.linalg.lapack import dtbtrs
 from scipy.ndimage import uniform_filter1d
 from scipy.optimize import minimize_scalar
 from scipy.special import gammaln
@@ -34,14 +36,14 @@ PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 # Logarithms of weights relative to the samples per cell: the smallest one, and the smallest one for which the
 # knots are fine enough. The logarithm of the largest condition number limits them.
 _LIGHTEST, _FINE, _CONDITION = -16.0, 6.0, 28.0
-_TRIED_WEIGHTS = 12
+_TRIED_WEIGHTS = 8
 _FEWEST_CELLS = 32
 # Number of samples from which the smoothness of a long log is estimated, and of blocks in them.
 _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
 # Number of cells per period of the cut-off frequency.
 _CELLS_PER_PERIOD = 8.0
 _CHUNK = 1 << 14
-_BLOCK = 96
+_BLOCK = 64
 # Part of the largest diagonal element that keeps a matrix definite.
 _ROUNDING = 2e-16
 
@@ -226,20 +228,20 @@ def inverse_band(factor: Array) -> Array:
     the next one; the covariances follow from the last block to the first one.
     """
     width, size = len(factor) - 1, factor.shape[1]
-    padded = np.hstack([factor, np.zeros((width + 1, width))])
     found, next_corner = np.zeros((size, DEGREE + 1)), np.zeros((width, width))
     for end in range(size, 0, -_BLOCK):
         start = max(end - _BLOCK, 0)
-        i, j = np.arange(start, end)[:, None], np.arange(start, end + width)
-        offset = np.clip(j - i, -1, width + 1)
-        U = np.where((offset >= 0) & (offset <= width), padded[width - np.clip(offset, 0, width), j], 0.0)
-        own, beside = U[:, : end - start], U[:, end - start :]
-        solved = solve_triangular(own, np.hstack([np.eye(end - start), beside]), check_finite=False)
-        inverse, to_next = np.hsplit(solved, [end - start])
+        count = end - start
+        identity_and_next = np.eye(count, count + width)
+        for k in range(min(width, size - end)):
+            rows = min(width - k, count)
+            identity_and_next[count - rows :, count + k] = factor[width - k - rows : width - k, end + k]
+        solved, _ = dtbtrs(factor[:, start:end], identity_and_next)
+        inverse, to_next = np.hsplit(solved, [count])
         next_columns = -to_next @ next_corner
         both = np.hstack([inverse @ inverse.T - next_columns @ to_next.T, next_columns])
         for k in range(DEGREE + 1):
-            found[start:end, k] = both.diagonal(k)[: end - start]
+            found[start:end, k] = both.diagonal(k)[:count]
         next_corner = both[:width, :width]
     return found
 
@@ -330,23 +332,21 @@ class _Problem:
             return self.noise.known
         return max(squares / (self.samples.count - self.order), self.noise.least)
 
-    def best_weight(self, u: Array) -> tuple[float, float]:
-        """Return the smallest -2 log likelihood, and the logarithm of its weight."""
-        left = self.samples.count - self.order
+    def cost(self, u: Array, log_weight: float) -> float:
+        """Return -2 times the restricted log likelihood."""
+        _, factor, squares = self.solve(u, log_weight)
+        logdet = 2.0 * float(np.sum(np.log(factor[-1])))
+        logdet -= (self.size - self.order) * log_weight + self._log_determinant()
+        variance = self.variance(squares)
+        return logdet + (self.samples.count - self.order) * math.log(variance) + squares / variance
 
-        def cost(log_weight: float) -> float:
-            _, factor, squares = self.solve(u, log_weight)
-            logdet = 2.0 * float(np.sum(np.log(factor[-1])))
-            logdet -= (self.size - self.order) * log_weight + self._log_determinant()
-            variance = self.variance(squares)
-            return logdet + left * math.log(variance) + squares / variance
-
+    def best_tried(self, u: Array) -> tuple[float, float, float]:
+        """Return the smallest cost of a few weights, the logarithm of its weight, and their distance."""
         heaviest = _CONDITION - self.order * math.log(4.0)
         tried = self.density + np.linspace(_LIGHTEST, heaviest, _TRIED_WEIGHTS)
-        i = int(np.argmin([cost(x) for x in tried]))
-        bounds = tried[max(i - 1, 0)], tried[min(i + 1, len(tried) - 1)]
-        found = minimize_scalar(cost, bounds=bounds, method="bounded", options={"xatol": 0.1})
-        return float(found.fun), float(found.x)
+        costs = [self.cost(u, log_weight) for log_weight in tried]
+        i = int(np.argmin(costs))
+        return costs[i], float(tried[i]), float(tried[1] - tried[0])
 
     def _log_determinant(self) -> float:
         """Return the logarithm of the determinant of D D^T, a Toeplitz matrix, in closed form."""
@@ -366,11 +366,19 @@ def _likeliest(since: Array, u: Array, noise: _Noise) -> Smoothness:
     while True:
         samples = _Samples(t, step)
         problems = [_Problem(samples, order, noise) for order in ORDERS]
-        costs, weights = zip(*(problem.best_weight(u) for problem in problems), strict=True)
-        best = int(np.argmin(costs))
-        if weights[best] > problems[best].density + _FINE or 2 * samples.cells > trial:
-            return Smoothness(step, ORDERS[best], weights[best])
+        tried = [problem.best_tried(u) for problem in problems]
+        _, log_weight, distance = min(tried)
+        if log_weight > problems[0].density + _FINE or 2 * samples.cells > trial:
+            break
         step /= 2.0
+    best = []
+    for problem, (_, log_weight, distance) in zip(problems, tried, strict=True):
+        bounds = log_weight - distance, log_weight + distance
+        options = {"bounds": bounds, "method": "bounded", "options": {"xatol": 0.1}}
+        found = minimize_scalar(partial(problem.cost, u), **options)
+        best.append((float(found.fun), problem.order, float(found.x)))
+    _, order, log_weight = min(best)
+    return Smoothness(step, order, log_weight)
 
 
 def _busiest(u: Array, trial: int) -> int:
