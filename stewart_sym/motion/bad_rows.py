@@ -10,10 +10,11 @@ from .spline import SmoothCurves, likeliest, smooth_columns
 
 LIMIT = 8.0
 """Number of standard deviations beyond which a row is an outlier."""
-# Distances of the rows with which a row is first compared: of five bad rows, at most one is among them.
-_DISTANCES = (3, 8, 13)
+# Distances (rows) of the rows on each side from which a row is first predicted, twice. Five bad rows disturb
+# at most one of both predictions.
+_PREDICTORS = ((3, 8), (13, 18))
 _BLOCK_ROWS = 100
-_MOST_ESTIMATES, _MOST_PASSES = 3, 12
+_MOST_ESTIMATES, _MOST_PASSES = 2, 12
 # A row is compared with the curve only if the curve is at most so many times as uncertain as a sample.
 _MOST_UNCERTAIN = 5.0
 _FROZEN_ROWS = 3
@@ -46,8 +47,9 @@ def fit_good_rows(
 ) -> FittedRows:
     """Smooth columns of samples without the rows that contradict the others.
 
-    The first curves use the rows near their neighbors. Then rows that agree with the curves are added, and
-    others are left out, until the set of rows stays the same. Therefore the size of an error has no effect.
+    The first curves use the rows that their neighbors predict. Then rows that agree with the curves are
+    added, and others are left out, until the set of rows stays the same. Therefore the size of an error has
+    no effect.
 
     Parameters
     ----------
@@ -60,7 +62,7 @@ def fit_good_rows(
         Curves and rows left out.
     """
     runs = _equal_runs(values)
-    used = _near_neighbors(values) & ~runs
+    used = _near_predictions(values) & ~runs
     options = noise_std, least_std, cutoff
     for _ in range(_MOST_ESTIMATES):
         if np.count_nonzero(used) < _FEWEST_ROWS:
@@ -78,16 +80,20 @@ def fit_good_rows(
     return FittedRows(curves, ~used & ~runs, ~used & runs)
 
 
-def _near_neighbors(values: Array) -> Flags:
-    """Return True for rows whose columns are all near the line between rows before and after them.
+def _near_predictions(values: Array) -> Flags:
+    """Return True for rows whose columns are all near a cubic polynomial through two rows on each side.
 
     The scale of the differences is the largest median of the adjacent blocks of rows.
     """
-    most, count = min(_DISTANCES[-1], len(values) - 1), len(values)
+    most, count = _PREDICTORS[-1][-1], len(values)
+    if count <= 2 * most:
+        return np.ones(count, dtype=bool)
     padded = np.pad(values, ((most, most), (0, 0)), mode="reflect", reflect_type="odd")
-    shifts = [min(distance, most) for distance in _DISTANCES]
-    sides = [[padded[most + sign * k :][:count] for k in shifts] for sign in (-1, 1)]
-    off = np.abs(values - 0.5 * (np.median(sides[0], axis=0) + np.median(sides[1], axis=0)))
+    off = np.full(values.shape, np.inf)
+    for near, far in _PREDICTORS:
+        sums = [padded[most - k :][:count] + padded[most + k :][:count] for k in (near, far)]
+        predicted = (far**2 * sums[0] - near**2 * sums[1]) / (2.0 * (far**2 - near**2))
+        off = np.minimum(off, np.abs(values - predicted))
     starts = np.arange(0, max(count - _BLOCK_ROWS // 2, 1), _BLOCK_ROWS)
     medians = [np.median(block, axis=0) for block in np.split(off, starts[1:])]
     usual = np.repeat(maximum_filter1d(medians, 3, axis=0), np.diff([*starts, count]), axis=0)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 from scipy.interpolate import BSpline
-from scipy.linalg import cho_solve_banded, cholesky_banded
+from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.linalg.lapack import dtbtrs
 from scipy.ndimage import uniform_filter1d
 from scipy.optimize import minimize_scalar
@@ -44,8 +44,8 @@ _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
 _CELLS_PER_PERIOD = 8.0
 _CHUNK = 1 << 14
 _BLOCK = 64
-# Part of the largest diagonal element that keeps a matrix definite.
-_ROUNDING = 2e-16
+# Parts of the largest diagonal element and of the samples per cell that keep a matrix definite in gaps.
+_ROUNDING, _RIDGE = 4e-16, 1e-11
 
 
 class Smoothness(NamedTuple):
@@ -320,8 +320,7 @@ class _Problem:
         """Return the coefficients, the Cholesky factor, and the minimum of the penalized sum of squares."""
         B, weight = self.samples.B, math.exp(log_weight)
         normal = self.gram + weight * self.penalty
-        # Keeps the matrix definite where there are no samples.
-        normal[-1] += _ROUNDING * normal[-1].max()
+        normal[-1] += _ROUNDING * normal[-1].max() + _RIDGE * math.exp(self.density)
         factor = cholesky_banded(normal, check_finite=False)
         c = cho_solve_banded((factor, False), B.T @ u, check_finite=False)
         return c, factor, float(np.sum((u - B @ c) ** 2) + weight * np.sum((self.D @ c) ** 2))
@@ -334,7 +333,10 @@ class _Problem:
 
     def cost(self, u: Array, log_weight: float) -> float:
         """Return -2 times the restricted log likelihood."""
-        _, factor, squares = self.solve(u, log_weight)
+        try:
+            _, factor, squares = self.solve(u, log_weight)
+        except LinAlgError:
+            return math.inf
         logdet = 2.0 * float(np.sum(np.log(factor[-1])))
         logdet -= (self.size - self.order) * log_weight + self._log_determinant()
         variance = self.variance(squares)
