@@ -1,0 +1,53 @@
+"""Accuracy of smoothed logs, and coverage of the stated standard deviations, over random motions."""
+
+import itertools
+
+import numpy as np
+import pytest
+from noisy_logs import KINDS, NOISES, WHITE, Array, Case, case, errors, logged, read
+from sweeps import FULL, share
+
+import stewart_sym as ss
+from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, limit_status
+
+Run = tuple[Case, Array, Array]
+
+
+@pytest.fixture(scope="module")
+def sweep() -> dict[tuple[str, str], list[Run]]:
+    """Return motions, errors of their forces (N), and standard deviations, by kind of motion and noise."""
+    found: dict[tuple[str, str], list[Run]] = {pair: [] for pair in itertools.product(KINDS, NOISES)}
+    for seed in range(share(17, 8)):
+        for (kind, noise), runs in found.items():
+            one = case(seed, kind, (20.0, 200.0))
+            runs.append((one, *errors(one, read(one.time, logged(one, noise, seed))[0])))
+    return found
+
+
+def fraction(runs: list[Run], deviations: float) -> float:
+    """Return the fraction of errors within a number of standard deviations."""
+    return float(np.mean([np.mean(np.abs(off) < deviations * std) for _, off, std in runs]))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+def test_stated_deviations_cover_the_errors(sweep: dict[tuple[str, str], list[Run]], kind: str) -> None:
+    runs = [run for (each, _), some in sweep.items() if each == kind for run in some]
+    slack = 0.08 if FULL and kind != "trapezoids" else 0.13
+    assert fraction(runs, 1.0) == pytest.approx(0.68, abs=slack)
+    assert fraction(runs, 2.0) == pytest.approx(0.95, abs=slack)
+    assert fraction(runs, 4.0) > 0.985
+
+
+@pytest.mark.slow
+def test_decided_limits_are_right(sweep: dict[tuple[str, str], list[Run]]) -> None:
+    rng, decided = np.random.default_rng(5), {True: 0, False: 0}
+    for one, off, std in (run for runs in sweep.values() for run in runs):
+        peak = np.abs(one.F).max(axis=0)
+        limit = peak * rng.uniform(0.9, 1.1, 6)
+        for leg, verdict in enumerate(limit_status(np.abs(one.F + off), limit, std)):
+            decided[verdict != INCONCLUSIVE_NOISE] += 1
+            if verdict != INCONCLUSIVE_NOISE:
+                beyond = peak[leg] > limit[leg]
+                assert (verdict == EXCEEDED) == beyond or abs(peak[leg] / limit[leg] - 1.0) < 0.01
+    assert min(decided.values()) > 0
