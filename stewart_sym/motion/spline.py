@@ -37,6 +37,8 @@ PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 # knots are fine enough. The logarithm of the largest condition number limits them.
 _LIGHTEST, _FINE, _CONDITION = -16.0, 6.0, 28.0
 _TRIED_WEIGHTS = 8
+# Residuals above this multiple of the scatter of adjacent samples contain motion; order of the differences.
+_RESOLVED, _SCATTER_ORDER = 2.0, 4
 _FEWEST_CELLS = 32
 # Number of samples from which the smoothness of a long log is estimated, and of blocks in them.
 _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
@@ -325,6 +327,11 @@ class _Problem:
         c = cho_solve_banded((factor, False), B.T @ u, check_finite=False)
         return c, factor, float(np.sum((u - B @ c) ** 2) + weight * np.sum((self.D @ c) ** 2))
 
+    def residual(self, u: Array, log_weight: float) -> float:
+        """Return the root mean square of the residuals."""
+        c = self.solve(u, log_weight)[0]
+        return float(np.sqrt(np.mean((u - self.samples.B @ c) ** 2)))
+
     def variance(self, squares: float) -> float:
         """Return the variance of the noise, known or by the minimum of the sum of squares."""
         if not math.isnan(self.noise.known):
@@ -365,12 +372,15 @@ def _likeliest(since: Array, u: Array, noise: _Noise) -> Smoothness:
     first = _busiest(u, trial)
     t, u = since[first : first + trial] - since[first], u[first : first + trial]
     u = u - u.mean()
+    scatter = max(_scatter(u), math.sqrt(noise.least))
     while True:
         samples = _Samples(t, step)
         problems = [_Problem(samples, order, noise) for order in ORDERS]
         tried = [problem.best_tried(u) for problem in problems]
-        _, log_weight, distance = min(tried)
-        if log_weight > problems[0].density + _FINE or 2 * samples.cells > trial:
+        _, log_weight, distance = cheapest = min(tried)
+        residual = problems[tried.index(cheapest)].residual(u, log_weight)
+        fine = log_weight > problems[0].density + _FINE and residual <= _RESOLVED * scatter
+        if fine or 2 * samples.cells > trial:
             break
         step /= 2.0
     best = []
@@ -381,6 +391,14 @@ def _likeliest(since: Array, u: Array, noise: _Noise) -> Smoothness:
         best.append((float(found.fun), problem.order, float(found.x)))
     _, order, log_weight = min(best)
     return Smoothness(step, order, log_weight)
+
+
+def _scatter(u: Array) -> float:
+    """Return the noise of a column, estimated from differences that contain little of the motion."""
+    if len(u) <= 2 * _SCATTER_ORDER:
+        return math.inf
+    gain = math.sqrt(math.comb(2 * _SCATTER_ORDER, _SCATTER_ORDER))
+    return float(np.mean(np.abs(np.diff(u, _SCATTER_ORDER)))) / (math.sqrt(2.0 / math.pi) * gain)
 
 
 def _busiest(u: Array, trial: int) -> int:
