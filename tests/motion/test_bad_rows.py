@@ -1,21 +1,14 @@
 """Glitches, frozen rows, gaps, and clocks: forces elsewhere do not change, and the deviations cover the errors."""
 
-import tempfile
-import warnings
-from pathlib import Path
-
 import numpy as np
 import pytest
-from log_files import NAMES
 from machines import GRAVITY, home_position, machine_size, random_robot
 from motion_fields import motion_of
-from noisy_logs import WHITE, Array, Case, case, coordinates, errors, logged, read
+from noisy_logs import Array, Case, coordinates, logged, read
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.drives.limit_status import INCONCLUSIVE_NOISE, INCONCLUSIVE_REPLACED_ROWS, status_codes
-from stewart_sym.motion.log_reader import read_log
-from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.drives.limit_status import status_codes
 
 
 def minute() -> Case:

@@ -10,10 +10,12 @@ from log_files import NAMES, write
 from machines import GRAVITY, home_position, machine_size, random_robot
 from motion_fields import motion_of
 from numpy.typing import NDArray
+from plain_logs import read_log
 
 import stewart_sym as ss
-from stewart_sym.motion.log_reader import AS_SHOWN, PLAIN, read_log
+from stewart_sym.motion.log_reader import AS_SHOWN
 from stewart_sym.motion.trajectory import SmoothingOptions, Trajectory
+from stewart_sym.motion.trajectory_format import PLAIN
 
 Array = NDArray[np.float64]
 WHITE = 1e-4
