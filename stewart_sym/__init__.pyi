@@ -76,7 +76,7 @@ from .kinematics.pose_certificate import PoseCertificate as PoseCertificate
 from .kinematics.pose_certificate import certify_pose as certify_pose
 from .motion.interpolation import interpolate as interpolate
 from .motion.interpolation import resample as resample
-from .motion.logs import TrajectoryFormat as TrajectoryFormat
+from .motion.trajectory_format import TrajectoryFormat as TrajectoryFormat
 from .motion.motion import Motion as Motion
 from .motion.smooth_motion import PoseNoise as PoseNoise
 from .motion.smooth_motion import estimate_pose_noise as estimate_pose_noise

@@ -26,6 +26,8 @@ CURRENTS = tuple(f"current_{leg}" for leg in range(1, 7))
 """Columns of the currents of the motors."""
 # Range of the largest acceleration (m/s^2) of a moving machine, and of accelerations that are possible.
 _ORDINARY, _POSSIBLE = (0.1, 30.0), (1e-4, 1e5)
+# Speed (m/s) below which accelerations may be too small because of the unit of time.
+_SLOW = 3e-3
 
 
 def read_log(
@@ -145,9 +147,10 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
     largest = float(np.abs(lengths[2]).max())
     # In millimeters, lengths and accelerations are a thousand times as large: their ratio depends on time.
     size = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
-    moves = samples.time is not None and float(np.ptp(found[0], axis=0).max()) > 0.0
+    moves = samples.time is not None and float(np.ptp(lengths[0], axis=0).max()) > 1e-9 * size
     low, high = _POSSIBLE
-    if not moves or low * size <= largest <= high * size:
+    slow = largest < low * size and float(np.abs(lengths[1]).max()) < _SLOW * size
+    if not moves or not (slow or largest > high * size):
         return
     present = TIME_UNITS[samples.file_format.time_unit or "s"]
     fits = [

@@ -307,7 +307,9 @@ def _si(name: str, form: TrajectoryFormat) -> float:
 
 
 def _step(name: str, values: Array, form: TrajectoryFormat) -> float:
-    """Return the step (SI) to which a column is rounded to decimals; 0 if there is none."""
+    """Return the step (SI) to which a column is rounded to decimals; 0 for none or a constant."""
+    if np.ptp(values) == 0.0:
+        return 0.0
     some = values[:: max(1, len(values) // 1000)]
     for decimals in range(_MOST_DECIMALS):
         count = some * 10.0**decimals

@@ -37,6 +37,8 @@ PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 # knots are fine enough. The logarithm of the largest condition number limits them.
 _LIGHTEST, _FINE, _CONDITION = -16.0, 6.0, 28.0
 _TRIED_WEIGHTS = 8
+# Largest correlation of adjacent residuals of a curve with fine knots.
+_MOST_CORRELATED = 0.2
 _FEWEST_CELLS = 32
 # Number of samples from which the smoothness of a long log is estimated, and of blocks in them.
 _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
@@ -190,8 +192,10 @@ def likeliest(
             _likeliest(since, u - u.mean(), noise)
             for u, noise in zip(values.T, _noises(values, noise_std, least_std), strict=True)
         ]
-    edge, step = 2.0 * math.sin(math.pi / _CELLS_PER_PERIOD), 1.0 / (_CELLS_PER_PERIOD * cutoff)
-    weight = math.log(len(time) * step / float(since[-1])) - 2 * ORDERS[-1] * math.log(edge)
+    half, step = math.pi / _CELLS_PER_PERIOD, 1.0 / (_CELLS_PER_PERIOD * cutoff)
+    # Frequency responses of the B-splines and of the differences at the cut-off frequency.
+    splines, differences = (math.sin(half) / half) ** (DEGREE + 1), (2.0 * math.sin(half)) ** ORDERS[-1]
+    weight = math.log(len(time) * step / float(since[-1])) + 2.0 * math.log(splines / differences)
     return [Smoothness(step, ORDERS[-1], weight)] * values.shape[1]
 
 
@@ -350,6 +354,11 @@ class _Problem:
         i = int(np.argmin(costs))
         return costs[i], float(tried[i]), float(tried[1] - tried[0])
 
+    def has_white_residuals(self, u: Array, log_weight: float) -> bool:
+        """Return False if adjacent residuals are correlated, because the knots are too coarse."""
+        residuals = u - self.samples.B @ self.solve(u, log_weight)[0]
+        return float(residuals[1:] @ residuals[:-1]) <= _MOST_CORRELATED * float(residuals @ residuals)
+
     def _log_determinant(self) -> float:
         """Return the logarithm of the determinant of D D^T, a Toeplitz matrix, in closed form."""
         j, m, d = np.arange(self.order), self.size - self.order, self.order
@@ -369,17 +378,18 @@ def _likeliest(since: Array, u: Array, noise: _Noise) -> Smoothness:
         samples = _Samples(t, step)
         problems = [_Problem(samples, order, noise) for order in ORDERS]
         tried = [problem.best_tried(u) for problem in problems]
-        _, log_weight, distance = min(tried)
-        if log_weight > problems[0].density + _FINE or 2 * samples.cells > trial:
+        best = tried.index(min(tried))
+        fine = tried[best][1] > problems[best].density + _FINE
+        if (fine and problems[best].has_white_residuals(u, tried[best][1])) or 2 * samples.cells > trial:
             break
         step /= 2.0
-    best = []
+    refined = []
     for problem, (_, log_weight, distance) in zip(problems, tried, strict=True):
         bounds = log_weight - distance, log_weight + distance
         options = {"bounds": bounds, "method": "bounded", "options": {"xatol": 0.1}}
         found = minimize_scalar(partial(problem.cost, u), **options)
-        best.append((float(found.fun), problem.order, float(found.x)))
-    _, order, log_weight = min(best)
+        refined.append((float(found.fun), problem.order, float(found.x)))
+    _, order, log_weight = min(refined)
     return Smoothness(step, order, log_weight)
 
 

@@ -4,10 +4,9 @@ import itertools
 
 import numpy as np
 import pytest
-from noisy_logs import KINDS, NOISES, WHITE, Array, Case, case, errors, logged, read
+from noisy_logs import KINDS, NOISES, Array, Case, case, errors, logged, read
 from sweeps import FULL, share
 
-import stewart_sym as ss
 from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, limit_status
 
 Run = tuple[Case, Array, Array]
