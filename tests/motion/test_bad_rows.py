@@ -4,7 +4,19 @@ import numpy as np
 import pytest
 from machines import GRAVITY, home_position, machine_size, random_robot
 from motion_fields import motion_of
-from noisy_logs import Array, Case, coordinates, logged, read
+from noisy_logs import (
+    NOISES,
+    Array,
+    Case,
+    Faults,
+    case,
+    coordinates,
+    errors,
+    faulty,
+    logged,
+    random_faults,
+    read,
+)
 from sweeps import share
 
 import stewart_sym as ss
