@@ -28,6 +28,8 @@ CURRENTS = tuple(f"current_{leg}" for leg in range(1, 7))
 _ORDINARY, _POSSIBLE = (0.1, 30.0), (1e-4, 1e5)
 # Range of the steps of loggers (s).
 _STEPS = (2e-4, 1.0)
+# Speed (m/s) below which accelerations may be too small because of the unit of time.
+_SLOW = 3e-3
 
 
 def trajectory_of(
@@ -128,7 +130,9 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
     # In millimeters, lengths and accelerations are a thousand times as large: their ratio depends on time.
     size = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
     low, high = _POSSIBLE
-    if samples.time is None or len(time) < 2 or low * size <= largest <= high * size:
+    slow = largest < low * size and float(np.abs(lengths[1]).max()) < _SLOW * size
+    moves = float(np.ptp(lengths[0], axis=0).max()) > 1e-9 * size
+    if samples.time is None or not moves or not (slow or largest > high * size):
         return
     step, present = float(np.median(np.diff(time))), TIME_UNITS[samples.file_format.time_unit or "s"]
     fits = [

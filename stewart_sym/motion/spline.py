@@ -37,8 +37,8 @@ PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 # knots are fine enough. The logarithm of the largest condition number limits them.
 _LIGHTEST, _FINE, _CONDITION = -16.0, 6.0, 28.0
 _TRIED_WEIGHTS = 8
-# Residuals above this multiple of the scatter of adjacent samples contain motion; order of the differences.
-_RESOLVED, _SCATTER_ORDER = 2.0, 4
+# Largest correlation of adjacent residuals of a curve with fine knots.
+_MOST_CORRELATED = 0.2
 _FEWEST_CELLS = 32
 # Number of samples from which the smoothness of a long log is estimated, and of blocks in them.
 _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
@@ -192,8 +192,10 @@ def likeliest(
             _likeliest(since, u - u.mean(), noise)
             for u, noise in zip(values.T, _noises(values, noise_std, least_std), strict=True)
         ]
-    edge, step = 2.0 * math.sin(math.pi / _CELLS_PER_PERIOD), 1.0 / (_CELLS_PER_PERIOD * cutoff)
-    weight = math.log(len(time) * step / float(since[-1])) - 2 * ORDERS[-1] * math.log(edge)
+    half, step = math.pi / _CELLS_PER_PERIOD, 1.0 / (_CELLS_PER_PERIOD * cutoff)
+    # Frequency responses of the B-splines and of the differences at the cut-off frequency.
+    splines, differences = (math.sin(half) / half) ** (DEGREE + 1), (2.0 * math.sin(half)) ** ORDERS[-1]
+    weight = math.log(len(time) * step / float(since[-1])) + 2.0 * math.log(splines / differences)
     return [Smoothness(step, ORDERS[-1], weight)] * values.shape[1]
 
 
@@ -327,11 +329,6 @@ class _Problem:
         c = cho_solve_banded((factor, False), B.T @ u, check_finite=False)
         return c, factor, float(np.sum((u - B @ c) ** 2) + weight * np.sum((self.D @ c) ** 2))
 
-    def residual(self, u: Array, log_weight: float) -> float:
-        """Return the root mean square of the residuals."""
-        c = self.solve(u, log_weight)[0]
-        return float(np.sqrt(np.mean((u - self.samples.B @ c) ** 2)))
-
     def variance(self, squares: float) -> float:
         """Return the variance of the noise, known or by the minimum of the sum of squares."""
         if not math.isnan(self.noise.known):
@@ -357,6 +354,11 @@ class _Problem:
         i = int(np.argmin(costs))
         return costs[i], float(tried[i]), float(tried[1] - tried[0])
 
+    def has_white_residuals(self, u: Array, log_weight: float) -> bool:
+        """Return False if adjacent residuals are correlated, because the knots are too coarse."""
+        residuals = u - self.samples.B @ self.solve(u, log_weight)[0]
+        return float(residuals[1:] @ residuals[:-1]) <= _MOST_CORRELATED * float(residuals @ residuals)
+
     def _log_determinant(self) -> float:
         """Return the logarithm of the determinant of D D^T, a Toeplitz matrix, in closed form."""
         j, m, d = np.arange(self.order), self.size - self.order, self.order
@@ -372,33 +374,23 @@ def _likeliest(since: Array, u: Array, noise: _Noise) -> Smoothness:
     first = _busiest(u, trial)
     t, u = since[first : first + trial] - since[first], u[first : first + trial]
     u = u - u.mean()
-    scatter = max(_scatter(u), math.sqrt(noise.least))
     while True:
         samples = _Samples(t, step)
         problems = [_Problem(samples, order, noise) for order in ORDERS]
         tried = [problem.best_tried(u) for problem in problems]
-        _, log_weight, distance = cheapest = min(tried)
-        residual = problems[tried.index(cheapest)].residual(u, log_weight)
-        fine = log_weight > problems[0].density + _FINE and residual <= _RESOLVED * scatter
-        if fine or 2 * samples.cells > trial:
+        best = tried.index(min(tried))
+        fine = tried[best][1] > problems[best].density + _FINE
+        if (fine and problems[best].has_white_residuals(u, tried[best][1])) or 2 * samples.cells > trial:
             break
         step /= 2.0
-    best = []
+    refined = []
     for problem, (_, log_weight, distance) in zip(problems, tried, strict=True):
         bounds = log_weight - distance, log_weight + distance
         options = {"bounds": bounds, "method": "bounded", "options": {"xatol": 0.1}}
         found = minimize_scalar(partial(problem.cost, u), **options)
-        best.append((float(found.fun), problem.order, float(found.x)))
-    _, order, log_weight = min(best)
+        refined.append((float(found.fun), problem.order, float(found.x)))
+    _, order, log_weight = min(refined)
     return Smoothness(step, order, log_weight)
-
-
-def _scatter(u: Array) -> float:
-    """Return the noise of a column, estimated from differences that contain little of the motion."""
-    if len(u) <= 2 * _SCATTER_ORDER:
-        return math.inf
-    gain = math.sqrt(math.comb(2 * _SCATTER_ORDER, _SCATTER_ORDER))
-    return float(np.mean(np.abs(np.diff(u, _SCATTER_ORDER)))) / (math.sqrt(2.0 / math.pi) * gain)
 
 
 def _busiest(u: Array, trial: int) -> int:

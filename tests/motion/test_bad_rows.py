@@ -1,10 +1,22 @@
-"""Glitches, frozen rows, gaps, and clocks: forces elsewhere do not change, and the deviations cover the errors."""
+"""Glitches, frozen rows, gaps, and clocks: forces elsewhere do not change, and deviations cover errors."""
 
 import numpy as np
 import pytest
 from machines import GRAVITY, home_position, machine_size, random_robot
 from motion_fields import motion_of
-from noisy_logs import Array, Case, coordinates, logged, read
+from noisy_logs import (
+    NOISES,
+    Array,
+    Case,
+    Faults,
+    case,
+    coordinates,
+    errors,
+    faulty,
+    logged,
+    random_faults,
+    read,
+)
 from sweeps import share
 
 import stewart_sym as ss
@@ -18,6 +30,11 @@ def minute() -> Case:
     true = coordinates(rng, machine_size(robot), time, 0.3 * np.sqrt(GRAVITY / machine_size(robot)))
     true[0, :, :3] += home_position(robot.b, machine_size(robot))
     return Case(robot, time, true, ss.inverse_dynamics(robot, motion_of(true)).F)
+
+
+def undecided(codes: Array) -> Array:
+    """Return True for codes of undecided limits."""
+    return np.isin(codes, [1, 2])
 
 
 @pytest.mark.slow
@@ -42,6 +59,67 @@ def test_a_glitch_of_any_size_changes_no_force_elsewhere() -> None:
         assert any("outliers" in text for text in said)
 
 
-def undecided(codes: Array) -> Array:
-    """Return True for codes of undecided limits."""
-    return np.isin(codes, [1, 2])
+@pytest.mark.slow
+def test_no_force_is_wrong_without_a_warning_for_random_faults() -> None:
+    seeds = range(share(500))
+    beyond = []
+    for seed in seeds:
+        faults = random_faults(np.random.default_rng([seed, 9]))
+        kind, noise = ("sines", "minimum jerk")[seed % 2], NOISES[seed // 2 % 4]
+        one = case(seed, kind, (20.0, 200.0), faults.jitter)
+        time, values, _ = faulty(one, noise, faults, seed)
+        found, said = read(time, values)
+        off, std = errors(one, found)
+        beyond.append(np.mean(np.abs(off) > 4.0 * std))
+        wrong = np.abs(off) > 4.0 * std + 0.03 * np.abs(one.F).max()
+        assert not wrong.any() or any("gap" in text or "frozen" in text for text in said), seed
+        assert wrong.mean() < 5e-3, seed
+    assert np.mean(beyond) < 0.01
+
+
+def text_about(said: list[str], word: str) -> str:
+    """Return the warning that contains a word."""
+    return next(text for text in said if word in text)
+
+
+@pytest.mark.parametrize("noise", ["5", "white"])
+@pytest.mark.parametrize(("size", "count"), [(0.003, 1), (0.04, 5)])
+def test_a_glitch_is_named_and_not_used(noise: str, size: float, count: int) -> None:
+    one = case(5, samples=(40.0, 60.0))
+    values = logged(one, noise, 5)
+    plain, _ = read(one.time, values)
+    values[200 : 200 + count, 2] += size
+    found, said = read(one.time, values)
+    lines = "line 202" if count == 1 else f"lines 202-{201 + count}"
+    assert text_about(said, "outliers").startswith(f"outliers ({lines}); they are not used; ")
+    change = ss.inverse_dynamics(one.robot, found.motion).F - ss.inverse_dynamics(one.robot, plain.motion).F
+    assert np.all(np.abs(change) <= 3.0 * ss.force_std(one.robot, found))
+
+
+@pytest.mark.parametrize("frozen", [4, 12])
+def test_frozen_rows_are_named_and_not_used(frozen: int) -> None:
+    one = case(6, samples=(40.0, 60.0))
+    time, values, _ = faulty(one, "4", Faults(frozen=frozen), 6)
+    found, said = read(time, values)
+    assert "frozen rows (lines " in text_about(said, "frozen")
+    off, std = errors(one, found)
+    assert np.mean(np.abs(off) > 4.0 * std) < 0.01
+
+
+def test_rest_is_not_frozen() -> None:
+    time = np.arange(800) / 100.0
+    s = np.clip(time - 3.0, 0.0, 1.0)[:, None]
+    values = np.round(0.05 * (10 * s**3 - 15 * s**4 + 6 * s**5) * np.ones(6), 4)
+    _, said = read(time, values)
+    assert not any("frozen" in text or "outliers" in text for text in said)
+
+
+def test_a_gap_is_named_and_errors_at_its_ends_are_within_deviations() -> None:
+    one = case(7, samples=(40.0, 60.0))
+    time, values, _ = faulty(one, "white", Faults(gap=40, start=1.7e9, jitter=0.3), 7)
+    found, said = read(time, values)
+    assert text_about(said, "gap from 17000").endswith(
+        "the motion in it is uncertain; add rows, or cut the log"
+    )
+    off, std = errors(one, found)
+    assert np.abs(off / std).max() < 5.0

@@ -11,8 +11,7 @@ from motion_fields import UNLOADED, motion_of, waves
 
 import stewart_sym as ss
 from stewart_sym.motion.interpolation import followed
-from stewart_sym.motion.log_reader import read_csv
-from stewart_sym.motion.logs import EULER_ORDERS
+from stewart_sym.motion.log_reader import read_log
 from stewart_sym.motion.rotation import (
     angle_rates,
     angles_from_rotation,
@@ -22,6 +21,7 @@ from stewart_sym.motion.rotation import (
     rotation_from_rpy,
     rpy_from_rotation,
 )
+from stewart_sym.motion.trajectory_format import EULER_ORDERS
 
 
 def waving(time: Array) -> Array:
@@ -46,7 +46,7 @@ def in_order(motion: ss.Motion, order: str) -> Array:
 def test_angular_velocities_are_those_of_rotations_that_the_log_passes(tmp_path: Path, order: str) -> None:
     time, h = np.linspace(0.0, 3.0, 61), 1e-4
     path = saved(tmp_path / "log.csv", time, waving(time))
-    motion = read_csv(path, ss.TrajectoryFormat(euler_order=order)).motion
+    motion = read_log(path, ss.TrajectoryFormat(euler_order=order)).motion
     before, R, after = (rotation_about_axes(waving(time + k * h)[0, :, 3:], order) for k in (-1, 0, 1))
     np.testing.assert_allclose(motion.R, R, atol=1e-14)
     rate, second = (after - before) / (2.0 * h), (after - 2.0 * R + before) / h**2
@@ -64,7 +64,7 @@ def test_one_motion_is_the_same_in_every_order(tmp_path: Path, order: str) -> No
     found = in_order(expected, order)
     found[..., 3:] = np.degrees(found[..., 3:])
     form = ss.TrajectoryFormat(euler_order=order, angle_unit="deg")
-    motion = read_csv(saved(tmp_path / "log.csv", time, found), form).motion
+    motion = read_log(saved(tmp_path / "log.csv", time, found), form).motion
     for name in UNLOADED:
         np.testing.assert_allclose(getattr(motion, name), getattr(expected, name), atol=1e-12)
 
@@ -75,7 +75,7 @@ def test_angles_whose_rates_are_without_bounds_as_roll_pitch_yaw_are_read(tmp_pa
     found[0, 0, 3:] = 0.5 * np.pi, 0.0, 0.5 * np.pi
     found[1, 0, 3:], found[2, 0, 3:] = [0.5, 0.0, 0.0], [5.0, 0.0, 0.0]
     path = saved(tmp_path / "row.csv", np.zeros(1), found)
-    motion = read_csv(path, ss.TrajectoryFormat(euler_order="xyz")).motion
+    motion = read_log(path, ss.TrajectoryFormat(euler_order="xyz")).motion
     assert abs(motion.R[0, 2, 0]) == pytest.approx(1.0)
     np.testing.assert_allclose([motion.omega[0], motion.alpha[0]], found[1:, 0, 3:], atol=1e-14)
 
@@ -103,7 +103,7 @@ def test_a_platform_with_a_pitched_frame_moves_as_any(tmp_path: Path, written: s
     with warnings.catch_warnings():
         # Roll and yaw that jump by half turns are doubted.
         warnings.simplefilter("ignore")
-        read = read_csv(log)
+        read = read_log(log)
     between, inner = followed(read), slice(20, -20)
     for i, motion in ((inner, read.at(inner)), (100, between(time[100]))):
         for name, expected, off in (("R", R, 1e-12), ("omega", omega, 1e-8), ("alpha", alpha, 1e-5)):

@@ -1,246 +1,320 @@
-"""Logs as other programs write them: names, units, marks, Euler orders; doubtful units are warned of."""
+"""Logs of other programs: files, units, times, and columns; one error for each rule."""
 
 import dataclasses
-import warnings
+import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run, rejects
-from log_files import NAMES, poses, write
-from machines import Array, home_position, machine_size, random_robot
-from robot_files import PAPERS
+from command_line import rejects
+from log_files import LENGTHS, NAMES, RATES, poses, write
+from machines import Array, dasgupta
+from motion_fields import motion_of
 
 import stewart_sym as ss
-from stewart_sym.kinematics.trajectory_checks import side_doubt
-from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
-from stewart_sym.motion.logs import EULER_ORDERS, TrajectoryFormat
-from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
-from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.kinematics.offset_legs import leg_lengths
+from stewart_sym.kinematics.robot_logs import read_log_of
+from stewart_sym.motion.log_reader import FORCES, read_leg_columns, read_log, read_poses
+from stewart_sym.motion.log_samples import line_ranges
+
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.TrajectoryWarning")
+TABLE = poses()
+Form = ss.TrajectoryFormat
+PLAIN = Form()
 
 
-def same(one: Trajectory, other: Trajectory, tolerance: float = 1e-6) -> None:
-    np.testing.assert_allclose(one.time, other.time, rtol=1e-13)
-    for name in ("R", "t", "omega", "v", "alpha", "a"):
-        np.testing.assert_allclose(getattr(one.motion, name), getattr(other.motion, name), atol=tolerance)
+def text_of(names: list[str], table: Array, delimiter: str = ",", decimal: str = ".", end: str = "\n") -> str:
+    """Return the text of a file with six decimals."""
+    rows = [delimiter.join(f"{x:.6f}".replace(".", decimal) for x in row) for row in table]
+    return end.join([delimiter.join(names), *rows]) + end
 
 
-@pytest.mark.parametrize(("delimiter", "decimal"), [",.", ";.", ";,", "\t,", "\t."])
-def test_delimiter_and_decimal_comma_are_detected(tmp_path: Path, delimiter: str, decimal: str) -> None:
-    plain = read_csv(write(tmp_path / "plain.csv", NAMES, poses()))
-    odd = write(tmp_path / "odd.csv", NAMES, poses(), delimiter, decimal)
-    same(read_csv(odd), plain, 0.0)
-    marks = {",": "comma", ";": "semicolon", "\t": "tab"}[delimiter], {".": "point", ",": "comma"}[decimal]
-    same(read_csv(odd, TrajectoryFormat(delimiter=marks[0], decimal=marks[1])), plain, 0.0)
-
-
-def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:
-    plain = read_csv(write(tmp_path / "plain.csv", NAMES, poses()))
-    given = ["Time [ms]", "X", "Y", "Z", "roll", "pitch", "yaw"]
-    lines = write(tmp_path / "own.csv", given, poses()).read_text().splitlines()
-    path = tmp_path / "more.csv"
-    path.write_text("\n".join([lines[0] + ",mode", *(f"{line},auto" for line in lines[1:])]))
-    form = TrajectoryFormat(dict(zip(NAMES, given, strict=True)))
-    same(read_csv(path, form), plain, 0.0)
-    with pytest.raises(
-        ValueError, match=r"more.csv: expected a column 'Roll' for theta_x, got Time \[ms\], X"
-    ):
-        read_csv(path, TrajectoryFormat({**form.columns, "theta_x": "Roll"}))
-
-
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        ({"yaw": "yaw"}, "unknown column 'yaw', expected time and either .* M_ext_[*]$"),
-        ({"theta_y": "yaw"}, "header 'yaw' is given for theta_y and theta_z$"),
-        ({"F_ext_x": "F"}, "missing column F_ext_y$"),
-    ],
-)
-def test_mistakes_among_given_names_are_theirs(tmp_path: Path, change: dict[str, Any], words: str) -> None:
-    given = ["Time [ms]", "X", "Y", "Z", "roll", "pitch", "yaw"]
-    path = write(tmp_path / "own.csv", given, poses())
-    columns = dict(zip(NAMES, given, strict=True)) | change
-    rejects(f"^columns: {words}", lambda: read_csv(path, TrajectoryFormat(columns)))
-
-
-def test_units_are_converted(tmp_path: Path) -> None:
-    table = poses()
-    plain = read_csv(write(tmp_path / "plain.csv", NAMES, table))
-    scaled = table / np.array([1e-3, 1e-3, 1e-3, 1e-3, *[np.pi / 180.0] * 3])
-    form = TrajectoryFormat(length_unit="mm", angle_unit="deg", time_unit="ms")
-    same(read_csv(write(tmp_path / "mm.csv", NAMES, scaled), form), plain)
-
-
-@pytest.mark.parametrize("order", EULER_ORDERS)
-def test_euler_orders_multiply_the_turns_in_that_order(tmp_path: Path, order: str) -> None:
-    table = poses()
-    single = [rotation_from_rpy(table[:, 4 + i, None] * np.eye(3)[i]) for i in range(3)]
-    a, b, c = (single["xyz".index(axis)] for axis in order)
-    found = read_csv(write(tmp_path / "e.csv", NAMES, table), TrajectoryFormat(euler_order=order))
-    np.testing.assert_allclose(found.motion.R, a @ b @ c, atol=1e-14)
-
-
-def test_quaternions_are_poses(tmp_path: Path) -> None:
-    table = poses()
-    plain = read_csv(write(tmp_path / "plain.csv", NAMES, table))
-    e = quaternion_from_rotation(rotation_from_rpy(table[:, 4:]))
-    names = [*NAMES[:4], "q_w", "q_x", "q_y", "q_z"]
-    path = write(tmp_path / "q.csv", names, np.hstack([table[:, :4], -2.0 * e]))
-    same(read_csv(path), plain)
-    write(path, names, np.hstack([table[:, :4], 0.0 * e]))
-    rejects(r"q.csv: line 2: q: expected a quaternion, got length 0", read_csv, path)
-
-
-@pytest.mark.parametrize(
-    ("factors", "unit"),
-    [((1e3, 1.0, 1.0), "ms"), ((1e6, 1.0, 1.0), "us")],
-)
-def test_a_log_in_another_unit_of_time_is_rejected_unless_the_unit_is_stated(
-    tmp_path: Path, factors: tuple[float, float, float], unit: str
-) -> None:
-    odd = write(tmp_path / "odd.csv", NAMES, poses() * np.repeat(factors, [1, 3, 3]))
-    off = ss.SmoothingOptions(enabled=False)
-    rejects(
-        rf"time_unit={unit}, or time_unit=s",
-        read_csv,
-        odd,
-        smoothing=off,
-    )
-    with pytest.warns(ss.TrajectoryWarning, match="is time in another unit"):
-        read_csv(odd, TrajectoryFormat(time_unit="s"), off)
-    with warnings.catch_warnings(record=True, action="always") as caught:
-        read_csv(odd, TrajectoryFormat(time_unit=unit), off)
-    assert not any("time" in str(each.message) for each in caught)
-
-
-@pytest.mark.parametrize(
-    ("mark", "words"),
-    [
-        ("", "expected 7 columns, got 14: are commas its decimal marks too"),
-        ('"', "decimal=comma"),
-    ],
-)
-def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, words: str) -> None:
-    rows = [",".join(mark + f"{x:.6f}".replace(".", ",") + mark for x in row) for row in poses()]
-    path = tmp_path / "comma.csv"
-    path.write_text("\n".join([",".join(NAMES), *rows]) + "\n")
-    rejects(f"comma.csv: line 2: .*{words}", read_csv, path)
-
-
-def limited(folder: Path, limit: float) -> Path:
-    """The paper's robot file with a limit of its forces."""
-    text = PAPERS.read_text(encoding="utf-8")
-    limits = f"[legs]\nforce_limit = {limit!r}\n[legs.lower]"
-    path = folder / "robot.toml"
-    path.write_text(text.replace("[legs.lower]", limits), encoding="utf-8")
+def log(folder: Path, content: str | bytes) -> Path:
+    path = folder / "log.csv"
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
     return path
 
 
-def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, run: Run) -> None:
-    robot = limited(tmp_path, 1e5)
-    table = np.round(poses(400) / [1e-3, 1e-3, 1e-3, 1e-3, *[np.pi / 180.0] * 3], 2)
-    log = write(tmp_path / "log.csv", ["t", "X", "Y", "Z", "A", "B", "C"], table, ";", ",")
-    columns = "time=t,t_x=X,t_y=Y,t_z=Z,theta_x=A,theta_y=B,theta_z=C"
-    units = ["--length-unit", "mm", "--angle-unit", "deg", "--time-unit", "ms", "--rate", "50"]
-    out = tmp_path / "f.csv"
-    told = run("forces", robot, log, "-o", out, "--columns", columns, *units)
-    assert "smoothed" in told.err
-    assert "101 samples, 0 to 2 s" in told.out
-    assert "100000 within limit" in told.out
-    header = out.read_text().splitlines()[0].split(",")
-    assert header[7:13] == [f"F_{leg}_std" for leg in range(1, 7)]
+def same_poses(path: Path, form: Form = PLAIN, table: Array = TABLE) -> None:
+    """The file must contain the poses and times of a table."""
+    found = read_log(path, form)
+    np.testing.assert_allclose(found.coordinates[0], table[:, 1:], atol=2e-6)
+    np.testing.assert_allclose(found.time - found.time[0], table[:, 0] - table[0, 0], atol=2e-6)
+
+
+# Files
 
 
 @pytest.mark.parametrize(
-    ("options", "words"),
+    ("delimiter", "decimal"), [(",", "."), (";", "."), (";", ","), ("\t", "."), ("\t", ",")]
+)
+def test_delimiters_and_decimal_marks_are_detected(tmp_path: Path, delimiter: str, decimal: str) -> None:
+    same_poses(log(tmp_path, text_of(NAMES, TABLE, delimiter, decimal)))
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "cp1252"])
+def test_encodings_and_line_ends_of_windows_are_read(tmp_path: Path, encoding: str) -> None:
+    content = "# Messung über 2 s\n\n" + text_of(NAMES, TABLE, ";", ",", "\r\n")
+    same_poses(log(tmp_path, content.encode(encoding)))
+
+
+@pytest.mark.parametrize(
+    "head",
     [
-        (["--columns", "time"], "expected NAME=HEADER"),
-        (["--cutoff", "1e6"], "cutoff: expected a frequency > 0 and <"),
-        (["--rate", "1e9"], "rate: expected > 0 Hz and at most"),
+        "sep=,\n" + ",".join(NAMES),
+        "# " + ",".join(NAMES),
+        "Time,Surge,Sway,Heave,Roll,Pitch,Yaw",
+        "timestamp,X,Y,Z,roll (rad),pitch (rad),yaw (rad)",
+        ",".join(f'"{name}"' for name in NAMES),
+        "time,t.x,t-y,t z,theta_x,theta_y,theta_z",
+        ",".join(NAMES) + "\ns,m,m,m,rad,rad,rad",
     ],
 )
-def test_bad_options_are_one_line(tmp_path: Path, run: Run, options: list[str], words: str) -> None:
-    log = write(tmp_path / "log.csv", NAMES, poses())
-    told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", *options, code=2).err
-    assert words in told.splitlines()[-1]
-    assert not (tmp_path / "f.csv").exists()
+def test_headers_of_other_programs_are_read(tmp_path: Path, head: str) -> None:
+    rows = text_of(NAMES, TABLE).split("\n", 1)[1]
+    same_poses(log(tmp_path, f"{head}\n{rows}"))
 
 
-def fixed(table: Array, decimals: int, ending: str = "") -> str:
-    """A log with a fixed number of decimals, without a line ending after its last row."""
-    rows = (",".join(f"{x:.{decimals}f}" for x in row) for row in table)
-    return "\n".join([",".join(NAMES), *rows]) + ending
+def test_columns_in_any_order_with_derivatives_and_loads_are_used_as_they_are(tmp_path: Path) -> None:
+    time = np.linspace(0.0, 1.0, 21)
+    q = np.array([0.03 * np.sin(time[:, None] * 3 + np.arange(6) + k * np.pi / 2) * 3.0**k for k in range(3)])
+    loads = np.random.default_rng(3).normal(size=(21, 6))
+    names = [*NAMES, *RATES, *(f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz")]
+    order = np.random.default_rng(4).permutation(len(names))
+    table = np.column_stack([time, *q, loads])
+    found = read_log(write(tmp_path / "log.csv", [names[i] for i in order], table[:, order])).motion
+    expected = motion_of(q, F_ext=loads[:, :3], M_ext=loads[:, 3:])
+    for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
+        np.testing.assert_allclose(getattr(found, name), getattr(expected, name), atol=1e-14)
 
 
-def shortest(table: Array) -> str:
-    """The same log with as many digits as each number needs."""
-    return "\n".join([",".join(NAMES), *(",".join(map(repr, row)) for row in table.tolist())])
+def test_quaternions_are_poses(tmp_path: Path) -> None:
+    angle = 0.5 * TABLE[:, 6]
+    zero = np.zeros(len(angle))
+    table = np.column_stack([TABLE[:, :4], np.cos(angle), zero, zero, np.sin(angle)])
+    path = write(tmp_path / "log.csv", [*NAMES[:4], "q_w", "q_x", "q_y", "q_z"], table)
+    same_poses(path, table=TABLE * [1, 1, 1, 1, 0, 0, 1])
 
 
-def cut_warnings(path: Path) -> list[str]:
-    with warnings.catch_warnings(record=True, action="always") as caught:
-        read_csv(path, smoothing=ss.SmoothingOptions(enabled=False))
-    return [str(each.message) for each in caught if "cut off" in str(each.message)]
+# Units
 
 
-@pytest.mark.parametrize("cut", [1, 3, 6])
-def test_a_log_that_ends_within_its_last_number_is_warned_of(tmp_path: Path, cut: int) -> None:
-    count = 41
-    path = tmp_path / "cut.csv"
-    path.write_text(fixed(poses(count), 6)[:-cut])
-    (line,) = cut_warnings(path)
-    assert line.startswith(f"{path}: line {count + 1}: ")
+@pytest.mark.parametrize("place", ["option", "header", "suffix", "row"])
+def test_units_come_from_options_headers_suffixes_or_a_row(tmp_path: Path, place: str) -> None:
+    table = TABLE * [1e3, *[1e3] * 3, *[180.0 / np.pi] * 3]
+    units, form = ["ms", *["mm"] * 3, *["deg"] * 3], Form()
+    names, row = NAMES, ""
+    if place == "option":
+        form = Form(length_unit="mm", angle_unit="deg", time_unit="ms")
+    elif place == "header":
+        names = [f"{name} [{unit}]" for name, unit in zip(NAMES, units, strict=True)]
+    elif place == "suffix":
+        names = [f"{name}_{unit}" for name, unit in zip(NAMES, units, strict=True)]
+    else:
+        row = ",".join(units) + "\n"
+    head, rows = text_of(names, table).split("\n", 1)
+    same_poses(log(tmp_path, f"{head}\n{row}{rows}"), form)
 
 
-@pytest.mark.parametrize("kind", ["fixed", "shortest", "trimmed", "crlf"])
-def test_full_logs_are_not_taken_for_cut_ones(tmp_path: Path, kind: str) -> None:
-    table = poses()
-    table[-1, -1] = 0.5  # a last number that is short where zeros at its end are left out
-    text = {
-        "fixed": fixed(table, 6),
-        "shortest": shortest(table),
-        "seventeen": write(tmp_path / "log.csv", NAMES, table).read_text().rstrip("\n"),
-        "trimmed": "\n".join([",".join(NAMES), *(",".join(f"{x:.6g}" for x in row) for row in table)]),
-        "at rest": shortest(np.column_stack([table[:, :-1], 0.0 * table[:, -1]])),
-        # A line ending says that the number is whole.
-        "ended": fixed(table, 6)[:-3] + "\n",
-        "crlf": fixed(table, 6, "\n").replace("\n", "\r\n"),
-    }[kind]
-    path = tmp_path / "whole.csv"
-    path.write_bytes(text.encode())
-    assert cut_warnings(path) == []
+def test_an_option_outranks_the_header_with_a_warning(tmp_path: Path) -> None:
+    names = ["time", "t_x [m]", *NAMES[2:]]
+    path = log(tmp_path, text_of(names, TABLE * [1, *[1e3] * 3, 1, 1, 1]))
+    with pytest.warns(ss.TrajectoryWarning, match="unit m contradicts length_unit=mm, which is used"):
+        same_poses(path, Form(length_unit="mm"))
 
 
-def test_times_rounded_to_milliseconds_are_those_of_their_even_clock(tmp_path: Path) -> None:
-    """At 60 rows a second; the forces measured beside such a log have the same times."""
-    rows = poses(121)
-    plain = read_csv(write(tmp_path / "plain.csv", NAMES, rows))
-    rows[:, 0] = np.round(rows[:, 0], 3)
-    with pytest.warns(
-        ss.TrajectoryWarning, match=r"time: rounded to 1 ms: rows are taken every 16\.66\d* ms$"
-    ):
-        found = read_csv(write(tmp_path / "log.csv", NAMES, rows))
-    np.testing.assert_allclose(found.time, plain.time, rtol=0.0, atol=1e-5)
-    np.testing.assert_allclose(found.motion.a, plain.motion.a, atol=1e-3 * np.abs(plain.motion.a).max())
-    names = ["time", *(f"F_{leg}" for leg in range(1, 7))]
-    time, *_ = read_leg_columns(write(tmp_path / "forces.csv", names, rows), PLAIN, (FORCES,))
-    np.testing.assert_array_equal(time, found.time)
+# Times
 
 
-def test_poses_on_the_other_side_of_the_base_are_doubted() -> None:
-    gravity, where = -9.81, "below the base"
-    rng = np.random.default_rng(8)
-    for _ in range(5):
-        robot = random_robot(rng, scale=float(rng.choice([0.2, 1.0, 3.0])))
-        above = home_position(robot.b, machine_size(robot)) - robot.p.mean(axis=0)
-        home = above if gravity > 0.0 else None
-        robot = dataclasses.replace(robot, g=[0.0, 0.0, gravity], home_position=home)
-        t = above + 0.01 * machine_size(robot) * rng.normal(size=(9, 3))
-        below = t - [0.0, 0.0, 2.2 * machine_size(robot)]
-        still = np.zeros((9, 3))
-        up, down = (ss.Motion.from_rpy(place, still, still, still) for place in (t, below))
-        assert side_doubt(robot, up) is None
-        doubt = str(side_doubt(robot, down))
-        assert where in doubt
-        assert "does z of the log point the other way" in doubt
+def stamp(seconds: float, form: str) -> str:
+    """Return an instant after 14:03:20 UTC on 2023-11-14 as text."""
+    ns = 1_699_970_600_000_000_000 + round(seconds * 1e9)
+    if form in ("ns", "us", "ms", "s"):
+        divisor = {"ns": 1, "us": 1_000, "ms": 1_000_000, "s": 1_000_000_000}[form]
+        return str(ns // divisor) if form != "s" else f"{ns / 1e9:.6f}"
+    text = str(np.datetime64(ns, "ns"))[:26]
+    return {"iso": text, "zulu": f"{text}Z", "blank": text.replace("T", " "), "clock": text[11:]}[form]
+
+
+@pytest.mark.parametrize("form", ["ns", "us", "ms", "s", "iso", "zulu", "blank", "clock"])
+def test_dates_and_times_since_1970_are_times(tmp_path: Path, form: str) -> None:
+    rows = text_of(NAMES[1:], TABLE[:, 1:]).splitlines()
+    times = ["time", *(stamp(float(x), form) for x in TABLE[:, 0])]
+    same_poses(log(tmp_path, "\n".join(f"{a},{b}" for a, b in zip(times, rows, strict=True))))
+
+
+def test_rows_at_a_rate_have_times_also_behind_a_row_without_numbers(tmp_path: Path) -> None:
+    lines = text_of(NAMES[1:], TABLE[:, 1:]).splitlines()
+    lines[10] = "0.1,,0.3,0,0,0"
+    found = read_log(log(tmp_path, "\n".join(lines)), Form(row_rate=20.0))
+    np.testing.assert_allclose(found.time, np.delete(TABLE[:, 0], 9), atol=1e-12)
+    assert list(found.rows[:10]) == [*range(2, 11), 12]
+
+
+def test_poses_without_times_are_static(tmp_path: Path) -> None:
+    path = log(tmp_path, text_of(NAMES[1:], TABLE[:, 1:]))
+    found = read_log(path)
+    assert not found.coordinates[1:].any()
+    R, t = read_poses(path)
+    np.testing.assert_allclose(t, TABLE[:, 1:4], atol=1e-6)
+    np.testing.assert_allclose(R, found.motion.R)
+
+
+# Columns
+
+
+def test_offsets_and_scales_apply_in_units_of_the_column(tmp_path: Path) -> None:
+    table = TABLE * [1, 1e3, 1e3, -1e3, 1, 1, 1] - [0, 0, 0, -250.0, 0, 0, 0]
+    form = Form(length_unit="mm", scales={"t_z": -1.0}, offsets={"t_z": 250.0})
+    same_poses(log(tmp_path, text_of(NAMES, table)), form)
+
+
+def test_named_columns_are_used_and_others_are_ignored(tmp_path: Path) -> None:
+    names = ["time", "t_x", "t_y", "laser 7", "theta_x", "theta_y", "theta_z", "t_z", "note"]
+    table = np.column_stack([TABLE, np.ones((len(TABLE), 2))])
+    same_poses(log(tmp_path, text_of(names, table)), Form(columns={"t_z": "laser 7"}))
+
+
+def test_dropped_lines_are_not_used(tmp_path: Path) -> None:
+    table = TABLE.copy()
+    table[[4, 5], 1] = 9.0
+    found = read_log(log(tmp_path, text_of(NAMES, table)), Form(drop_lines=(6, 7)))
+    assert list(found.rows) == [*range(2, 6), *range(8, 43)]
+
+
+def test_rows_without_numbers_are_counted_in_one_warning(tmp_path: Path) -> None:
+    lines = text_of(NAMES, TABLE).splitlines()
+    for i, bad in ((3, "nan"), (9, "sensor lost"), (10, "-,-"), (20, "")):
+        lines[i] = ",".join([lines[i].split(",")[0], bad, *lines[i].split(",")[2:]])
+    path = log(tmp_path, "\n".join(lines))
+    with pytest.warns(ss.TrajectoryWarning, match=r"rows without numbers \(lines 4, 10-11, 21\); they are"):
+        assert len(read_log(path).rows) == len(TABLE) - 4
+
+
+def test_lines_are_named_in_ranges() -> None:
+    assert line_ranges(np.array([3])) == "line 3"
+    assert line_ranges(np.array([3, 7, 8, 9])) == "lines 3, 7-9"
+    assert line_ranges(np.arange(3, 40, 2), 3) == "lines 3, 5, 7 and 16 more places"
+
+
+def test_poses_and_lengths_relative_to_the_home_pose_become_absolute(tmp_path: Path) -> None:
+    robot = dataclasses.replace(dasgupta(), home_position=np.array([0.2, 0.0, 0.5]), tool=np.zeros(3))
+    home = np.array([0, 0.2, 0.0, 0.5, 0, 0, 0])
+    found = read_log_of(robot, log(tmp_path, text_of(NAMES, TABLE - home)), Form(pose_mode="relative"))
+    np.testing.assert_allclose(found.coordinates[0], TABLE[:, 1:], atol=1e-6)
+    L = leg_lengths(robot, found.motion.R, found.motion.t)
+    lengths = np.column_stack([TABLE[:, 0], L - leg_lengths(robot, np.eye(3), robot.home_position)])
+    path = log(tmp_path, text_of(["time", *LENGTHS], lengths))
+    relative = Form(length_mode="relative")
+    np.testing.assert_allclose(read_log_of(robot, path, relative).lengths[0], L, atol=2e-6)
+    bare = dataclasses.replace(robot, home_position=None)
+    rejects("relative coordinates; add home_position", read_log_of, bare, path, relative)
+
+
+def test_wrapped_angles_give_smooth_rates(tmp_path: Path) -> None:
+    time = np.linspace(0.0, 4.0, 60)
+    wrapped = (2.0 * time + np.pi) % (2.0 * np.pi) - np.pi
+    table = np.column_stack([time, np.zeros((60, 2)), np.ones(60), np.zeros((60, 2)), wrapped])
+    motion = read_log(write(tmp_path / "log.csv", NAMES, table)).motion
+    np.testing.assert_allclose(motion.omega, np.tile([0.0, 0.0, 2.0], (60, 1)), atol=1e-7)
+
+
+def test_columns_of_forces_are_read_with_times(tmp_path: Path) -> None:
+    table = np.column_stack([np.arange(5.0) * 1e3, np.arange(30.0).reshape(5, 6)])
+    path = log(tmp_path, text_of(["time [ms]", *FORCES], table))
+    time, F, names, rows = read_leg_columns(path, Form(), [FORCES])
+    assert (names, list(rows)) == (FORCES, [2, 3, 4, 5, 6])
+    np.testing.assert_allclose(time, np.arange(5.0))
+    np.testing.assert_allclose(F, table[:, 1:])
+
+
+# Errors
+
+
+def lines(**changes: str) -> str:
+    """Return the text of a good log with changed lines, such as ``line_3``."""
+    found = text_of(NAMES, TABLE[:12]).splitlines()
+    for name, line in changes.items():
+        found[int(name.removeprefix("line_")) - 1] = line
+    return "\n".join(found)
+
+
+HEAD = ",".join(NAMES)
+ERRORS: dict[str, tuple[str, Form, str]] = {
+    "empty": ("", Form(), ": the file is empty; write a header line"),
+    "no header": ("0,1,2,3\n1,2,3,4\n", Form(), ": line 1: no header line; name the columns"),
+    "no rows": (HEAD + "\n", Form(), ": no rows of numbers below the header; add rows"),
+    "few rows": ("\n".join(lines().splitlines()[:4]), Form(), ": 3 rows are too few for rates; add rows"),
+    "no numbers": (
+        HEAD + "\n" + "\n".join(["a,b,c,d,e,f,g12345678901"] * 9),
+        Form(),
+        ": line 2: no row of numbers; check delimiter and decimal",
+    ),
+    "missing column": (
+        lines(line_1=HEAD.replace("theta_z", "turn")),
+        Form(),
+        ": no column theta_z; name it with columns theta_z=HEADER",
+    ),
+    "two columns": (
+        lines(line_1=HEAD.replace("theta_z", "Surge")),
+        Form(),
+        ": columns 't_x' and 'Surge' are both t_x; rename one of them",
+    ),
+    "unknown header": (
+        lines(),
+        Form(columns={"t_x": "left"}),
+        ": no column 'left', given for t_x; columns: ",
+    ),
+    "unknown name": (lines(), Form(columns={"t_u": "t_x"}), "columns: t_u: unknown name; use one of time, "),
+    "unknown unit": (
+        lines(line_1=HEAD.replace("t_x", "t_x [furlong]")),
+        Form(),
+        ": column t_x: unknown unit 'furlong'; convert it to one of m, cm, mm, in",
+    ),
+    "two units": (
+        lines(line_1=HEAD.replace("t_x", "t_x [mm]").replace("t_y", "t_y [cm]")),
+        Form(),
+        ": column t_y: cm and mm in one file; use one length_unit",
+    ),
+    "two kinds": (
+        lines(line_1=HEAD.replace("theta_z", "L_1")),
+        Form(),
+        ": columns of poses and of leg lengths; select one kind with columns",
+    ),
+    "decreasing": (
+        lines(line_5="0.01,0.1,0,0.5,0,0,0"),
+        Form(),
+        ": line 5: time: 0.01 follows 0.1; sort the rows or drop the line",
+    ),
+    "rate and times": (lines(), Form(row_rate=5.0), ": row_rate: the file has times; omit row_rate"),
+    "negative length": (
+        text_of(["time", *LENGTHS], np.full((9, 7), -1.0) * np.arange(9)[:, None] * [-1, 1, 1, 1, 1, 1, 1]),
+        Form(),
+        ": line 2: L_1: 0 m is no length; use length_mode=relative for changes",
+    ),
+}
+
+
+@pytest.mark.parametrize("rule", ERRORS)
+def test_a_file_that_cannot_be_read_is_named_with_line_and_remedy(tmp_path: Path, rule: str) -> None:
+    content, form, expected = ERRORS[rule]
+    path = log(tmp_path, content)
+    place = "" if expected.startswith("columns") else f"{path}"
+    rejects("^" + re.escape(f"{place}{expected}"), read_log, path, form)
+
+
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        (lambda: Form(length_unit="mile"), "length_unit: expected "),
+        (lambda: Form(columns={"t_x": 3}), "columns: expected a mapping of names to names"),  # type: ignore[dict-item]
+        (lambda: Form(scales={"t_x": np.inf}), "scales: t_x: expected a finite number"),
+        (lambda: Form(row_rate=0.0), "row_rate: expected a frequency > 0 Hz"),
+        (lambda: Form(pose_mode="home"), "pose_mode: expected "),
+        (lambda: ss.SmoothingOptions(position_std=-1.0), "position_std: expected a number > 0, got -1"),
+    ],
+)
+def test_bad_arguments_are_named(call: Callable[[], Any], text: str) -> None:
+    rejects(f"^{text}", call)

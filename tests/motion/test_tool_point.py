@@ -12,8 +12,8 @@ from motion_fields import motion_of, waves
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.kinematics.robot_logs import read_log_of, trajectory_for
-from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.kinematics.robot_logs import read_log_of
+from stewart_sym.motion.log_reader import read_log
 from stewart_sym.motion.rotation import rotation_about_axes
 
 TOOL = np.array([0.1, -0.2, 0.4])
@@ -66,14 +66,14 @@ def test_rows_are_poses_of_the_tool(robot: ss.Robot, tmp_path: Path) -> None:
     time = np.linspace(0.0, 1.0, 201)
     motion = waving(time)
     path = saved_poses(tmp_path / "log.csv", time, tool_poses(time))
-    for found in (read_log_of(robot, path), trajectory_for(robot, path)):
+    for found in (read_log_of(robot, path), read_log_of(robot, path)):
         np.testing.assert_allclose(found.motion.t, motion.t, atol=1e-15)
         np.testing.assert_allclose(found.motion.a, motion.a, atol=1e-5)
         np.testing.assert_allclose(
             ss.interpolate(found)(0.5025).t, waving(np.array([0.5025])).t[0], atol=1e-9
         )
     plain = dataclasses.replace(robot, tool=np.zeros(3))
-    np.testing.assert_array_equal(trajectory_for(plain, path).motion.t, read_csv(path).motion.t)
+    np.testing.assert_array_equal(read_log_of(plain, path).motion.t, read_log(path).motion.t)
 
 
 @pytest.mark.parametrize("moments", [True, False])
@@ -85,9 +85,7 @@ def test_a_load_beside_lengths_or_poses_acts_at_the_tool(
     load, names = (load, LOADS) if moments else (load[:, :3], LOADS[:3])
     L = ss.inverse_kinematics(robot, waving(time)).L
     made = [
-        trajectory_for(
-            robot, write(tmp_path / f"{name}.csv", [*head, *names], np.column_stack([time, x, load]))
-        )
+        read_log_of(robot, write(tmp_path / f"{name}.csv", [*head, *names], np.column_stack([time, x, load])))
         for name, head, x in (("poses", NAMES, poses), ("lengths", ["time", *LENGTHS], L))
     ]
     at = made[0].motion
@@ -105,7 +103,7 @@ def test_deviations_of_forces_are_those_of_noise_at_the_tool(robot: ss.Robot, tm
     path = saved_poses(tmp_path / "log.csv", time, noisy)
     there = dataclasses.replace(robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL, tool=np.zeros(3))
     with pytest.warns(ss.TrajectoryWarning):
-        expected = ss.force_std(there, trajectory_for(there, path))
+        expected = ss.force_std(there, read_log_of(there, path))
     with pytest.warns(ss.TrajectoryWarning):
         found = ss.force_std(robot, read_log_of(robot, path))
     assert expected.min() > 0.0
@@ -118,9 +116,9 @@ def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: ss.R
     path = saved_poses(tmp_path / "log.csv", np.linspace(0.0, 1.0, 20), poses)
     own = dataclasses.replace(robot, euler_order="xyz")
     for form in (ss.TrajectoryFormat(), ss.TrajectoryFormat(angle_unit="rad")):
-        found = trajectory_for(own, path, form).motion.R
+        found = read_log_of(own, path, form).motion.R
         np.testing.assert_allclose(found, rotation_about_axes(theta, "xyz"), atol=1e-14)
-    stated = trajectory_for(own, path, ss.TrajectoryFormat(euler_order="zyx"))
+    stated = read_log_of(own, path, ss.TrajectoryFormat(euler_order="zyx"))
     np.testing.assert_allclose(stated.motion.R, rotation_about_axes(theta, "zyx"), atol=1e-14)
 
 
@@ -153,7 +151,7 @@ def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
     out = [str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv")]
     options = ["--force-std", "1", "--samples", "80", "--candidates", "2", "-o", str(tmp_path / "out")]
     run("identify", file, *options)
-    poses = trajectory_for(ss.Robot.from_toml(file), out[0])
+    poses = read_log_of(ss.Robot.from_toml(file), out[0])
     L = ss.inverse_kinematics(robot, poses.motion).L
     assert np.all((L >= robot.length_limits[:, 0]) & (L <= robot.length_limits[:, 1]))
     told = run("identify", file, "--force-std", "1", "-o", tmp_path / "again", "--measured", *out).out

@@ -1,25 +1,19 @@
-"""Trajectories: blends as (39) and (40), splines, quintics between instants; bad CSV by row and column."""
+"""Trajectories: blends as (39) and (40), quintics between instants."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from command_line import error_of, rejects
-from log_files import NAMES as POSE
-from log_files import RATES, write
 from machines import Array, rotation
 from motion_fields import skew_part
 
 import stewart_sym as ss
 from stewart_sym.motion.interpolation import followed, interpolate
-from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import (
     rotation_from_rpy,
 )
 from stewart_sym.motion.trajectory import Trajectory
-
-LOADS = [f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz"]
 
 
 def accelerations(motion: ss.Motion) -> tuple[Array, Array]:
@@ -142,124 +136,6 @@ def test_steps_and_times_outside_of_the_path_and_no_numbers_are_named(
 )
 def test_impossible_path_is_named(changes: dict[str, Any], expected: str) -> None:
     assert error_of(lambda: line(**changes)).startswith(expected)
-
-
-# CSV
-
-
-def smooth(n: int, degree: int) -> tuple[Array, Array, Array, Array]:
-    """Uneven times and six polynomial coordinates with their derivatives; far from a turn between rows."""
-    rng = np.random.default_rng(degree)
-    time = (np.arange(n) + rng.uniform(-0.2, 0.2, n)) / n
-    polynomials = [np.polynomial.Polynomial(0.3 * rng.normal(size=degree + 1)) for _ in range(6)]
-    x, x_dot, x_ddot = (np.column_stack([p.deriv(k)(time) for p in polynomials]) for k in range(3))
-    return time + 1e4, x, x_dot, x_ddot
-
-
-def test_csv_with_derivatives_and_loads_is_taken_as_it_is(tmp_path: Path) -> None:
-    rng = np.random.default_rng(3)
-    header = POSE + RATES + LOADS
-    table = rng.normal(size=(7, len(header)))
-    table[:, 0] = np.arange(7) * 0.1
-    order = rng.permutation(len(header))
-    path = write(tmp_path / "full.csv", [header[i] for i in order], table[:, order])
-    time, motion, *_ = read_csv(path)
-    t, theta, v, theta_dot, a, theta_ddot, F, M = np.split(table[:, 1:], 8, axis=1)
-    expected = ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, F, M)
-    np.testing.assert_array_equal(time, table[:, 0])
-    for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
-        np.testing.assert_array_equal(getattr(motion, name), getattr(expected, name))
-
-
-@pytest.mark.parametrize(("n", "degree"), [(4, 3), (40, 5)])
-def test_spline_differentiates_polynomials_of_its_degree(tmp_path: Path, n: int, degree: int) -> None:
-    time, x, x_dot, x_ddot = smooth(n, degree)
-    path = write(tmp_path / "pose.csv", POSE, np.column_stack([time, x]))
-    read_time, motion, *_ = read_csv(path)
-    np.testing.assert_array_equal(read_time, time)
-    expected = ss.Motion.from_rpy(
-        *(y[:, part] for y in (x, x_dot, x_ddot) for part in (slice(0, 3), slice(3, 6)))
-    )
-    assert motion.F_ext is motion.M_ext is None
-    # Times near 1e4 s are known to 1e-12 s, which the second derivative of 40 rows magnifies by 40^2.
-    for name in ("R", "t", "omega", "v", "alpha", "a"):
-        np.testing.assert_allclose(getattr(motion, name), getattr(expected, name), atol=1e-8)
-
-
-def test_wrapped_angles_give_smooth_rates(tmp_path: Path) -> None:
-    time = np.linspace(0.0, 4.0, 60)
-    theta_z = 2.0 * time
-    wrapped = (theta_z + np.pi) % (2.0 * np.pi) - np.pi
-    zero = np.zeros_like(time)
-    path = write(
-        tmp_path / "turn.csv", POSE, np.column_stack([time, zero, zero, zero + 1, zero, zero, wrapped])
-    )
-    motion = read_csv(path).motion
-    np.testing.assert_allclose(motion.omega, np.tile([0.0, 0.0, 2.0], (60, 1)), atol=1e-9)
-    np.testing.assert_allclose(accelerations(motion)[1], 0.0, atol=1e-7)
-
-
-def test_forgiving_of_spaces_blank_lines_windows_and_byte_order_mark(tmp_path: Path) -> None:
-    time, x, _, _ = smooth(6, 5)
-    plain = write(tmp_path / "plain.csv", POSE, np.column_stack([time, x]))
-    text = plain.read_text(encoding="utf-8").replace(",", " , ") + "\n  \n"
-    odd = tmp_path / "with spaces.csv"
-    odd.write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
-    np.testing.assert_array_equal(read_csv(str(odd))[1].a, read_csv(plain)[1].a)
-
-
-GOOD = [",".join(POSE), *(f"{0.1 * i:g},0.1,0,0.5,0,0,{0.01 * i:g}" for i in range(6))]
-FULL = [",".join(POSE + RATES), *(f"{0.1 * i:g}," + ",".join(["0"] * 18) for i in range(2))]
-
-
-def with_line(number: int, line: str, lines: list[str] = GOOD) -> str:
-    """The text with line ``number`` replaced; line 1 is the header."""
-    return "\n".join([*lines[: number - 1], line, *lines[number:]]) + "\n"
-
-
-BAD: list[tuple[str, str]] = [
-    ("", "the file is empty"),
-    (GOOD[0], "expected rows of numbers below the header, got none"),
-    (with_line(4, "0.2,0.1,0,0.5,0,0"), "line 4: expected 7 columns, got 6"),
-    (with_line(5, "0.1,0.1,0,0.5,0,0,0"), "line 5: time: expected increasing times, got 0.1 after 0.2"),
-    (with_line(3, "0.1,left,0,0.5,0,0,0"), "line 3: t_x: expected a finite number, got 'left'"),
-    (with_line(7, "0.5,0.1,0,0.5,0,0,nan"), "line 7: theta_z: expected a finite number, got 'nan'"),
-    (GOOD[1] + "\n" + GOOD[2], "unknown column '0'"),
-    (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y"), "missing column theta_z"),
-    (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y,yaw"), "unknown column 'yaw'"),
-    (with_line(1, "time,t_x,t_x,t_z,theta_x,theta_y,theta_z"), "column t_x is given twice"),
-    (
-        with_line(1, ",".join(POSE + RATES[:6]), FULL),
-        "missing column a_x: expected velocities and accelerations",
-    ),
-    ("\n".join(GOOD[:4]), "expected at least 4 rows to fit a spline, got 3"),
-    (with_line(3, '0.1,"' + "9" * 200_000 + '",0,0.5,0,0,0'), "line 3: not valid CSV"),
-]
-
-
-@pytest.mark.filterwarnings("error::RuntimeWarning")
-@pytest.mark.parametrize(("text", "expected"), BAD)
-def test_bad_csv_is_named(tmp_path: Path, text: str, expected: str) -> None:
-    path = tmp_path / "traj.csv"
-    path.write_text(text, encoding="utf-8")
-    assert error_of(lambda: read_csv(path)).startswith(f"{path}: {expected}")
-
-
-def test_a_row_that_makes_no_motion_is_named(tmp_path: Path) -> None:
-    path = tmp_path / "traj.csv"
-    turning = FULL[1].split(",")
-    turning[(POSE + RATES).index("theta_dot_y")] = "1e200"
-    turning[(POSE + RATES).index("theta_dot_z")] = "1e200"
-    path.write_text("\n\n".join([*FULL, ",".join(["0.3", *turning[1:]])]), encoding="utf-8")
-    with np.errstate(all="ignore"):
-        message = error_of(lambda: read_csv(path))
-    assert message.startswith(f"{path}: line 7: alpha: expected finite numbers")
-
-
-def test_rows_are_counted_as_in_the_file(tmp_path: Path) -> None:
-    path = tmp_path / "traj.csv"
-    path.write_text("\n" + with_line(4, "\n0.2,0.1"), encoding="utf-8")
-    assert error_of(lambda: read_csv(path)) == f"{path}: line 6: expected 7 columns, got 2"
 
 
 def wild(count: int = 7) -> Trajectory:
