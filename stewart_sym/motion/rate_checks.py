@@ -9,8 +9,8 @@ from .sample_times import elapsed
 
 # Distance (decades) from a power of 1000 of the ratio of changes to integrals if a unit is wrong.
 _NEAR_UNIT = 0.2
-# Largest differences of changes and integrals, relative to the changes, in addition to noise: of positions, and
-# of rates, whose derivatives may have peaks between the samples.
+# Largest differences of changes and integrals, relative to the changes, in addition to noise: of positions
+# and of rates, whose derivatives may have peaks between the samples.
 _CONTRADICTS, _CONTRADICTS_RATES = 0.05, 0.9
 # Number of standard deviations of noise that are no contradiction.
 _SURE = 5.0
