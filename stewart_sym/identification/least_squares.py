@@ -6,17 +6,21 @@ banded. Elimination of the band gives a small dense system for the parameters.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from ..io.array_types import Array, Indices
-from ..motion.smooth_motion import DISTINCT, by_normal_equations
 
 # Number of columns of the identity in one banded solve, because all columns need too much memory.
 _TOGETHER = 256
+
+
+# Least diagonal entry of a Cholesky factor of columns of length 1. A dense problem with a smaller one is solved
+# by orthogonal factors; a sparse one has a step of iterative refinement.
+_DISTINCT, _DISTINCT_SPARSE = 1e-4, 1e-6
 
 
 class DenseFactors(NamedTuple):
@@ -46,12 +50,13 @@ class DenseFactors(NamedTuple):
         """Compute the projection of y, shape (rows,) or (rows, columns), onto the range of J."""
         return np.asarray(self.span @ (self.span.T @ y))
 
-    def shares(self, first: int) -> tuple[float, float]:
-        """Return the effective numbers of unknowns that the first rows and the other rows determine.
+    def shares(self, counts: Sequence[int]) -> list[float]:
+        """Return the effective numbers of unknowns that successive parts of the rows determine.
 
-        The two numbers are the traces of the projection onto the range of J over these rows.
+        The numbers are the traces of the projection onto the range of J over these rows.
         """
-        return float(np.sum(self.span[:first] ** 2)), float(np.sum(self.span[first:] ** 2))
+        parts = np.split(self.span, np.cumsum(counts)[:-1])
+        return [float(np.sum(part**2)) for part in parts]
 
     def covariance(self, count: int) -> Array:
         """Return the covariance of the first unknowns for unit variance in every row."""
@@ -78,10 +83,11 @@ class Arrow(NamedTuple):
     start: Indices
     many: int
 
-    def runs(self, first: int = 0) -> Iterator[tuple[slice, slice]]:
+    def runs(self, first: int = 0, last: int | None = None) -> Iterator[tuple[slice, slice]]:
         """Yield consecutive rows with the same first local column, as slices of rows and of local columns."""
-        ends = np.flatnonzero(np.diff(self.start[first:])) + first + 1
-        for row, end in pairwise((first, *ends.tolist(), len(self.start))):
+        last = len(self.start) if last is None else last
+        ends = np.flatnonzero(np.diff(self.start[first:last])) + first + 1
+        for row, end in pairwise((first, *ends.tolist(), last)):
             at = int(self.start[row])
             yield slice(row, end), slice(at, at + self.local.shape[1])
 
@@ -101,8 +107,8 @@ class Arrow(NamedTuple):
             found[columns] += self.local[rows][: max(len(y) - rows.start, 0)].T @ y[rows]
         return found
 
-    def band(self, first: int = 0) -> Array:
-        """Compute the Gram matrix of the local columns as a band, shape (width, many), from row ``first`` on.
+    def band(self, first: int = 0, last: int | None = None) -> Array:
+        """Compute the Gram matrix of the local columns of some rows as a band, shape (width, many).
 
         Row ``width - 1 - k`` contains the products of each column with the k-th column before it, as in
         LAPACK.
@@ -110,7 +116,7 @@ class Arrow(NamedTuple):
         width = self.local.shape[1]
         one, other = np.triu_indices(width)
         found = np.zeros((width, self.many))
-        for rows, columns in self.runs(first):
+        for rows, columns in self.runs(first, last):
             block = self.local[rows].T @ self.local[rows]
             found[width - 1 - (other - one), columns.start + other] += block[one, other]
         return found
@@ -152,7 +158,7 @@ class ArrowFactors:
         cross = J.by_many(J.A)
         self._beside = self._solved(cross)
         self._corner = np.linalg.cholesky(J.A.T @ J.A - cross.T @ self._beside)
-        if min(self._band[-1].min(), self._corner.diagonal().min()) < DISTINCT:
+        if min(self._band[-1].min(), self._corner.diagonal().min()) < _DISTINCT_SPARSE:
             raise np.linalg.LinAlgError("columns are nearly dependent")
 
     @property
@@ -168,16 +174,22 @@ class ArrowFactors:
         """Compute the projection of y onto the range of J."""
         return self._J @ self._scaled(y)
 
-    def shares(self, first: int) -> tuple[float, float]:
-        """Return the effective numbers of unknowns that the first rows and the other rows determine."""
-        others, band = 0.0, self._J.band(first)
+    def shares(self, counts: Sequence[int]) -> list[float]:
+        """Return the effective numbers of unknowns that successive parts of the rows determine."""
+        ends = np.cumsum(counts)
+        others = [self._share(*edges) for edges in pairwise(ends.tolist())]
+        return [self.unknowns - sum(others), *others]
+
+    def _share(self, first: int, end: int) -> float:
+        """Return the trace of the projection over rows without dense unknowns."""
+        found, band = 0.0, self._J.band(first, end)
         for at in range(0, self._J.many, _TOGETHER):
             columns = np.arange(at, min(at + _TOGETHER, self._J.many))
             G = _columns(band, columns)
             inverse = self._solved(G)
             inverse += self._beside @ self._cornered(self._beside.T @ G)
-            others += float(np.trace(inverse[columns]))
-        return self.unknowns - others, others
+            found += float(np.trace(inverse[columns]))
+        return found
 
     def covariance(self, count: int) -> Array:
         """Return the covariance of the first unknowns, which must be dense unknowns."""
@@ -233,6 +245,28 @@ def factors(J: Array | Arrow) -> Factors:
     lengths = np.linalg.norm(J, axis=0)
     Q, corner = np.linalg.qr(J / lengths)
     return DenseFactors(Q, np.linalg.inv(corner) / lengths[:, None])
+
+
+def by_normal_equations(A: Array, y: Array) -> Array | None:
+    """x of A x = y by least squares, y (n,) or (n, c); None where columns of A are nearly dependent.
+
+    Its residual is corrected once, which gives back the digits that squares lose.
+    """
+    lengths = np.linalg.norm(A, axis=0)
+    if not lengths.all():
+        return None
+    unit = A / lengths
+    squares = unit.T @ unit
+    try:
+        G = np.linalg.cholesky(squares)
+    except np.linalg.LinAlgError:
+        return None
+    if G.diagonal().min() < _DISTINCT:
+        return None
+    x = np.zeros((A.shape[1], *y.shape[1:]))
+    for _ in range(2):
+        x += np.linalg.solve(squares, unit.T @ (y - unit @ x))
+    return np.asarray((x.T / lengths).T)
 
 
 def solution(J: Array | Arrow, y: Array) -> Array:
