@@ -16,7 +16,7 @@ from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult
 from .drive_terms import Terms, rotor_forces
 from .excitation import force_regressor
-from .least_squares import Arrow, Factors, by_normal_equations, factors, solution
+from .least_squares import Arrow, Factors, arrow, by_normal_equations, factors, solution
 from .motion_basis import Basis, PoseNoise, akaike, bases, chain, coordinates, residual
 from .parameters import inertial_parameters, is_friction, with_parameters
 
@@ -284,13 +284,8 @@ def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Arra
     poses = (noise.weights[:, None] * maps[0][0])[:, :, None, :] * local[0][:, None, :, None]
     local_rows = np.concatenate([by_c, poses]).reshape(2 * LEGS * n, -1)
     start = np.tile(np.repeat(6 * basis.start, LEGS), 2)
-    J = Arrow(
-        A.reshape(LEGS * n, -1),
-        np.concatenate([local_rows, basis.prior]),
-        np.concatenate([start, basis.prior_start]),
-        6 * basis.size,
-    )
-    return J.dense() if width == basis.size else J
+    rows, starts = np.concatenate([local_rows, basis.prior]), np.concatenate([start, basis.prior_start])
+    return arrow(A.reshape(LEGS * n, -1), rows, starts, 6 * basis.size)
 
 
 def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:

@@ -6,9 +6,9 @@ banded. Elimination of the band gives a small dense system for the parameters.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,8 +18,7 @@ from ..io.array_types import Array, Indices
 _TOGETHER = 256
 
 
-# Least diagonal entry of a Cholesky factor of columns of length 1. A dense problem with a smaller one is solved
-# by orthogonal factors; a sparse one has a step of iterative refinement.
+# Least diagonal entry of the Cholesky factor of columns of length 1, for dense and sparse normal equations.
 _DISTINCT, _DISTINCT_SPARSE = 1e-4, 1e-6
 
 
@@ -70,71 +69,61 @@ class Arrow(NamedTuple):
     ----------
     A : ndarray, shape (first rows, few)
         Dense columns in the first rows; they are zero in the other rows.
-    local : ndarray, shape (rows, width)
-        Nonzero entries of the local columns in each row.
-    start : ndarray of int, shape (rows,)
-        First local column of each row of ``local``.
-    many : int
-        Number of local columns.
+    local : scipy.sparse.csr_array, shape (rows, many)
+        Local columns.
+    width : int
+        Number of neighboring local columns in a row.
     """
 
     A: Array
-    local: Array
-    start: Indices
-    many: int
-
-    def runs(self, first: int = 0, last: int | None = None) -> Iterator[tuple[slice, slice]]:
-        """Yield consecutive rows with the same first local column, as slices of rows and of local columns."""
-        last = len(self.start) if last is None else last
-        ends = np.flatnonzero(np.diff(self.start[first:last])) + first + 1
-        for row, end in pairwise((first, *ends.tolist(), last)):
-            at = int(self.start[row])
-            yield slice(row, end), slice(at, at + self.local.shape[1])
+    local: Any
+    width: int
 
     def __matmul__(self, x: Array) -> Array:
         """Compute the product with x, shape (few + many,) or (few + many, columns)."""
         few = self.A.shape[1]
-        found = np.empty((len(self.local), *x.shape[1:]))
-        for rows, columns in self.runs():
-            found[rows] = self.local[rows] @ x[few:][columns]
+        found = np.asarray(self.local @ x[few:])
         found[: len(self.A)] += self.A @ x[:few]
         return found
 
     def by_many(self, y: Array) -> Array:
         """Compute the product of the transposed local columns with y, over the first rows or all rows."""
-        found = np.zeros((self.many, *y.shape[1:]))
-        for rows, columns in self.runs():
-            found[columns] += self.local[rows][: max(len(y) - rows.start, 0)].T @ y[rows]
-        return found
+        return np.asarray(self.local[: len(y)].T @ y)
 
-    def band(self, first: int = 0, last: int | None = None) -> Array:
-        """Compute the Gram matrix of the local columns of some rows as a band, shape (width, many).
-
-        Row ``width - 1 - k`` contains the products of each column with the k-th column before it, as in
-        LAPACK.
-        """
-        width = self.local.shape[1]
-        one, other = np.triu_indices(width)
-        found = np.zeros((width, self.many))
-        for rows, columns in self.runs(first, last):
-            block = self.local[rows].T @ self.local[rows]
-            found[width - 1 - (other - one), columns.start + other] += block[one, other]
+    def band(self) -> Array:
+        """Compute the Gram matrix of the local columns as an upper band, shape (width, many)."""
+        gram = self.local.T @ self.local
+        found = np.zeros((self.width, gram.shape[0]))
+        for k in range(self.width):
+            found[self.width - 1 - k, k:] = gram.diagonal(k)
         return found
 
     def scaled(self, lengths: Array) -> "Arrow":
         """Divide the columns by lengths."""
-        few, width = self.A.shape[1], self.local.shape[1]
-        of_local = lengths[few:][self.start[:, None] + np.arange(width)]
-        return self._replace(A=self.A / lengths[:few], local=self.local / of_local)
+        few, local = self.A.shape[1], self.local.copy()
+        local.data /= lengths[few:][local.indices]
+        return self._replace(A=self.A / lengths[:few], local=local)
 
     def dense(self) -> Array:
         """Return the dense matrix, shape (rows, few + many)."""
-        few = self.A.shape[1]
-        J = np.zeros((len(self.local), few + self.many))
-        J[: len(self.A), :few] = self.A
-        for rows, columns in self.runs():
-            J[rows, few + columns.start : few + columns.stop] = self.local[rows]
-        return J
+        below = np.zeros((self.local.shape[0] - len(self.A), self.A.shape[1]))
+        return np.hstack([np.concatenate([self.A, below]), self.local.toarray()])
+
+
+def arrow(A: Array, local: Array, start: Indices, many: int) -> Array | Arrow:
+    """Return the matrix with dense columns A and with entries of ``many`` local columns.
+
+    ``local``, shape (rows, width), contains the entries of the columns from ``start``, shape (rows,), on. If
+    each row has entries in all columns, the matrix is dense.
+    """
+    rows, width = local.shape
+    if width == many:
+        return np.hstack([np.concatenate([A, np.zeros((rows - len(A), A.shape[1]))]), local])
+    from scipy.sparse import csr_array
+
+    columns = start[:, None] + np.arange(width)
+    ends = width * np.arange(rows + 1)
+    return Arrow(A, csr_array((local.ravel(), columns.ravel(), ends), shape=(rows, many)), width)
 
 
 class ArrowFactors:
@@ -150,7 +139,8 @@ class ArrowFactors:
         """Factorize the scaled normal equations."""
         from scipy.linalg import cholesky_banded
 
-        self._lengths = np.sqrt(np.concatenate([np.sum(J.A**2, axis=0), J.band()[-1]]))
+        squares = np.bincount(J.local.indices, J.local.data**2, minlength=J.local.shape[1])
+        self._lengths = np.sqrt(np.concatenate([np.sum(J.A**2, axis=0), squares]))
         if not self._lengths.all():
             raise np.linalg.LinAlgError("a column is zero")
         self._J = J = J.scaled(self._lengths)
@@ -182,13 +172,13 @@ class ArrowFactors:
 
     def _share(self, first: int, end: int) -> float:
         """Return the trace of the projection over rows without dense unknowns."""
-        found, band = 0.0, self._J.band(first, end)
-        for at in range(0, self._J.many, _TOGETHER):
-            columns = np.arange(at, min(at + _TOGETHER, self._J.many))
-            G = _columns(band, columns)
-            inverse = self._solved(G)
-            inverse += self._beside @ self._cornered(self._beside.T @ G)
-            found += float(np.trace(inverse[columns]))
+        local = self._J.local[first:end]
+        gram, found = (local.T @ local).tocsc(), 0.0
+        for at in range(0, gram.shape[0], _TOGETHER):
+            columns = slice(at, at + _TOGETHER)
+            G = gram[:, columns].toarray()
+            inverse = self._solved(G)[columns] + self._beside[columns] @ self._cornered(self._beside.T @ G)
+            found += float(np.trace(inverse))
         return found
 
     def covariance(self, count: int) -> Array:
@@ -218,18 +208,6 @@ class ArrowFactors:
     def _cornered(self, y: Array) -> Array:
         """Solve the Schur complement of the dense unknowns."""
         return np.asarray(np.linalg.solve(self._corner.T, np.linalg.solve(self._corner, y)))
-
-
-def _columns(band: Array, columns: Indices) -> Array:
-    """Return columns of the symmetric matrix that a band represents, shape (many, columns)."""
-    width, many = band.shape
-    found = np.zeros((many, len(columns)))
-    for above in range(width):
-        here = columns[columns >= above]
-        found[here - above, here - columns[0]] = band[width - 1 - above, here]
-        here = columns[columns + above < many]
-        found[here + above, here - columns[0]] = band[width - 1 - above, here + above]
-    return found
 
 
 Factors = DenseFactors | ArrowFactors

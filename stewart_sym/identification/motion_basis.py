@@ -31,8 +31,8 @@ WITHOUT_PERIOD = "a smooth motion without a period"
 _STEEPEST = 1.4
 # Smallest number of poses whose noise is estimated.
 _FEWEST = 8
-# Ratio of the scatter of the poses to their stated noise from which on the scatter determines the smoothness.
-_TOO_SMALL = 2.0
+# Ratio of scatter to stated noise of the poses below which the stated noise determines the smoothness.
+_TOO_SMALL = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -257,10 +257,13 @@ def _curve(noise: PoseNoise, q: Array) -> tuple[SmoothCurve, Smoothness]:
     with needed_for(WITHOUT_PERIOD):
         from ..motion.spline import likeliest, smooth_columns
     since, std = elapsed(noise.time), 1.0 / noise.weights
-    scatter = smooth_columns(since, q).noise_std
-    std = np.where(scatter > _TOO_SMALL * std, scatter, std)
-    smoothness = likeliest(since, q, std)
-    return smooth_columns(since, q, std, smoothness=smoothness), smoothness
+    smoothness = likeliest(since, q)
+    curve = smooth_columns(since, q, smoothness=smoothness)
+    if np.any(curve.noise_std < _TOO_SMALL * std):
+        known = np.where(curve.noise_std < _TOO_SMALL * std, std, np.nan)
+        smoothness = likeliest(since, q, known)
+        curve = smooth_columns(since, q, known, smoothness=smoothness)
+    return curve, smoothness
 
 
 def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
@@ -336,5 +339,3 @@ def _turns(theta: Array, rate: Array, second: Array) -> tuple[Array, Array, Arra
     columns.append((e_z, np.zeros(e_z.shape), np.zeros(e_z.shape)))
     E, E_dot, E_ddot = (np.stack(parts, axis=-1) for parts in zip(*columns, strict=True))
     return E, E_dot, E_ddot
-
-

@@ -13,8 +13,7 @@ from scipy.interpolate import make_interp_spline
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.identification import estimates, fits
-from stewart_sym.motion import smooth_motion
+from stewart_sym.identification import estimates, fits, motion_basis
 from stewart_sym.motion.rotation import rotation_from_vector
 
 # Shares of the base's radius by which a payload moves, along each axis of the platform: LEAST is always
@@ -30,7 +29,7 @@ def moved(machine: ss.Robot, share: float = MOVED) -> ss.Robot:
 
 def differentiated(found: ss.Experiment) -> ss.Motion:
     """The measured poses with the derivatives of an interpolating spline."""
-    q = smooth_motion.coordinates(found.measured_motion, found.pose_noise)
+    q = motion_basis.coordinates(found.measured_motion, found.pose_noise)
     spline = make_interp_spline(found.pose_noise.time, q, 5)
     parts = [spline(found.pose_noise.time, order) for order in range(3)]
     return ss.Motion.from_rpy(*(part for y in parts for part in (y[:, :3], y[:, 3:])))
