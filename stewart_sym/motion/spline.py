@@ -76,16 +76,12 @@ class SmoothCurve:
         low = np.minimum.outer(offsets, offsets)
         distance = np.abs(np.subtract.outer(offsets, offsets))
         for part in _parts(len(time)):
-            cell, weights = self.local_rows(time[part])
+            cell, weights = _local_rows(self._rows(time[part]))
             for column, band in enumerate(self.bands):
                 C = band[cell[:, None, None] + low, distance]
                 for k, (i, j) in enumerate(PAIRS):
                     found[part, column, k] = np.einsum("np,npq,nq->n", weights[i], C, weights[j])
         return found
-
-    def local_rows(self, time: Array) -> tuple[Array, Array]:
-        """Return the first of six coefficients at each time, (n,), and their factors, (3, n, 6)."""
-        return _local_rows(self._rows(time))
 
     def _rows(self, time: Array) -> list[sparse.csr_matrix]:
         return _design(time - self.start, self.step, len(self.coefficients) - DEGREE)
