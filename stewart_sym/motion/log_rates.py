@@ -9,10 +9,10 @@ from scipy.interpolate import make_interp_spline
 
 from ..io.array_types import Array, Flags
 from ..io.error_policy import warn
-from .bad_rows import FittedRows, fit_good_rows
+from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges
 from .sample_times import elapsed, time_text
-from .spline import DEGREE, PAIRS, SmoothCurve
+from .spline import DEGREE, PAIRS, SmoothCurves
 from .trajectory import Replaced, SmoothingOptions, Uncertainty
 from .trajectory_format import TrajectoryWarning
 
@@ -66,11 +66,11 @@ def rates_of(
     fitted = fit_good_rows(since, values, _stated(log, options), rounding, options.cutoff_frequency)
     used = ~(fitted.outliers | fitted.frozen)
     _warn_of_rows(log, used, fitted)
-    found = fitted.curve.evaluate(since)
-    clean = _is_clean(since[used], fitted.curve, found[2])
+    found = fitted.curves.evaluate(since)
+    clean = _is_clean(since[used], fitted.curves, found[2])
     if options.cutoff_frequency is None and clean.any():
         found[:, :, clean] = _interpolated(since[used], values[used][:, clean], since)
-    uncertainty = _of_curve(log, found, fitted.curve, used, clean)
+    uncertainty = _of_curve(log, found, fitted.curves, used, clean)
     if uncertainty.sigma[~clean].any():
         _warn(
             log, f"{noise_text(uncertainty)}; the columns are smoothed; state a known noise with position_std"
@@ -133,11 +133,11 @@ def _interpolated(since: Array, values: Array, at: Array | None = None) -> Array
     return found
 
 
-def _is_clean(since: Array, curve: SmoothCurve, second_rates: Array) -> Flags:
+def _is_clean(since: Array, curves: SmoothCurves, second_rates: Array) -> Flags:
     """Return True for columns whose noise has no effect on accelerations even without smoothing."""
     step = float(np.median(np.diff(since)))
     largest = np.maximum(np.abs(second_rates).max(axis=0), _GRAVITY)
-    return np.asarray(_SECOND_RATE * curve.noise_std / step**2 < _NEGLIGIBLE * largest)
+    return np.asarray(_SECOND_RATE * curves.noise_std / step**2 < _NEGLIGIBLE * largest)
 
 
 def _of_rounding(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | None:
@@ -151,20 +151,20 @@ def _of_rounding(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | N
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma, "L" in log.vectors)
 
 
-def _of_curve(log: LogSamples, found: Array, curve: SmoothCurve, used: Flags, clean: Flags) -> Uncertainty:
+def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, clean: Flags) -> Uncertainty:
     """Return the uncertainty of smoothed columns, on a grid of the knots and of the rows left out."""
     assert log.time is not None
-    edges = np.flatnonzero(np.diff(np.concatenate([[True], used, [True]]).astype(int)))
-    runs = [(max(a - 1, 0), min(b, len(used) - 1)) for a, b in edges.reshape(-1, 2)]
-    outside = [np.linspace(log.time[a], log.time[b], 9) for a, b in runs]
-    knots = log.time[0] + curve.step * np.arange(len(curve.coefficients) - DEGREE + 1)
-    grid = np.unique(np.clip(np.concatenate([knots, log.time[[0, -1]], *outside]), log.time[0], log.time[-1]))
-    covariance = curve.covariance(grid - log.time[0])
+    since = elapsed(log.time)
+    runs = [(max(a - 1, 0), min(b, len(used) - 1)) for a, b in zip(*flagged_spans(~used), strict=True)]
+    outside = [np.linspace(since[a], since[b], 9) for a, b in runs]
+    knots = max((curve.knots for curve in curves.columns), key=len)
+    grid = np.unique(np.clip(np.concatenate([knots, since[[0, -1]], *outside]), 0.0, since[-1]))
+    covariance = curves.covariance(grid)
     replaced = tuple(
         Replaced(float(log.time[a]), float(log.time[b]), (f"lines {log.lines[a]} to {log.lines[b]}",))
         for a, b in runs
     )
-    return Uncertainty(found, grid, covariance, curve.noise_std, "L" in log.vectors, replaced)
+    return Uncertainty(found, log.time[0] + grid, covariance, curves.noise_std, "L" in log.vectors, replaced)
 
 
 def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:

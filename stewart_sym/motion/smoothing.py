@@ -20,7 +20,7 @@ class SmoothSamplesResult(NamedTuple):
     Attributes
     ----------
     values, derivatives, second_derivatives : ndarray, shape (n, c)
-        Values and derivatives of the curve.
+        Values and derivatives of the curves.
     noise_std : ndarray, shape (c,)
         Standard deviation of the noise.
     covariance_time : ndarray, shape (n,)
@@ -81,6 +81,6 @@ def smooth_samples(
     known = None if noise_std is None else deviations(noise_std, "noise_std", columns.shape[1:], "> 0")
     cutoff = None if cutoff is None else positive(cutoff, "cutoff")
     since = elapsed(when)
-    curve = smooth_columns(since, columns, known, cutoff=cutoff)
-    found = curve.evaluate(since)
-    return SmoothSamplesResult(*found, curve.noise_std, when, curve.covariance(since))
+    curves = smooth_columns(since, columns, known, cutoff=cutoff)
+    found = curves.evaluate(since)
+    return SmoothSamplesResult(*found, curves.noise_std, when, curves.covariance(since))

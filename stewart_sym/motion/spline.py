@@ -7,92 +7,130 @@ curve has a posterior covariance. Rows that are left out need no special treatme
 and the covariance increases there.
 """
 
-import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 from scipy.interpolate import BSpline
-from scipy.linalg import cho_solve_banded, cholesky_banded
+from scipy.linalg import cho_solve_banded, cholesky_banded, solve_triangular
+from scipy.ndimage import uniform_filter1d
 from scipy.optimize import minimize_scalar
 from scipy.special import gammaln
 
 from ..io.array_types import Array
 
 DEGREE = 5
-ORDERS = (4, 6, 8)
-"""Orders of the differences in the penalty; the likelier one is used."""
+ORDERS = (3, 4, 6, 8)
+"""Orders of the differences in the penalty; the likeliest one is used."""
+# Mean square of the bias relative to its expectation, by order, fitted to 200 random motions.
+_BIAS = {3: 1.0, 4: 1.0, 6: 0.25, 8: 0.1}
+# A coefficient with less than this fraction of the usual number of samples is in a gap.
+_EMPTY = 0.1
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Orders of the derivatives to which the components of a covariance belong."""
-# Range and number of the logarithms of weights among which the search for the best one starts.
-_WEIGHTS = np.linspace(-16.0, 22.0, 12)
-# The knots are fine enough if the logarithm of the penalty's weight relative to the samples is at least this.
-_PENALTY_DOMINATES = 6.0
+# Logarithms of weights relative to the samples per cell: the smallest one, and the smallest one for which the
+# knots are fine enough. The logarithm of the largest condition number limits them.
+_LIGHTEST, _FINE, _CONDITION = -16.0, 6.0, 28.0
+_TRIED_WEIGHTS = 12
 _FEWEST_CELLS = 32
-# Number of samples in the middle of a long log from which its knots and weights are estimated.
-_TRIAL_SAMPLES = 8192
+# Number of samples from which the smoothness of a long log is estimated, and of blocks in them.
+_TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
 # Number of cells per period of the cut-off frequency.
 _CELLS_PER_PERIOD = 8.0
 _CHUNK = 1 << 14
-_BLOCK = 48
+_BLOCK = 96
+# Part of the largest diagonal element that keeps a matrix definite.
+_ROUNDING = 2e-16
+
+
+class Smoothness(NamedTuple):
+    """Distance of knots (s), order of the penalty, and logarithm of its weight."""
+
+    step: float
+    order: int
+    log_weight: float
 
 
 @dataclass(frozen=True, eq=False)
 class SmoothCurve:
-    """Columns of samples as curves over time, with the covariance of their values and derivatives.
+    """One column of samples as a curve over time.
 
     Attributes
     ----------
     start, step : float
         Time of the first knot (s) and distance between knots (s).
-    coefficients : ndarray, shape (p, c)
-        B-spline coefficients of the columns.
-    noise_std : ndarray, shape (c,)
-        Standard deviation of the noise of each column.
-    bands : ndarray, shape (c, p, 6)
-        Covariance of each coefficient with itself and the five next ones.
+    coefficients : ndarray, shape (p,)
+        B-spline coefficients.
+    noise_std : float
+        Standard deviation of the noise of the samples.
+    band : ndarray, shape (p, 6)
+        Posterior covariance of each coefficient with itself and the five next ones.
+    factors : ndarray, shape (3, p)
+        Ratio of the actual standard deviation to the posterior one, for values, rates, and second rates.
     """
 
     start: float
     step: float
     coefficients: Array
-    noise_std: Array
-    bands: Array
+    noise_std: float
+    band: Array
+    factors: Array
+
+    @property
+    def knots(self) -> Array:
+        """Times of the knots in the range of the samples (s)."""
+        return self.start + self.step * np.arange(len(self.coefficients) - DEGREE + 1)
+
+    def evaluate(self, time: Array) -> Array:
+        """Return values, rates, and second rates at n times, shape (3, n)."""
+        spline = BSpline(_knots(self.step, len(self.coefficients)), self.coefficients, DEGREE)
+        return np.array([spline(self._since(time), order) for order in range(3)])
+
+    def covariance(self, time: Array) -> Array:
+        """Return the covariances ``PAIRS`` of value, rate, and second rate at n times, shape (n, 6)."""
+        found = np.empty((len(time), len(PAIRS)))
+        offsets = np.arange(DEGREE + 1)
+        low, distance = np.minimum.outer(offsets, offsets), np.abs(np.subtract.outer(offsets, offsets))
+        splines = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
+        for part in (slice(i, i + _CHUNK) for i in range(0, len(time), _CHUNK)):
+            place = self._since(time[part]) / self.step
+            cell = np.minimum(place.astype(int), len(self.coefficients) - DEGREE - 1)
+            C = self.band[cell[:, None, None] + low, distance]
+            centers = np.arange(len(self.coefficients)) - DEGREE // 2
+            rows = [
+                splines(place - cell, order) * np.interp(place, centers, f)[:, None] / self.step**order
+                for order, f in enumerate(self.factors)
+            ]
+            for k, (i, j) in enumerate(PAIRS):
+                found[part, k] = np.einsum("np,npq,nq->n", rows[i], C, rows[j], optimize=True)
+        return found
+
+    def _since(self, time: Array) -> Array:
+        end = self.step * (len(self.coefficients) - DEGREE)
+        return np.clip(time - self.start, 0.0, end * (1.0 - 1e-15))
+
+
+@dataclass(frozen=True, eq=False)
+class SmoothCurves:
+    """Columns of samples as curves over time."""
+
+    columns: tuple[SmoothCurve, ...]
+
+    @property
+    def noise_std(self) -> Array:
+        """Standard deviation of the noise of each column, shape (c,)."""
+        return np.array([curve.noise_std for curve in self.columns])
 
     def evaluate(self, time: Array) -> Array:
         """Return values, rates, and second rates at n times, shape (3, n, c)."""
-        found = np.empty((3, len(time), self.coefficients.shape[1]))
-        for part in _parts(len(time)):
-            for order, rows in enumerate(self._rows(time[part])):
-                found[order, part] = rows @ self.coefficients
-        return found
+        return np.stack([curve.evaluate(time) for curve in self.columns], axis=-1)
 
     def covariance(self, time: Array) -> Array:
         """Return the covariances ``PAIRS`` of value, rate, and second rate at n times, shape (n, c, 6)."""
-        found = np.empty((len(time), len(self.bands), len(PAIRS)))
-        offsets = np.arange(DEGREE + 1)
-        low = np.minimum.outer(offsets, offsets)
-        distance = np.abs(np.subtract.outer(offsets, offsets))
-        for part in _parts(len(time)):
-            cell, weights = _local_rows(self._rows(time[part]))
-            for column, band in enumerate(self.bands):
-                C = band[cell[:, None, None] + low, distance]
-                for k, (i, j) in enumerate(PAIRS):
-                    found[part, column, k] = np.einsum("np,npq,nq->n", weights[i], C, weights[j])
-        return found
-
-    def _rows(self, time: Array) -> list[sparse.csr_matrix]:
-        return _design(time - self.start, self.step, len(self.coefficients) - DEGREE)
-
-
-class Smoothness(NamedTuple):
-    """Distance of knots (s), order of the penalty, and logarithms of its weights, shape (c,)."""
-
-    step: float
-    order: int
-    weights: Array
+        return np.stack([curve.covariance(time) for curve in self.columns], axis=1)
 
 
 def smooth_columns(
@@ -101,8 +139,8 @@ def smooth_columns(
     noise_std: Array | None = None,
     least_std: Array | float = 0.0,
     cutoff: float | None = None,
-    smoothness: Smoothness | None = None,
-) -> SmoothCurve:
+    smoothness: Sequence[Smoothness] | None = None,
+) -> SmoothCurves:
     """Smooth columns of samples without phase shift.
 
     Parameters
@@ -117,28 +155,23 @@ def smooth_columns(
         Smallest standard deviation, such as that of rounding.
     cutoff : float, optional
         Frequency (Hz) at which the amplitude is halved; None: estimated.
-    smoothness : Smoothness, optional
+    smoothness : sequence of Smoothness, length c, optional
         Known smoothness, for example from other rows; None: estimated.
 
     Returns
     -------
-    SmoothCurve
+    SmoothCurves
         Curves with covariances.
     """
-    u = _scaled(time, values, noise_std, least_std)
     if smoothness is None:
         smoothness = likeliest(time, values, noise_std, least_std, cutoff)
-    fitted = _Problem(u.since, max(4, round(float(u.since[-1]) / smoothness.step)), smoothness.order)
-    count = values.shape[1]
-    coefficients, bands = np.empty((fitted.size, count)), np.empty((count, fitted.size, DEGREE + 1))
-    std = np.empty(count)
-    for j, weight in enumerate(smoothness.weights):
-        c, _, squares = fitted.solve(u.values[:, j], weight)
-        estimated = max(squares / (len(time) - fitted.order), u.least[j])
-        std[j] = math.sqrt(estimated if math.isnan(u.known[j]) else u.known[j]) * u.scale[j]
-        coefficients[:, j] = c * u.scale[j] + u.mean[j]
-        bands[j] = std[j] ** 2 * inverse_band(fitted.normal(weight))
-    return SmoothCurve(float(time[0]), fitted.step, coefficients, std, bands)
+    samples: dict[float, _Samples] = {}
+    curves = []
+    for s, u, noise in zip(smoothness, values.T, _noises(values, noise_std, least_std), strict=True):
+        if s.step not in samples:
+            samples[s.step] = _Samples(time - time[0], s.step)
+        curves.append(_Problem(samples[s.step], s.order, noise).curve(float(time[0]), u, s.log_weight))
+    return SmoothCurves(tuple(curves))
 
 
 def likeliest(
@@ -147,44 +180,40 @@ def likeliest(
     noise_std: Array | None = None,
     least_std: Array | float = 0.0,
     cutoff: float | None = None,
-) -> Smoothness:
-    """Estimate the smoothness of columns of samples; arguments as of ``smooth_columns``."""
-    u = _scaled(time, values, noise_std, least_std)
+) -> list[Smoothness]:
+    """Estimate the smoothness of each column of samples; arguments as of ``smooth_columns``."""
+    since = time - time[0]
     if cutoff is None:
-        return _likeliest(u)
-    span, edge = float(u.since[-1]), 2.0 * math.sin(math.pi / _CELLS_PER_PERIOD)
-    cells = math.ceil(_CELLS_PER_PERIOD * cutoff * span)
-    weight = math.log(len(time) / cells) - 2 * ORDERS[-1] * math.log(edge)
-    return Smoothness(span / cells, ORDERS[-1], np.full(values.shape[1], weight))
+        return [
+            _likeliest(since, u - u.mean(), noise)
+            for u, noise in zip(values.T, _noises(values, noise_std, least_std), strict=True)
+        ]
+    edge, step = 2.0 * math.sin(math.pi / _CELLS_PER_PERIOD), 1.0 / (_CELLS_PER_PERIOD * cutoff)
+    weight = math.log(len(time) * step / float(since[-1])) - 2 * ORDERS[-1] * math.log(edge)
+    return [Smoothness(step, ORDERS[-1], weight)] * values.shape[1]
 
 
-class _Columns(NamedTuple):
-    """Columns with mean 0 and standard deviation 1; known (or NaN) and least variance of their noise."""
+class _Noise(NamedTuple):
+    """Known variance of the noise of a column, or NaN, and its smallest variance."""
 
-    since: Array
-    values: Array
-    mean: Array
-    scale: Array
-    known: Array
-    least: Array
+    known: float
+    least: float
 
 
-def _scaled(time: Array, values: Array, noise_std: Array | None, least_std: Array | float) -> _Columns:
+def _noises(values: Array, noise_std: Array | None, least_std: Array | float) -> list[_Noise]:
     count = values.shape[1]
-    mean, scale = values.mean(axis=0), np.std(values, axis=0)
-    scale = np.where(scale > 0.0, scale, 1.0)
-    known = np.full(count, np.nan) if noise_std is None else (noise_std / scale) ** 2
-    least = (np.broadcast_to(least_std, count) / scale) ** 2
-    return _Columns(time - time[0], (values - mean) / scale, mean, scale, known, least)
+    known = np.full(count, np.nan) if noise_std is None else np.broadcast_to(noise_std, count) ** 2
+    least = np.broadcast_to(least_std, count) ** 2 + 1e-28 * np.var(values, axis=0) + 1e-60
+    return [_Noise(*pair) for pair in zip(known.tolist(), least.tolist(), strict=True)]
 
 
-def inverse_band(band: Array) -> Array:
+def inverse_band(factor: Array) -> Array:
     """Return the band of the inverse of a positive definite band matrix.
 
     Parameters
     ----------
-    band : ndarray, shape (w + 1, p)
-        Upper band in the layout of ``scipy.linalg.solveh_banded``; w at most ``_BLOCK``.
+    factor : ndarray, shape (w + 1, p)
+        Upper Cholesky factor as returned by ``scipy.linalg.cholesky_banded``.
 
     Returns
     -------
@@ -193,40 +222,26 @@ def inverse_band(band: Array) -> Array:
 
     Notes
     -----
-    The matrix is block tridiagonal. Its Schur complements are eliminated forward; the blocks of the inverse
-    follow backward (Takahashi's recurrence).
+    The inverse is the covariance of a Markov chain of blocks. Each block depends on the first w elements of
+    the next one; the covariances follow from the last block to the first one.
     """
-    starts = range(0, band.shape[1], _BLOCK)
-    diagonal = [_dense(band, i, i) for i in starts]
-    beside = [_dense(band, i, i + _BLOCK) for i in starts[:-1]]
-    inverses, factors = [np.linalg.inv(diagonal[0])], []
-    for D, E in zip(diagonal[1:], beside, strict=True):
-        factors.append(inverses[-1] @ E)
-        inverses.append(np.linalg.inv(D - E.T @ factors[-1]))
-    found = np.zeros((band.shape[1] + DEGREE, DEGREE + 1))
-    last, next_rows = inverses[-1], np.zeros((len(inverses[-1]), 0))
-    for k in reversed(range(len(starts))):
-        if k < len(starts) - 1:
-            next_rows = -factors[k] @ last
-            last = inverses[k] - next_rows @ factors[k].T
-        both = np.hstack([last, next_rows[:, :DEGREE]])
-        for offset in range(DEGREE + 1):
-            entries = np.diagonal(both, offset)
-            found[starts[k] : starts[k] + len(entries), offset] = entries
-    return found[: band.shape[1]]
-
-
-def _dense(band: Array, row: int, column: int) -> Array:
-    """Return a block of a symmetric band matrix that starts at a row and a column."""
-    width, size = len(band) - 1, band.shape[1]
-    i = np.arange(row, min(row + _BLOCK, size))[:, None]
-    j = np.arange(column, min(column + _BLOCK, size))
-    offset = np.abs(j - i)
-    return np.where(offset <= width, band[np.maximum(width - offset, 0), np.maximum(i, j)], 0.0)
-
-
-def _parts(count: int) -> list[slice]:
-    return [slice(i, i + _CHUNK) for i in range(0, count, _CHUNK)]
+    width, size = len(factor) - 1, factor.shape[1]
+    padded = np.hstack([factor, np.zeros((width + 1, width))])
+    found, next_corner = np.zeros((size, DEGREE + 1)), np.zeros((width, width))
+    for end in range(size, 0, -_BLOCK):
+        start = max(end - _BLOCK, 0)
+        i, j = np.arange(start, end)[:, None], np.arange(start, end + width)
+        offset = np.clip(j - i, -1, width + 1)
+        U = np.where((offset >= 0) & (offset <= width), padded[width - np.clip(offset, 0, width), j], 0.0)
+        own, beside = U[:, : end - start], U[:, end - start :]
+        solved = solve_triangular(own, np.hstack([np.eye(end - start), beside]), check_finite=False)
+        inverse, to_next = np.hsplit(solved, [end - start])
+        next_columns = -to_next @ next_corner
+        both = np.hstack([inverse @ inverse.T - next_columns @ to_next.T, next_columns])
+        for k in range(DEGREE + 1):
+            found[start:end, k] = both.diagonal(k)[: end - start]
+        next_corner = both[:width, :width]
+    return found
 
 
 def _differences(size: int, order: int) -> sparse.csr_matrix:
@@ -238,30 +253,6 @@ def _differences(size: int, order: int) -> sparse.csr_matrix:
     return D
 
 
-def _design(since: Array, step: float, cells: int) -> list[sparse.csr_matrix]:
-    """Return values, rates, and second rates of all B-splines at times (s) since the first knot."""
-    knots = step * np.arange(-DEGREE, cells + DEGREE + 1)
-    t = np.clip(since, 0.0, knots[-DEGREE - 1] * (1.0 - 1e-15))
-    size = cells + DEGREE
-    return [
-        (BSpline.design_matrix(t, knots[r : len(knots) - r], DEGREE - r) @ _differences(size, r)).tocsr()
-        / step**r
-        for r in range(3)
-    ]
-
-
-def _local_rows(rows: list[sparse.csr_matrix]) -> tuple[Array, Array]:
-    """Return the first of six coefficients at each time, (n,), and their factors, (3, n, 6)."""
-    first = np.minimum.reduceat(rows[0].indices, rows[0].indptr[:-1])
-    weights = np.zeros((3, rows[0].shape[0], DEGREE + 1))
-    for order, each in enumerate(rows):
-        row = np.repeat(np.arange(each.shape[0]), np.diff(each.indptr))
-        place = each.indices - first[row]
-        inside = (place >= 0) & (place <= DEGREE)
-        weights[order, row[inside], place[inside]] = each.data[inside]
-    return first, weights
-
-
 def _band(M: sparse.spmatrix, width: int) -> Array:
     """Return the upper band of a symmetric matrix in SciPy's layout."""
     band = np.zeros((width + 1, M.shape[0]))
@@ -270,47 +261,90 @@ def _band(M: sparse.spmatrix, width: int) -> Array:
     return band
 
 
+def _knots(step: float, size: int) -> Array:
+    return step * np.arange(-DEGREE, size + 1)
+
+
+class _Samples:
+    """Times of samples on even knots: B-splines at the times, and their inner products."""
+
+    def __init__(self, since: Array, step: float) -> None:
+        self.count, self.step = len(since), step
+        self.cells = max(1, math.ceil(float(since[-1]) / step * (1.0 - 1e-9)))
+        self.size = self.cells + DEGREE
+        t = np.minimum(since, step * self.cells * (1.0 - 1e-15))
+        self.B = BSpline.design_matrix(t, _knots(step, self.size), DEGREE)
+        self.gram = self.B.T @ self.B
+
+
 class _Problem:
-    """Least squares with a penalty for samples at fixed times, on even knots."""
+    """Least squares with a penalty for a column of samples with a noise."""
 
-    def __init__(self, since: Array, cells: int, order: int) -> None:
-        self.cells, self.order, self.size = cells, order, cells + DEGREE
-        self.step = float(since[-1]) / cells
-        self.B, self.D = _design(since, self.step, cells)[0], _differences(self.size, order)
-        width = max(DEGREE, order)
-        self.gram, self.penalty = _band(self.B.T @ self.B, width), _band(self.D.T @ self.D, width)
-        # Keeps cells without samples regular where the penalty's weight is small.
-        self.gram[-1] += 1e-12 * len(since) / self.size
+    def __init__(self, samples: _Samples, order: int, noise: _Noise) -> None:
+        self.samples, self.order, self.noise, self.size = samples, order, noise, samples.size
+        self.density = math.log(samples.count / samples.cells)
+        self.D, width = _differences(self.size, order), max(DEGREE, order)
+        self.gram, self.penalty = _band(samples.gram, width), _band(self.D.T @ self.D, width)
 
-    def normal(self, log_weight: float) -> Array:
-        """Return the band of the normal equations."""
-        return self.gram + math.exp(log_weight) * self.penalty
+    def curve(self, start: float, values: Array, log_weight: float) -> SmoothCurve:
+        """Return the curve through samples, with its covariance."""
+        mean = values.mean()
+        c, factor, squares = self.solve(values - mean, log_weight)
+        variance = self.variance(squares)
+        band = variance * inverse_band(factor)
+        return SmoothCurve(
+            start, self.samples.step, c + mean, math.sqrt(variance), band, self._factors(c, log_weight)
+        )
+
+    def _factors(self, c: Array, log_weight: float) -> Array:
+        """Return the ratios of actual to posterior standard deviations, shape (3, p).
+
+        The posterior variance is the noise that passes the filter, plus the expected bias. The bias is large
+        where the penalized differences are large, such as at a jump of the jerk; it is small if the motion is
+        smoother than the prior.
+        """
+        left = self.order // 2
+        squares = np.pad((self.D @ c) ** 2, (left, self.order - left), mode="edge")
+        period = 2.0 * math.pi * math.exp((log_weight - self.density) / (2 * self.order))
+        local = uniform_filter1d(squares, min(max(3, round(period)), len(squares)), mode="nearest")
+        bias = _BIAS[self.order] * local / max(float(np.mean(squares)), 1e-300)
+        noise = 1.0 - (2.0 * np.arange(3)[:, None] + 1.0) / (2 * self.order)
+        variance = noise + (1.0 - noise) * bias
+        # Without samples there is no noise, but the whole uncertainty of the prior.
+        empty = self.gram[-1] < _EMPTY * np.median(self.gram[-1])
+        return np.asarray(np.sqrt(np.where(empty, np.maximum(variance, 1.0), variance)))
 
     def solve(self, u: Array, log_weight: float) -> tuple[Array, Array, float]:
         """Return the coefficients, the Cholesky factor, and the minimum of the penalized sum of squares."""
-        factor = cholesky_banded(self.normal(log_weight), check_finite=False)
-        c = cho_solve_banded((factor, False), self.B.T @ u, check_finite=False)
-        squares = np.sum((u - self.B @ c) ** 2) + math.exp(log_weight) * np.sum((self.D @ c) ** 2)
-        return c, factor, max(float(squares), 1e-30 * len(u))
+        B, weight = self.samples.B, math.exp(log_weight)
+        normal = self.gram + weight * self.penalty
+        # Keeps the matrix definite where there are no samples.
+        normal[-1] += _ROUNDING * normal[-1].max()
+        factor = cholesky_banded(normal, check_finite=False)
+        c = cho_solve_banded((factor, False), B.T @ u, check_finite=False)
+        return c, factor, float(np.sum((u - B @ c) ** 2) + weight * np.sum((self.D @ c) ** 2))
 
-    def best_weight(self, u: Array, known: float, least: float) -> tuple[float, float]:
-        """Return the smallest -2 log likelihood and the logarithm of its weight.
+    def variance(self, squares: float) -> float:
+        """Return the variance of the noise, known or by the minimum of the sum of squares."""
+        if not math.isnan(self.noise.known):
+            return self.noise.known
+        return max(squares / (self.samples.count - self.order), self.noise.least)
 
-        ``known`` is the variance of the noise, or NaN, and then at least ``least``.
-        """
-        left = len(u) - self.order
+    def best_weight(self, u: Array) -> tuple[float, float]:
+        """Return the smallest -2 log likelihood, and the logarithm of its weight."""
+        left = self.samples.count - self.order
 
         def cost(log_weight: float) -> float:
             _, factor, squares = self.solve(u, log_weight)
             logdet = 2.0 * float(np.sum(np.log(factor[-1])))
             logdet -= (self.size - self.order) * log_weight + self._log_determinant()
-            if not math.isnan(known):
-                return logdet + squares / known
-            variance = max(squares / left, least, 1e-28)
+            variance = self.variance(squares)
             return logdet + left * math.log(variance) + squares / variance
 
-        i = int(np.argmin([cost(x) for x in _WEIGHTS]))
-        bounds = _WEIGHTS[max(i - 1, 0)], _WEIGHTS[min(i + 1, len(_WEIGHTS) - 1)]
+        heaviest = _CONDITION - self.order * math.log(4.0)
+        tried = self.density + np.linspace(_LIGHTEST, heaviest, _TRIED_WEIGHTS)
+        i = int(np.argmin([cost(x) for x in tried]))
+        bounds = tried[max(i - 1, 0)], tried[min(i + 1, len(tried) - 1)]
         found = minimize_scalar(cost, bounds=bounds, method="bounded", options={"xatol": 0.1})
         return float(found.fun), float(found.x)
 
@@ -322,22 +356,27 @@ class _Problem:
         )
 
 
-def _likeliest(columns: _Columns) -> Smoothness:
-    """Return the likeliest smoothness of the middle of some columns, with knots as fine as necessary."""
-    count = len(columns.since)
-    middle = slice(max(0, (count - _TRIAL_SAMPLES) // 2), (count + _TRIAL_SAMPLES) // 2)
-    t, u = columns.since[middle], columns.values[middle]
-    t, u = t - t[0], u - u.mean(axis=0)
-    for doubling in itertools.count():
-        cells = _FEWEST_CELLS << doubling
-        costs, weights = np.empty((2, len(ORDERS), u.shape[1]))
-        problems = [_Problem(t, cells, order) for order in ORDERS]
-        for i, problem in enumerate(problems):
-            for j in range(u.shape[1]):
-                known, least = columns.known[j], columns.least[j]
-                costs[i, j], weights[i, j] = problem.best_weight(u[:, j], known, least)
-        best = int(np.argmin(costs.sum(axis=1)))
-        fine = weights[best].min() > math.log(len(t) / cells) + _PENALTY_DOMINATES
-        if fine or 2 * cells > len(t):
-            break
-    return Smoothness(problems[best].step, ORDERS[best], weights[best])
+def _likeliest(since: Array, u: Array, noise: _Noise) -> Smoothness:
+    """Return the likeliest smoothness of a column, with knots as fine as necessary."""
+    trial = min(len(since), _TRIAL_SAMPLES)
+    step = float(since[-1]) * trial / len(since) / _FEWEST_CELLS
+    first = _busiest(u, trial)
+    t, u = since[first : first + trial] - since[first], u[first : first + trial]
+    u = u - u.mean()
+    while True:
+        samples = _Samples(t, step)
+        problems = [_Problem(samples, order, noise) for order in ORDERS]
+        costs, weights = zip(*(problem.best_weight(u) for problem in problems), strict=True)
+        best = int(np.argmin(costs))
+        if weights[best] > problems[best].density + _FINE or 2 * samples.cells > trial:
+            return Smoothness(step, ORDERS[best], weights[best])
+        step /= 2.0
+
+
+def _busiest(u: Array, trial: int) -> int:
+    """Return the index of the first of ``trial`` samples with the largest change of rate."""
+    size = max(1, trial // _TRIAL_BLOCKS)
+    blocks = u[: len(u) // size * size].reshape(-1, size).mean(axis=1)
+    changes = np.concatenate([[0.0], np.cumsum(np.diff(blocks, 2) ** 2)])
+    span = min(_TRIAL_BLOCKS - 2, len(changes) - 1)
+    return min(size * int(np.argmax(changes[span:] - changes[: len(changes) - span])), len(u) - trial)
