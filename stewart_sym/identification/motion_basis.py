@@ -22,7 +22,7 @@ from ..motion.rotation import cross_matrix, rpy_from_rotation, vector_from_rotat
 from ..motion.sample_times import elapsed
 
 if TYPE_CHECKING:
-    from ..motion.spline import SmoothCurve, Smoothness
+    from ..motion.spline import SmoothCurves, Smoothness
 
 WITHOUT_PERIOD = "a smooth motion without a period"
 """Task that requires SciPy."""
@@ -191,8 +191,8 @@ def smoothed(motion: Motion, noise: PoseNoise) -> tuple[Motion, Array]:
     q = coordinates(motion, noise)
     if noise.period is None:
         since = elapsed(noise.time)
-        curve, _ = _curve(noise, q)
-        return _motion(curve.evaluate(since), motion), np.sqrt(curve.covariance(since)[..., 2])
+        curves, _ = _curves(noise, q)
+        return _motion(curves.evaluate(since), motion), np.sqrt(curves.covariance(since)[..., 2])
     basis, c = next(_fourier_series(noise, q, noise.period))
     rates = np.linalg.norm(basis.local[1] @ np.linalg.pinv(basis.local[0]), axis=1)
     return basis.motion(c, motion), rates[:, None] / noise.weights
@@ -252,40 +252,63 @@ def _fourier(time: Array, period: float, harmonics: int) -> Basis:
     return Basis(size, start, np.array(local), np.zeros((0, 6 * size)), start[:0])
 
 
-def _curve(noise: PoseNoise, q: Array) -> tuple[SmoothCurve, Smoothness]:
-    """Smooth the poses alone; noise that is stated much too small is estimated."""
+def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]:
+    """Smooth the poses alone; the noise is estimated unless the estimate is much below the stated noise."""
     with needed_for(WITHOUT_PERIOD):
         from ..motion.spline import likeliest, smooth_columns
     since, std = elapsed(noise.time), 1.0 / noise.weights
     smoothness = likeliest(since, q)
-    curve = smooth_columns(since, q, smoothness=smoothness)
-    if np.any(curve.noise_std < _TOO_SMALL * std):
-        known = np.where(curve.noise_std < _TOO_SMALL * std, std, np.nan)
+    curves = smooth_columns(since, q, smoothness=smoothness)
+    interpolated = curves.noise_std < _TOO_SMALL * std
+    if interpolated.any():
+        known = np.where(interpolated, std, np.nan)
         smoothness = likeliest(since, q, known)
-        curve = smooth_columns(since, q, known, smoothness=smoothness)
-    return curve, smoothness
+        curves = smooth_columns(since, q, known, smoothness=smoothness)
+    return curves, smoothness
 
 
 def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
-    """Return the B-splines of the curve through the poses, with the prior of its penalty."""
-    curve, smoothness = _curve(noise, q)
-    first, factors = curve.local_rows(elapsed(noise.time))
-    size, order = len(curve.coefficients), smoothness.order
-    width = max(factors.shape[2], order + 1)
-    start = np.minimum(first, size - width)
-    place = (first - start)[:, None] + np.arange(factors.shape[2])
-    local = np.zeros((3, len(first), width))
-    np.put_along_axis(local, np.broadcast_to(place, factors.shape), factors, axis=2)
-    # Row by row the differences of each coordinate, divided by their standard deviation.
-    differences = np.array([(-1.0) ** (order - k) * math.comb(order, k) for k in range(order + 1)])
-    scale = np.exp(0.5 * smoothness.weights) / curve.noise_std
-    prior_first = np.minimum(np.arange(size - order), size - width)
-    place = (np.arange(size - order) - prior_first)[:, None] + np.arange(order + 1)
-    prior = np.zeros((size - order, 6, width, 6))
-    for j in range(6):
-        prior[np.arange(size - order)[:, None], j, place, j] = scale[j] * differences
-    prior_start = np.repeat(6 * prior_first, 6)
-    return Basis(size, start, local, prior.reshape(-1, 6 * width), prior_start), curve.coefficients
+    """Return the finest B-splines of the curves through the poses, with the priors of their penalties."""
+    curves, smoothness = _curves(noise, q)
+    from scipy.interpolate import BSpline, make_interp_spline
+
+    from ..motion.spline import DEGREE
+
+    since, step = elapsed(noise.time), min(each.step for each in smoothness)
+    cells = max(1, math.ceil(float(since[-1]) / step * (1.0 - 1e-9)))
+    size, width = cells + DEGREE, max(DEGREE, *(each.order for each in smoothness)) + 1
+    cell = np.minimum((since / step).astype(np.intp), cells - 1)
+    start = np.minimum(cell, size - width)
+    near = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
+    local, place = np.zeros((3, len(since), width)), (cell - start)[:, None] + np.arange(DEGREE + 1)
+    for order in range(3):
+        np.put_along_axis(local[order], place, near(since / step - cell, order) / step**order, axis=1)
+    priors = [
+        _prior(size, width, j, each.order, _prior_weight(each, step) / std)
+        for j, (each, std) in enumerate(zip(smoothness, curves.noise_std, strict=True))
+    ]
+    rows, starts = (np.concatenate(parts) for parts in zip(*priors, strict=True))
+    ends = np.array([1.0, 2.0]) / 3.0
+    sites = step * np.sort(np.concatenate([np.arange(cells + 1), ends, cells - ends]))
+    knots = step * np.arange(-DEGREE, size + 1)
+    c = make_interp_spline(sites, curves.evaluate(sites)[0], DEGREE, knots).c
+    return Basis(size, start, local, rows, starts), c
+
+
+def _prior_weight(smoothness: Smoothness, step: float) -> float:
+    """Return the square root of the weight of a penalty on knots at another distance (s)."""
+    finer = (2 * smoothness.order - 1) * math.log(smoothness.step / step)
+    return math.exp(0.5 * (smoothness.log_weight + finer))
+
+
+def _prior(size: int, width: int, coordinate: int, order: int, weight: float) -> tuple[Array, Indices]:
+    """Return weighted differences of the coefficients of one coordinate, as ``prior`` and ``prior_start``."""
+    first = np.minimum(np.arange(size - order), size - width)
+    place = (np.arange(size - order) - first)[:, None] + np.arange(order + 1)
+    rows = np.zeros((size - order, width, 6))
+    signs = [(-1.0) ** k * math.comb(order, k) for k in range(order + 1)]
+    rows[np.arange(size - order)[:, None], place, coordinate] = weight * np.array(signs)
+    return rows.reshape(-1, 6 * width), 6 * first
 
 
 def residual(basis: Basis, c: Array, motion: Motion, noise: PoseNoise) -> Array:
