@@ -76,15 +76,16 @@ from .kinematics.offset_legs import motor_angles as motor_angles
 from .kinematics.offset_legs import pose_from_motor_angles as pose_from_motor_angles
 from .kinematics.pose_certificate import PoseCertificate as PoseCertificate
 from .kinematics.pose_certificate import certify_pose as certify_pose
+from .kinematics.trajectory_writer import write_trajectory as write_trajectory
 from .motion.interpolation import interpolate as interpolate
 from .motion.interpolation import resample as resample
-from .motion.logs import TrajectoryFormat as TrajectoryFormat
 from .motion.motion import Motion as Motion
 from .motion.smoothing import SmoothSamplesResult as SmoothSamplesResult
 from .motion.smoothing import smooth_samples as smooth_samples
 from .motion.straight_line import PAPER_PATHS as PAPER_PATHS
 from .motion.straight_line import StraightLinePath as StraightLinePath
 from .motion.trajectory import SmoothingOptions as SmoothingOptions
+from .motion.trajectory_format import TrajectoryFormat as TrajectoryFormat
 from .motion.trajectory_format import TrajectoryWarning as TrajectoryWarning
 from .planning.path_parameterization import TimedPath as TimedPath
 from .planning.path_parameterization import parameterize_path as parameterize_path

@@ -9,13 +9,16 @@ import stewart_sym as ss
 
 from ..io.error_policy import warn
 from ..io.progress import Progress
-from ..kinematics.robot_logs import read_log_of
+from ..kinematics.robot_logs import log_of, samples_of
 from ..kinematics.trajectory_checks import side_doubt
-from ..motion.log_reader import with_units_of
+from ..motion.log_reader import trajectory_of as motion_log_of
+from ..motion.log_samples import read_samples
 from ..motion.rotation import rotation_from_rpy
-from ..motion.trajectory import JointTrajectory, PoseLog, Trajectory
+from ..motion.trajectory import Trajectory
+from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 from ..plausibility.plausibility import find_implausible
 from ..singularities.joint_space import on_platform
+from .options import LOG_FORM
 
 FEW_ROWS = 10
 """Number of rows below which a trajectory does not resolve its motion."""
@@ -39,26 +42,47 @@ def warn_of_doubts(robot: ss.Robot, source: Path) -> None:
 
 def trajectory_of(
     robot: ss.Robot, source: Path, arguments: argparse.Namespace, progress: Progress
-) -> Trajectory | PoseLog:
+) -> Trajectory:
     """Read a CSV file of poses or leg lengths as specified by the options, and return poses over time."""
+    progress(f"reading {source}")
+    samples = samples_of(robot, source, log_format(arguments))
+    log = log_of(robot, samples, _smoothing(arguments, samples.file_format), progress)
+    return _resampled(poses_of(robot, log, arguments, progress), arguments)
+
+
+def plain_trajectory(source: Path, arguments: argparse.Namespace, progress: Progress) -> Trajectory:
+    """Read a CSV file as specified by the options, without a robot."""
+    if arguments.pose_guess is not None:
+        raise ValueError("--pose-guess: needs the robot; add --robot")
+    progress(f"reading {source}")
+    samples = read_samples(str(source), log_format(arguments))
+    log = motion_log_of(samples, _smoothing(arguments, samples.file_format), progress)
+    if arguments.rate is not None and log.in_joints:
+        raise ValueError("--rate: resampling of leg lengths needs the robot; add --robot")
+    return _resampled(log, arguments)
+
+
+def _smoothing(arguments: argparse.Namespace, form: ss.TrajectoryFormat) -> ss.SmoothingOptions:
+    """Return the smoothing that the options specify, for a file of this format."""
     if not arguments.smoothing:
         for name in ("position_std", "angle_std", "cutoff"):
             if getattr(arguments, name) is not None:
                 option = name.replace("_", "-")
                 raise ValueError(f"--{option} and --no-smoothing cannot be given together")
-    form = log_format(arguments, source)
-    smoothing = ss.SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
-    log = read_log_of(robot, source, log_format(arguments), smoothing, progress)
-    trajectory = poses_of(robot, log, arguments, progress)
+    return ss.SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
+
+
+def _resampled(trajectory: Trajectory, arguments: argparse.Namespace) -> Trajectory:
+    """Return a trajectory at the rate of the options, if any."""
     if arguments.rate is None:
         return trajectory
     few = ss.resample(trajectory, arguments.rate)
     if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
-        warn(
-            f"{source}: {len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(trajectory.time)} rows in "
-            f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at {arguments.rate:g} Hz; the motion between "
-            "them is not computed; raise --rate"
+        span = f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at {arguments.rate:g} Hz"
+        finding = (
+            f"{len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(trajectory.time)} rows in {span}"
         )
+        warn(f"{trajectory.source}: {finding}; the motion between them is not computed; raise --rate")
     return few
 
 
@@ -68,32 +92,26 @@ def stated_noise(
     """Convert the noise options from units of the log to m and rad; return (position_std, angle_std)."""
     position, angle = arguments.position_std, arguments.angle_std
     return (
-        None if position is None else position * form.meters_per_unit,
-        None if angle is None else angle * form.radians_per_unit,
+        None if position is None else position * LENGTH_UNITS[form.length_unit or "m"],
+        None if angle is None else angle * ANGLE_UNITS[form.angle_unit or "rad"],
     )
 
 
-def log_format(arguments: argparse.Namespace, source: Path | None = None) -> ss.TrajectoryFormat:
-    """Return the file format of a trajectory that the options specify.
-
-    ``source`` is a file whose unit row supplies the units that no option specifies. Without ``source``, these
-    units remain undefined.
-    """
-    units = ("length_unit", "angle_unit", "time_unit")
-    names = ("columns", *units, "delimiter", "decimal", "euler_order", "length_mode")
-    form = ss.TrajectoryFormat(**{name: getattr(arguments, name) for name in names})
-    return form if source is None else with_units_of(source, form)
+def log_format(arguments: argparse.Namespace) -> ss.TrajectoryFormat:
+    """Return the file format of a trajectory that the options specify."""
+    names = [name.replace("-", "_") for name in ("columns", *LOG_FORM, "row-rate", "drop-lines")]
+    return ss.TrajectoryFormat(**{name: getattr(arguments, name) for name in names})
 
 
 def poses_of(
     robot: ss.Robot,
-    log: Trajectory | PoseLog | JointTrajectory,
+    log: Trajectory,
     arguments: argparse.Namespace,
     progress: Progress,
-) -> Trajectory | PoseLog:
+) -> Trajectory:
     """Return the poses of a log, computed by forward kinematics if the log contains leg lengths."""
     start = None if arguments.pose_guess is None else np.asarray(arguments.pose_guess)
-    if isinstance(log, JointTrajectory):
+    if log.in_joints:
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
         poses = on_platform(robot, log, guess, progress)
         if start is not None and (doubt := side_doubt(robot, poses.motion)) is not None:

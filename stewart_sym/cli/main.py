@@ -22,7 +22,7 @@ from .options import Parser, hint
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
 GROUPS = {
-    "machine": ("new", "robots", "check", "view", "import", "export"),
+    "machine": ("new", "robots", "check", "view", "convert", "import", "export"),
     "computation": ("forces", "size-actuators", "workspace", "singularities", "plan", "simulate", "identify"),
     "code": ("generate", "choose-fidelity", "cmake-dir", "derive"),
     "studies": ("reproduce", "chart", "stability", "benchmark"),

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from ..io.arguments import no_option
+from ..motion.trajectory_format import ANGLE_UNITS, EULER_ORDERS, LENGTH_UNITS, MODES, TIME_UNITS
 from . import renamed
 from .terminal import PROGRAM, one_line
 
@@ -26,22 +27,24 @@ _FILES = {
 }
 """Placeholder and help of each kind of input file."""
 
+_OF_FILE = "from the header or the robot file, otherwise {}"
 LOG_FORM = {
-    "length-unit": ("unit of length", "the unit row below the header, otherwise m", ("m", "cm", "mm", "in")),
-    "angle-unit": ("unit of angle", "the unit row below the header, otherwise rad", ("rad", "deg")),
-    "time-unit": ("unit of time", "the unit row below the header, otherwise s", ("s", "ms", "us")),
+    "length-unit": ("unit of length", _OF_FILE.format("m"), tuple(LENGTH_UNITS)),
+    "angle-unit": ("unit of angle", _OF_FILE.format("rad"), tuple(ANGLE_UNITS)),
+    "time-unit": ("unit of time", _OF_FILE.format("s"), tuple(TIME_UNITS)),
     "delimiter": ("delimiter", "detected", ("comma", "semicolon", "tab")),
     "decimal": ("decimal mark", "detected", ("point", "comma")),
     "euler-order": (
         "order of the rotation product",
         "from the robot file, otherwise zyx (R = Rz Ry Rx)",
-        ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
+        EULER_ORDERS,
     ),
     "length-mode": (
         "zero of the leg lengths, absolute or the home pose",
         "from the robot file or absolute",
-        ("absolute", "relative"),
+        MODES,
     ),
+    "pose-mode": ("zero of the poses, absolute or the home pose", "from the robot file or absolute", MODES),
 }
 """Meaning, default, and values of each option that describes a trajectory file."""
 
@@ -85,6 +88,17 @@ def _column_names(text: str) -> dict[str, str]:
     if not all(map(all, pairs)) or len(names) < len(pairs):
         raise argparse.ArgumentTypeError(f"expected NAME=HEADER,NAME=HEADER,..., got {text!r}")
     return names
+
+
+def _lines(text: str) -> tuple[int, ...]:
+    """Parse line numbers such as 1498,1503-1510."""
+    found: list[int] = []
+    for part in text.split(","):
+        match = re.fullmatch(r"(\d+)(?:-(\d+))?", part.strip())
+        if match is None:
+            raise argparse.ArgumentTypeError(f"expected line numbers such as 1498,1503-1510, got {text!r}")
+        found += range(int(match[1]), int(match[2] or match[1]) + 1)
+    return tuple(found)
 
 
 def hint(text: str, names: Iterable[str]) -> str:
@@ -201,10 +215,14 @@ class Parser(argparse.ArgumentParser):
         names = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
         text = "pose near the first leg lengths (m and rad); default: above the base, nearly parallel to it"
         group.add_argument("--pose-guess", nargs=6, type=finite, metavar=names, help=text)
-        text = "names of the columns in the header, as in time=ms,t_x=X; all other columns are ignored"
+        text = "names of the columns in the header, as in time=ms,t_x=X; others are found by their names"
         group.add_argument("--columns", type=_column_names, default={}, metavar="NAME=HEADER,...", help=text)
         for name, (what, default, choices) in LOG_FORM.items():
             group.add_argument(f"--{name}", choices=choices, help=f"{what}; default: {default}")
+        text = "rows per second (Hz) of a file without a column of times"
+        self.valued("row-rate", positive, text, metavar="HZ", group=group)
+        text = "lines of the file that are not used, as in 1498,1503-1510"
+        self.valued("drop-lines", _lines, text, (), "LINES", group)
         return group
 
     def noise(self, text: str, position: str, angle: str, group: Group | None = None) -> None:

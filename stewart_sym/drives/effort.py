@@ -363,6 +363,12 @@ class Summary:
             for beyond in extremes.beyond(limit * (1.0 + share)):
                 yield beyond.verdict, _line(name, what, unit, beyond, limit)
 
+    def all_verdicts(self) -> list[list[str]]:
+        """Return the status of each leg for all limits of the drive."""
+        limits = {name: getattr(self.drive, f"{name}_limit") for name in PEAKS}
+        limits["rated_torque"] = self.drive.rated_torque
+        return [self.verdicts(name) for name, limit in limits.items() if np.isfinite(limit).any()]
+
     def verdicts(self, name: str) -> list[str]:
         """Return the status of each leg for one of ``PEAKS`` or for "rated_torque"."""
         if name == "rated_torque":
@@ -405,5 +411,5 @@ def _line(name: str, what: str, unit: str, beyond: Beyond, limits: Array) -> str
     value = f"{amount_text(beyond.size, beyond.sd)} {unit}{at}"
     return (
         f"{name} {status_text(beyond.verdict)} by {beyond.legs_text}: {beyond.worst_text}{what} {value}, "
-        f"limit {limits[beyond.worst]:g} {unit}"
+        f"limit {limits[beyond.worst]:g} {unit}{beyond.needed_noise(limits[beyond.worst])}"
     )

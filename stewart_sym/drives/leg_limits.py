@@ -42,6 +42,11 @@ class LegLimit(NamedTuple):
         limits: Array = getattr(robot, self.name.partition(" ")[0])
         return limits if self.end is None else self.sign * limits[:, self.end]
 
+    def is_stated(self, robot: Robot) -> bool:
+        """Return True if a leg has this limit; a shortest length of 0 is none."""
+        bound = self.bound(robot)
+        return bool((np.isfinite(bound) & (bound != 0.0)).any())
+
     def most(self, robot: Robot) -> Array:
         """Return the bound with a tolerance for rounding, shape (6,)."""
         bound = self.bound(robot)
@@ -139,9 +144,15 @@ class LegLimits:
         if self._count[k, worst]:
             share = f"at {int(self._count[k, worst])} of {len(self.time)} samples"
             text += f"; beyond it for {self._span[k, worst]:.3g} s, {share}"
-        elif found.verdict == INCONCLUSIVE_REPLACED_ROWS:
+        text += found.needed_noise(limit.most(self.robot)[worst])
+        if found.verdict == INCONCLUSIVE_REPLACED_ROWS and not self._count[k, worst]:
             text += f"; because of replaced rows ({replaced_names(self.replaced)})"
         return text
+
+    def all_verdicts(self) -> list[list[str]]:
+        """Return the status of each leg for all limits of the robot."""
+        stated = [limit for limit in LEG_LIMITS if limit.is_stated(self.robot)]
+        return [self.verdicts(limit) for limit in stated]
 
     def verdicts(self, limit: LegLimit) -> list[str]:
         """Return the status of each leg."""

@@ -1,6 +1,6 @@
 """Status of limits: one rule for every quantity, with the standard deviations caused by noise in a log."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -63,6 +63,15 @@ def _sides(sd: Array | Sides | None) -> Sides:
     return sd if isinstance(sd, tuple) else (sd, sd)
 
 
+def counts_text(verdicts: Sequence[Sequence[str]]) -> str:
+    """Format the numbers of limits kept, exceeded, and undecided from the status of each leg."""
+    worst = [max(legs, key=VERDICTS.index) for legs in verdicts]
+    if not worst:
+        return "limits: none stated"
+    kept, exceeded = worst.count(WITHIN), worst.count(EXCEEDED)
+    return f"limits: {kept} kept, {exceeded} exceeded, {len(worst) - kept - exceeded} undecided"
+
+
 def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> int:
     """Return the index of the magnitude of a leg, shape (n,), that determines the status."""
     return int(np.argmax(_scores(sizes, sd, verdict)))
@@ -87,6 +96,13 @@ class Beyond(NamedTuple):
     size: float
     sd: float | None
     when: Any
+
+    def needed_noise(self, limit: float) -> str:
+        """Return a text with the noise at which an inconclusive limit is decided, otherwise an empty text."""
+        if self.verdict == EXCEEDED or not self.sd or not np.isfinite(self.sd):
+            return ""
+        share = abs(limit - self.size) / (SURE * self.sd)
+        return f"; needs noise below {100.0 * share:.2g} % of the noise here"
 
     @property
     def legs_text(self) -> str:

@@ -12,10 +12,12 @@ import numpy as np
 
 from ..io.error_policy import errors_of
 from ..io.json_text import json_text
+from ..motion.trajectory_format import TrajectoryFormat
 from ..robot.drive import Drive, drive_of_tables, drive_tables
 from ..robot.fields import LEGS, LegTables
 from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
+from ..robot.schema_2 import format_table
 from .model import Model
 from .offset_legs import noted_offsets, restored_offsets, same_offsets
 
@@ -27,15 +29,12 @@ _SILENT = (
         "suppressed_warnings",
         "home_position",
         "tool",
-        "euler_order",
-        "length_mode",
+        "trajectory_format",
         "joint_angle_limit",
     ),
     *("lower_length", "upper_length"),
 )
 """Fields that are independent of bodies and joints, so that the note has priority."""
-_FROM_HOME = {"length_mode": "absolute", "joint_angle_limit": np.inf}
-"""Fields that require a home position, with their values for robots without one."""
 _LIMITS = ("length_limits", "force_limit", "speed_limit", "joint_angle_limit")
 _UNSTATED = {"C_u": 0.0, "C_p": 0.0, "C_s": 0.0, "force_limit": np.inf, "speed_limit": np.inf}
 """Fields that some formats cannot represent, with their values without a note."""
@@ -71,6 +70,8 @@ def noted(found: Mapping[str, Any]) -> dict[str, Any]:
     given = dict(found)
     if isinstance(drive := given.get("drive"), Drive):
         given["drive"] = drive_tables(drive)
+    if isinstance(form := given.get("trajectory_format"), TrajectoryFormat):
+        given["trajectory_format"] = format_table(form)
     if isinstance(offsets := given.get("offsets"), JointOffsets):
         given["offsets"] = noted_offsets(offsets)
     plain: dict[str, Any] = json.loads(json_text(given))
@@ -98,15 +99,20 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
             del taken[name]
             said.append(f"{name}: the model contradicts the note; the model is used")
     if taken.get("home_position", robot.home_position) is None:
-        for name in [
-            name for name in _FROM_HOME if name in taken and np.any(taken[name] != _FROM_HOME[name])
-        ]:
+        for name in [name for name in taken if _requires_home(taken[name], name)]:
             del taken[name]
             said.append(
                 f"{name}: requires a home position, which the model does not have; the note is ignored"
             )
     with errors_of("notes: "):
         return replace(robot, **taken), said
+
+
+def _requires_home(value: Any, name: str) -> bool:
+    """Return True for a field whose value refers to the home pose."""
+    if name == "trajectory_format":
+        return "relative" in (value.length_mode, value.pose_mode)
+    return name == "joint_angle_limit" and bool(np.any(value != np.inf))
 
 
 def _restored(name: str, noted: Any) -> Any:
@@ -121,6 +127,9 @@ def _restored(name: str, noted: Any) -> Any:
         return drive_of_tables(legs, float, False)
     if name == "offsets":
         return restored_offsets(noted)
+    if name == "trajectory_format":
+        with errors_of("notes: trajectory_format: "):
+            return TrajectoryFormat(**noted)
     return tuple(noted) if name == "suppressed_warnings" and isinstance(noted, list) else noted
 
 

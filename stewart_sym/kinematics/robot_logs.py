@@ -2,25 +2,30 @@
 
 import os
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
-from ..motion.log_reader import AS_SHOWN, PLAIN, read_log
+from ..io.toml_reader import file_name
+from ..motion.log_reader import AS_SHOWN, poses_of, trajectory_of
+from ..motion.log_samples import LogSamples, read_samples
 from ..motion.trajectory import SmoothingOptions, Trajectory
-from ..motion.trajectory_format import TrajectoryFormat, TrajectoryWarning
+from ..motion.trajectory_format import PLAIN, TrajectoryFormat, TrajectoryWarning
 from ..robot.robot import Robot
 from .offset_legs import leg_lengths
 from .trajectory_checks import log_doubts, need_units
 
 
-def form_of(robot: Robot, form: TrajectoryFormat = PLAIN) -> TrajectoryFormat:
-    """Return the format of the robot's logs; the robot file supplies unspecified settings."""
-    order, lengths = form.euler_order or robot.euler_order, form.length_mode or robot.length_mode
-    return replace(form, euler_order=order, length_mode=lengths)
+def samples_of(robot: Robot, path: str | os.PathLike[str], form: TrajectoryFormat = PLAIN) -> LogSamples:
+    """Read the samples of a robot's log; raise ValueError if they fit the robot only in another unit.
+
+    The robot file supplies properties of the format that neither ``form`` nor the header states.
+    """
+    samples = read_samples(file_name(path), form, robot.trajectory_format)
+    need_units(robot, samples)
+    return samples
 
 
 def read_log_of(
@@ -30,27 +35,47 @@ def read_log_of(
     smoothing: SmoothingOptions = AS_SHOWN,
     progress: Progress = silent,
 ) -> Trajectory:
-    """Read a log whose poses and loads refer to the robot's tool; relative coordinates become absolute.
+    """Read a log of poses or leg lengths; raises the errors of ``samples_of`` and ``log_of``."""
+    progress(f"reading {file_name(path)}")
+    return log_of(robot, samples_of(robot, path, form), smoothing, progress)
 
-    Raises the errors of ``read_log``, and ValueError if numbers fit the robot only in another unit that
-    neither the format nor the file states. Warns if other numbers do not fit the robot.
+
+def log_of(
+    robot: Robot,
+    samples: LogSamples,
+    smoothing: SmoothingOptions = AS_SHOWN,
+    progress: Progress = silent,
+) -> Trajectory:
+    """Compute the trajectory of samples whose poses and loads refer to the robot's tool.
+
+    Relative coordinates become absolute. Raises the errors of ``trajectory_of``. Warns if numbers do not fit
+    the robot.
     """
-    form = form_of(robot, form)
-    log = read_log(path, form, smoothing, progress, partial(need_units, robot))
+    log, form = trajectory_of(samples, smoothing, progress), samples.file_format
     if form.length_mode == "relative" and log.in_joints:
-        log = _with_home(robot, log, leg_lengths(robot, np.eye(3), _home(robot, log)))
+        log = _with_home(robot, log, leg_lengths(robot, np.eye(3), _home(robot, log.source)))
     if form.pose_mode == "relative" and not log.in_joints:
-        log = _with_home(robot, log, np.concatenate([_home(robot, log) + robot.tool, np.zeros(3)]))
+        log = _with_home(robot, log, np.concatenate([_home(robot, log.source) + robot.tool, np.zeros(3)]))
     log = log.of_tool(robot.tool)
     for doubt in log_doubts(robot, log):
         warn(f"{log.source}: {doubt}", TrajectoryWarning)
     return log
 
 
-def _home(robot: Robot, log: Trajectory) -> Array:
+def read_poses_of(
+    robot: Robot, path: str | os.PathLike[str], form: TrajectoryFormat = PLAIN
+) -> tuple[Array, Array]:
+    """Read poses of the robot's tool without rates: R, shape (n, 3, 3), and t (m), shape (n, 3)."""
+    samples = samples_of(robot, path, form)
+    R, t = poses_of(samples)
+    relative = samples.file_format.pose_mode == "relative"
+    return R, t + (_home(robot, samples.source) + robot.tool if relative else 0.0)
+
+
+def _home(robot: Robot, source: str) -> Array:
     """Return the home position (m); raise ValueError if the robot has none."""
     if robot.home_position is None:
-        raise ValueError(f"{log.source}: relative coordinates; add home_position to the robot file")
+        raise ValueError(f"{source}: relative coordinates; add home_position to the robot file")
     return robot.home_position
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..io.array_types import Array, Flags
 from ..io.toml_reader import opened
@@ -20,6 +21,10 @@ _PART = 4096
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?")
 _INSTANT = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ])?(\d\d:\d\d:\d\d(?:\.\d{1,9})?)(?:Z|[-+]\d\d:?\d\d)?")
 _UNIT = re.compile(r"(.*?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]")
+
+
+Lines = NDArray[np.int64]
+"""Line numbers, from 1."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +48,8 @@ class CsvTable:
     source: str
     header: tuple[str, ...]
     units: dict[str, str]
-    lines: Array
-    dropped: Array
+    lines: Lines
+    dropped: Lines
     _texts: Sequence[str]
     _delimiter: str
     _decimal: str
@@ -225,6 +230,8 @@ def _numbers(texts: Sequence[str], width: int, places: list[int], delimiter: str
         columns = None if places == list(range(width)) else places
         return np.loadtxt(lines, delimiter=delimiter, comments=None, usecols=columns, ndmin=2, quotechar='"')
 
+    if not texts:
+        return np.empty((0, len(places)))
     try:
         return converted(texts)
     except ValueError:

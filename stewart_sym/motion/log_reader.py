@@ -1,8 +1,9 @@
 """Trajectories read from CSV files, with rates from a smooth curve if the file has none."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -12,13 +13,12 @@ from ..io.progress import Progress, silent
 from ..io.toml_reader import file_name
 from .csv_table import read_table
 from .log_rates import as_given, rates_of
-from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, number_columns, read_samples
+from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, number_columns
 from .rate_checks import rate_error
 from .rotation import rotation_about_axes
 from .trajectory import SmoothingOptions, Trajectory, turn_doubt
 from .trajectory_format import TIME_UNITS, TrajectoryFormat, TrajectoryWarning
 
-PLAIN = TrajectoryFormat()
 AS_SHOWN = SmoothingOptions()
 FORCES = tuple(f"F_{leg}" for leg in range(1, 7))
 """Columns of actuator forces."""
@@ -26,29 +26,23 @@ CURRENTS = tuple(f"current_{leg}" for leg in range(1, 7))
 """Columns of the currents of the motors."""
 # Range of the largest acceleration (m/s^2) of a moving machine, and of accelerations that are possible.
 _ORDINARY, _POSSIBLE = (0.1, 30.0), (1e-4, 1e5)
+# Range of the steps of loggers (s).
+_STEPS = (2e-4, 1.0)
 
 
-def read_log(
-    path: str | os.PathLike[str],
-    form: TrajectoryFormat = PLAIN,
-    smoothing: SmoothingOptions = AS_SHOWN,
-    progress: Progress = silent,
-    check: Callable[[LogSamples], None] = lambda samples: None,
+def trajectory_of(
+    samples: LogSamples, smoothing: SmoothingOptions = AS_SHOWN, progress: Progress = silent
 ) -> Trajectory:
-    """Read poses or leg lengths, and compute missing rates.
+    """Compute the trajectory of samples, with missing rates.
 
     Parameters
     ----------
-    path : path-like
-        CSV file, see ``log_samples``.
-    form : TrajectoryFormat
-        Format of the file.
+    samples : LogSamples
+        Samples of a file, see ``read_samples``.
     smoothing : SmoothingOptions
         Known properties of the noise.
     progress : callable
         Receives a text for each step.
-    check : callable
-        Raises ValueError for samples that do not fit the robot, before rates are computed.
 
     Returns
     -------
@@ -58,17 +52,13 @@ def read_log(
     Raises
     ------
     ValueError
-        If the file is invalid; the message has one line with file, line, problem, and remedy.
+        If the samples are invalid; the message has one line with file, line, problem, and remedy.
 
     Warns
     -----
     TrajectoryWarning
         For an implausible unit, noise, rows without use, gaps, and rates that contradict positions.
     """
-    source = file_name(path)
-    progress(f"reading {source}")
-    samples = read_samples(source, form)
-    check(samples)
     progress(f"differentiating {len(samples.lines)} rows")
     in_joints = "L" in samples.vectors
     values, steps, order = _coordinates(samples)
@@ -85,23 +75,15 @@ def read_log(
         found, noise = rates_of(samples, smoothing, values, steps)
     time = np.arange(float(len(values))) if samples.time is None else samples.time
     _check_time_unit(samples, time, found)
-    F_ext, M_ext = (samples.vectors.get(name) for name in LOADS)
+    loads: dict[str, Any] = {name: samples.vectors[name] for name in LOADS if name in samples.vectors}
     noise = None if noise is None else replace(noise, order=order)
-    loads = {"F_ext": F_ext, "M_ext": M_ext}
-    rows = samples.lines.tolist()
-    return Trajectory(
-        time, None, source, rows, noise, coordinates=found, in_joints=in_joints, order=order, **loads
-    )
+    lines = samples.lines.tolist()
+    log = Trajectory(time, None, samples.source, lines, noise, found, in_joints=in_joints, order=order)
+    return replace(log, **loads)
 
 
-def read_poses(
-    path: str | os.PathLike[str],
-    form: TrajectoryFormat = PLAIN,
-    check: Callable[[LogSamples], None] = lambda samples: None,
-) -> tuple[Array, Array]:
-    """Read the poses of a file without rates: R, shape (n, 3, 3), and t (m), shape (n, 3)."""
-    samples = read_samples(file_name(path), form)
-    check(samples)
+def poses_of(samples: LogSamples) -> tuple[Array, Array]:
+    """Return the poses of samples without rates: R, shape (n, 3, 3), and t (m), shape (n, 3)."""
     if "L" in samples.vectors:
         raise ValueError(f"{samples.source}: contains leg lengths; use a file of poses, t_* and theta_*")
     values, _, order = _coordinates(samples)
@@ -145,20 +127,21 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
     largest = float(np.abs(lengths[2]).max())
     # In millimeters, lengths and accelerations are a thousand times as large: their ratio depends on time.
     size = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
-    moves = samples.time is not None and float(np.ptp(found[0], axis=0).max()) > 0.0
     low, high = _POSSIBLE
-    if not moves or low * size <= largest <= high * size:
+    if samples.time is None or len(time) < 2 or low * size <= largest <= high * size:
         return
-    present = TIME_UNITS[samples.file_format.time_unit or "s"]
+    step, present = float(np.median(np.diff(time))), TIME_UNITS[samples.file_format.time_unit or "s"]
     fits = [
         name
         for name, unit in TIME_UNITS.items()
         if _ORDINARY[0] * size <= largest * (present / unit) ** 2 <= _ORDINARY[1] * size
+        and _STEPS[0] <= step * unit / present <= _STEPS[1]
     ]
-    finding = f"accelerations up to {largest:.2g} m/s^2 at steps of {np.median(np.diff(time)):.3g} s"
+    finding = f"accelerations up to {largest:.2g} m/s^2 at steps of {step:.3g} s"
     if fits and "time_unit" not in samples.unit_places:
         raise ValueError(f"{samples.source}: {finding}; state time_unit={' or '.join(fits)}")
-    _warn(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
+    if largest > high * size:
+        _warn(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
 
 
 def _check_rates(samples: LogSamples, found: Array) -> None:

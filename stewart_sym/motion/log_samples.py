@@ -4,15 +4,16 @@ import dataclasses
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
 from ..io.error_policy import warn
 from . import rotation
-from .csv_table import CsvTable, is_number, read_table, split_unit
+from .csv_table import CsvTable, Lines, is_number, read_table, split_unit
 from .sample_times import time_text
-from .trajectory_format import UNITS, TrajectoryFormat, TrajectoryWarning
+from .trajectory_format import PLAIN, UNITS, TrajectoryFormat, TrajectoryWarning
 
 POSE = ("t", "theta")
 RATES = ("v", "theta_dot", "a", "theta_ddot")
@@ -49,6 +50,10 @@ _YEAR = 3.0e7
 # Number of digits of nanoseconds since 1970, which a double cannot represent.
 _LONG = 16
 _MOST_DECIMALS = 12
+# Number of different values that show the rounding of a column.
+_FEWEST_VALUES = 8
+# Relative rounding of a decimal number that is multiplied by a power of ten.
+_ROUNDING = 1e-15
 # Largest fraction of rows without numbers.
 _MOST_DROPPED = 0.5
 
@@ -78,13 +83,13 @@ class LogSamples:
     """
 
     source: str
-    lines: Array
+    lines: Lines
     time: Array | None
     vectors: dict[str, Array]
     steps: dict[str, Array]
     file_format: TrajectoryFormat
     unit_places: dict[str, str]
-    dropped: Array
+    dropped: Lines
 
     def angles(self) -> tuple[Array, Array, str]:
         """Return unwrapped angles (rad), (n, 3), their steps, (3,), and the order of the rotations.
@@ -104,7 +109,9 @@ class LogSamples:
         return np.unwrap(theta, axis=0), step, order
 
 
-def read_samples(source: str, form: TrajectoryFormat) -> LogSamples:
+def read_samples(
+    source: str, form: TrajectoryFormat = PLAIN, defaults: TrajectoryFormat = PLAIN
+) -> LogSamples:
     """Read a CSV file of poses or leg lengths.
 
     Parameters
@@ -113,6 +120,9 @@ def read_samples(source: str, form: TrajectoryFormat) -> LogSamples:
         Name of the file.
     form : TrajectoryFormat
         Format of the file.
+    defaults : TrajectoryFormat
+        Format for properties that neither ``form`` nor the header states. A file with standard columns uses
+        only its order of rotations.
 
     Returns
     -------
@@ -130,10 +140,15 @@ def read_samples(source: str, form: TrajectoryFormat) -> LogSamples:
         If rows are dropped, or units contradict each other.
     """
     table = read_table(source, form.delimiter, form.decimal)
+    if _is_standard(table, defaults):
+        defaults = TrajectoryFormat(euler_order=defaults.euler_order)
+    given, form = _given(form), form.with_defaults(defaults)
     found = _columns(table, form)
     vectors = _needed(found, form, source)
-    stated, places = _units(table, found, form)
-    clock = _clock(table, found.get("time"), form.time_unit or stated.get("time_unit"))
+    stated, places = _units(table, found, given)
+    places |= {kind: "the robot file" for kind in _given(defaults) if kind not in places}
+    stated = _given(defaults) | stated | given
+    clock = _clock(table, found.get("time"), stated.get("time_unit"))
     components = [each for name in vectors for each in components_of(name)]
     wanted = [found[each] for each in components] + [found[each] for each in ("time",) if each in found]
     numbers, good = table.columns(wanted, clock)
@@ -142,17 +157,12 @@ def read_samples(source: str, form: TrajectoryFormat) -> LogSamples:
     used = ~np.isin(table.lines[place], form.drop_lines)
     numbers, place = {name: column[used] for name, column in numbers.items()}, place[used]
     raw = numbers.get(found.get("time", ""))
-    if clock is None and raw is not None and "time_unit" not in stated and form.time_unit is None:
+    if clock is None and raw is not None and "time_unit" not in stated:
         stated["time_unit"] = _unit_since_1970(raw) or "s"
-    form = dataclasses.replace(form, **(_DEFAULTS | stated | _given(form)))
-    time = (
-        None
-        if raw is None
-        else raw
-        if clock is not None
-        else raw / round(1.0 / UNITS["time_unit"][form.time_unit or "s"])
-    )
-    if form.row_rate is not None:
+    units: dict[str, Any] = _DEFAULTS | stated
+    form = dataclasses.replace(form, **units)
+    time = raw if raw is None or clock else raw / round(1.0 / UNITS["time_unit"][form.time_unit or "s"])
+    if raw is None and form.row_rate is not None:
         time = place / form.row_rate
     columns = {each: _scaled(each, numbers[found[each]], form) for each in components}
     rows = _increasing(time, columns, table.lines[place], source)
@@ -180,6 +190,14 @@ def components_of(name: str) -> tuple[str, ...]:
 _COMPONENTS = {each.replace("_", "").lower(): each for name in _VECTORS for each in components_of(name)}
 
 
+def _is_standard(table: CsvTable, form: TrajectoryFormat) -> bool:
+    """Return True for a file with standard columns: poses with all rates, or none of the format's columns."""
+    if form.columns and not any(split_unit(each)[0] in table.header for each in form.columns.values()):
+        return True
+    names = [each for name in (*POSE, *RATES) for each in components_of(name)]
+    return not form.columns and not table.units and set(names) <= set(table.header)
+
+
 def _columns(table: CsvTable, form: TrajectoryFormat) -> dict[str, str]:
     """Return the name in the header of each column that is known or given by the format."""
     found = {}
@@ -196,14 +214,14 @@ def _columns(table: CsvTable, form: TrajectoryFormat) -> dict[str, str]:
         found[name] = plain
     taken = set(found.values())
     for cell in table.header:
-        name = _name_and_unit(cell)[0]
-        if name is None or cell in taken or name in form.columns:
+        known = _name_and_unit(cell)[0]
+        if known is None or cell in taken or known in form.columns:
             continue
-        if name in found:
+        if known in found:
             raise ValueError(
-                f"{table.source}: columns {found[name]!r} and {cell!r} are both {name}; rename one of them"
+                f"{table.source}: columns {found[known]!r} and {cell!r} are both {known}; rename one of them"
             )
-        found[name] = cell
+        found[known] = cell
     return found
 
 
@@ -232,17 +250,15 @@ def _needed(found: Mapping[str, str], form: TrajectoryFormat, source: str) -> li
         for each in components_of(name):
             if each not in found:
                 raise ValueError(f"{source}: no column {each}; name it with columns {each}=HEADER")
-    if form.row_rate is not None and "time" in found:
-        raise ValueError(f"{source}: row_rate: the file has times; omit row_rate")
     return [*position, *rates, *loads]
 
 
 def _units(
-    table: CsvTable, found: Mapping[str, str], form: TrajectoryFormat
+    table: CsvTable, found: Mapping[str, str], given: Mapping[str, str]
 ) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the units that the file states by kind, and the origin of each unit."""
+    """Return the units that the file states by kind, and the origin of these and of given units."""
     stated: dict[str, str] = {}
-    places = dict.fromkeys(_given(form), "the options")
+    places = dict.fromkeys(given, "the options")
     for name, cell in found.items():
         text = table.units.get(cell) or _name_and_unit(cell)[1]
         kind = _QUANTITIES.get(name.rpartition("_")[0] or name, ("", 0))[0]
@@ -259,10 +275,9 @@ def _units(
                 f"{table.source}: column {cell}: {unit} and {stated[kind]} in one file; use one {kind}"
             )
         places.setdefault(kind, "the header")
-        given = getattr(form, kind, None)
-        if given not in (None, unit):
-            text = f"{table.source}: column {cell}: unit {unit} contradicts {kind}={given}, which is used"
-            warn(f"{text}; correct one of them", TrajectoryWarning)
+        if given.get(kind, unit) != unit:
+            text = f"{table.source}: column {cell}: unit {unit} contradicts {kind}={given[kind]}"
+            warn(f"{text}, which is used; correct one of them", TrajectoryWarning)
     return {kind: unit for kind, unit in stated.items() if kind in _DEFAULTS}, places
 
 
@@ -307,16 +322,21 @@ def _si(name: str, form: TrajectoryFormat) -> float:
 
 
 def _step(name: str, values: Array, form: TrajectoryFormat) -> float:
-    """Return the step (SI) to which a column is rounded to decimals; 0 if there is none."""
+    """Return the step (SI) to which a column is rounded to decimals; 0 if there is none.
+
+    Few or nearly constant values do not show their rounding.
+    """
     some = values[:: max(1, len(values) // 1000)]
+    if len(np.unique(some)) < _FEWEST_VALUES:
+        return 0.0
     for decimals in range(_MOST_DECIMALS):
         count = some * 10.0**decimals
-        if np.all(np.abs(count - np.rint(count)) <= 1e-9 * np.maximum(np.abs(count), 1.0)):
+        if np.all(np.abs(count - np.rint(count)) <= _ROUNDING * np.abs(count)):
             return 10.0**-decimals * abs(form.scales.get(name, 1.0)) * _si(name, form)
     return 0.0
 
 
-def _warn_of_dropped(table: CsvTable, good: Array, wanted: Sequence[str]) -> None:
+def _warn_of_dropped(table: CsvTable, good: Flags, wanted: Sequence[str]) -> None:
     """Warn of rows that are not numbers; raise ValueError if they are too many."""
     dropped = np.sort(np.concatenate([table.dropped, table.lines[~good]]))
     if not len(dropped):
@@ -329,7 +349,7 @@ def _warn_of_dropped(table: CsvTable, good: Array, wanted: Sequence[str]) -> Non
     )
 
 
-def line_ranges(lines: Array, most: int = 8) -> str:
+def line_ranges(lines: Lines, most: int = 8) -> str:
     """Format line numbers such as ``lines 3, 7-9 and 5 more``."""
     breaks = np.flatnonzero(np.diff(lines) > 1)
     first, last = lines[np.r_[0, breaks + 1]], lines[np.r_[breaks, len(lines) - 1]]
@@ -338,7 +358,7 @@ def line_ranges(lines: Array, most: int = 8) -> str:
     return f"line{'s' if len(lines) > 1 else ''} {', '.join(texts[:most])}{more}"
 
 
-def _increasing(time: Array | None, columns: Mapping[str, Array], lines: Array, source: str) -> Array:
+def _increasing(time: Array | None, columns: Mapping[str, Array], lines: Lines, source: str) -> Lines:
     """Return the indices of rows without repeated ones; raise ValueError for times that do not increase."""
     count = len(lines)
     if not count:

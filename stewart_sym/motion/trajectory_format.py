@@ -95,6 +95,12 @@ class TrajectoryFormat:
         return self.euler_order or "zyx"
 
     def with_defaults(self, other: "TrajectoryFormat") -> "TrajectoryFormat":
-        """Return the format with the values of another one for unspecified attributes."""
-        own = {name: value for name, value in vars(self).items() if value or value == 0.0}
+        """Return the format with the values of another one for unspecified attributes and columns."""
+        own = {name: value for name, value in vars(self).items() if value}
+        for name in ("columns", "offsets", "scales"):
+            own[name] = {**getattr(other, name), **getattr(self, name)}
         return dataclasses.replace(other, **own)
+
+
+PLAIN = TrajectoryFormat()
+"""Format without statements: SI units unless the file states others."""

@@ -4,7 +4,6 @@ import contextlib
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,9 +16,7 @@ from ..io import toml_reader
 from ..io.arguments import option
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
-from ..kinematics.robot_logs import form_of
-from ..kinematics.trajectory_checks import need_units
-from ..motion.log_reader import read_poses
+from ..kinematics.robot_logs import read_poses_of
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import turn_doubt
 from ..motion.trajectory_format import TrajectoryWarning
@@ -132,15 +129,14 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         need_clearance(robot, path_limits.min_clearance)
     doubt = ""
     if given is None:
-        read = read_poses(files[2], form_of(robot), partial(need_units, robot))
+        read = read_poses_of(robot, files[2])
         poses = tuple(ViaPose(*pose) for pose in zip(*read, strict=True))
     else:
         doubt = _angle_doubt(given)
         if doubt:
             warn(f"{source}: via: {doubt}", TrajectoryWarning)
-        poses = tuple(
-            ViaPose(rotation_about_axes(theta, robot.euler_order), t, *box) for t, theta, box in given
-        )
+        order = robot.trajectory_format.rotation_order
+        poses = tuple(ViaPose(rotation_about_axes(theta, order), t, *box) for t, theta, box in given)
     try:
         need_poses(poses)
     except ValueError as error:

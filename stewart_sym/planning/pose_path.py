@@ -18,8 +18,8 @@ from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..io.frozen import Frozen
 from ..motion import rotation
-from ..motion.interpolation import DEGREE
 from ..motion.motion import Motion, pose_of
+from ..motion.spline import DEGREE
 
 COORDINATES = ("x", "y", "z", "roll", "pitch", "yaw")
 """Coordinates of a tolerance: translations in the base frame (m), rotations in the tool frame (rad)."""

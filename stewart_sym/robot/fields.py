@@ -9,8 +9,7 @@ import numpy as np
 from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
-from ..motion.trajectory_format import EULER_ORDERS
-from ..motion.trajectory_format import MODES as LENGTHS
+from ..motion.trajectory_format import TrajectoryFormat
 
 LEGS = 6
 DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
@@ -229,17 +228,21 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
 POSE_FIELDS: dict[str, Check] = {
     "home_position": lambda value, where: None if value is None else toml_reader.vector(value, where),
     "tool": toml_reader.vector,
-    "euler_order": lambda value, where: option(value, EULER_ORDERS, where),
-    "length_mode": lambda value, where: option(value, LENGTHS, where),
 }
 """Check of each field that defines the representation of poses."""
 
 DEFAULTS: dict[str, Any] = {
     "home_position": None,
     "tool": np.zeros(3),
-    "euler_order": "zyx",
-    "length_mode": LENGTHS[0],
+    "trajectory_format": TrajectoryFormat(),
     "drive": None,
     "offsets": None,
 }
 """Values of the fields that a robot file may omit."""
+
+
+def need_home(form: TrajectoryFormat, home: Array | None, prefix: str) -> None:
+    """Raise ValueError for relative coordinates of a robot without a home position."""
+    for name in ("length_mode", "pose_mode"):
+        if getattr(form, name) == "relative" and home is None:
+            raise ValueError(f'{prefix}{name}: "relative" refers to the home pose; add home_position')

@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import shown
+from ..io.arguments import instance, shown
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.frozen import Frozen
+from ..motion.trajectory_format import TrajectoryFormat
 from . import fields, schema_2
 from .bodies import inertias_of_parts, low_densities
 from .drive import Drive
@@ -83,10 +84,8 @@ class Robot(Frozen):
         base. None if not given.
     tool : ndarray, shape (3,), optional
         Point (m), platform frame, whose poses the trajectory files of this robot describe.
-    euler_order : str, optional
-        Order of the rotations in these files; ``"zyx"`` is R = Rz Ry Rx.
-    length_mode : {"absolute", "relative"}, optional
-        Leg lengths in these files: absolute, or relative to the lengths at the home pose.
+    trajectory_format : TrajectoryFormat, optional
+        Columns, units, and conventions of these files, used where neither an option nor the file states them.
     drive : Drive, optional
         Drives of the legs; None if not given.
     offsets : JointOffsets, optional
@@ -138,8 +137,7 @@ class Robot(Frozen):
     suppressed_warnings: tuple[str, ...] = ()
     home_position: Array | None = None
     tool: Array = field(default_factory=lambda: np.zeros(3))
-    euler_order: str = "zyx"
-    length_mode: str = "absolute"
+    trajectory_format: TrajectoryFormat = field(default_factory=TrajectoryFormat)
     drive: Drive | None = None
     offsets: JointOffsets | None = None
 
@@ -156,8 +154,8 @@ class Robot(Frozen):
         spherical = self.base_joint == "spherical"
         for name, (_, check) in fields.LEG_FIELDS.items():
             checked[name] = self._per_leg(name, fields.no_direction if spherical and name == "k" else check)
-        if self.length_mode == "relative" and checked["home_position"] is None:
-            raise ValueError('robot: length_mode: "relative" refers to the home pose; add home_position')
+        instance(self.trajectory_format, TrajectoryFormat, "robot: trajectory_format")
+        fields.need_home(self.trajectory_format, checked["home_position"], "robot: ")
         if np.isfinite(checked["joint_angle_limit"]).any() and checked["home_position"] is None:
             raise ValueError("robot: joint_angle_limit: refers to the home pose; add home_position")
         if not isinstance(self.drive, Drive | None):

@@ -14,7 +14,8 @@ import numpy as np
 from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
-from ..motion.trajectory_format import LENGTH_UNITS
+from ..io.error_policy import errors_of
+from ..motion.trajectory_format import LENGTH_UNITS, TrajectoryFormat
 from . import fields
 from .bodies import INERTIA_KEYS, Meters, body
 from .drive import drive_of_tables, drive_tables
@@ -37,7 +38,10 @@ _LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit", "joint_a
 _SHARED_KEYS = ("universal_axis", *_PARTS, "damping", "drive", *TABLES, *_LIMIT_KEYS)
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(fields.LEGS))
-_TRAJECTORY_KEYS = ("tool", "euler_order", "length_mode")
+_FORMAT_KEYS = (
+    *("euler_order", "length_mode", "pose_mode", "length_unit", "angle_unit", "time_unit", "row_rate"),
+    *("columns", "offsets", "scales"),
+)
 AXES = ("tangential", "radial", "horizontal")
 """Named fixed axes.
 
@@ -107,11 +111,12 @@ def _meters(unit: str) -> Meters:
 
 def _trajectory(value: object, prefix: str, meters: Meters, home: Array | None) -> dict[str, Any]:
     """Return the fields that define the representation of poses."""
-    table = toml_reader.checked_table(value, prefix, _TRAJECTORY_KEYS)
-    found = {key: fields.POSE_FIELDS[key](given, prefix + key) for key, given in table.items()}
-    if found.get("length_mode") == "relative" and home is None:
-        raise ValueError(f'{prefix}length_mode: "relative" is to the home pose, expected a key home_position')
-    return found | ({"tool": meters(found["tool"])} if "tool" in found else {})
+    table = dict(toml_reader.checked_table(value, prefix, ("tool", *_FORMAT_KEYS)))
+    tool = toml_reader.vector(table.pop("tool", np.zeros(3)), f"{prefix}tool")
+    with errors_of(prefix):
+        form = TrajectoryFormat(**table)
+    fields.need_home(form, home, prefix)
+    return {"tool": meters(tool), "trajectory_format": form}
 
 
 _SECTIONS = {"b": "base", "p": "platform", "M": "platform", "R_0": "platform", "I_p": "platform"}
@@ -265,7 +270,7 @@ def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
         {name.partition(".")[2]: given[key] for key, (name, _) in fields.FIELDS.items() if key != "g"}
     )
     home, drive, offsets = given["home_position"], given["drive"], given["offsets"]
-    trajectory = {key: np.asarray(given[key]).tolist() for key in _TRAJECTORY_KEYS}
+    trajectory = {"tool": np.asarray(given["tool"]).tolist()} | format_table(given["trajectory_format"])
     drives = [{}] * fields.LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]
     shared, joints = ({}, [{}] * fields.LEGS) if offsets is None else offset_tables(offsets)
     accepted = given["suppressed_warnings"]
@@ -284,6 +289,14 @@ def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
             for i, (n, own, joint) in enumerate(zip(_NUMBERS, drives, joints, strict=True))
         },
         "trajectory": trajectory,
+    }
+
+
+def format_table(form: TrajectoryFormat) -> dict[str, Any]:
+    """Return the keys of a trajectory format that differ from the defaults."""
+    given = {key: getattr(form, key) for key in _FORMAT_KEYS}
+    return {
+        key: dict(value) if isinstance(value, Mapping) else value for key, value in given.items() if value
     }
 
 

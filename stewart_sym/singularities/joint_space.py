@@ -32,12 +32,12 @@ from ..kinematics.forward_kinematics import (
 from ..kinematics.pose_search import newton
 from ..kinematics.robot_logs import read_log_of
 from ..motion.interpolation import interpolate
-from ..motion.log_reader import AS_SHOWN, PLAIN
+from ..motion.log_reader import AS_SHOWN
 from ..motion.motion import Motion
 from ..motion.rate_checks import rate_error
 from ..motion.sample_times import elapsed
 from ..motion.trajectory import SmoothingOptions, Trajectory
-from ..motion.trajectory_format import TrajectoryFormat
+from ..motion.trajectory_format import PLAIN, TrajectoryFormat
 from ..results import SINGULAR
 from ..robot.robot import Robot
 from . import length_steps
@@ -179,17 +179,11 @@ def on_platform(
     robot: Robot, joints: Trajectory, guess: Guess | None = None, progress: Progress = silent
 ) -> Trajectory:
     """Convert a joint-space trajectory to a platform trajectory; errors contain its file and line."""
+    L, L_dot, L_ddot = joints.lengths
+    std = None if joints.noise is None else np.sqrt(joints.noise.variances(joints.time))
+    given = (joints.F_ext, joints.M_ext, joints.time, std, progress)
     try:
-        motion = motion_from_lengths(
-            robot,
-            *joints.lengths,
-            guess,
-            joints.F_ext,
-            joints.M_ext,
-            joints.time,
-            None if joints.noise is None else np.sqrt(joints.noise.variances(joints.time)),
-            progress,
-        )
+        motion = motion_from_lengths(robot, L, L_dot, L_ddot, guess, *given)
     except RatesError as error:
         raise ValueError(f"{joints.source}: {error}") from None
     except LostError as error:
@@ -218,8 +212,8 @@ def read_trajectory(
         ``theta_x`` to ``theta_z`` or ``q_w`` to ``q_z``) or leg lengths (``L_1`` to ``L_6``). All first and
         second derivatives and loads are optional.
     file_format : TrajectoryFormat, optional
-        Column names, units, and delimiters of the file; by default SI units. The robot supplies an
-        ``euler_order`` or ``length_mode`` of None.
+        Column names, units, and conventions of the file. Properties that neither it nor the header states
+        are those of the robot's ``trajectory_format``, otherwise SI units.
     smoothing : SmoothingOptions, optional
         Known properties of the noise; by default estimated.
     guess : tuple of array_like, optional

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from command_files import edit, results
 from command_line import Fails, Run, read
+from plain_logs import read_log
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.cli.terminal import warnings_in_lines
 from stewart_sym.drives.effort import trapezoids
-from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.studies.common.output import csv_lines
 
 
@@ -23,7 +23,8 @@ def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) 
     output = robot.parent / "forces.csv"
     assert main(["forces", str(robot), str(trajectory), "-o", str(output)]) == 0
     rows = read(output)
-    time, motion, *_ = read_csv(trajectory)
+    log = read_log(trajectory)
+    time, motion = log.time, log.motion
     expected = ss.inverse_dynamics(ss.Robot.from_toml(robot), motion)
     for i, row in enumerate(rows):
         assert float(row["time"]) == time[i]
@@ -42,7 +43,7 @@ def test_forces_takes_backend_and_reactions(robot: Path, trajectory: Path, run: 
     assert len(header) == 1 + 12 + 2 + 6 * 16
     values = np.array([[line.split(",") for line in lines[1:]] for lines in written], dtype=np.float64)
     np.testing.assert_allclose(values[1], values[0], rtol=1e-9, atol=1e-9)
-    reactions = ss.joint_reactions(ss.Robot.from_toml(robot), read_csv(trajectory)[1])
+    reactions = ss.joint_reactions(ss.Robot.from_toml(robot), read_log(trajectory).motion)
     np.testing.assert_array_equal(values[0][:, header.index("F_u_3_y")], reactions.F_u[:, 2, 1])
 
 

@@ -82,9 +82,12 @@ def robots() -> dict[str, ss.Robot]:
     poses = {
         "home_position": np.array([0.01, 0.02, 0.7]),
         "tool": np.array([0.0, 0.0, 0.3]),
-        "length_mode": "relative",
+        "trajectory_format": ss.TrajectoryFormat(length_mode="relative", columns={"t_z": "Heave"}),
     }
-    kept = {"euler_order": "xyz", "suppressed_warnings": ("mass", "home")}
+    kept = {
+        "trajectory_format": ss.TrajectoryFormat(euler_order="xyz"),
+        "suppressed_warnings": ("mass", "home"),
+    }
     drive = ss.Drive(lead=np.linspace(0.004, 0.01, 6), rotor_inertia=2e-5, efficiency=0.9, torque_limit=3.0)
     rest = {"g": np.array([1.0, -2.0, 9.0]), "drive": drive}
     angles = {"home_position": np.array([0.0, 0.0, 0.65]), "joint_angle_limit": np.full((6, 2), 0.7)}

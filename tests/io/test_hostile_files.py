@@ -18,12 +18,14 @@ from typing import Any
 import attack_build
 import pytest
 from command_line import Run, rejects
+from plain_logs import read_log
 from robot_files import PAPERS
 from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import FORCES as FORCE_NAMES
-from stewart_sym.motion.log_reader import PLAIN, read_leg_columns, read_log
+from stewart_sym.motion.log_reader import read_leg_columns
+from stewart_sym.motion.trajectory_format import PLAIN
 from stewart_sym.simulation.scene import read_scene
 
 ROBOT = PAPERS.read_bytes()
@@ -134,7 +136,9 @@ def test_ten_megabytes_are_read_or_rejected_in_seconds_and_little_memory(name: s
     code = (
         "import sys, warnings\nwarnings.simplefilter('ignore')\n"
         "from stewart_sym.robot.robot import Robot\nfrom stewart_sym.simulation.scene import read_scene\n"
-        "from stewart_sym.motion.log_reader import FORCES, PLAIN, read_leg_columns, read_log\n"
+        "from plain_logs import read_log\n"
+        "from stewart_sym.motion.log_reader import FORCES, read_leg_columns\n"
+        "from stewart_sym.motion.trajectory_format import PLAIN\n"
         "read_forces = lambda path: read_leg_columns(path, PLAIN, (FORCES,))\n"
         "for read in (Robot.from_toml, read_scene, read_log, read_forces):\n"
         "    try:\n        read(sys.argv[1])\n    except ValueError as error:\n        print(error)\n"

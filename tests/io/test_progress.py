@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from plain_logs import read_log
 
 import stewart_sym as ss
 from stewart_sym.io.progress import Progress, silent
-from stewart_sym.motion.log_reader import read_log
 
 ROBOT = ss.robots.dasgupta1998()
 Work = Callable[[Path, Progress], list[np.ndarray]]

@@ -8,12 +8,12 @@ import pytest
 from command_line import Fails, Run, rejects
 from leg_lengths import HOME, Array, lengths, paper_legs
 from machines import dasgupta
+from plain_logs import read_log
 from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.kinematics.pose_search import rates_per_twist
-from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.rotation import rotation_from_rpy
 from stewart_sym.studies.common.output import csv_lines
 
@@ -201,4 +201,3 @@ def test_a_row_without_a_pose_is_one_line(tmp_path: Path, fails: Fails) -> None:
     trajectory.write_text("\n".join([*lines[:3], "", *lines[3:]]))
     line = fails("forces", PAPERS, trajectory, "-o", tmp_path / "f.csv")
     assert line.startswith(f"stewart-sym: error: {trajectory}: line 22: the lengths jump here")
-    rejects(r"legs.csv: expected poses, t_\* and theta_\*, got leg lengths", read_csv, trajectory)

@@ -13,16 +13,16 @@ import pytest
 from command_line import Run
 from motion_fields import FIELDS, motion_of, waves
 from pages import DOCS
+from plain_logs import read_log
 
 from stewart_sym.cli.main import main
 from stewart_sym.drives.effort import DriveLimitWarning, drive_effort
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
 from stewart_sym.kinematics.robot_logs import read_log_of
-from stewart_sym.motion.log_reader import read_csv
-from stewart_sym.motion.logs import EULER_ORDERS
+from stewart_sym.kinematics.trajectory_writer import trajectory_columns
 from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.trajectory_format import EULER_ORDERS, TrajectoryFormat
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
 
 VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
@@ -47,7 +47,7 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
     assert found["certificate"]["is_valid"]
     assert found["certificate"]["crossings_s"] == []
     assert found["condition_numbers"]["peak"] <= 12.0
-    log = read_csv(out / "trajectory.csv")
+    log = read_log(out / "trajectory.csv")
     np.testing.assert_allclose(np.diff(log.time)[:-1], 1.0 / 200.0)
     assert log.time[-1] == pytest.approx(found["duration_s"])
     F = inverse_dynamics(Robot.from_toml(folder / "hexapod.toml"), log.motion).F
@@ -72,7 +72,7 @@ def test_limits_of_motors_bound_the_plan_and_their_rated_torque_is_checked(folde
     assert "warning: drive: drive.rated_torque exceeded by " in shown.err
     assert "_limit exceeded" not in shown.err
     assert " of 0.2 " in shown.out
-    log = read_csv(out / "trajectory.csv")
+    log = read_log(out / "trajectory.csv")
     with pytest.warns(DriveLimitWarning):
         effort = drive_effort(Robot.from_toml(file), log.motion, log.time)
     torques = [leg["motor_peak_torque_N_m"] for leg in found["legs"]]
@@ -223,7 +223,11 @@ def read_back(robot: Robot, motion: Motion, time: np.ndarray, folder: Path) -> t
 
 @pytest.mark.parametrize("order", EULER_ORDERS)
 def test_the_motion_is_written_with_rates_and_load_in_every_euler_order(tmp_path: Path, order: str) -> None:
-    robot = dataclasses.replace(Robot.from_toml(HEXAPOD), euler_order=order, tool=np.array([0.1, -0.2, 0.4]))
+    robot = dataclasses.replace(
+        Robot.from_toml(HEXAPOD),
+        trajectory_format=TrajectoryFormat(euler_order=order),
+        tool=np.array([0.1, -0.2, 0.4]),
+    )
     time = np.linspace(0.0, 2.0, 41)
     names, found = read_back(robot, waving(time), time, tmp_path)
     assert {"theta_x", "theta_dot_x", "theta_ddot_x", "F_ext_x", "M_ext_x"} <= names

@@ -129,7 +129,7 @@ def test_a_robot_goes_through_tables_and_files_to_the_bit(joint: str, tmp_path: 
         "home_position": None,
         "tool": np.zeros(3),
     }
-    plain = dataclasses.replace(found, **none, euler_order="zyx", length_mode="absolute")
+    plain = dataclasses.replace(found, **none, trajectory_format=ss.TrajectoryFormat())
     assert plain.to_dict()["schema"] == 2
     assert same(ss.Robot.from_dict(plain.to_dict()), plain)
 

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import Fails, Run, folder_state, read
+from plain_logs import read_log
 from robot_files import scene_of
 
 import stewart_sym as ss
+from stewart_sym.kinematics.trajectory_writer import trajectory_columns
 from stewart_sym.motion.interpolation import followed
-from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.simulation.scene import read_scene
-from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
 
 SWING = """
@@ -114,7 +114,7 @@ def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     pose = {"t_x": 0.1 + 0.05 * time, "t_y": 0 * time, "t_z": 0.5 + 0.05 * time**2}
     turn = {"theta_x": 0 * time, "theta_y": 0 * time, "theta_z": 2.6 + 0.5 * time}
     (scene.parent / "path.csv").write_text("".join(csv_lines({"time": time} | pose | turn)))
-    wanted = followed(read_csv(scene.parent / "path.csv"))
+    wanted = followed(read_log(scene.parent / "path.csv"))
     middle, after = wanted(0.43), wanted(3.0)
     np.testing.assert_allclose(middle.t, [0.1 + 0.05 * 1.43, 0.0, 0.5 + 0.05 * 1.43**2], atol=1e-12)
     np.testing.assert_allclose(middle.v, [0.05, 0.0, 0.1 * 1.43], atol=1e-11)
@@ -237,7 +237,7 @@ def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> Non
     tracked, needed = read_scene(scene).run(), ss.inverse_dynamics(robot, loaded).F
     np.testing.assert_allclose(tracked.F[0], needed[0], rtol=1e-12)
     np.testing.assert_allclose(
-        tracked.t[-1], followed(read_csv(scene.parent / "path.csv"))(0.05).t, atol=1e-9
+        tracked.t[-1], followed(read_log(scene.parent / "path.csv"))(0.05).t, atol=1e-9
     )
     text = scene.read_text()
     scene.write_text(text.replace("[actuation]", "[load]\nF_ext = [0.0, 0.0, -500.0]\n[actuation]"))

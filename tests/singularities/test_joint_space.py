@@ -11,11 +11,11 @@ import pytest
 from command_line import rejects
 from joint_paths import dipping_case, legs_along, lengths_to_singular, random_case, truth
 from machines import Array, dasgupta, machine_size
+from plain_logs import read_log
 from sweeps import share, sweep
 
 import stewart_sym as ss
-from stewart_sym.motion.log_reader import read_log
-from stewart_sym.motion.trajectory import JointTrajectory
+from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.singularities.joint_space import on_platform
 
 
@@ -62,7 +62,7 @@ def outcome(seed: int, most: int, rates: str) -> str:
     return "followed" if same else "another motion"
 
 
-def logged(time: Array, L: Array, folder: Path) -> JointTrajectory:
+def logged(time: Array, L: Array, folder: Path) -> Trajectory:
     """Lengths as read from a log."""
     header = "time," + ",".join(f"L_{leg}" for leg in range(1, 7))
     table = np.hstack([time[:, None], L])

@@ -13,12 +13,12 @@ from formulations import OF_EACH_FORMULATION
 from machines import dasgupta, random_motion, random_robot, random_robot_of
 from mpmath import mp
 from numpy.typing import NDArray
+from plain_logs import read_log
 from reduced_machines import at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
-from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.reference import newton_euler
@@ -44,7 +44,7 @@ def test_a_scene_is_what_its_file_says(scene: Path) -> None:
     turn = {"theta_x": 0 * time, "theta_y": 0 * time, "theta_z": 0.1 * time}
     (scene.parent / "poses.csv").write_text("".join(csv_lines({"time": time} | pose | turn)))
     robot = Robot.from_toml(scene.parent / "robots" / "robot.toml")
-    motion = read_csv(scene.parent / "poses.csv").motion
+    motion = read_log(scene.parent / "poses.csv").motion
     legs = ss.inverse_kinematics(robot, motion)
     columns = {"time": time} | {f"L_{leg + 1}": legs.L[:, leg] for leg in range(6)}
     (scene.parent / "legs.csv").write_text("".join(csv_lines(columns)))

@@ -17,14 +17,16 @@ READ += [f"stewart_sym.robot.{name}" for name in ("robot", "schema_2", "bodies",
 with atheris.instrument_imports(include=READ):
     import stewart_sym.robot.robot
 with atheris.instrument_imports(include=["stewart_sym.simulation.scene", "stewart_sym.motion.trajectory"]):
-    from stewart_sym.motion import log_reader
+    from plain_logs import read_log
+
+    from stewart_sym.motion import log_reader, trajectory_format
     from stewart_sym.simulation import scene
 
 READERS = (
     stewart_sym.robot.robot.Robot.from_toml,
     scene.read_scene,
-    log_reader.read_log,
-    lambda path: log_reader.read_leg_columns(path, log_reader.PLAIN, (log_reader.FORCES,)),
+    read_log,
+    lambda path: log_reader.read_leg_columns(path, trajectory_format.PLAIN, (log_reader.FORCES,)),
 )
 LONGEST = 1000
 

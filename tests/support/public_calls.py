@@ -2,6 +2,7 @@
 
 import dataclasses
 import functools
+import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
@@ -211,7 +212,8 @@ def calls() -> dict[str, Call]:
         free=("on",),
     )
     units = {"length_unit": "mm", "angle_unit": "deg", "time_unit": "ms"}
-    add(ss.TrajectoryFormat, columns={"t_x": "X"}, **units, delimiter=";", decimal=",", euler_order="zyx")
+    add(ss.TrajectoryFormat, columns={"t_x": "X"}, **units, delimiter="semicolon", euler_order="zyx")
+    add(ss.write_trajectory, trajectory=trajectory, path=os.devnull, robot=robot, free=("robot",))
     add(ss.base_parameters, robot=robot, motion=motion[None])
     add(ss.choose_excitation, robot=robot, period=4.0, harmonics=1, samples=3, candidates=1, seed=0)
     excited = ss.choose_excitation(robot, harmonics=3, samples=60, candidates=1)

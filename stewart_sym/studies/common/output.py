@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...motion.rotation import quaternion_from_rotation
 from ...robot.robot import LEGS
 from .not_finite import in_figures, note_not_finite
 
@@ -36,12 +35,6 @@ def by_leg(columns: Mapping[str, Any]) -> list[Figures]:
 def of_axes(name: str, values: NDArray[Any]) -> Columns:
     """Return the columns ``name_x`` to ``name_z`` of the axes from an array of shape (n, 3)."""
     return {f"{name}_{axis}": column for axis, column in zip("xyz", values.T, strict=True)}
-
-
-def of_rotations(R: NDArray[Any]) -> Columns:
-    """Return the quaternion columns ``q_w`` to ``q_z`` of rotation matrices, shape (n, 3, 3)."""
-    parts = quaternion_from_rotation(R).T
-    return {f"q_{name}": column for name, column in zip("wxyz", parts, strict=True)}
 
 
 def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Iterator[str]:

@@ -12,7 +12,7 @@ from ...design.actuator_requirements import ActuatorRequirementsResult
 from ...design.limit_margins import LimitMargins, compared, states_limits
 from ...drives.limit_status import shows, spread_text, unknown_forces
 from ...io.array_types import Array
-from ...motion.trajectory import PoseLog, Trajectory
+from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
@@ -64,7 +64,7 @@ def report(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResu
 
 
 def views(
-    robot: Robot, sources: Sequence[str], read: Sequence[Trajectory | PoseLog]
+    robot: Robot, sources: Sequence[str], read: Sequence[Trajectory]
 ) -> dict[str, Callable[[], Viewer]]:
     """Return functions that create the view of each motion; files of the same name are numbered."""
     names = [

@@ -14,6 +14,7 @@ from ...motion.trajectory_format import LENGTH_UNITS
 from ...results import STATUS_TEXT
 from ...robot.drive import Drive
 from ...robot.robot import Robot
+from ...robot.schema_2 import format_table
 from ..common.report import SMALL, Picture, Report
 from .machine_plot import figure
 
@@ -61,8 +62,7 @@ def _data(robot: Robot) -> dict[str, Any]:
         "friction_prismatic_N_s_per_m": robot.C_p,
         "friction_spherical_N_m_s": robot.C_s,
         "tool_m": robot.tool,
-        "euler_order": robot.euler_order,
-        "trajectory_lengths": robot.length_mode,
+        "trajectory_format": format_table(robot.trajectory_format),
         "length_limits_m": robot.length_limits,
         "force_limit_N": robot.force_limit,
         "speed_limit_m_per_s": robot.speed_limit,
@@ -166,10 +166,13 @@ def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
     parts = []
     if robot.tool.any():
         parts.append(f"poses of the point {unit.vector(robot.tool)} {unit.name} of the platform")
-    if robot.euler_order != "zyx":
-        parts.append(f"R = {' '.join(f'R{axis}' for axis in robot.euler_order)}")
-    if robot.length_mode == "relative":
-        parts.append("leg lengths less those of the home pose")
+    form = robot.trajectory_format
+    if form.rotation_order != "zyx":
+        parts.append(f"R = {' '.join(f'R{axis}' for axis in form.rotation_order)}")
+    for name, mode in (("leg lengths", form.length_mode), ("poses", form.pose_mode)):
+        if mode == "relative":
+            parts.append(f"{name} relative to the home pose")
+    parts += [f"{name} from {header}" for name, header in form.columns.items()]
     return [("trajectories", ", ".join(parts))] if parts else []
 
 

@@ -17,12 +17,12 @@ from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_reference
 from ...io.array_types import Array
+from ...kinematics.trajectory_writer import trajectory_columns
 from ...motion.logs import TrajectoryFormat
 from ...motion.sample_times import time_text
 from ...motion.smooth_motion import PoseNoise, estimate_pose_noise, smoothed
 from ...motion.trajectory import IN_SI, Trajectory
 from ...robot.robot import Robot, about_point
-from ..common.motion_columns import trajectory_columns
 from ..common.output import Columns, aligned, columns_of, of_legs
 from ..common.report import Report
 

@@ -12,6 +12,7 @@ from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
+from ...kinematics.trajectory_writer import trajectory_columns
 from ...motion.motion import Motion
 from ...motion.rotation import angles_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
@@ -25,7 +26,6 @@ from ...robot.robot import Robot
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
 from ..common.drawing import BLUE, GREY, RED, Axes, Figure, legend_below, log_numbers, new_figure, plot_legs
-from ..common.motion_columns import trajectory_columns
 from ..common.output import Columns, by_leg, of_legs
 from ..common.report import Picture, Report
 from .drives import DriveDigest
@@ -201,6 +201,7 @@ def data(plan: Plan) -> dict[str, Any]:
         # A robot without a home pose has no joint angles.
         if angle is not None:
             legs |= {f"peak_{end}_angle_rad": angle.value, f"{end}_angle_limit_rad": limit}
+    order = plan.robot.trajectory_format.rotation_order
     return {
         "duration_s": plan.timed.duration,
         "energy_J": plan.energy,
@@ -208,7 +209,7 @@ def data(plan: Plan) -> dict[str, Any]:
         "condition_numbers": vars(planned.condition_numbers),
         "initial_condition_numbers": vars(planned.initial_condition_numbers),
         "via_poses": [
-            {"t_m": pose.t, "theta_rad": angles_from_rotation(pose.R, plan.robot.euler_order) + 0.0}
+            {"t_m": pose.t, "theta_rad": angles_from_rotation(pose.R, order) + 0.0}
             for pose in planned.reached_poses
         ],
         "legs": by_leg(legs | ({} if plan.motors is None else plan.motors.columns())),

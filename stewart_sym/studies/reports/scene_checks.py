@@ -40,9 +40,9 @@ def start_doubts(scene: Scene) -> list[str]:
         )
     theta = stated.get("state.theta", np.zeros(3))
     if start not in found and np.abs(theta).max() > LEAST_TURN:
-        t, tool = np.stack([state.t, state.t]), np.zeros(3)
+        t = np.stack([state.t, state.t])
         how, degrees = (
-            impossible(robot, t, rotation_from_rpy(np.stack([np.zeros(3), turned])), tool)
+            impossible(robot, t, rotation_from_rpy(np.stack([np.zeros(3), turned])))
             for turned in (theta, np.radians(theta))
         )
         if np.any(np.abs(theta) > MOST_TURNS) or (how is not None and degrees is None):

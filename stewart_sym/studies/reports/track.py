@@ -19,7 +19,7 @@ from ...drives.leg_limits import (
     limited_angles,
     replaced_names,
 )
-from ...drives.limit_status import SURE, amount_text, unknown_forces
+from ...drives.limit_status import SURE, amount_text, counts_text, unknown_forces
 from ...drives.motor_states import MotorStates, motor_states
 from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
@@ -30,7 +30,7 @@ from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.motion import Motion
 from ...motion.sample_times import least_step, time_text
-from ...motion.trajectory import PoseLog, Replaced, Trajectory
+from ...motion.trajectory import Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, SingularPoseWarning
 from ...robot.robot import LEGS, Robot
 from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
@@ -100,7 +100,7 @@ def header_lines() -> list[str]:
 
 def in_parts(
     robot: Robot,
-    trajectory: Trajectory | PoseLog,
+    trajectory: Trajectory,
     formulation: Formulation = "exact",
     backend: Backend = "c",
     reactions: bool = False,
@@ -202,7 +202,10 @@ class Digest:
         if angles:
             columns["joint angles, degrees"] = [", ".join(both) for both in zip(*angles, strict=True)]
         first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self._worst()[0]))
+        every = self.legs.all_verdicts()
+        every += [] if self.drive is None else self.drive.summary.all_verdicts()
         text = (
+            f"{counts_text(every)}\n"
             f"{len(self.time)} sample{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
             f"number of H up to {self._worst()[1]:.4g} (at {when} s)\n"
             f"{leg_table('leg', columns)}"
