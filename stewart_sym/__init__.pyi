@@ -47,7 +47,6 @@ from .identification.excitation import Excitation as Excitation
 from .identification.excitation import FourierPath as FourierPath
 from .identification.excitation import choose_excitation as choose_excitation
 from .identification.motion_basis import PoseNoise as PoseNoise
-from .identification.motion_basis import estimate_pose_noise as estimate_pose_noise
 from .identification.parameters import EquationsByParameterResult as EquationsByParameterResult
 from .identification.parameters import ParameterVector as ParameterVector
 from .identification.parameters import equations_by_parameter as equations_by_parameter

@@ -168,7 +168,7 @@ def joint_fit(data: Data, noise: PoseNoise) -> Fit:
     q = coordinates(data.motion, noise)
     best, least = None, math.inf
     for basis, c in bases(noise, q):
-        if 6 * basis.size + data.unknowns >= 2 * q.size + len(basis.prior):
+        if 6 * basis.size + data.unknowns >= 2 * q.size + basis.prior.shape[0]:
             break
         found = _gauss_newton(data, noise, basis, c)
         if best is None or found.converged:
@@ -261,7 +261,7 @@ def _curvature(data: Data, noise: PoseNoise, found: _Solution, solved: Factors) 
 def _residuals(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> tuple[Array, ...]:
     """Compute the residuals of forces, poses, and prior divided by their standard deviations."""
     A, y = linear_system(data, basis.motion(c, data.motion))
-    return y - A @ values, residual(basis, c, data.motion, noise), -basis.prior_values(c)
+    return y - A @ values, residual(basis, c, data.motion, noise), -(basis.prior @ c.ravel())
 
 
 def _squares(parts: tuple[Array, ...]) -> float:
@@ -284,8 +284,7 @@ def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Arra
     poses = (noise.weights[:, None] * maps[0][0])[:, :, None, :] * local[0][:, None, :, None]
     local_rows = np.concatenate([by_c, poses]).reshape(2 * LEGS * n, -1)
     start = np.tile(np.repeat(6 * basis.start, LEGS), 2)
-    rows, starts = np.concatenate([local_rows, basis.prior]), np.concatenate([start, basis.prior_start])
-    return arrow(A.reshape(LEGS * n, -1), rows, starts, 6 * basis.size)
+    return arrow(A.reshape(LEGS * n, -1), local_rows, start, basis.prior)
 
 
 def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:

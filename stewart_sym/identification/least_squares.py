@@ -71,13 +71,10 @@ class Arrow(NamedTuple):
         Dense columns in the first rows; they are zero in the other rows.
     local : scipy.sparse.csr_array, shape (rows, many)
         Local columns.
-    width : int
-        Number of neighboring local columns in a row.
     """
 
     A: Array
     local: Any
-    width: int
 
     def __matmul__(self, x: Array) -> Array:
         """Compute the product with x, shape (few + many,) or (few + many, columns)."""
@@ -92,10 +89,11 @@ class Arrow(NamedTuple):
 
     def band(self) -> Array:
         """Compute the Gram matrix of the local columns as an upper band, shape (width, many)."""
-        gram = self.local.T @ self.local
-        found = np.zeros((self.width, gram.shape[0]))
-        for k in range(self.width):
-            found[self.width - 1 - k, k:] = gram.diagonal(k)
+        gram = (self.local.T @ self.local).tocoo()
+        above = gram.col - gram.row
+        width, upper = int(above.max()) + 1, above >= 0
+        found = np.zeros((width, gram.shape[0]))
+        found[width - 1 - above[upper], gram.col[upper]] = gram.data[upper]
         return found
 
     def scaled(self, lengths: Array) -> "Arrow":
@@ -110,20 +108,20 @@ class Arrow(NamedTuple):
         return np.hstack([np.concatenate([self.A, below]), self.local.toarray()])
 
 
-def arrow(A: Array, local: Array, start: Indices, many: int) -> Array | Arrow:
-    """Return the matrix with dense columns A and with entries of ``many`` local columns.
+def arrow(A: Array, local: Array, start: Indices, others: Any) -> Array | Arrow:
+    """Return the matrix with dense columns A, local columns, and other rows of local columns only.
 
-    ``local``, shape (rows, width), contains the entries of the columns from ``start``, shape (rows,), on. If
-    each row has entries in all columns, the matrix is dense.
+    ``local``, shape (rows, width), contains the entries of the columns from ``start``, shape (rows,), on. The
+    matrix is dense if each row has entries in all columns.
     """
-    rows, width = local.shape
+    (rows, width), many = local.shape, others.shape[1]
     if width == many:
         return np.hstack([np.concatenate([A, np.zeros((rows - len(A), A.shape[1]))]), local])
-    from scipy.sparse import csr_array
+    from scipy.sparse import csr_matrix, vstack
 
-    columns = start[:, None] + np.arange(width)
-    ends = width * np.arange(rows + 1)
-    return Arrow(A, csr_array((local.ravel(), columns.ravel(), ends), shape=(rows, many)), width)
+    columns = (start[:, None] + np.arange(width)).ravel()
+    entries = csr_matrix((local.ravel(), columns, width * np.arange(rows + 1)), shape=(rows, many))
+    return Arrow(A, vstack([entries, others], "csr"))
 
 
 class ArrowFactors:

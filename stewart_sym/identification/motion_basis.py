@@ -9,10 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..io.arguments import instance, number_in, real_array, shown, whole_number
 from ..io.array_types import Array, Indices
@@ -29,8 +28,6 @@ WITHOUT_PERIOD = "a smooth motion without a period"
 
 # Largest pitch angle (rad); beyond it, roll and yaw are too poorly determined.
 _STEEPEST = 1.4
-# Smallest number of poses whose noise is estimated.
-_FEWEST = 8
 # Ratio of scatter to stated noise of the poses below which the stated noise determines the smoothness.
 _TOO_SMALL = 0.5
 
@@ -98,17 +95,14 @@ class Basis(NamedTuple):
         First of the functions that are not zero at each sample.
     local : ndarray, shape (3, n, width)
         Values, rates, and second rates of these functions.
-    prior : ndarray, shape (rows, 6 width)
-        Linear combinations of coefficients with a standard normal distribution; no rows for Fourier series.
-    prior_start : ndarray of int, shape (rows,)
-        First coefficient of each row in the order of ``c.ravel()``.
+    prior : sparse or dense matrix, shape (rows, 6 size)
+        Combinations of ``c.ravel()`` with a standard normal distribution; no rows for a Fourier series.
     """
 
     size: int
     start: Indices
     local: Array
-    prior: Array
-    prior_start: Indices
+    prior: Any
 
     def coordinates(self, c: Array) -> Array:
         """Return the coordinates and their first two derivatives, shape (3, n, 6)."""
@@ -119,53 +113,11 @@ class Basis(NamedTuple):
         """Return the motion of the coefficients under the load of another motion, (n,)."""
         return _motion(self.coordinates(c), load)
 
-    def prior_values(self, c: Array) -> Array:
-        """Return the combinations of ``prior``, shape (rows,)."""
-        near = c.ravel()[self.prior_start[:, None] + np.arange(self.prior.shape[1])]
-        return np.asarray(np.einsum("rc,rc->r", self.prior, near))
-
 
 def _motion(coordinates: Array, load: Motion) -> Motion:
     t, v, a = coordinates[..., :3]
     theta, theta_dot, theta_ddot = coordinates[..., 3:]
     return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, load.F_ext, load.M_ext)
-
-
-def estimate_pose_noise(
-    time: ArrayLike, motion: Motion, period: float | None = None, harmonics: int | None = None
-) -> PoseNoise:
-    """Estimate the noise of measured poses from their scatter about a smoothing spline. Requires SciPy.
-
-    Parameters
-    ----------
-    time : array_like, shape (n,)
-        Increasing times (s), at least 8.
-    motion : Motion
-        Measured poses, shape (n,); rates are ignored.
-    period, harmonics : float and int, optional
-        Attributes of the result.
-
-    Returns
-    -------
-    PoseNoise
-        Times, standard deviations, and period.
-
-    Raises
-    ------
-    ValueError
-        If an argument is invalid, or if the poses do not scatter.
-    """
-    noise = PoseNoise(time, 1.0, 1.0, period, harmonics)  # type: ignore[arg-type]
-    q = coordinates(motion, noise)
-    if len(q) < _FEWEST:
-        raise ValueError(f"motion: expected at least {_FEWEST} poses, got {len(q)}")
-    with needed_for(WITHOUT_PERIOD):
-        from ..motion.spline import smooth_columns
-    std = smooth_columns(elapsed(noise.time), q).noise_std.reshape(2, 3)
-    position, angle = (float(each) for each in np.sqrt(np.mean(std**2, axis=1)))
-    if not min(position, angle) > 1e-12 * (1.0 + np.max(np.abs(q))):
-        raise ValueError("motion: expected measured poses that scatter about a smooth motion, got exact ones")
-    return PoseNoise(noise.time, position, angle, period, harmonics)
 
 
 def coordinates(motion: Motion, noise: PoseNoise) -> Array:
@@ -193,7 +145,7 @@ def smoothed(motion: Motion, noise: PoseNoise) -> tuple[Motion, Array]:
         since = elapsed(noise.time)
         curves, _ = _curves(noise, q)
         return _motion(curves.evaluate(since), motion), np.sqrt(curves.covariance(since)[..., 2])
-    basis, c = next(_fourier_series(noise, q, noise.period))
+    basis, c = next(bases(noise, q))
     rates = np.linalg.norm(basis.local[1] @ np.linalg.pinv(basis.local[0]), axis=1)
     return basis.motion(c, motion), rates[:, None] / noise.weights
 
@@ -205,14 +157,13 @@ def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
     """
     if noise.period is None:
         yield _spline(noise, q)
-    else:
-        yield from _fourier_series(noise, q, noise.period)
-
-
-def _fourier_series(noise: PoseNoise, q: Array, period: float) -> Iterator[tuple[Basis, Array]]:
-    counts = [noise.harmonics] if noise.harmonics else _harmonics(noise.time, period)
+        return
+    # Samples of several periods at the same phase count once.
+    phases = np.rint(elapsed(noise.time) / noise.period % 1.0 * len(q))
+    most = max((3 * len(np.unique(phases)) // 4 - 1) // 2, 1)
+    counts = [noise.harmonics] if noise.harmonics else _rising(most)
     found, costs = [], []
-    for basis in (_fourier(noise.time, period, count) for count in counts):
+    for basis in (_fourier(noise.time, noise.period, count) for count in counts):
         c = np.linalg.lstsq(basis.local[0], q, rcond=None)[0]
         squares = float(np.sum(((q - basis.local[0] @ c) * noise.weights) ** 2))
         found.append((basis, c))
@@ -220,21 +171,15 @@ def _fourier_series(noise: PoseNoise, q: Array, period: float) -> Iterator[tuple
     yield from found[int(np.argmin(costs)) :]
 
 
+def _rising(most: int) -> list[int]:
+    """Return numbers from 1 to ``most`` in steps of about a sixth."""
+    steps = 1 + round(6.0 * math.log(most))
+    return np.unique(np.rint(np.geomspace(1, most, steps)).astype(int)).tolist()
+
+
 def akaike(squares: float, count: int, unknowns: int) -> float:
     """Return Akaike's criterion of a fit to ``count`` samples with noise of unknown size."""
     return count * math.log(max(squares, 1e-300)) + 2.0 * unknowns
-
-
-def _harmonics(time: Array, period: float) -> list[int]:
-    """Return increasing numbers of harmonics, with at most three quarters as many functions as samples.
-
-    Samples of several periods at the same phase count once.
-    """
-    count = len(np.unique(np.rint(elapsed(time) / period % 1.0 * len(time))))
-    found, most = [1], max(3 * count // 4, 7)
-    while (following := max(found[-1] + 1, int(1.2 * found[-1]))) <= (most - 1) // 2:
-        found.append(following)
-    return found
 
 
 def _fourier(time: Array, period: float, harmonics: int) -> Basis:
@@ -247,9 +192,8 @@ def _fourier(time: Array, period: float, harmonics: int) -> Basis:
         np.hstack([zero, rate * cos, -rate * sin]),
         np.hstack([zero, -(rate**2) * sin, -(rate**2) * cos]),
     ]
-    size = 2 * harmonics + 1
-    start = np.zeros(len(time), dtype=np.intp)
-    return Basis(size, start, np.array(local), np.zeros((0, 6 * size)), start[:0])
+    size, start = 2 * harmonics + 1, np.zeros(len(time), dtype=np.intp)
+    return Basis(size, start, np.array(local), np.zeros((0, 6 * size)))
 
 
 def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]:
@@ -270,45 +214,28 @@ def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]
 def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
     """Return the finest B-splines of the curves through the poses, with the priors of their penalties."""
     curves, smoothness = _curves(noise, q)
+    from scipy import sparse
     from scipy.interpolate import BSpline, make_interp_spline
 
     from ..motion.spline import DEGREE
 
     since, step = elapsed(noise.time), min(each.step for each in smoothness)
     cells = max(1, math.ceil(float(since[-1]) / step * (1.0 - 1e-9)))
-    size, width = cells + DEGREE, max(DEGREE, *(each.order for each in smoothness)) + 1
-    cell = np.minimum((since / step).astype(np.intp), cells - 1)
-    start = np.minimum(cell, size - width)
+    size, start = cells + DEGREE, np.minimum((since / step).astype(np.intp), cells - 1)
     near = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
-    local, place = np.zeros((3, len(since), width)), (cell - start)[:, None] + np.arange(DEGREE + 1)
-    for order in range(3):
-        np.put_along_axis(local[order], place, near(since / step - cell, order) / step**order, axis=1)
-    priors = [
-        _prior(size, width, j, each.order, _prior_weight(each, step) / std)
-        for j, (each, std) in enumerate(zip(smoothness, curves.noise_std, strict=True))
-    ]
-    rows, starts = (np.concatenate(parts) for parts in zip(*priors, strict=True))
+    local = np.array([near(since / step - start, order) / step**order for order in range(3)])
+    priors = []
+    for axis, each, std in zip(np.eye(6), smoothness, curves.noise_std, strict=True):
+        # A penalty on finer knots has the same effect with this weight.
+        weight = each.log_weight + (2 * each.order - 1) * math.log(each.step / step)
+        signs = [(-1.0) ** k * math.comb(each.order, k) for k in range(each.order + 1)]
+        differences = sparse.diags(signs, range(each.order + 1), shape=(size - each.order, size))
+        priors.append(math.exp(0.5 * weight) / std * sparse.kron(differences, axis))
     ends = np.array([1.0, 2.0]) / 3.0
     sites = step * np.sort(np.concatenate([np.arange(cells + 1), ends, cells - ends]))
     knots = step * np.arange(-DEGREE, size + 1)
     c = make_interp_spline(sites, curves.evaluate(sites)[0], DEGREE, knots).c
-    return Basis(size, start, local, rows, starts), c
-
-
-def _prior_weight(smoothness: Smoothness, step: float) -> float:
-    """Return the square root of the weight of a penalty on knots at another distance (s)."""
-    finer = (2 * smoothness.order - 1) * math.log(smoothness.step / step)
-    return math.exp(0.5 * (smoothness.log_weight + finer))
-
-
-def _prior(size: int, width: int, coordinate: int, order: int, weight: float) -> tuple[Array, Indices]:
-    """Return weighted differences of the coefficients of one coordinate, as ``prior`` and ``prior_start``."""
-    first = np.minimum(np.arange(size - order), size - width)
-    place = (np.arange(size - order) - first)[:, None] + np.arange(order + 1)
-    rows = np.zeros((size - order, width, 6))
-    signs = [(-1.0) ** k * math.comb(order, k) for k in range(order + 1)]
-    rows[np.arange(size - order)[:, None], place, coordinate] = weight * np.array(signs)
-    return rows.reshape(-1, 6 * width), 6 * first
+    return Basis(size, start, local, sparse.vstack(priors, "csr")), c
 
 
 def residual(basis: Basis, c: Array, motion: Motion, noise: PoseNoise) -> Array:
