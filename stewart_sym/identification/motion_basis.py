@@ -30,6 +30,8 @@ WITHOUT_PERIOD = "a smooth motion without a period"
 _STEEPEST = 1.4
 # Ratio of scatter to stated noise of the poses below which the stated noise determines the smoothness.
 _TOO_SMALL = 0.5
+# Number of larger series without a gain before the search ends.
+_IN_VAIN = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +170,10 @@ def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
         squares = float(np.sum(((q - basis.local[0] @ c) * noise.weights) ** 2))
         found.append((basis, c))
         costs.append(akaike(squares, q.size, 6 * basis.size))
-    yield from found[int(np.argmin(costs)) :]
+        best = int(np.argmin(costs))
+        if len(costs) > best + _IN_VAIN:
+            break
+    yield from found[best:]
 
 
 def _rising(most: int) -> list[int]:

@@ -83,14 +83,16 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
     form = log_format(arguments)
-    samples = samples_of(robot, poses, form)
+    of_forces = {name: form.columns[name] for name in (*FORCES, *CURRENTS) if name in form.columns}
+    of_poses = {name: header for name, header in form.columns.items() if name not in of_forces}
+    samples = samples_of(robot, poses, replace(form, columns=of_poses))
     std = stated_noise(arguments, samples.file_format)
     log = log_of(robot, samples, ss.SmoothingOptions(*std), progress)
     noisy = arguments.position_std is not None
     if noisy:
         log = _measured_rows(log, log_of(robot, samples, ss.SmoothingOptions(enabled=False)))
     trajectory = poses_of(robot, log, arguments, progress)
-    time, F, columns, lines = read_leg_columns(forces, replace(form, columns={}), (FORCES, CURRENTS))
+    time, F, columns, lines = read_leg_columns(forces, replace(form, columns=of_forces), (FORCES, CURRENTS))
     sigma = np.asarray(arguments.force_std)
     if columns == CURRENTS:
         F, sigma = ss.motor_forces(robot, F), np.abs(ss.motor_forces(robot, np.full(LEGS, sigma)))
