@@ -46,6 +46,7 @@ from .identification.estimation import simulate_experiment as simulate_experimen
 from .identification.excitation import Excitation as Excitation
 from .identification.excitation import FourierPath as FourierPath
 from .identification.excitation import choose_excitation as choose_excitation
+from .identification.motion_basis import PoseNoise as PoseNoise
 from .identification.parameters import EquationsByParameterResult as EquationsByParameterResult
 from .identification.parameters import ParameterVector as ParameterVector
 from .identification.parameters import equations_by_parameter as equations_by_parameter
@@ -78,8 +79,6 @@ from .kinematics.trajectory_writer import write_trajectory as write_trajectory
 from .motion.interpolation import interpolate as interpolate
 from .motion.interpolation import resample as resample
 from .motion.motion import Motion as Motion
-from .motion.smooth_motion import PoseNoise as PoseNoise
-from .motion.smooth_motion import estimate_pose_noise as estimate_pose_noise
 from .motion.smoothing import SmoothSamplesResult as SmoothSamplesResult
 from .motion.smoothing import smooth_samples as smooth_samples
 from .motion.straight_line import PAPER_PATHS as PAPER_PATHS

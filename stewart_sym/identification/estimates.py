@@ -306,13 +306,13 @@ def _noise_test(fit: Fit, left_out: int) -> tuple[float, float, tuple[str, ...]]
     number of ignored forces.
     """
     worst, p, doubts = 0.0, 1.0, []
-    shares = fit.factors.shares(fit.parts[0].size)
+    shares = fit.factors.shares([part.size for part in fit.parts])
     for name, part, share, absent in zip(("forces", "poses"), fit.parts, shares, (left_out, 0), strict=False):
         spare = part.size - absent - share
         if spare < 1.0:
             continue
         ratio = float(np.sum(part**2)) / spare
-        own = len(fit.parts) * tail(ratio, spare)
+        own = min(len(fit.parts), 2) * tail(ratio, spare)
         worst, p = max(worst, math.sqrt(ratio)), min(p, own)
         if own < LEVEL:
             doubts.append(

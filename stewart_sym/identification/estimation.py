@@ -24,7 +24,6 @@ from ..io.array_types import Array
 from ..io.extras import need
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
-from ..motion.smooth_motion import WITHOUT_PERIOD, PoseNoise, smoothed
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult, need_base
 from .base_parameters import base_parameters as parameters_of
@@ -34,6 +33,7 @@ from .estimates import EXACT, LEVEL, IdentificationResult, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
 from .fits import Data, exact_fit, joint_fit
 from .least_squares import tail
+from .motion_basis import WITHOUT_PERIOD, PoseNoise, smoothed
 from .parameters import inertial_parameters
 from .physical import POSSIBLE, possible_fit
 

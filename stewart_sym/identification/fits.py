@@ -11,23 +11,13 @@ from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..motion.sample_times import elapsed
-from ..motion.smooth_motion import (
-    Basis,
-    PoseNoise,
-    by_normal_equations,
-    chain,
-    coordinates,
-    from_best,
-    pose_fit,
-    residual,
-    weights_of_choice,
-)
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult
 from .drive_terms import Terms, rotor_forces
 from .excitation import force_regressor
-from .least_squares import Arrow, Factors, factors, solution
+from .least_squares import Arrow, Factors, arrow, by_normal_equations, factors, solution
+from .motion_basis import Basis, PoseNoise, akaike, bases, chain, coordinates, residual
 from .parameters import inertial_parameters, is_friction, with_parameters
 
 # Relative size of singular values below which the motion does not excite all parameters.
@@ -63,8 +53,8 @@ class Fit(NamedTuple):
     Attributes
     ----------
     parts : tuple of ndarray
-        Residual divided by the standard deviations, shape (n, 6) each: of the forces and, in a joint fit, of
-        the poses.
+        Residual divided by the standard deviations: of the forces and, in a joint fit, of the poses, shape
+        (n, 6) each, and of the prior of the motion.
     values : ndarray, shape (m,)
         Base parameters and drive terms.
     factors : DenseFactors or ArrowFactors
@@ -170,36 +160,35 @@ _FINE = 1e-6
 
 
 def joint_fit(data: Data, noise: PoseNoise) -> Fit:
-    """Fit motion and parameters jointly, with a basis one size above the optimum of Akaike's criterion.
+    """Fit motion and parameters jointly.
 
-    The additional size keeps the approximation error of the motion below the noise.
+    If the number of harmonics is unknown, it is one size above the optimum of Akaike's criterion. The
+    additional size keeps the approximation error of the motion below the noise.
     """
     q = coordinates(data.motion, noise)
-    best, least, before, vain = None, math.inf, q, 0
-    share = weights_of_choice(noise, q) / noise.weights
-    for basis in from_best(noise, q):
-        if 6 * basis.size + data.unknowns >= 2 * q.size:
+    best, least = None, math.inf
+    for basis, c in bases(noise, q):
+        if 6 * basis.size + data.unknowns >= 2 * q.size + basis.prior.shape[0]:
             break
-        found = _gauss_newton(data, noise, basis, pose_fit(basis, before))
-        criterion = _squares((found.parts[0], share * found.parts[1])) + 2.0 * 6 * basis.size
+        found = _gauss_newton(data, noise, basis, c)
         if best is None or found.converged:
             best = found
-        vain = 0 if found.converged else vain + 1
-        if criterion >= least or vain == _IN_VAIN:
+        criterion = akaike(_squares(found.parts), 2 * q.size, 6 * basis.size)
+        if criterion >= least:
             break
-        least, before = criterion, basis.value @ found.c
+        least = criterion
     if best is None:
         raise ValueError(f"pose_noise: expected more than {len(q)} samples for motion and parameters")
     return _with_deviations(data, noise, best)
 
 
 class _Solution(NamedTuple):
-    """Parameters and terms (m,), coefficients of the motion (size, 6), and residuals, shape (n, 6) each."""
+    """Parameters and terms (m,), coefficients of the motion (size, 6), and parts of the residual."""
 
     basis: Basis
     values: Array
     c: Array
-    parts: tuple[Array, Array]
+    parts: tuple[Array, ...]
     converged: bool
 
 
@@ -269,10 +258,10 @@ def _curvature(data: Data, noise: PoseNoise, found: _Solution, solved: Factors) 
     return float(np.max(np.sqrt(np.mean(np.square(shifts), axis=0))))
 
 
-def _residuals(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> tuple[Array, Array]:
-    """Compute the residuals of forces and poses divided by their standard deviations, shape (n, 6) each."""
+def _residuals(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> tuple[Array, ...]:
+    """Compute the residuals of forces, poses, and prior divided by their standard deviations."""
     A, y = linear_system(data, basis.motion(c, data.motion))
-    return y - A @ values, residual(basis, c, data.motion, noise)
+    return y - A @ values, residual(basis, c, data.motion, noise), -(basis.prior @ c.ravel())
 
 
 def _squares(parts: tuple[Array, ...]) -> float:
@@ -281,26 +270,21 @@ def _squares(parts: tuple[Array, ...]) -> float:
 
 
 def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array | Arrow:
-    """Compute the derivatives of the scaled forces and poses, shape (12 n, unknowns + 6 m)."""
+    """Compute the derivatives of the scaled forces, poses, and prior, shape (12 n + p, unknowns + 6 m)."""
     motion = basis.motion(c, data.motion)
     A, _ = linear_system(data, motion)
     maps = chain(basis, c, motion)
     local = basis.local
-    n, width = local[0].shape
+    n, width = local.shape[1:]
     by_c = np.zeros((n, LEGS, width, 6))
     for derivatives, parts in zip(_force_derivatives(data, motion, values), maps, strict=True):
         for matrix, functions in zip(parts, local, strict=False):
             by_c += (derivatives @ matrix)[:, :, None, :] * functions[:, None, :, None]
     by_c /= data.deviations[..., None, None]
     poses = (noise.weights[:, None] * maps[0][0])[:, :, None, :] * local[0][:, None, :, None]
-    start = np.zeros(n, dtype=np.intp) if basis.start is None else 6 * basis.start
-    J = Arrow(
-        A.reshape(LEGS * n, -1),
-        np.concatenate([by_c, poses]).reshape(2 * LEGS * n, -1),
-        np.tile(np.repeat(start, LEGS), 2),
-        6 * basis.size,
-    )
-    return J.dense() if basis.start is None else J
+    local_rows = np.concatenate([by_c, poses]).reshape(2 * LEGS * n, -1)
+    start = np.tile(np.repeat(6 * basis.start, LEGS), 2)
+    return arrow(A.reshape(LEGS * n, -1), local_rows, start, basis.prior)
 
 
 def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:

@@ -6,17 +6,20 @@ banded. Elimination of the band gives a small dense system for the parameters.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..io.array_types import Array, Indices
-from ..motion.smooth_motion import DISTINCT, by_normal_equations
 
 # Number of columns of the identity in one banded solve, because all columns need too much memory.
 _TOGETHER = 256
+
+
+# Least diagonal entry of the Cholesky factor of columns of length 1, for dense and sparse normal equations.
+_DISTINCT, _DISTINCT_SPARSE = 1e-4, 1e-6
 
 
 class DenseFactors(NamedTuple):
@@ -46,12 +49,13 @@ class DenseFactors(NamedTuple):
         """Compute the projection of y, shape (rows,) or (rows, columns), onto the range of J."""
         return np.asarray(self.span @ (self.span.T @ y))
 
-    def shares(self, first: int) -> tuple[float, float]:
-        """Return the effective numbers of unknowns that the first rows and the other rows determine.
+    def shares(self, counts: Sequence[int]) -> list[float]:
+        """Return the effective numbers of unknowns that successive parts of the rows determine.
 
-        The two numbers are the traces of the projection onto the range of J over these rows.
+        The numbers are the traces of the projection onto the range of J over these rows.
         """
-        return float(np.sum(self.span[:first] ** 2)), float(np.sum(self.span[first:] ** 2))
+        parts = np.split(self.span, np.cumsum(counts)[:-1])
+        return [float(np.sum(part**2)) for part in parts]
 
     def covariance(self, count: int) -> Array:
         """Return the covariance of the first unknowns for unit variance in every row."""
@@ -65,70 +69,59 @@ class Arrow(NamedTuple):
     ----------
     A : ndarray, shape (first rows, few)
         Dense columns in the first rows; they are zero in the other rows.
-    local : ndarray, shape (rows, width)
-        Nonzero entries of the local columns in each row.
-    start : ndarray of int, shape (rows,)
-        First local column of each row of ``local``.
-    many : int
-        Number of local columns.
+    local : scipy.sparse.csr_array, shape (rows, many)
+        Local columns.
     """
 
     A: Array
-    local: Array
-    start: Indices
-    many: int
-
-    def runs(self, first: int = 0) -> Iterator[tuple[slice, slice]]:
-        """Yield consecutive rows with the same first local column, as slices of rows and of local columns."""
-        ends = np.flatnonzero(np.diff(self.start[first:])) + first + 1
-        for row, end in pairwise((first, *ends.tolist(), len(self.start))):
-            at = int(self.start[row])
-            yield slice(row, end), slice(at, at + self.local.shape[1])
+    local: Any
 
     def __matmul__(self, x: Array) -> Array:
         """Compute the product with x, shape (few + many,) or (few + many, columns)."""
         few = self.A.shape[1]
-        found = np.empty((len(self.local), *x.shape[1:]))
-        for rows, columns in self.runs():
-            found[rows] = self.local[rows] @ x[few:][columns]
+        found = np.asarray(self.local @ x[few:])
         found[: len(self.A)] += self.A @ x[:few]
         return found
 
     def by_many(self, y: Array) -> Array:
         """Compute the product of the transposed local columns with y, over the first rows or all rows."""
-        found = np.zeros((self.many, *y.shape[1:]))
-        for rows, columns in self.runs():
-            found[columns] += self.local[rows][: max(len(y) - rows.start, 0)].T @ y[rows]
-        return found
+        return np.asarray(self.local[: len(y)].T @ y)
 
-    def band(self, first: int = 0) -> Array:
-        """Compute the Gram matrix of the local columns as a band, shape (width, many), from row ``first`` on.
-
-        Row ``width - 1 - k`` contains the products of each column with the k-th column before it, as in
-        LAPACK.
-        """
-        width = self.local.shape[1]
-        one, other = np.triu_indices(width)
-        found = np.zeros((width, self.many))
-        for rows, columns in self.runs(first):
-            block = self.local[rows].T @ self.local[rows]
-            found[width - 1 - (other - one), columns.start + other] += block[one, other]
+    def band(self) -> Array:
+        """Compute the Gram matrix of the local columns as an upper band, shape (width, many)."""
+        gram = (self.local.T @ self.local).tocoo()
+        above = gram.col - gram.row
+        width, upper = int(above.max()) + 1, above >= 0
+        found = np.zeros((width, gram.shape[0]))
+        found[width - 1 - above[upper], gram.col[upper]] = gram.data[upper]
         return found
 
     def scaled(self, lengths: Array) -> "Arrow":
         """Divide the columns by lengths."""
-        few, width = self.A.shape[1], self.local.shape[1]
-        of_local = lengths[few:][self.start[:, None] + np.arange(width)]
-        return self._replace(A=self.A / lengths[:few], local=self.local / of_local)
+        few, local = self.A.shape[1], self.local.copy()
+        local.data /= lengths[few:][local.indices]
+        return self._replace(A=self.A / lengths[:few], local=local)
 
     def dense(self) -> Array:
         """Return the dense matrix, shape (rows, few + many)."""
-        few = self.A.shape[1]
-        J = np.zeros((len(self.local), few + self.many))
-        J[: len(self.A), :few] = self.A
-        for rows, columns in self.runs():
-            J[rows, few + columns.start : few + columns.stop] = self.local[rows]
-        return J
+        below = np.zeros((self.local.shape[0] - len(self.A), self.A.shape[1]))
+        return np.hstack([np.concatenate([self.A, below]), self.local.toarray()])
+
+
+def arrow(A: Array, local: Array, start: Indices, others: Any) -> Array | Arrow:
+    """Return the matrix with dense columns A, local columns, and other rows of local columns only.
+
+    ``local``, shape (rows, width), contains the entries of the columns from ``start``, shape (rows,), on. The
+    matrix is dense if each row has entries in all columns.
+    """
+    (rows, width), many = local.shape, others.shape[1]
+    if width == many:
+        return np.hstack([np.concatenate([A, np.zeros((rows - len(A), A.shape[1]))]), local])
+    from scipy.sparse import csr_matrix, vstack
+
+    columns = (start[:, None] + np.arange(width)).ravel()
+    entries = csr_matrix((local.ravel(), columns, width * np.arange(rows + 1)), shape=(rows, many))
+    return Arrow(A, vstack([entries, others], "csr"))
 
 
 class ArrowFactors:
@@ -144,7 +137,8 @@ class ArrowFactors:
         """Factorize the scaled normal equations."""
         from scipy.linalg import cholesky_banded
 
-        self._lengths = np.sqrt(np.concatenate([np.sum(J.A**2, axis=0), J.band()[-1]]))
+        squares = np.bincount(J.local.indices, J.local.data**2, minlength=J.local.shape[1])
+        self._lengths = np.sqrt(np.concatenate([np.sum(J.A**2, axis=0), squares]))
         if not self._lengths.all():
             raise np.linalg.LinAlgError("a column is zero")
         self._J = J = J.scaled(self._lengths)
@@ -152,7 +146,7 @@ class ArrowFactors:
         cross = J.by_many(J.A)
         self._beside = self._solved(cross)
         self._corner = np.linalg.cholesky(J.A.T @ J.A - cross.T @ self._beside)
-        if min(self._band[-1].min(), self._corner.diagonal().min()) < DISTINCT:
+        if min(self._band[-1].min(), self._corner.diagonal().min()) < _DISTINCT_SPARSE:
             raise np.linalg.LinAlgError("columns are nearly dependent")
 
     @property
@@ -168,16 +162,22 @@ class ArrowFactors:
         """Compute the projection of y onto the range of J."""
         return self._J @ self._scaled(y)
 
-    def shares(self, first: int) -> tuple[float, float]:
-        """Return the effective numbers of unknowns that the first rows and the other rows determine."""
-        others, band = 0.0, self._J.band(first)
-        for at in range(0, self._J.many, _TOGETHER):
-            columns = np.arange(at, min(at + _TOGETHER, self._J.many))
-            G = _columns(band, columns)
-            inverse = self._solved(G)
-            inverse += self._beside @ self._cornered(self._beside.T @ G)
-            others += float(np.trace(inverse[columns]))
-        return self.unknowns - others, others
+    def shares(self, counts: Sequence[int]) -> list[float]:
+        """Return the effective numbers of unknowns that successive parts of the rows determine."""
+        ends = np.cumsum(counts)
+        others = [self._share(*edges) for edges in pairwise(ends.tolist())]
+        return [self.unknowns - sum(others), *others]
+
+    def _share(self, first: int, end: int) -> float:
+        """Return the trace of the projection over rows without dense unknowns."""
+        local = self._J.local[first:end]
+        gram, found = (local.T @ local).tocsc(), 0.0
+        for at in range(0, gram.shape[0], _TOGETHER):
+            columns = slice(at, at + _TOGETHER)
+            G = gram[:, columns].toarray()
+            inverse = self._solved(G)[columns] + self._beside[columns] @ self._cornered(self._beside.T @ G)
+            found += float(np.trace(inverse))
+        return found
 
     def covariance(self, count: int) -> Array:
         """Return the covariance of the first unknowns, which must be dense unknowns."""
@@ -208,18 +208,6 @@ class ArrowFactors:
         return np.asarray(np.linalg.solve(self._corner.T, np.linalg.solve(self._corner, y)))
 
 
-def _columns(band: Array, columns: Indices) -> Array:
-    """Return columns of the symmetric matrix that a band represents, shape (many, columns)."""
-    width, many = band.shape
-    found = np.zeros((many, len(columns)))
-    for above in range(width):
-        here = columns[columns >= above]
-        found[here - above, here - columns[0]] = band[width - 1 - above, here]
-        here = columns[columns + above < many]
-        found[here + above, here - columns[0]] = band[width - 1 - above, here + above]
-    return found
-
-
 Factors = DenseFactors | ArrowFactors
 
 
@@ -233,6 +221,28 @@ def factors(J: Array | Arrow) -> Factors:
     lengths = np.linalg.norm(J, axis=0)
     Q, corner = np.linalg.qr(J / lengths)
     return DenseFactors(Q, np.linalg.inv(corner) / lengths[:, None])
+
+
+def by_normal_equations(A: Array, y: Array) -> Array | None:
+    """x of A x = y by least squares, y (n,) or (n, c); None where columns of A are nearly dependent.
+
+    Its residual is corrected once, which gives back the digits that squares lose.
+    """
+    lengths = np.linalg.norm(A, axis=0)
+    if not lengths.all():
+        return None
+    unit = A / lengths
+    squares = unit.T @ unit
+    try:
+        G = np.linalg.cholesky(squares)
+    except np.linalg.LinAlgError:
+        return None
+    if G.diagonal().min() < _DISTINCT:
+        return None
+    x = np.zeros((A.shape[1], *y.shape[1:]))
+    for _ in range(2):
+        x += np.linalg.solve(squares, unit.T @ (y - unit @ x))
+    return np.asarray((x.T / lengths).T)
 
 
 def solution(J: Array | Arrow, y: Array) -> Array:

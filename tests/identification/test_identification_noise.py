@@ -13,8 +13,7 @@ from scipy.interpolate import make_interp_spline
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.identification import estimates, fits
-from stewart_sym.motion import smooth_motion
+from stewart_sym.identification import estimates, fits, motion_basis
 from stewart_sym.motion.rotation import rotation_from_vector
 
 # Shares of the base's radius by which a payload moves, along each axis of the platform: LEAST is always
@@ -30,7 +29,7 @@ def moved(machine: ss.Robot, share: float = MOVED) -> ss.Robot:
 
 def differentiated(found: ss.Experiment) -> ss.Motion:
     """The measured poses with the derivatives of an interpolating spline."""
-    q = smooth_motion.coordinates(found.measured_motion, found.pose_noise)
+    q = motion_basis.coordinates(found.measured_motion, found.pose_noise)
     spline = make_interp_spline(found.pose_noise.time, q, 5)
     parts = [spline(found.pose_noise.time, order) for order in range(3)]
     return ss.Motion.from_rpy(*(part for y in parts for part in (y[:, :3], y[:, 3:])))
@@ -53,21 +52,27 @@ def test_noise_of_poses_is_part_of_the_deviations_and_no_longer_bias() -> None:
     assert any("taken as exact" in line for line in believed.warnings)
 
 
-@pytest.mark.slow
-def test_motion_without_period_or_stated_noise_is_identified_as_well() -> None:
+def test_motion_without_period_is_identified_with_stated_or_estimated_noise() -> None:
     found = experiment(0)
-    motion = dataclasses.replace(
-        found.measured_motion, omega=0 * found.measured_motion.omega, v=0 * found.measured_motion.v
-    )
-    for period in (None, found.excitation.path.period):
-        noise = ss.estimate_pose_noise(found.excitation.time, motion, period)
-        drawn = float(np.sqrt(np.mean((motion.t - found.excitation.motion.t) ** 2)))
-        assert noise.position == pytest.approx(drawn, rel=0.1)
-        # Three standard deviations of an estimate from 3 SAMPLES values.
-        assert noise.angle == pytest.approx(NOISE, rel=3 / np.sqrt(6 * SAMPLES))
+    motion, time = found.measured_motion, found.excitation.time
+    q = motion_basis.coordinates(motion, found.pose_noise)
+    std = ss.smooth_samples(time, q).noise_std.reshape(2, 3)
+    position, angle = np.sqrt(np.mean(std**2, axis=1))
+    # Three standard deviations of an estimate from 3 SAMPLES values.
+    assert (position, angle) == pytest.approx((NOISE, NOISE), rel=3 / np.sqrt(6 * SAMPLES))
+    period = found.excitation.path.period
+    for noise in (ss.PoseNoise(time, NOISE, NOISE), ss.PoseNoise(time, position, angle, period)):
         seen = ss.identify(robot(0), motion, found.F, 1.0, pose_noise=noise)
         assert seen.verdict == "consistent"
         assert np.max(np.abs(seen.values - found.true_values) / seen.std) < 4.0
+
+
+def test_noise_beyond_the_stated_one_is_named_without_a_period() -> None:
+    found = experiment(0)
+    noise = ss.PoseNoise(found.excitation.time, NOISE / 3, NOISE / 3)
+    seen = ss.identify(robot(0), found.measured_motion, found.F, 1.0, excited(0).base, noise)
+    assert seen.verdict in ("misfit", "rejected")
+    assert seen.warnings[0].startswith("poses: expected a residual of the size of the specified noise")
 
 
 def misfits(machine: ss.Robot, found: ss.Experiment) -> dict[str, ss.IdentificationResult]:

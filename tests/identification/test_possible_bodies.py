@@ -25,7 +25,7 @@ def test_parameters_make_the_robot_again() -> None:
     again = with_parameters(machine, ss.inertial_parameters(machine).values)
     for field in dataclasses.fields(ss.Robot):
         old, new = (getattr(made, field.name) for made in (machine, again))
-        plain = isinstance(old, str) or old is None
+        plain = isinstance(old, (str, ss.TrajectoryFormat)) or old is None
         assert old == new if plain else np.allclose(old, new, rtol=1e-9, atol=1e-12)
 
 
@@ -113,7 +113,9 @@ def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
         assert float(after["robot_file"]) == pytest.approx(float(before["true"]))
     assert "robot file: agrees with the forces" in (right / "report.txt").read_text()
     wrong = tmp_path / "wrong"
-    assert "--position-std" in run("identify", PAPERS, *measured, "-o", wrong, code=1).err
+    told = run("identify", PAPERS, *measured, "-o", wrong, code=1).err
+    assert "trajectory.csv: noise of " in told
+    assert "state the pose noise" in told
     assert {row["std"] for row in read(wrong / "parameters.csv")} == {"inf"}
     report = (wrong / "report.txt").read_text()
     assert "verdict: rejected" in report

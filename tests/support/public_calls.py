@@ -225,13 +225,6 @@ def calls() -> dict[str, Call]:
     add(ss.identify, robot=robot, motion=excited.motion, **deviations)
     poses = {"time": np.arange(9.0), "position": 1e-4, "angle": 1e-4, "period": 9.0, "harmonics": 2}
     add(ss.PoseNoise, **poses)
-    rough = ss.Motion(
-        R=excited.motion.R,
-        t=excited.motion.t + 1e-4 * rng.normal(size=(60, 3)),
-        omega=excited.motion.omega,
-        v=excited.motion.v,
-    )
-    add(ss.estimate_pose_noise, time=excited.time, motion=rough, period=excited.path.period, harmonics=3)
     add(ss.simulate_experiment, robot=robot, excitation=excited, force_std=1.0, seed=0)
     return found
 

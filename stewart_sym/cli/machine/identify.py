@@ -8,7 +8,7 @@ Exit code: 0, 1 if the fit is rejected, 2 for an error.
 Example: stewart-sym identify hexapod.toml --force-std 0.5 -o identified
 """
 
-import dataclasses
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -16,14 +16,13 @@ import numpy as np
 
 import stewart_sym as ss
 
+from ...drives.noise import at_replaced
 from ...identification.physical import POSSIBLE
 from ...io.error_policy import warn
 from ...io.extras import need
 from ...io.progress import Progress
-from ...kinematics.robot_logs import trajectory_for
+from ...kinematics.robot_logs import log_of, samples_of
 from ...motion.log_reader import CURRENTS, FORCES, read_leg_columns
-from ...motion.logs import HeaderError
-from ...motion.smooth_motion import WITHOUT_PERIOD
 from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS
 from ...studies.common.report import Report
@@ -79,27 +78,21 @@ def run(arguments: Arguments) -> int:
 
 
 def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
-    noisy = arguments.position_std is not None
     if arguments.enforce_physical:
         need("scipy", POSSIBLE)
-    if noisy and arguments.period is None:
-        need("scipy", WITHOUT_PERIOD)
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
-    form = log_format(arguments, poses)
-    # The fit has its own noise model. The noise options are only compared with the log.
-    std = stated_noise(arguments, form)
-    smoothing = ss.SmoothingOptions(*std, enabled=False, repair=True)
-    try:
-        log = trajectory_for(robot, poses, log_format(arguments), smoothing)
-    except HeaderError as error:
-        if not set(FORCES) <= set(error.header):
-            raise
-        remedy = "exchange the files of --measured"
-        raise ValueError(f"{poses}: expected poses or leg lengths, got forces F_1 to F_6; {remedy}") from None
-    trajectory = cast(Trajectory, poses_of(robot, log, arguments, progress))
-    of_forces = dataclasses.replace(log_format(arguments), columns={})
-    time, F, columns, lines = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))
+    form = log_format(arguments)
+    of_forces = {name: form.columns[name] for name in (*FORCES, *CURRENTS) if name in form.columns}
+    of_poses = {name: header for name, header in form.columns.items() if name not in of_forces}
+    samples = samples_of(robot, poses, replace(form, columns=of_poses))
+    std = stated_noise(arguments, samples.file_format)
+    log = log_of(robot, samples, ss.SmoothingOptions(*std), progress)
+    noisy = arguments.position_std is not None
+    if noisy:
+        log = _measured_rows(log, log_of(robot, samples, ss.SmoothingOptions(enabled=False)))
+    trajectory = poses_of(robot, log, arguments, progress)
+    time, F, columns, lines = read_leg_columns(forces, replace(form, columns=of_forces), (FORCES, CURRENTS))
     sigma = np.asarray(arguments.force_std)
     if columns == CURRENTS:
         F, sigma = ss.motor_forces(robot, F), np.abs(ss.motor_forces(robot, np.full(LEGS, sigma)))
@@ -107,10 +100,22 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     if noisy:
         harmonics = arguments.harmonics if arguments.period is not None else None
         noise = ss.PoseNoise(trajectory.time, *cast("tuple[float, float]", std), arguments.period, harmonics)
-    model = (not arguments.no_friction, arguments.enforce_physical)
-    options: tuple[Any, ...] = (form, arguments.identical_legs, arguments.drive_terms, lines)
-    found = from_measurement(robot, trajectory, time, F, sigma, str(forces), noise, *model, *options)
+    model = (not arguments.no_friction, arguments.enforce_physical, arguments.identical_legs)
+    options = (noise, *model, arguments.drive_terms, lines)
+    found = from_measurement(robot, trajectory, time, F, sigma, str(forces), *options)
     return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
+
+
+def _measured_rows(smooth: Trajectory, measured: Trajectory) -> Trajectory:
+    """Return a smooth trajectory with the measured values, except at rows that the reader did not use.
+
+    The fit smooths the values with its own model of the noise.
+    """
+    assert smooth.coordinates is not None
+    assert measured.coordinates is not None
+    unused = at_replaced(smooth, smooth.time)[:, None]
+    values = np.where(unused, smooth.coordinates[0], measured.coordinates[0])
+    return replace(smooth, coordinates=np.stack([values, *smooth.coordinates[1:]]))
 
 
 def _simulated(arguments: Arguments, progress: Progress) -> tuple[Report, ss.IdentificationResult]:

@@ -14,14 +14,13 @@ from ...identification.base_parameters import BaseParametersResult, base_paramet
 from ...identification.drive_terms import DriveIdentificationResult, seen_by_motors, terms_of
 from ...identification.estimates import IdentificationResult
 from ...identification.estimation import Experiment, identify
+from ...identification.motion_basis import PoseNoise, smoothed
 from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_reference
 from ...io.array_types import Array
 from ...kinematics.trajectory_writer import trajectory_columns
-from ...motion.logs import TrajectoryFormat
 from ...motion.sample_times import time_text
-from ...motion.smooth_motion import PoseNoise, estimate_pose_noise, smoothed
-from ...motion.trajectory import IN_SI, Trajectory
+from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot, about_point
 from ..common.output import Columns, aligned, columns_of, of_legs
 from ..common.report import Report
@@ -35,13 +34,8 @@ _SAME_TIME = 1e-6
 _FAR, _FAR_LEVEL = 4.0, 1e-3
 # Number of standard deviations from zero below which a drive term is insignificant.
 _TOLD = 2
-# Relative scatter of poses that is attributed to the written digits.
-_DIGITS = 1e-8
-# Forces are implausible if their scatter about the model is below this fraction of the standard deviation of
-# the user.
-# They are also implausible if their magnitude differs by more than this factor from the forces of the robot
-# file.
-_LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
+# Largest ratio of the measured forces to the forces of the robot file, or its inverse, in equal units.
+_MOST_TIMES = 100.0
 
 
 def from_measurement(
@@ -54,7 +48,6 @@ def from_measurement(
     noise: PoseNoise | None = None,
     friction: bool = True,
     physical: bool = False,
-    form: TrajectoryFormat = IN_SI,
     identical_legs: bool = False,
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
@@ -62,34 +55,30 @@ def from_measurement(
     """Identify the parameters that a trajectory excites from forces F (N), shape (n, 6), at times (s), shape
     (n,).
 
-    ``source`` and ``lines`` are the file of the forces and their line numbers, from 2 by default. ``form`` is
-    the format of the trajectory file, whose units appear in warnings. ``friction`` and ``identical_legs`` are
+    Samples at rows that the reader of the trajectory did not use are left out. ``source`` and ``lines`` are
+    the file of the forces and their line numbers, from 2 by default. ``friction`` and ``identical_legs`` are
     arguments of ``base_parameters``, all others of ``identify``.
     """
     _need_equal_times(trajectory, time, source, lines)
-    bad = at_replaced(trajectory, trajectory.time)
+    bad, motion, warnings = at_replaced(trajectory, trajectory.time), trajectory.motion, []
     if bad.any():
-        trajectory = Trajectory(trajectory.time[~bad], trajectory.motion[~bad], trajectory.source, ())
-        F, noise = F[~bad], None if noise is None else replace(noise, time=noise.time[~bad])
-    moved, motion, of_tool = robot, trajectory.motion, noise is not None and robot.tool.any()
+        motion, F = motion[~bad], F[~bad]
+        noise = None if noise is None else replace(noise, time=noise.time[~bad])
+        text = f"{np.count_nonzero(bad)} of {len(bad)} samples at wrong rows are left out of the fit"
+        warnings.append(f"motion: {text}; check these rows")
+    moved, of_tool = robot, noise is not None and robot.tool.any()
     if of_tool:
         # The noise refers to the measured poses, which are poses of the tool.
         moved, motion = about_point(robot, robot.tool), motion.at_point(robot.tool)
     smooth = motion if noise is None else smoothed(motion, noise)[0]
     base = base_parameters(moved, smooth, friction, identical_legs)
     found = identify(moved, motion, F, sigma, base, noise, physical, drive_terms=drive)
-    said = []
-    if bad.any():
-        text = f"motion: {np.count_nonzero(bad)} of {len(bad)} samples at wrong rows are left out of the fit"
-        said.append(f"{text}; check these rows")
     if of_tool:
         base = base_parameters(robot, smooth.at_point(-robot.tool), friction, identical_legs)
-        found = replace(found, warnings=(*found.warnings, *said))
-        return about_reference(robot, base, found, robot.tool)
-    if found.verdict in ("misfit", "rejected"):
-        said += _scatter(trajectory, form) if noise is None else []
-        said += _dry_friction(robot) if drive is None or "coulomb" not in drive else []
-    return replace(found, warnings=(*found.warnings, *said, *_unlike_forces(robot, found, F)))
+        found = about_reference(robot, base, found, robot.tool)
+    if found.verdict in ("misfit", "rejected") and (drive is None or "coulomb" not in drive):
+        warnings += _dry_friction(robot)
+    return replace(found, warnings=(*found.warnings, *warnings, *_unlike_forces(robot, found, F)))
 
 
 def _need_equal_times(trajectory: Trajectory, time: Array, source: str, lines: Sequence[int] | None) -> None:
@@ -113,41 +102,17 @@ def _dry_friction(robot: Robot) -> list[str]:
     """Return a warning about dry friction of the drives that the fit does not include."""
     names = [f"coulomb{leg}" for leg in range(1, 7)]
     dry = 0.0 if robot.drive is None else terms_of(robot, names).max()
-    said = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
-    return [f"{said}, --drive-terms coulomb seeks it"] if dry > 0.0 else []
+    text = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
+    return [f"{text}, --drive-terms coulomb seeks it"] if dry > 0.0 else []
 
 
 def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> list[str]:
-    """Return warnings about forces of another magnitude, and about an implausible noise."""
-    said = []
-    if found.normalized_residual < _LEAST_MISFIT:
-        said.append(
-            f"force_std: the forces scatter by {found.normalized_residual:.2g} of it about the model: "
-            "expected their standard deviation, deviations of the results are too large"
-        )
+    """Return a warning about forces of another magnitude."""
     got, expected = (np.sqrt(np.mean(each**2)) for each in (F, inverse_dynamics(robot, found.motion).F))
-    if not expected / _MOST_TIMES < got < expected * _MOST_TIMES:
-        said.append(
-            f"forces: {got:.3g} N in RMS beside {expected:.3g} N of the robot file along this motion: "
-            "are they in another unit? expected N"
-        )
-    return said
-
-
-def _scatter(trajectory: Trajectory, form: TrajectoryFormat) -> list[str]:
-    """Return a warning with the estimated noise of the poses in the units of their file."""
-    try:
-        seen = estimate_pose_noise(trajectory.time, trajectory.motion)
-    except (ValueError, ImportError):
+    if expected / _MOST_TIMES < got < expected * _MOST_TIMES:
         return []
-    if seen.position <= _DIGITS * np.abs(trajectory.motion.t).max() and seen.angle <= _DIGITS:
-        return []
-    form = form.with_units({})
-    position = f"{seen.position / form.meters_per_unit:.2g}"
-    angle = f"{seen.angle / form.radians_per_unit:.2g}"
-    text = f"motion: its poses scatter by {position} {form.length_unit} and {angle} {form.angle_unit} about a"
-    remedy = f"--position-std {position} --angle-std {angle} takes that into account"
-    return [f"{text} smooth motion: {remedy}"]
+    finding = f"RMS of {got:.3g} N, but {expected:.3g} N by the robot file along this motion"
+    return [f"forces: {finding}; check that their unit is N"]
 
 
 def doubts(found: IdentificationResult) -> list[str]:
@@ -160,15 +125,11 @@ def doubts(found: IdentificationResult) -> list[str]:
     return lines
 
 
-_OF_NOISE = "those of the stated noise"
-
-
 def verdict(found: IdentificationResult) -> list[str]:
     """Return lines about the residual: its size, the verdict, and the warnings."""
-    inflated = f"inflated {found.inflation_factor:.3g} times"
     text = {
         "consistent": "consistent with the model and the stated noise",
-        "misfit": f"misfit; deviations {inflated if found.inflation_factor > 1.0 else _OF_NOISE}",
+        "misfit": f"misfit; deviations inflated {found.inflation_factor:.3g} times",
         "rejected": "rejected; no deviations can be given",
         "untested": "untested, no more forces than unknowns",
     }[found.verdict]
@@ -193,40 +154,35 @@ def measured_report(
 
     ``currents`` is True if the forces are motor forces although no drive terms were fitted.
     """
-    base, given = found.base, robot
-    if currents or found.drive is not None:
-        robot = seen_by_motors(robot)
-    departure, p = found.compare_with(robot)
-    file = base.matrix @ inertial_parameters(robot).values
-    off = dict(zip(base.names, departure, strict=True))
-    if found.drive is not None:
+    base, drive = found.base, found.drive
+    seen = seen_by_motors(robot) if currents or drive is not None else robot
+    departure, p = found.compare_with(seen)
+    far = [name for name, each in zip(base.names, departure, strict=True) if abs(each) > _FAR]
+    if drive is not None:
         # Viscous terms may include friction of the joints.
-        of_joints = np.array([name.startswith("viscous") for name in found.drive.names])
-        of_drives = np.where(of_joints, np.nan, terms_of(given, found.drive.names))
-        off_terms, p_terms = found.drive.compare_with(of_drives)
-        off |= dict(zip(found.drive.names, off_terms, strict=True))
+        of_joints = np.array([name.startswith("viscous") for name in drive.names])
+        off, p_terms = drive.compare_with(np.where(of_joints, np.nan, terms_of(robot, drive.names)))
+        far += [name for name, each in zip(drive.names, off, strict=True) if abs(each) > _FAR]
         # The smaller of two probabilities is doubled (Bonferroni).
         p = p if isnan(p_terms) else min(1.0, 2.0 * min(p, p_terms))
-    far = [name for name, each in off.items() if abs(each) > _FAR]
     agrees = "agrees" if p >= _FAR_LEVEL and not far else "does not agree"
     agreement = f"{agrees} with the forces, probability of such a departure {p:.2g}"
     if found.verdict == "rejected":
-        agrees, p = "not compared", nan
+        agrees, p, departure, far = "not compared", nan, np.full_like(departure, np.nan), []
         agreement = f"{agrees}, for the fit is rejected"
-        departure = np.full_like(departure, np.nan)
     named = f"; farther off than {_FAR:g} sigma: {', '.join(far)}" if far else ""
-    tables: dict[str, Columns] = {}
-    if found.parameters is not None:
-        bodies = found.parameters
-        full = zip(bodies.names, bodies.units, bodies.values.tolist(), strict=True)
-        tables["bodies"] = columns_of([("name", "unit", "value"), *full])
     lines = [_count(robot, base), _noise(sigma, noise), *verdict(found), f"robot file: {agreement}{named}"]
-    if robot is not given:
-        lines.append("C_p of the robot file: with the viscous friction of its drives")
     data = {**_data(robot, found, sigma, noise), "robot_file": {"agreement": agrees, "probability": p}}
-    if found.drive is not None:
-        data["drive"] = _drive_rows(given, found.drive)
-        lines += drive_lines(given, found.drive)
+    if seen is not robot:
+        lines.append("C_p of the robot file: with the viscous friction of its drives")
+    if drive is not None:
+        data["drive"] = _drive_rows(robot, drive)
+        lines += drive_lines(robot, drive)
+    tables: dict[str, Columns] = {}
+    if (bodies := found.parameters) is not None:
+        rows = zip(bodies.names, bodies.units, bodies.values.tolist(), strict=True)
+        tables["bodies"] = columns_of([("name", "unit", "value"), *rows])
+    file = base.matrix @ inertial_parameters(seen).values
     numbers = {"estimated": found.values, "std": found.std, "robot_file": file, "departure": departure}
     return _report(lines, base, numbers, tables, data)
 
@@ -267,10 +223,13 @@ def _report(
     columns = (values.tolist() for values in numbers.values())
     head = ("name", "formula", "unit", *numbers)
     rows = list(zip(base.names, base.formulas, base.units, *columns, strict=True))
-    shown = [(_SHOWN.get(name, (name, ".6g"))) for name in numbers]
-    forms = [digits for _, digits in shown]
+    shown = [_SHOWN.get(name, (name, ".6g")) for name in numbers]
     cells = [
-        [name, unit, *("-" if isnan(v) else f"{v:{form}}" for v, form in zip(values, forms, strict=True))]
+        [
+            name,
+            unit,
+            *("-" if isnan(v) else f"{v:{form}}" for v, (_, form) in zip(values, shown, strict=True)),
+        ]
         for name, _, unit, *values in rows
     ]
     table = aligned(["parameter", "unit", *(title for title, _ in shown)], cells, left=2)
@@ -295,6 +254,14 @@ def _data(
     robot: Robot, found: IdentificationResult, sigma: ArrayLike, noise: PoseNoise | None
 ) -> dict[str, Any]:
     """Return the numbers of the text above the table for the JSON data."""
+    attributes = (
+        "verdict",
+        "normalized_residual",
+        "inflation_factor",
+        "warnings",
+        "nonphysical",
+        "near_zero",
+    )
     lag = found.force_lag
     return {
         "robot": robot.name,
@@ -305,15 +272,10 @@ def _data(
         "force_noise_N": np.asarray(sigma).tolist(),
         "position_noise_m": 0.0 if noise is None else noise.position,
         "angle_noise_rad": 0.0 if noise is None else noise.angle,
-        "verdict": found.verdict,
-        "normalized_residual": found.normalized_residual,
+        **{name: getattr(found, name) for name in attributes},
         "residual_probability": found.p_noise,
         "smooth_residual_probability": found.p_model,
-        "inflation_factor": found.inflation_factor,
         **({} if lag is None else {"force_lag_s": lag[0], "force_lag_std_s": lag[1]}),
-        "warnings": found.warnings,
-        "nonphysical": found.nonphysical,
-        "near_zero": found.near_zero,
         "units": {
             "normalized_residual": "of its expectation",
             "inflation_factor": "of the standard deviations",
@@ -330,16 +292,13 @@ def _noise(sigma: ArrayLike, noise: PoseNoise | None) -> str:
 
 
 def simulated_report(robot: Robot, found: Experiment) -> Report:
-    """Create the report of a simulated measurement: parameters with their true values, the motion, and its
-    forces.
-    """
+    """Create the report of a simulated measurement: parameters with true values, motion, and forces."""
     excited, estimate = found.excitation, found.estimate
     size = np.abs(found.z_scores)
     shares = ", ".join(
         f"{100 * np.mean(size <= width):.0f} % ({100 * normal:.1f} %) within {width}"
         for width, normal in zip((1, 2, 3), NORMAL, strict=True)
     )
-    errors = "errors in standard deviations (of a normal distribution)"
     harmonics, period = len(excited.path.sine), excited.path.period
     lines = [
         _count(robot, estimate.base),
@@ -349,7 +308,8 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
         *verdict(estimate),
     ]
     if estimate.verdict != "rejected":
-        lines.append(f"{errors}: {shares}; largest {np.max(size):.2f}")
+        text = "errors in standard deviations (of a normal distribution)"
+        lines.append(f"{text}: {shares}; largest {np.max(size):.2f}")
     numbers = {"true": found.true_values, "estimated": estimate.values, "std": estimate.std}
     tables = {
         "trajectory": trajectory_columns(robot, excited.time, found.measured_motion),
