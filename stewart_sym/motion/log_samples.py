@@ -165,6 +165,9 @@ def read_samples(
     time = raw if raw is None or clock else raw / round(1.0 / UNITS["time_unit"][form.time_unit or "s"])
     if raw is None and form.row_rate is not None:
         time = place / form.row_rate
+    elif raw is None:
+        finding = f"{source}: no column of times; the rows are poses at rest"
+        warn(f"{finding}; state row_rate if they are samples over time", TrajectoryWarning)
     columns = {each: _scaled(each, numbers[found[each]], form) for each in components}
     rows = _increasing(time, columns, table.lines[place], source)
     time = None if time is None else time[rows]
