@@ -84,6 +84,7 @@ from .motion.smoothing import smooth_samples as smooth_samples
 from .motion.straight_line import PAPER_PATHS as PAPER_PATHS
 from .motion.straight_line import StraightLinePath as StraightLinePath
 from .motion.trajectory import SmoothingOptions as SmoothingOptions
+from .motion.trajectory import Trajectory as Trajectory
 from .motion.trajectory_format import TrajectoryFormat as TrajectoryFormat
 from .motion.trajectory_format import TrajectoryWarning as TrajectoryWarning
 from .planning.path_parameterization import TimedPath as TimedPath

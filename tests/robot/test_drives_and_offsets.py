@@ -151,7 +151,7 @@ SERVED = {
     *("view", "export_model", "joint_angles", "actuator_requirements", "wrench_matrix_rate"),
 }
 """Functions that compute offset joints."""
-OF_POINTS = {"up_direction", "characteristic_length", "read_trajectory"}
+OF_POINTS = {"up_direction", "characteristic_length", "read_trajectory", "write_trajectory"}
 """Functions of the joints' points alone, or of files."""
 
 

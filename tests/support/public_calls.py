@@ -24,7 +24,7 @@ ForwardKinematicsResult JointReactionsResult SimulationResult StopEvent StateHis
 PoseCertificate SingularityCrossing ForceErrorBoundsResult LegExtreme PathSingularitiesResult
 SingularityResult Polytope JointAnglesResult ActuatorRequirementsResult WorkspaceResult WorkspaceWarning
 DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
-ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult PlanCertificate PlannedPath PosePath
+ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult Trajectory PlanCertificate PlannedPath PosePath
 TimedPath Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning results robots
 """
 RECORDS = frozenset(_RECORDS.split())
@@ -213,7 +213,7 @@ def calls() -> dict[str, Call]:
     )
     units = {"length_unit": "mm", "angle_unit": "deg", "time_unit": "ms"}
     add(ss.TrajectoryFormat, columns={"t_x": "X"}, **units, delimiter="semicolon", euler_order="zyx")
-    add(ss.write_trajectory, trajectory=trajectory, path=os.devnull, robot=robot, free=("robot",))
+    add(ss.write_trajectory, trajectory=trajectory, path=os.devnull, robot=robot, free=("robot", "path"))
     add(ss.base_parameters, robot=robot, motion=motion[None])
     add(ss.choose_excitation, robot=robot, period=4.0, harmonics=1, samples=3, candidates=1, seed=0)
     excited = ss.choose_excitation(robot, harmonics=3, samples=60, candidates=1)
