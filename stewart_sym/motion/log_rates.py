@@ -26,8 +26,6 @@ _NEGLIGIBLE = 1e-3
 _GRAVITY = 9.81
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
-# Largest share of a sample's time by which its curve is too coarse.
-_RESOLVED = 0.5
 
 
 def rates_of(
@@ -170,28 +168,19 @@ def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, 
 def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
     """Warn of rows that are left out, and of gaps."""
     assert log.time is not None
-    if not used.all():
-        lines = log.lines[~used]
-        kinds = [
-            name
-            for name, rows in (("outliers", fitted.outliers), ("frozen rows", fitted.frozen))
-            if rows.any()
-        ]
-        _warn(
-            log,
-            f"{' and '.join(kinds)} ({line_ranges(lines)}); they are not used; check the deviations there, "
-            "or leave out more with drop_lines",
-        )
+    kinds = {"outliers": fitted.outliers, "frozen rows": fitted.frozen}
+    texts = [f"{name} ({line_ranges(log.lines[rows])})" for name, rows in kinds.items() if rows.any()]
+    if texts:
+        advice = "check the deviations there, or leave out more with drop_lines"
+        _warn(log, f"{' and '.join(texts)}; they are not used; {advice}")
     step = np.diff(log.time[used])
     gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9))
     if gaps.size:
         i = int(gaps[np.argmax(step[gaps])])
         start, end = (time_text(each, float(np.median(step))) for each in log.time[used][i : i + 2])
         more = f" and {gaps.size - 1} more" if gaps.size > 1 else ""
-        _warn(
-            log,
-            f"gap from {start} s to {end} s{more}; the motion in it is uncertain; add rows, or cut the log",
-        )
+        advice = "the motion in it is uncertain; add rows, or cut the log"
+        _warn(log, f"gap from {start} s to {end} s{more}; {advice}")
 
 
 def _warn(log: LogSamples, text: str) -> None:
