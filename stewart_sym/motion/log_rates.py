@@ -21,8 +21,10 @@ FEWEST_ROWS = 4
 _FEWEST_SMOOTHED = 12
 # Standard deviations of rates and second rates of an interpolating spline for noise 1 and steps 1, inside.
 _RATE, _SECOND_RATE = 1.38, 4.8
+# Components of a covariance that are variances.
+_VARIANCES = [0, 2, 5]
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
-_NEGLIGIBLE = 1e-3
+_NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
@@ -143,10 +145,15 @@ def _of_rounding(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | N
     assert log.time is not None
     if not sigma.any():
         return None
-    step = float(np.median(np.diff(log.time)))
     covariance = np.zeros((2, 6, len(PAIRS)))
-    covariance[..., [0, 2, 5]] = (sigma[:, None] * [1.0, _RATE / step, _SECOND_RATE / step**2]) ** 2
+    covariance[..., _VARIANCES] = _interpolated_variances(log.time, sigma)
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma, "L" in log.vectors)
+
+
+def _interpolated_variances(time: Array, sigma: Array) -> Array:
+    """Return variances of values, rates, and second rates of interpolated columns, (c, 3)."""
+    step = float(np.median(np.diff(time)))
+    return np.asarray((sigma[:, None] * [1.0, _RATE / step, _SECOND_RATE / step**2]) ** 2)
 
 
 def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, clean: Flags) -> Uncertainty:
@@ -158,6 +165,8 @@ def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, 
     knots = max((curve.knots for curve in curves.columns), key=len)
     grid = np.unique(np.clip(np.concatenate([knots, since[[0, -1]], *outside]), 0.0, since[-1]))
     covariance = curves.covariance(grid)
+    exact = _interpolated_variances(log.time, np.where(clean, curves.noise_std, 0.0))
+    covariance[..., _VARIANCES] = np.maximum(covariance[..., _VARIANCES], exact)
     replaced = tuple(
         Replaced(float(log.time[a]), float(log.time[b]), (f"lines {log.lines[a]} to {log.lines[b]}",))
         for a, b in runs

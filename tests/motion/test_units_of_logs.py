@@ -59,7 +59,7 @@ def test_wrong_units_are_named_with_the_option(name: str, tmp_path: Path) -> Non
     for i in range(share(21, 3)):
         kind = list(WRONG)[i % 3]
         unit = str(rng.choice(WRONG[kind]))
-        time, t, theta = moves(robot, rng, rng.uniform(0.005, 0.03), rng.uniform(0.01, 0.03))
+        time, t, theta = moves(robot, rng, rng.uniform(0.005, 0.03), rng.uniform(0.05, 0.12))
         in_unit = dict.fromkeys(WRONG, 1.0) | {kind: 1.0 / UNITS[kind][unit]}
         scaled = np.hstack([in_unit["length_unit"] * t, in_unit["angle_unit"] * theta])
         path = log(tmp_path / "log.csv", in_unit["time_unit"] * time, scaled)
