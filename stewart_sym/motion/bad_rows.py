@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.ndimage import maximum_filter1d
 
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array, Flags, Indices
 from .spline import SmoothCurves, likeliest, smooth_columns
 
 LIMIT = 8.0
@@ -110,7 +110,7 @@ def _equal_runs(values: Array) -> Flags:
     return np.cumsum(found[:-1]) > 0
 
 
-def flagged_spans(flags: Flags) -> tuple[Array, Array]:
+def flagged_spans(flags: Flags) -> tuple[Indices, Indices]:
     """Return the first index of each run of flags, and the index after its last one."""
     edges = np.flatnonzero(np.diff(flags.astype(np.int8), prepend=0, append=0))
     return edges[::2], edges[1::2]

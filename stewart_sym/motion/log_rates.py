@@ -21,13 +21,13 @@ FEWEST_ROWS = 4
 _FEWEST_SMOOTHED = 12
 # Standard deviations of rates and second rates of an interpolating spline for noise 1 and steps 1, inside.
 _RATE, _SECOND_RATE = 1.38, 4.8
+# Components of a covariance that are variances.
+_VARIANCES = [0, 2, 5]
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
-_NEGLIGIBLE = 1e-3
+_NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
-# Largest share of a sample's time by which its curve is too coarse.
-_RESOLVED = 0.5
 
 
 def rates_of(
@@ -147,10 +147,15 @@ def _of_rounding(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | N
     assert log.time is not None
     if not sigma.any():
         return None
-    step = float(np.median(np.diff(log.time)))
     covariance = np.zeros((2, 6, len(PAIRS)))
-    covariance[..., [0, 2, 5]] = (sigma[:, None] * [1.0, _RATE / step, _SECOND_RATE / step**2]) ** 2
+    covariance[..., _VARIANCES] = _interpolated_variances(log.time, sigma)
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma, "L" in log.vectors)
+
+
+def _interpolated_variances(time: Array, sigma: Array) -> Array:
+    """Return variances of values, rates, and second rates of interpolated columns, (c, 3)."""
+    step = float(np.median(np.diff(time)))
+    return np.asarray((sigma[:, None] * [1.0, _RATE / step, _SECOND_RATE / step**2]) ** 2)
 
 
 def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, clean: Flags) -> Uncertainty:
@@ -162,6 +167,8 @@ def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, 
     knots = max((curve.knots for curve in curves.columns), key=len)
     grid = np.unique(np.clip(np.concatenate([knots, since[[0, -1]], *outside]), 0.0, since[-1]))
     covariance = curves.covariance(grid)
+    exact = _interpolated_variances(log.time, np.where(clean, curves.noise_std, 0.0))
+    covariance[..., _VARIANCES] = np.maximum(covariance[..., _VARIANCES], exact)
     replaced = tuple(
         Replaced(float(log.time[a]), float(log.time[b]), (f"lines {log.lines[a]} to {log.lines[b]}",))
         for a, b in runs
@@ -172,28 +179,19 @@ def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, 
 def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
     """Warn of rows that are left out, and of gaps."""
     assert log.time is not None
-    if not used.all():
-        lines = log.lines[~used]
-        kinds = [
-            name
-            for name, rows in (("outliers", fitted.outliers), ("frozen rows", fitted.frozen))
-            if rows.any()
-        ]
-        _warn(
-            log,
-            f"{' and '.join(kinds)} ({line_ranges(lines)}); they are not used; check the deviations there, "
-            "or leave out more with drop_lines",
-        )
+    kinds = {"outliers": fitted.outliers, "frozen rows": fitted.frozen}
+    texts = [f"{name} ({line_ranges(log.lines[rows])})" for name, rows in kinds.items() if rows.any()]
+    if texts:
+        advice = "check the deviations there, or leave out more with drop_lines"
+        _warn(log, f"{' and '.join(texts)}; they are not used; {advice}")
     step = np.diff(log.time[used])
     gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9))
     if gaps.size:
         i = int(gaps[np.argmax(step[gaps])])
         start, end = (time_text(each, float(np.median(step))) for each in log.time[used][i : i + 2])
         more = f" and {gaps.size - 1} more" if gaps.size > 1 else ""
-        _warn(
-            log,
-            f"gap from {start} s to {end} s{more}; the motion in it is uncertain; add rows, or cut the log",
-        )
+        advice = "the motion in it is uncertain; add rows, or cut the log"
+        _warn(log, f"gap from {start} s to {end} s{more}; {advice}")
 
 
 def _warn(log: LogSamples, text: str) -> None:

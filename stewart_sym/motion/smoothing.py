@@ -82,5 +82,5 @@ def smooth_samples(
     cutoff = None if cutoff is None else positive(cutoff, "cutoff")
     since = elapsed(when)
     curves = smooth_columns(since, columns, known, cutoff=cutoff)
-    found = curves.evaluate(since)
-    return SmoothSamplesResult(*found, curves.noise_std, when, curves.covariance(since))
+    smooth, rates, second_rates = curves.evaluate(since)
+    return SmoothSamplesResult(smooth, rates, second_rates, curves.noise_std, when, curves.covariance(since))

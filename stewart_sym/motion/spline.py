@@ -86,7 +86,7 @@ class SmoothCurve:
     @property
     def knots(self) -> Array:
         """Times of the knots in the range of the samples (s)."""
-        return self.start + self.step * np.arange(len(self.coefficients) - DEGREE + 1)
+        return np.asarray(self.start + self.step * np.arange(len(self.coefficients) - DEGREE + 1.0))
 
     def evaluate(self, time: Array) -> Array:
         """Return values, rates, and second rates at n times, shape (3, n)."""
@@ -268,7 +268,7 @@ def _band(M: sparse.spmatrix, width: int) -> Array:
 
 
 def _knots(step: float, size: int) -> Array:
-    return step * np.arange(-DEGREE, size + 1)
+    return np.asarray(step * np.arange(-DEGREE, size + 1.0))
 
 
 class _Samples:

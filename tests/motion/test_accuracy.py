@@ -16,7 +16,7 @@ Run = tuple[Case, Array, Array]
 def sweep() -> dict[tuple[str, str], list[Run]]:
     """Return motions, errors of their forces (N), and standard deviations, by kind of motion and noise."""
     found: dict[tuple[str, str], list[Run]] = {pair: [] for pair in itertools.product(KINDS, NOISES)}
-    for seed in range(share(17, 8)):
+    for seed in range(share(17, 17)):
         for (kind, noise), runs in found.items():
             one = case(seed, kind, (20.0, 200.0))
             runs.append((one, *errors(one, read(one.time, logged(one, noise, seed))[0])))
