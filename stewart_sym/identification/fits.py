@@ -16,7 +16,7 @@ from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult
 from .drive_terms import Terms, rotor_forces
 from .excitation import force_regressor
-from .least_squares import Arrow, Factors, arrow, by_normal_equations, factors, solution
+from .least_squares import Arrow, Factors, arrow, factors, solution
 from .motion_basis import Basis, PoseNoise, akaike, bases, chain, coordinates, residual
 from .parameters import inertial_parameters, is_friction, with_parameters
 
@@ -195,9 +195,7 @@ class _Solution(NamedTuple):
 def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> _Solution:
     """Solve for the parameters and the coefficients of the motion, with initial coefficients c."""
     motion = basis.motion(c, data.motion)
-    A, y = linear_system(data, motion)
-    values = by_normal_equations(A.reshape(-1, A.shape[-1]), y.ravel())
-    values = exact_fit(data, motion).values if values is None else values
+    values = exact_fit(data, motion).values
     parts = _residuals(data, noise, basis, values, c)
     for _ in range(_STEPS):
         r = np.concatenate([part.ravel() for part in parts])

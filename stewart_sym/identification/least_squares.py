@@ -18,8 +18,8 @@ from ..io.array_types import Array, Indices
 _TOGETHER = 256
 
 
-# Least diagonal entry of the Cholesky factor of columns of length 1, for dense and sparse normal equations.
-_DISTINCT, _DISTINCT_SPARSE = 1e-4, 1e-6
+# Least diagonal entry of the Cholesky factor of columns of length 1.
+_DISTINCT = 1e-6
 
 
 class DenseFactors(NamedTuple):
@@ -146,7 +146,7 @@ class ArrowFactors:
         cross = J.by_many(J.A)
         self._beside = self._solved(cross)
         self._corner = np.linalg.cholesky(J.A.T @ J.A - cross.T @ self._beside)
-        if min(self._band[-1].min(), self._corner.diagonal().min()) < _DISTINCT_SPARSE:
+        if min(self._band[-1].min(), self._corner.diagonal().min()) < _DISTINCT:
             raise np.linalg.LinAlgError("columns are nearly dependent")
 
     @property
@@ -186,8 +186,7 @@ class ArrowFactors:
         return np.asarray(inverse / np.outer(lengths, lengths))
 
     def _scaled(self, y: Array) -> Array:
-        # One refinement step recovers the digits that the normal equations lose.
-        """Solve the scaled system with one step of iterative refinement."""
+        """Solve the scaled system; one step of refinement recovers the digits that squares lose."""
         x = self._first_solution(y)
         return x + self._first_solution(y - self._J @ x)
 
@@ -223,32 +222,12 @@ def factors(J: Array | Arrow) -> Factors:
     return DenseFactors(Q, np.linalg.inv(corner) / lengths[:, None])
 
 
-def by_normal_equations(A: Array, y: Array) -> Array | None:
-    """x of A x = y by least squares, y (n,) or (n, c); None where columns of A are nearly dependent.
-
-    Its residual is corrected once, which gives back the digits that squares lose.
-    """
-    lengths = np.linalg.norm(A, axis=0)
-    if not lengths.all():
-        return None
-    unit = A / lengths
-    squares = unit.T @ unit
-    try:
-        G = np.linalg.cholesky(squares)
-    except np.linalg.LinAlgError:
-        return None
-    if G.diagonal().min() < _DISTINCT:
-        return None
-    x = np.zeros((A.shape[1], *y.shape[1:]))
-    for _ in range(2):
-        x += np.linalg.solve(squares, unit.T @ (y - unit @ x))
-    return np.asarray((x.T / lengths).T)
-
-
 def solution(J: Array | Arrow, y: Array) -> Array:
-    """Solve J x = y by least squares."""
-    x = None if isinstance(J, Arrow) else by_normal_equations(J, y)
-    return factors(J).solve(y) if x is None else x
+    """Solve J x = y, of full rank, by least squares."""
+    if isinstance(J, Arrow):
+        return factors(J).solve(y)
+    corner = np.linalg.qr(np.column_stack([J, y]), mode="r")
+    return np.asarray(np.linalg.solve(corner[:-1, :-1], corner[:-1, -1]))
 
 
 # Tail probabilities of the test statistics

@@ -163,9 +163,11 @@ def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
     # Samples of several periods at the same phase count once.
     phases = np.rint(elapsed(noise.time) / noise.period % 1.0 * len(q))
     most = max((3 * len(np.unique(phases)) // 4 - 1) // 2, 1)
-    counts = [noise.harmonics] if noise.harmonics else _rising(most)
+    rising = np.geomspace(1, most, 1 + round(6.0 * math.log(most)))
+    counts = rising if noise.harmonics is None else noise.harmonics
     found, costs = [], []
-    for basis in (_fourier(noise.time, noise.period, count) for count in counts):
+    for count in np.unique(np.rint(counts).astype(int)).tolist():
+        basis = _fourier(noise.time, noise.period, count)
         c = np.linalg.lstsq(basis.local[0], q, rcond=None)[0]
         squares = float(np.sum(((q - basis.local[0] @ c) * noise.weights) ** 2))
         found.append((basis, c))
@@ -174,12 +176,6 @@ def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
         if len(costs) > best + _IN_VAIN:
             break
     yield from found[best:]
-
-
-def _rising(most: int) -> list[int]:
-    """Return numbers from 1 to ``most`` in steps of about a sixth."""
-    steps = 1 + round(6.0 * math.log(most))
-    return np.unique(np.rint(np.geomspace(1, most, steps)).astype(int)).tolist()
 
 
 def akaike(squares: float, count: int, unknowns: int) -> float:
@@ -253,11 +249,11 @@ def residual(basis: Basis, c: Array, motion: Motion, noise: PoseNoise) -> Array:
 def chain(
     basis: Basis, c: Array, motion: Motion
 ) -> tuple[tuple[Array, ...], tuple[Array, ...], tuple[Array, ...]]:
-    """What the coordinates and their derivatives move: maps to pose, twist and acceleration.
+    """Return the derivatives of pose, twist, and acceleration by the coordinates, shape (n, 6, 6) each.
 
-    motion: of the coefficients. Returns for the pose [dt; dphi], twist and acceleration the matrices (n, 6,
-    6) by q; by q, q_dot; and by q, q_dot, q_ddot. A turn dphi = E dq changes the angular velocity by
-    d(dphi)/dt - omega x dphi, and this in turn the angular acceleration by its rate.
+    ``motion`` is the motion of the coefficients. The derivatives of the pose [dt; dphi] are by q, of the
+    twist by q and q_dot, and of the acceleration by q, q_dot, and q_ddot. A rotation dphi = E dq changes the
+    angular velocity by d(dphi)/dt - omega x dphi, and the angular acceleration by the rate of this.
     """
     q, q_dot, q_ddot = basis.coordinates(c)
     E, E_dot, E_ddot = _turns(q[:, 3:], q_dot[:, 3:], q_ddot[:, 3:])
@@ -278,7 +274,7 @@ def chain(
 
 
 def _turns(theta: Array, rate: Array, second: Array) -> tuple[Array, Array, Array]:
-    """E of omega = E theta_dot and its first two derivatives by time, (n, 3, 3)."""
+    """Return E of omega = E theta_dot and its first two time derivatives, shape (n, 3, 3) each."""
     e_z = np.broadcast_to([0.0, 0.0, 1.0], theta.shape)
     (sin_y, sin_z), (cos_y, cos_z) = (f(theta[:, 1:]).T for f in (np.sin, np.cos))
     e_y = np.stack([-sin_z, cos_z, np.zeros_like(sin_z)], axis=-1)

@@ -34,6 +34,13 @@ _SAME_TIME = 1e-6
 _FAR, _FAR_LEVEL = 4.0, 1e-3
 # Number of standard deviations from zero below which a drive term is insignificant.
 _TOLD = 2
+# Title and number format of columns of the text table.
+_SHOWN = {
+    "std": ("std", ".2g"),
+    "robot_file": ("robot file", ".6g"),
+    "departure": ("off/std", "+.2f"),
+    "z_score": ("error/std", "+.2f"),
+}
 # Largest ratio of the measured forces to the forces of the robot file, or its inverse, in equal units.
 _MOST_TIMES = 100.0
 
@@ -129,8 +136,8 @@ def verdict(found: IdentificationResult) -> list[str]:
     """Return lines about the residual: its size, the verdict, and the warnings."""
     text = {
         "consistent": "consistent with the model and the stated noise",
-        "misfit": f"misfit; deviations inflated {found.inflation_factor:.3g} times",
-        "rejected": "rejected; no deviations can be given",
+        "misfit": f"misfit; standard deviations inflated {found.inflation_factor:.3g} times",
+        "rejected": "rejected; the standard deviations are unknown",
         "untested": "untested, no more forces than unknowns",
     }[found.verdict]
     return [
@@ -190,12 +197,9 @@ def measured_report(
 def drive_lines(robot: Robot, found: DriveIdentificationResult) -> list[str]:
     """Format a table of the drive terms, and list the terms that are not identifiable."""
     rows = [
-        (
-            *(row["name"], row["unit"], f"{row['estimated']:.6g}", f"{row['std']:.2g}"),
-            "-" if isnan(row["robot_file"]) else f"{row['robot_file']:.6g}",
-        )
-        for row in _drive_rows(robot, found)
-        if row["identifiable"]
+        [name, unit, *map(_text, numbers, (".6g", ".2g", ".6g"))]
+        for name, unit, *numbers, identifiable in map(dict.values, _drive_rows(robot, found))
+        if identifiable
     ]
     unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.std) & np.isfinite(found.std)
     names = ", ".join(name for name, each in zip(found.names, unsure, strict=True) if each)
@@ -224,14 +228,8 @@ def _report(
     head = ("name", "formula", "unit", *numbers)
     rows = list(zip(base.names, base.formulas, base.units, *columns, strict=True))
     shown = [_SHOWN.get(name, (name, ".6g")) for name in numbers]
-    cells = [
-        [
-            name,
-            unit,
-            *("-" if isnan(v) else f"{v:{form}}" for v, (_, form) in zip(values, shown, strict=True)),
-        ]
-        for name, _, unit, *values in rows
-    ]
+    forms = [form for _, form in shown]
+    cells = [[name, unit, *map(_text, values, forms)] for name, _, unit, *values in rows]
     table = aligned(["parameter", "unit", *(title for title, _ in shown)], cells, left=2)
     merged = [text for name, text in zip(base.names, base.formulas, strict=True) if text != name]
     return Report(
@@ -241,27 +239,15 @@ def _report(
     )
 
 
-_SHOWN = {
-    "std": ("std", ".2g"),
-    "robot_file": ("robot file", ".6g"),
-    "departure": ("off/std", "+.2f"),
-    "z_score": ("error/std", "+.2f"),
-}
-"""Title and number format of columns of the text table."""
+def _text(value: float, form: str) -> str:
+    return "-" if isnan(value) else f"{value:{form}}"
 
 
 def _data(
     robot: Robot, found: IdentificationResult, sigma: ArrayLike, noise: PoseNoise | None
 ) -> dict[str, Any]:
     """Return the numbers of the text above the table for the JSON data."""
-    attributes = (
-        "verdict",
-        "normalized_residual",
-        "inflation_factor",
-        "warnings",
-        "nonphysical",
-        "near_zero",
-    )
+    attributes = ("normalized_residual", "inflation_factor", "warnings", "nonphysical", "near_zero")
     lag = found.force_lag
     return {
         "robot": robot.name,
@@ -272,6 +258,7 @@ def _data(
         "force_noise_N": np.asarray(sigma).tolist(),
         "position_noise_m": 0.0 if noise is None else noise.position,
         "angle_noise_rad": 0.0 if noise is None else noise.angle,
+        "verdict": found.verdict,
         **{name: getattr(found, name) for name in attributes},
         "residual_probability": found.p_noise,
         "smooth_residual_probability": found.p_model,
