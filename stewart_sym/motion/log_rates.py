@@ -63,14 +63,15 @@ def rates_of(
     if not options.enabled or len(since) < _FEWEST_SMOOTHED:
         found = _interpolated(since, values)
         return found, _of_rounding(log, found, rounding) if options.enabled else None
-    fitted = fit_good_rows(since, values, _stated(log, options), rounding, options.cutoff_frequency)
+    stated = _stated(log, options)
+    fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
     used = ~(fitted.outliers | fitted.frozen)
     _warn_of_rows(log, used, fitted)
     found = fitted.curves.evaluate(since)
     clean = _is_clean(since[used], fitted.curves, found[2])
     if options.cutoff_frequency is None and clean.any():
         found[:, :, clean] = _interpolated(since[used], values[used][:, clean], since)
-    if clean.all() and used.all() and not rounding.any():
+    if clean.all() and used.all() and np.isnan(stated).all():
         return found, None
     uncertainty = _of_curve(log, found, fitted.curves, used, clean)
     if uncertainty.sigma[~clean].any():

@@ -8,10 +8,10 @@ import pytest
 from log_files import NAMES, RATES, write
 from machines import Array
 from motion_fields import UNLOADED, motion_of, waves
+from plain_logs import read_log
 
 import stewart_sym as ss
 from stewart_sym.motion.interpolation import followed
-from stewart_sym.motion.log_reader import read_log
 from stewart_sym.motion.rotation import (
     angle_rates,
     angles_from_rotation,

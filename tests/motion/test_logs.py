@@ -12,11 +12,12 @@ from command_line import rejects
 from log_files import LENGTHS, NAMES, RATES, poses, write
 from machines import Array, dasgupta
 from motion_fields import motion_of
+from plain_logs import read_log, read_poses
 
 import stewart_sym as ss
 from stewart_sym.kinematics.offset_legs import leg_lengths
 from stewart_sym.kinematics.robot_logs import read_log_of
-from stewart_sym.motion.log_reader import FORCES, read_leg_columns, read_log, read_poses
+from stewart_sym.motion.log_reader import FORCES, read_leg_columns
 from stewart_sym.motion.log_samples import line_ranges
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.TrajectoryWarning")

@@ -9,11 +9,11 @@ from command_line import Run
 from log_files import LENGTHS, NAMES, write
 from machines import machine_in_motion
 from motion_fields import motion_of, waves
+from plain_logs import read_log
 from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.kinematics.robot_logs import read_log_of
-from stewart_sym.motion.log_reader import read_log
 from stewart_sym.motion.rotation import rotation_about_axes
 
 TOOL = np.array([0.1, -0.2, 0.4])

@@ -2,8 +2,9 @@
 
 import os
 
+from stewart_sym.io.array_types import Array
 from stewart_sym.io.progress import Progress, silent
-from stewart_sym.motion.log_reader import AS_SHOWN, trajectory_of
+from stewart_sym.motion.log_reader import AS_SHOWN, poses_of, trajectory_of
 from stewart_sym.motion.log_samples import read_samples
 from stewart_sym.motion.trajectory import SmoothingOptions, Trajectory
 from stewart_sym.motion.trajectory_format import PLAIN, TrajectoryFormat
@@ -17,3 +18,8 @@ def read_log(
 ) -> Trajectory:
     """Read a file of poses or leg lengths as they are."""
     return trajectory_of(read_samples(os.fspath(path), form), smoothing, progress)
+
+
+def read_poses(path: str | os.PathLike[str], form: TrajectoryFormat = PLAIN) -> tuple[Array, Array]:
+    """Read a file of poses as they are: R and t (m)."""
+    return poses_of(read_samples(os.fspath(path), form))
