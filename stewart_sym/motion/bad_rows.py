@@ -17,6 +17,8 @@ _BLOCK_ROWS = 100
 _MOST_ESTIMATES, _MOST_PASSES = 2, 12
 # A row is compared with the curve only if the curve is at most so many times as uncertain as a sample.
 _MOST_UNCERTAIN = 5.0
+# Errors below this fraction of the usual second difference have no effect.
+_NEGLIGIBLE = 1e-3
 _FROZEN_ROWS = 3
 _FEWEST_ROWS = 12
 
@@ -125,7 +127,8 @@ def _agree(curves: SmoothCurves, time: Array, values: Array, runs: Flags, near: 
     for curve, column in zip(curves.columns, values.T, strict=True):
         knots = curve.knots
         variance = np.interp(time, knots, np.maximum(curve.covariance(knots)[:, 0], 0.0))
-        noise = max(curve.noise_std, 1e-12 * float(np.abs(column).max()))
+        bend = float(np.median(np.abs(np.diff(column, 2))))
+        noise = max(curve.noise_std, _NEGLIGIBLE * bend, 1e-12 * float(np.abs(column).max()))
         agree &= np.abs(column - curve.evaluate(time)[0]) <= LIMIT * np.sqrt(noise**2 + variance)
         certain &= variance <= (_MOST_UNCERTAIN * noise) ** 2
     found = agree & (certain | near)

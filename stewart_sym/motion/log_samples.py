@@ -143,8 +143,10 @@ def read_samples(
     table = read_table(source, form.delimiter, form.decimal)
     if _is_standard(table, defaults):
         defaults = TrajectoryFormat(euler_order=defaults.euler_order)
-    given, form = _given(form), form.with_defaults(defaults)
+    given, own_rate, form = _given(form), form.row_rate, form.with_defaults(defaults)
     found = _columns(table, form)
+    if own_rate is not None and "time" in found:
+        raise ValueError(f"{source}: row_rate: the file has times; omit row_rate")
     vectors = _needed(found, table.header, source)
     stated, places = _units(table, found, given)
     places |= {kind: "the robot file" for kind in _given(defaults) if kind not in places}

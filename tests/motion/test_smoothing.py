@@ -123,7 +123,7 @@ def test_rates_that_contradict_positions_are_found_with_the_unit_of_time() -> No
     text, unit = rate_error(1e3 * one.time, one.true)
     assert (text.split(" by ")[0], unit) == ("positions change", "ms")
     wrong = one.true * np.array([1.0, 1.3, 1.0])[:, None, None]
-    assert "the integral of the rates differs from the positions by" in rate_error(one.time, wrong)[0]
+    assert "the integral of rates differs from the positions by" in rate_error(one.time, wrong)[0]
 
 
 def test_resampling_keeps_the_path_and_its_deviations() -> None:

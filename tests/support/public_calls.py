@@ -24,8 +24,8 @@ ForwardKinematicsResult JointReactionsResult SimulationResult StopEvent StateHis
 PoseCertificate SingularityCrossing ForceErrorBoundsResult LegExtreme PathSingularitiesResult
 SingularityResult Polytope JointAnglesResult ActuatorRequirementsResult WorkspaceResult WorkspaceWarning
 DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
-ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult Trajectory PlanCertificate PlannedPath PosePath
-TimedPath Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning results robots
+ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult PlanCertificate PlannedPath PosePath
+TimedPath Trajectory Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning results robots
 """
 RECORDS = frozenset(_RECORDS.split())
 
