@@ -11,11 +11,7 @@ from numpy.typing import NDArray
 
 def shown(value: object) -> str:
     """Return a value as text for a one-line message."""
-    try:
-        text = " ".join(repr(value).split())
-    except (ValueError, RecursionError):
-        # Python raises an error for integers of thousands of digits and for nesting a thousand levels deep.
-        return f"{type(value).__name__} too long to show"
+    text = " ".join(repr(value).split())
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 

@@ -18,10 +18,6 @@ EXTRAS = {
 """Name and extra of each optional package by its import name."""
 
 
-class MissingExtraError(ImportError):
-    """Error for an optional package that is not installed; the message names its extra."""
-
-
 def absent(*packages: str) -> tuple[str, ...]:
     """Return the import names of optional packages that are not installed."""
     return tuple(package for package in packages if importlib.util.find_spec(package) is None)
@@ -33,13 +29,13 @@ def install(extra: str) -> str:
 
 
 def need(package: str, what: str, otherwise: str = "") -> None:
-    """Raise MissingExtraError if a package is not installed, for use before a long computation.
+    """Raise ImportError if a package is not installed, for use before a long computation.
 
     ``what`` is the task that requires the package, and ``otherwise`` an alternative without it.
     """
     if absent(package):
         name, extra = EXTRAS[package]
-        raise MissingExtraError(f"{what} needs {name}: {install(extra)}{otherwise}")
+        raise ImportError(f"{what} needs {name}: {install(extra)}{otherwise}")
 
 
 @contextlib.contextmanager

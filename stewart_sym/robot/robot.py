@@ -208,7 +208,7 @@ class Robot(Frozen):
             About inertias that no body can have and densities that almost no body has, unless the file
             suppresses these warnings.
         """
-        source = toml_reader.file_name(path)
+        source = os.fsdecode(path)
         with toml_reader.toml_tables(source, "robot file") as d:
             robot = cls._read(d, source)
         _warn(robot, d, source)
@@ -407,7 +407,7 @@ def _need_schema(value: object, where: str) -> None:
             "common values of the legs in [legs], and [leg.1] to [leg.6] in place of [[leg]]"
         )
         raise ValueError(f"{where}: schema 1 is no longer read; {remedy}")
-    toml_reader.need_schema(value, (schema_2.SCHEMA,), where)
+    toml_reader.need_schema(value, schema_2.SCHEMA, where)
 
 
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:

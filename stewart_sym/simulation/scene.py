@@ -128,7 +128,7 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     ImportError
         If a spline requires SciPy, which is not installed.
     """
-    source = toml_reader.file_name(path)
+    source = os.fsdecode(path)
     with toml_reader.toml_tables(source, "scene of simulate") as d:
         return _scene(d, source)
 
@@ -137,7 +137,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     """Convert the tables of a scene file to a scene."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "actuation"))
-    toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
+    toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
     # Errors in this file are reported before errors in other files.
     legs = _actuation(top["actuation"], f"{file}actuation.")
     options: dict[str, Any] = {

@@ -39,7 +39,7 @@ _ALONG_Z = 0.5
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """Create an empty figure (inches); raise MissingExtraError without Matplotlib."""
+    """Create an empty figure (inches); raise ImportError without Matplotlib."""
     with needed_for("drawing"):
         from matplotlib import figure
     return figure.Figure(figsize=(width, height), layout="constrained")
