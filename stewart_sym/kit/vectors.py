@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..backend import fidelity as fidelities
-from ..backend.kernel import MOTION, need_representable
+from ..backend.kernel import MOTION, overflows, robot_numbers
 from ..derive.kernel.outputs import FORCED
 from ..derive.package.functions import Vector
 from ..drives.friction import drive_numbers
@@ -110,8 +110,9 @@ def vectors(
         If the robot has no suitable pose.
     """
     level = fidelities.resolved(robot, formulation, fidelity or "general")
-    need_representable(robot, precision)
     kind = PRECISIONS[precision]
+    if not np.isfinite(rounded(robot_numbers(robot, rotors=True), kind)).all():
+        raise overflows(precision)
     every = poses(robot, formulation, count)
     ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
     made = _Vectors(robot, formulation, level, kind, baked)
