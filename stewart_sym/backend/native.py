@@ -16,8 +16,6 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-import platformdirs
-
 # Code on Windows is always position independent, and clang rejects the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
 _COMMON = ("-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off")
@@ -37,7 +35,6 @@ class CompilerError(RuntimeError):
     """Error of building or loading a library, in one line; ``log`` is the output of the compiler."""
 
     def __init__(self, message: str, log: str = "") -> None:
-        """Store the output of the compiler with the message."""
         super().__init__(message)
         self.log = log
 
@@ -60,10 +57,8 @@ def find_compiler() -> Compiler | None:
             return _working(*shlex.split(requested, posix=sys.platform != "win32"))
         except (ValueError, CompilerError) as error:
             raise CompilerError(f"CC={requested!r} is not a working C compiler: {error}") from error
-    commands = [["cc"], ["gcc"], ["clang"]]
-    if importlib.util.find_spec("ziglang") is not None:
-        commands.append([sys.executable, "-m", "ziglang", "cc"])
-    for command in commands:
+    zig = [[sys.executable, "-m", "ziglang", "cc"]] if importlib.util.find_spec("ziglang") else []
+    for command in (["cc"], ["gcc"], ["clang"], *zig):
         with contextlib.suppress(CompilerError):
             return _working(*command)
     return None
@@ -93,7 +88,7 @@ def load(
             # Threads that load the same library at the same time receive the same object.
             _loaded.setdefault(file, ctypes.CDLL(str(library)))
         except OSError as error:
-            remedy = "set STEWART_SYM_CACHE to a folder that you may write"
+            remedy = "set STEWART_SYM_CACHE to a writable folder"
             raise CompilerError(f"cannot load {library}: {error}; {remedy}") from error
     return _loaded[file]
 
@@ -160,6 +155,8 @@ def _publish(library: Path, name: str, sources: Mapping[str, str], command: tupl
 
 
 def _cache_folder() -> Path:
+    import platformdirs
+
     own = os.environ.get("STEWART_SYM_CACHE")
     return Path(own or platformdirs.user_cache_dir("stewart-sym", appauthor=False)).absolute()
 

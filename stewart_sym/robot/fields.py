@@ -21,8 +21,8 @@ Check = Callable[[object, str], Any]
 
 WARNING_NAMES = (
     *("platform-inertia", "lower-inertia", "upper-inertia", "density"),
-    *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size", "center-of-mass"),
-    *("leg-order", "condition", "crossing", "joint-singularity"),
+    *("gravity", "length-unit", "proportion", "mass", "inertia-size", "center-of-mass"),
+    *("leg-order", "condition", "crossing"),
     *("home", "length-limits", "force-limit", "speed-limit", "drive-limit", "drive-speed"),
 )
 """Names of all warnings about the numbers of a robot, as in ``suppress_warnings``.

@@ -180,4 +180,4 @@ def test_a_cache_that_cannot_be_written_is_an_error_with_a_remedy(
     finally:
         cache.chmod(0o700)
     assert told.startswith(f"cannot load {library}: ")
-    assert told.endswith("; set STEWART_SYM_CACHE to a folder that you may write")
+    assert told.endswith("; set STEWART_SYM_CACHE to a writable folder")
