@@ -13,7 +13,6 @@ from ..io.atomic_write import ResultFolder, begins_with, must_be_replaceable, wr
 from ..io.extras import need
 from ..io.json_text import json_text
 from ..io.progress import Progress
-from ..studies.common.not_finite import in_figures, note_not_finite
 from ..studies.common.report import Report, write
 from ..viewer.page import BEGINNING as HTML_BEGINNING
 from .terminal import PROGRAM, progress_line
@@ -37,16 +36,44 @@ def results(
     files that are not arguments. The text is printed if the block ends without an error and standard output
     is not the file. Files that cannot be written or replaced are errors before the block.
     """
-    inputs, lines = [*_paths(arguments), *read], []
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
-    output, page = (getattr(arguments, name, None) for name in ("output", "html"))
-    plots = getattr(arguments, "plots", True)
+    inputs, output = [*_paths(arguments), *read], getattr(arguments, "output", None)
     folder = None
     if stem is not None and output is not None:
-        if plots and hasattr(arguments, "plots"):
+        if getattr(arguments, "plots", False):
             need_drawing(", or use --no-plots")
-        names = (f"{stem}.txt", f"{stem}.json", *tables)
-        folder = ResultFolder(output, arguments.force, inputs, names)
+        folder = ResultFolder(output, arguments.force, inputs, (f"{stem}.txt", f"{stem}.json", *tables))
+    _check_files(arguments, inputs, beginnings, json_text(made_by))
+    lines: list[str] = []
+
+    def take(report: Report, content: str | None = None) -> None:
+        if content is not None and output is not None:
+            write_file(output, content)
+        figures = report.figures if getattr(arguments, "plots", True) else {}
+        report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
+        if report.text:
+            lines.append(report.text.rstrip("\n"))
+        if folder is not None and stem is not None:
+            write(report, folder, stem, progress)
+            lines.append(f"Written to {output}: {', '.join(sorted(folder.names))}")
+        lines.extend(_written(arguments, report, progress))
+
+    with progress_line() as progress:
+        yield take, progress
+    if beginnings and str(output) == "-":
+        lines.clear()
+    elif beginnings and output is not None:
+        lines.append(f"Written to {output}")
+    if str(arguments.json) != "-":
+        for text in lines:
+            print(*map(safe_text, text.split("\n")), sep="\n")
+
+
+def _check_files(
+    arguments: argparse.Namespace, inputs: Iterable[Path], beginnings: Sequence[str], generator: str
+) -> None:
+    """Raise ValueError for single files that cannot be written or replaced; ``generator`` begins JSON."""
+    output, page = (getattr(arguments, name, None) for name in ("output", "html"))
     paths = [path for path in (output, page, arguments.json) if path is not None]
     if len({*paths}) < len(paths):
         raise ValueError("-o, --html, --json: two results have the same file; name another file")
@@ -58,39 +85,20 @@ def results(
     if arguments.json is not None:
         if arguments.json.suffix in (".toml", ".csv"):
             raise ValueError(f"--json {arguments.json}: got an input; put inputs before --json")
-        beginning = json_text(made_by).removesuffix("\n}\n") + ","
+        beginning = generator.removesuffix("\n}\n") + ","
         need_own_file(arguments.json, [beginning], arguments.force, inputs)
 
-    def take(report: Report, content: str | None = None) -> None:
-        if content is not None and output is not None:
-            write_file(output, content)
-        report = dataclasses.replace(
-            report, data={**made_by, **report.data}, figures=report.figures if plots else {}
-        )
-        if report.text:
-            lines.append(report.text.rstrip("\n"))
-        if in_figures(report.data):
-            note_not_finite()
-        if folder is not None and stem is not None:
-            write(report, folder, stem, progress)
-            lines.append(f"Written to {output}: {', '.join(sorted(folder.names))}")
-        if page is not None:
-            from ..studies.common.html_page import html_page
 
-            write_file(page, html_page(made_by["generator"], report, progress))
-            lines.append(f"Written to {page}")
-        if arguments.json is not None:
-            write_file(arguments.json, json_text(report.data))
+def _written(arguments: argparse.Namespace, report: Report, progress: Progress) -> list[str]:
+    """Write the HTML and JSON files of a report; return the lines about them."""
+    page = getattr(arguments, "html", None)
+    if page is not None:
+        from ..studies.common.html_page import html_page
 
-    with progress_line() as progress:
-        yield take, progress
-    if beginnings and str(output) == "-":
-        lines.clear()
-    elif beginnings and output is not None:
-        lines.append(f"Written to {output}")
-    if str(arguments.json) != "-":
-        for text in lines:
-            print(*map(safe_text, text.split("\n")), sep="\n")
+        write_file(page, html_page(report.data["generator"], report, progress))
+    if arguments.json is not None:
+        write_file(arguments.json, json_text(report.data))
+    return [] if page is None else [f"Written to {page}"]
 
 
 def _paths(arguments: argparse.Namespace) -> Iterator[Path]:

@@ -13,7 +13,6 @@ from command_line import Fails, Run, read
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.cli.terminal import warnings_in_lines
 from stewart_sym.drives.effort import trapezoids
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.studies.common.output import csv_lines
@@ -124,22 +123,6 @@ def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, traject
         len([line for line in warned if "compared with a machine" in line and "length_unit=mm" in line]) == 1
     )
     assert "length_unit=mm" not in error
-
-
-def test_an_overflow_that_affects_results_is_one_warning_and_none_with_an_error(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    large = np.array([1e300])
-    with warnings_in_lines("a.toml", "b.csv"):
-        list(csv_lines({"F1": large**2, "F2": large * large}))
-    (line,) = capsys.readouterr().err.splitlines()
-    assert line.startswith("stewart-sym: warning: a.toml, b.csv: numbers overflow on the way: ")
-    with warnings_in_lines("a.toml"):
-        list(csv_lines({"F1": 1.0 / large**2}))
-    assert capsys.readouterr().err == ""
-    with pytest.raises(ValueError, match="inf"), warnings_in_lines():
-        raise ValueError(large**3)
-    assert capsys.readouterr().err == ""
 
 
 @pytest.mark.slow

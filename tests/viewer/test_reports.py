@@ -99,20 +99,12 @@ def test_the_example_opens_a_browser_or_says_the_path(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[str] = []
-
-    def open_(address: str) -> bool:
-        opened.append(address)
-        return True
-
-    monkeypatch.setattr("webbrowser.open", open_)
-    for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"):
-        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or len(opened) > 1)
     assert main(["view", "--example"]) == 0
-    assert opened == []
     assert str(folder / "machine.html") in capsys.readouterr().err
-    monkeypatch.setenv("DISPLAY", ":0")
     assert main(["view", "--example"]) == 0
-    assert opened == [(folder / "machine.html").as_uri()]
+    assert capsys.readouterr().err == ""
+    assert opened == [(folder / "machine.html").as_uri()] * 2
 
 
 def test_what_cannot_be_shown_is_named() -> None:
