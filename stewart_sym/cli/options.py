@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-from ..io.arguments import no_option
 from . import renamed
 from .terminal import PROGRAM, one_line
 
@@ -105,10 +104,6 @@ class Parser(argparse.ArgumentParser):
             if name.startswith("--") and not any(each.startswith(name) for each in known):
                 self.error(f"unrecognized arguments: {name}{hint(name, known)}")
         return super().parse_known_args(args, namespace)
-
-    def _check_value(self, action: argparse.Action, value: Any) -> None:
-        if action.choices is not None and value not in action.choices:
-            raise argparse.ArgumentError(action, no_option(value, [*action.choices]))
 
     def error(self, message: str) -> NoReturn:
         """Exit with code 2."""

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from ..io.arguments import safe_text
-from ..io.atomic_write import ResultFolder, begins_with, must_be_replaceable, write_file
+from ..io.atomic_write import ResultFolder, must_be_replaceable, write_file
 from ..io.extras import need
 from ..io.json_text import json_text
 from ..io.progress import Progress
@@ -113,7 +113,9 @@ def _paths(arguments: argparse.Namespace) -> Iterator[Path]:
 def need_own_file(path: Path, beginnings: Sequence[str], force: bool, inputs: Iterable[Path]) -> None:
     """Raise ValueError if a file cannot be written or must not be replaced; ``-`` is standard output."""
     if str(path) != "-":
-        must_be_replaceable(path, begins_with(path, beginnings), force, inputs)
+        found = path.read_bytes() if path.is_file() else b""
+        is_ours = not found or found.startswith(tuple(map(str.encode, beginnings)))
+        must_be_replaceable(path, is_ours, force, inputs)
 
 
 def need_html(option: str, target: Path) -> None:

@@ -4,10 +4,8 @@ import contextlib
 import hashlib
 import json
 import os
-import secrets
-import shutil
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from importlib.metadata import version
 from pathlib import Path
 
@@ -38,12 +36,10 @@ def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
         return
     target = path.resolve()
     target.parent.mkdir(parents=True, exist_ok=True)
-    place = target.with_name(f"{TEMPORARY}{secrets.token_hex(4)}")
+    place = target.with_name(f"{TEMPORARY}{os.urandom(4).hex()}")
     try:
         with open(place, "xb") as stream:
             stream.writelines(data)
-        if target.exists():
-            shutil.copymode(target, place)
         os.replace(place, target)
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from None
@@ -65,12 +61,6 @@ def must_be_replaceable(path: Path, is_ours: bool, force: bool = False, inputs: 
         raise ValueError(f"{path}: exists with other content; use --force to overwrite")
 
 
-def begins_with(path: Path, beginnings: Sequence[str]) -> bool:
-    """Return True if a path has no file, an empty file, or a file with one of the beginnings."""
-    data = path.read_bytes() if path.is_file() else b""
-    return not data or data.startswith(tuple(map(str.encode, beginnings)))
-
-
 def digest(path: Path) -> str | None:
     """Compute the SHA-256 digest of a file; return None if there is no file."""
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
@@ -89,11 +79,7 @@ class ResultFolder:
     """Folder whose files are written one by one, with a record of the files that this program wrote.
 
     Inputs are never replaced. Edited files, and files of other programs, are replaced only with ``force``.
-
-    Attributes
-    ----------
-    names : list of str
-        Names of the files written so far.
+    ``names`` are the files written so far.
     """
 
     def __init__(

@@ -29,11 +29,8 @@ def install(extra: str) -> str:
 
 
 def need(package: str, what: str, otherwise: str = "") -> None:
-    """Raise ImportError if a package is not installed, for use before a long computation.
-
-    ``what`` is the task that requires the package, and ``otherwise`` an alternative without it.
-    """
-    if absent(package):
+    """Raise ImportError if a package of the task ``what`` is missing; ``otherwise`` is an alternative."""
+    if package in EXTRAS and absent(package):
         name, extra = EXTRAS[package]
         raise ImportError(f"{what} needs {name}: {install(extra)}{otherwise}")
 
@@ -44,7 +41,5 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     try:
         yield
     except ModuleNotFoundError as error:
-        package = (error.name or "").partition(".")[0]
-        if package in EXTRAS:
-            need(package, what, otherwise)
+        need((error.name or "").partition(".")[0], what, otherwise)
         raise

@@ -1,7 +1,4 @@
-"""Reading of text files, and validation of TOML tables key by key, with one-line errors.
-
-Every message begins with the given prefix: ``file: key: expected X, got Y``.
-"""
+"""Reading of text files, and validation of TOML tables key by key, with one-line errors."""
 
 import bisect
 import contextlib
@@ -37,12 +34,11 @@ def opened(source: str, what: str) -> Iterator[BinaryIO]:
 def read_text(source: str, what: str) -> str:
     """Read a UTF-8 file without its byte order mark."""
     with opened(source, what) as stream:
-        data = stream.read()
-    try:
-        return data.decode().removeprefix("\ufeff")
-    except UnicodeDecodeError as error:
-        problem = f"expected UTF-8 text, byte {error.start} is not: save it as UTF-8"
-        raise ValueError(f"{source}: {problem}") from None
+        try:
+            return stream.read().decode("utf-8-sig")
+        except UnicodeDecodeError as error:
+            text = f"expected UTF-8 text, byte {error.start} is not: save it as UTF-8"
+            raise ValueError(f"{source}: {text}") from None
 
 
 @contextlib.contextmanager

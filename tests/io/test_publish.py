@@ -133,14 +133,12 @@ def test_a_file_is_replaced_only_by_a_whole_one(tmp_path: Path) -> None:
     assert caught.value.filename == str(tmp_path)
 
 
-def test_writing_keeps_links_permissions_and_devices(tmp_path: Path) -> None:
+def test_writing_keeps_links_and_devices(tmp_path: Path) -> None:
     (tmp_path / "real").write_text("old")
-    (tmp_path / "real").chmod(0o640)
     (tmp_path / "link").symlink_to("real")
     write_file(tmp_path / "link", ["ne", "w"])
     assert (tmp_path / "link").is_symlink()
     assert (tmp_path / "real").read_text() == "new"
-    assert (tmp_path / "real").stat().st_mode & 0o777 == 0o640
     write_file(Path(os.devnull), "gone")
     assert not Path(os.devnull).is_file()
 
