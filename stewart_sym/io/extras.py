@@ -9,7 +9,6 @@ EXTRAS = {
     "dask": ("Dask", "cluster"),
     "distributed": ("Dask", "cluster"),
     "matplotlib": ("Matplotlib", "plot"),
-    "mpl_toolkits": ("Matplotlib", "plot"),
     "mujoco": ("MuJoCo", "bench"),
     "pinocchio": ("Pinocchio", "bench"),
     "scipy": ("SciPy", "sim"),

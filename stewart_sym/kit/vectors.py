@@ -72,7 +72,6 @@ def vectors(
     precision: str = "double",
     count: int = 8,
     baked: bool = False,
-    extreme: bool = True,
 ) -> tuple[Vector, ...]:
     """Compute the test vectors of some functions.
 
@@ -96,8 +95,6 @@ def vectors(
         Largest number of ordinary vectors of each function.
     baked : bool
         True if the constants are baked, so that they are rounded last.
-    extreme : bool
-        False omits the extreme motions.
 
     Returns
     -------
@@ -124,7 +121,7 @@ def vectors(
             for at in motions
             if function not in _BACKWARD or _settled(robot, at, kind)
         ]
-        if function == "forces" and extreme:
+        if function == "forces":
             chosen = extreme_motions(robot, every[0], knows_axes(robot, level))
             inputs = [_input(robot, motion, kind) for motion in chosen]
             found += [replace(made.vector(function, at), ordinary=False) for at in inputs]

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from chart_tables import entry_of
 from command_line import Run, read
 from cost_figures import (
     CHEAP,
@@ -51,7 +52,7 @@ from stewart_sym.studies.accuracy.advice import (
     without_effect,
 )
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
-from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, entry_of, worst
+from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, worst
 from stewart_sym.studies.common.output import Figures
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
