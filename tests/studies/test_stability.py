@@ -73,7 +73,7 @@ def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
 
 def test_a_summary_tells_a_silent_error_from_a_status() -> None:
     distance = np.array([1.0, 0.1, 0.01])
-    ones, truth = np.ones(3), np.zeros(3, dtype=np.int32)
+    truth = np.zeros(3, dtype=np.int32)
     for status, condition, wrong, rejected_good, rejected_at in (
         ([0, 0, 0], 1.0, 1, 0, math.inf),
         ([0, 4, 0], 1e13, 0, 0, 1e13),
