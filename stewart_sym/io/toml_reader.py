@@ -14,16 +14,13 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from .arguments import number_in, safe_text, shown
+from .arguments import number_in, shown
 from .array_types import Array
 
 
 @contextlib.contextmanager
 def opened(source: str, what: str) -> Iterator[BinaryIO]:
-    """Open a file for repeated reading, also a pipe; ``what`` is its kind in messages.
-
-    Raises ValueError, also for errors of reading in the block.
-    """
+    """Open a file or pipe for repeated reading; errors, also of the block, name its kind ``what``."""
     try:
         with open(source, "rb") as file:
             yield file if os.path.isfile(source) else io.BytesIO(file.read())
@@ -158,11 +155,6 @@ def one_line(value: object, where: str) -> str:
     return value
 
 
-def title(value: object, where: str) -> str:
-    """Return a text of one line with code points in place of nonprintable characters, as in ``safe_text``."""
-    return safe_text(one_line(value, where))
-
-
 def need_schema(value: object, known: int, where: str) -> None:
     """Raise ValueError unless a value is the number of the supported schema."""
     if isinstance(value, bool) or value != known:
@@ -181,7 +173,7 @@ positive = functools.partial(number, rule="> 0", allowed=lambda x: x > 0.0)
 not_negative = functools.partial(number, rule=">= 0", allowed=lambda x: x >= 0.0)
 
 
-def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
+def numbers(value: object, where: str, shape: tuple[int, ...]) -> Array:
     """Return nested lists of finite numbers as a new float64 array with exactly this shape."""
     expected = " x ".join(map(str, shape)) + " finite numbers"
     found = np.array(value, dtype=object)
@@ -190,13 +182,11 @@ def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
     return np.array([number_in(each, where, expected, -math.inf) for each in found.flat]).reshape(shape)
 
 
-def vector(value: object, where: str) -> Array:
-    """Return three finite numbers, shape (3,)."""
-    return numbers(value, (3,), where)
+vector = functools.partial(numbers, shape=(3,))
 
 
 def per_leg(value: object, where: str) -> Array:
     """Return one finite number for all legs or six numbers as shape (6,)."""
     if isinstance(value, list | tuple | np.ndarray):
-        return numbers(value, (6,), where)
+        return numbers(value, where, (6,))
     return np.full(6, number_in(value, where, "one finite number or six", -math.inf))

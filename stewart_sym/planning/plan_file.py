@@ -208,7 +208,7 @@ def _box(value: object, prefix: str) -> tuple[Array, Array]:
     low, high = np.zeros(6), np.zeros(6)
     for key, given in toml_reader.checked_table(value, prefix, COORDINATES).items():
         i = COORDINATES.index(key)
-        low[i], high[i] = toml_reader.numbers(given, (2,), prefix + key)
+        low[i], high[i] = toml_reader.numbers(given, prefix + key, (2,))
         if not low[i] <= 0.0 <= high[i]:
             raise ValueError(f"{prefix}{key}: expected [low, high] with low <= 0 <= high, got {given}")
     return low, high

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import shown
+from ..io.arguments import safe_text, shown
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.frozen import Frozen
@@ -145,7 +145,7 @@ class Robot(Frozen):
 
     def __post_init__(self) -> None:
         base_joint(self.base_joint, "robot: base_joint")
-        checked: dict[str, Any] = {"name": toml_reader.title(self.name, "robot: name")}
+        checked: dict[str, Any] = {"name": safe_text(toml_reader.one_line(self.name, "robot: name"))}
         checked["suppressed_warnings"] = fields.accepted(
             self.suppressed_warnings, "robot: suppressed_warnings"
         )

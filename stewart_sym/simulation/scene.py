@@ -208,7 +208,7 @@ def _not_negative(value: object, where: str) -> Any:
 
 
 _LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
-    "constant_force": {"forces": lambda value, where: toml_reader.numbers(value, (6,), where)},
+    "constant_force": {"forces": lambda value, where: toml_reader.numbers(value, where, (6,))},
     "spring": {"stiffness": _not_negative, "rest_length": toml_reader.per_leg, "damping": _not_negative},
     "computed_torque": {
         "path": toml_reader.one_line,
