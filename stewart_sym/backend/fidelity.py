@@ -57,7 +57,7 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
     """
     force_kernel(robot, formulation)
     names = available(robot, formulation)
-    name = _SAME.get(fidelity, fidelity)
+    name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else ""
     if name not in names:
         raise ValueError(f"fidelity: expected one of {', '.join(names)}, got {shown(fidelity)}")
     return name

@@ -11,7 +11,11 @@ from numpy.typing import NDArray
 
 def shown(value: object) -> str:
     """Return a value as text for a one-line message."""
-    text = " ".join(repr(value).split())
+    try:
+        text = " ".join(repr(value).split())
+    except (ValueError, RecursionError):
+        # Python raises an error for integers of thousands of digits and for nesting a thousand levels deep.
+        return f"{type(value).__name__} too long to show"
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 

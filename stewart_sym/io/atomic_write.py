@@ -14,15 +14,12 @@ from .json_text import json_text
 RECORD = ".stewart-sym.json"
 """Record of the names and SHA-256 digests of the files that this program wrote into a folder."""
 
-TEMPORARY = ".stewart-sym-"
-"""Beginning of the names of temporary files, which remain only if the process is killed."""
-
 
 def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
     """Write a file atomically; ``-`` writes text to standard output.
 
-    The content is written to a temporary file in the same folder, which then replaces ``path``. Missing
-    folders are created. A device or a pipe is written directly. Raises OSError with the name ``path``.
+    The content is written to a file ``.stewart-sym-*`` in the same folder, which then replaces ``path``.
+    Missing folders are created. A device or a pipe is written directly. Raises OSError with the name ``path``.
     """
     chunks: Iterable[str | bytes] = [content] if isinstance(content, str | bytes) else content
     if str(path) == "-":
@@ -35,7 +32,7 @@ def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
         return
     target = path.resolve()
     target.parent.mkdir(parents=True, exist_ok=True)
-    place = target.with_name(f"{TEMPORARY}{os.urandom(4).hex()}")
+    place = target.with_name(f".stewart-sym-{os.urandom(4).hex()}")
     try:
         with open(place, "xb") as stream:
             stream.writelines(data)

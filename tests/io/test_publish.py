@@ -17,7 +17,7 @@ from robot_files import PAPERS
 from sweeps import FULL
 
 from stewart_sym.cli.main import main
-from stewart_sym.io.atomic_write import RECORD, TEMPORARY, ResultFolder, write_file
+from stewart_sym.io.atomic_write import RECORD, ResultFolder, write_file
 
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 OTHERS = "exists with other content; use --force to overwrite"
@@ -182,7 +182,7 @@ def test_a_killed_run_leaves_whole_files(at_robot: Path, name: str) -> None:
         process.send_signal(number)
         process.wait()
         for path, content in folder_state(out).items():
-            if Path(path).name.startswith(TEMPORARY):
+            if Path(path).name.startswith(".stewart-sym-"):
                 assert number == signal.SIGKILL, path
             elif Path(path).name == RECORD:
                 assert json.loads(content)["files"].items() <= json.loads(usual[path])["files"].items()
