@@ -19,7 +19,7 @@ def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
     """Write a file atomically; ``-`` writes text to standard output.
 
     The content is written to a file ``.stewart-sym-*`` in the same folder, which then replaces ``path``.
-    Missing folders are created. A device or a pipe is written directly. Raises OSError with the name ``path``.
+    Missing folders are created. A device or a pipe is written directly. Raises OSError that names ``path``.
     """
     chunks: Iterable[str | bytes] = [content] if isinstance(content, str | bytes) else content
     if str(path) == "-":
@@ -44,10 +44,7 @@ def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
 
 
 def must_be_replaceable(path: Path, is_ours: bool, force: bool = False, inputs: Iterable[Path] = ()) -> None:
-    """Raise ValueError if a file cannot be written or must not be replaced.
-
-    Inputs are never replaced. Other files that are not ours are replaced only with ``force``.
-    """
+    """Raise ValueError if a file cannot be written, is an input, or is not ours and ``force`` is False."""
     folder = next(each for each in path.absolute().parents if each.exists())
     if path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
         raise ValueError(f"{path}: cannot write a file here; use another name")
