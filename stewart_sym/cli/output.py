@@ -83,8 +83,6 @@ def _check_files(
         need_html("--html", page)
         need_own_file(page, [HTML_BEGINNING], arguments.force, inputs)
     if arguments.json is not None:
-        if arguments.json.suffix in (".toml", ".csv"):
-            raise ValueError(f"--json {arguments.json}: got an input; put inputs before --json")
         beginning = generator.removesuffix("\n}\n") + ","
         need_own_file(arguments.json, [beginning], arguments.force, inputs)
 
@@ -125,8 +123,6 @@ def need_html(option: str, target: Path) -> None:
 
 
 def need_drawing(otherwise: str = "") -> None:
-    """Raise ImportError with the name of the extra and the alternative ``otherwise`` if a plotting package is
-    missing.
-    """
+    """Raise ImportError if a plotting package is missing; ``otherwise`` is an alternative without it."""
     for package in ("matplotlib", "textalloc"):
         need(package, "drawing", otherwise)
