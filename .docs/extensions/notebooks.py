@@ -16,7 +16,7 @@ _CODE = "<details>\n<summary>Code</summary>\n\n```python\n{}\n```\n\n</details>\
 
 
 def markdown_of(notebook: Path) -> str:
-    """Convert a notebook to Markdown without its title, with links to drawings and pages as seen from a page."""
+    """Convert a notebook to Markdown without its title, with links as seen from a page."""
     cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
     parts = [part for cell in cells for part in _parts(cell)]
     return re.sub(r"\A# .*\n", "", "\n\n".join(parts))
