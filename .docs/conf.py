@@ -19,7 +19,7 @@ extensions = [
     "mathml",
     "directives",
     "notebooks",
-    "wrapping",
+    "narrow_windows",
 ]
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["_build", "tables"]
