@@ -1,4 +1,4 @@
-"""Pages in narrow windows: line breaks in code after _ / . = and commas, and pictures as links to their files."""
+"""Pages in narrow windows: line breaks in code after _ / . = and commas, and pictures as links."""
 
 import html
 import re
@@ -10,7 +10,7 @@ from sphinx.application import Sphinx
 _SHORT = 12
 """Largest number of characters of a name that is never broken."""
 _OPTION, _NAME = 20, 32
-"""Largest number of characters of an option that is never broken, and of a name broken only in narrow tables."""
+"""Largest number of characters of unbroken options, and of names that are broken only in narrow tables."""
 _CODE = re.compile(r'<code class="[^"]*">.*?</code>', re.DOTALL)
 _WORD = re.compile(r'<span class="pre">([^<]+)</span>')
 _BREAK = re.compile(r"(?<=[_/.=,])(?=\w)")
