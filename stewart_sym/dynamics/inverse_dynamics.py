@@ -282,7 +282,7 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
 def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     """Compute the fraction of the actuator forces that is due to the legs.
 
-    The legs contribute inertia, weight, and friction, and the inertia of the rotors.
+    The contribution of the legs consists of weight, friction, and inertia, with the inertia of the rotors.
 
     Parameters
     ----------

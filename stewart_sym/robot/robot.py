@@ -32,8 +32,7 @@ class RobotWarning(UserWarning):
 class Robot(Frozen):
     """Gough-Stewart platform with six legs, which may all be different. Arrays are read-only.
 
-    For an array with six entries, one entry is sufficient if all legs have the same value, except for ``b``
-    and ``p``.
+    If all legs have the same value, one entry is sufficient instead of six, except for ``b`` and ``p``.
 
     Attributes
     ----------
@@ -71,8 +70,9 @@ class Robot(Frozen):
     force_limit, speed_limit : ndarray, shape (6,), optional
         Limits of the actuators (N and m/s); inf means no limit.
     joint_angle_limit : ndarray, shape (6, 2), optional
-        Largest angles (rad) between a leg and its direction at the home pose, in the base frame and in the
-        platform frame. The value pi means no limit at one end; a row (inf, inf) means no limit.
+        Largest angles (rad) between a leg and its direction at the home pose: column 0 in the base frame,
+        column 1 in the platform frame. The value pi means no limit at this end; a row (inf, inf) means no
+        limit.
     lower_length, upper_length : ndarray, shape (6,), optional
         Lengths (m) of the parts, from the base point and from the platform point to the other end; 0 if not
         given. They are for drawings and do not affect forces.
@@ -250,7 +250,7 @@ class Robot(Frozen):
             raise ValueError(f"{source}: expected a table, got {shown(d)}")
         toml_reader.require(d, ("schema",), file, "missing")
         _need_schema(d["schema"], f"{file}schema")
-        # The fields are not checked again, because the tables are checked with messages that name the keys.
+        # schema_2 checks the tables, with messages that name the keys; __post_init__ would repeat the checks.
         robot = object.__new__(cls)
         robot._set(fields.DEFAULTS | schema_2.values(d, file))
         return robot

@@ -50,7 +50,7 @@ def test_broken_cc_is_named_and_nothing_else_is_tried(
     broken: str, cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if broken == "failing":
-        broken = str(script(tmp_path / "failing", "echo 'licence expired'\nexit 3"))
+        broken = str(script(tmp_path / "failing", "echo 'license expired'\nexit 3"))
     monkeypatch.setenv("CC", broken)
     with pytest.raises(native.CompilerError) as caught:
         load_adder()

@@ -158,7 +158,7 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     assert told.startswith(text)
     assert "Crossing 1 at 3.670504110" in text
     (crossing,) = json.loads((folder / "report.json").read_text())["crossings"]
-    assert (crossing["side_before"], crossing["side_after"]) == (-1, 1)
+    assert (crossing["sign_before"], crossing["sign_after"]) == (-1, 1)
     assert crossing["residue_N_s"][0] == pytest.approx(-27554.33, rel=1e-6)
     (event,) = read(folder / "events.csv")
     assert (event["crossing"], event["sign_before"], event["sign_after"]) == ("1", "-1", "1")
