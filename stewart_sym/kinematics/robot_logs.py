@@ -8,7 +8,6 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
-from ..io.toml_reader import file_name
 from ..motion.log_reader import AS_SHOWN, poses_of, trajectory_of
 from ..motion.log_samples import LogSamples, read_samples
 from ..motion.trajectory import SmoothingOptions, Trajectory
@@ -23,7 +22,7 @@ def samples_of(robot: Robot, path: str | os.PathLike[str], form: TrajectoryForma
 
     The robot file supplies properties of the format that neither ``form`` nor the header states.
     """
-    samples = read_samples(file_name(path), form, robot.trajectory_format)
+    samples = read_samples(os.fsdecode(path), form, robot.trajectory_format)
     need_units(robot, samples)
     return samples
 
@@ -36,7 +35,7 @@ def read_log_of(
     progress: Progress = silent,
 ) -> Trajectory:
     """Read a log of poses or leg lengths; raises the errors of ``samples_of`` and ``log_of``."""
-    progress(f"reading {file_name(path)}")
+    progress(f"reading {os.fsdecode(path)}")
     return log_of(robot, samples_of(robot, path, form), smoothing, progress)
 
 

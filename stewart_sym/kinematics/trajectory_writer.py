@@ -11,7 +11,6 @@ import numpy as np
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.atomic_write import write_file
-from ..io.toml_reader import file_name
 from ..motion.motion import Motion
 from ..motion.rotation import (
     angle_rates,
@@ -81,7 +80,7 @@ def write_trajectory(
     True
     """
     instance(trajectory, Trajectory, "trajectory")
-    write_file(Path(file_name(path)), csv_lines_of(trajectory, robot))
+    write_file(Path(os.fsdecode(path)), csv_lines_of(trajectory, robot))
 
 
 def csv_lines_of(trajectory: Trajectory, robot: Robot | None = None) -> Iterator[str]:

@@ -14,8 +14,6 @@ from ..io.toml_reader import opened
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
 
-# Size limit of a log, more than two million rows with all columns.
-_MOST_BYTES = 1 << 30
 # Number of lines that are converted together if some line of the file is no row of numbers.
 _PART = 4096
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?")
@@ -111,7 +109,7 @@ def read_table(
     ValueError
         If the file cannot be read, or has no header or no rows.
     """
-    with opened(source, what, _MOST_BYTES) as stream:
+    with opened(source, what) as stream:
         text = _decoded(stream.read())
     lines = text.splitlines()
     place, header, mark = _header(lines, source, None if delimiter is None else DELIMITERS[delimiter])

@@ -10,7 +10,6 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
-from ..io.toml_reader import file_name
 from .csv_table import read_table
 from .log_rates import as_given, rates_of
 from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, number_columns
@@ -111,7 +110,7 @@ def read_leg_columns(
 
     Returns times (n,), the columns (n, 6), their names, and the lines of the file.
     """
-    source = file_name(path)
+    source = os.fsdecode(path)
     table = read_table(source, form.delimiter, form.decimal, "forces")
     group = next((each for each in groups if each[0] in table.header or each[0] in form.columns), groups[0])
     return number_columns(table, group, form)

@@ -251,6 +251,11 @@ def _needed(found: Mapping[str, str], header: Sequence[str], source: str) -> lis
     rates = LENGTH_RATES if lengths else () if "q_w" in found else RATES
     if not all(components_of(name)[0] in found for name in rates):
         rates = ()
+    if {"omega_x", "kinetic_energy"} <= set(header):
+        raise ValueError(
+            f"{source}: a run of simulate (reference point; roll, pitch, yaw); display it with view, or "
+            "convert it to the tool and the rotation order of the robot"
+        )
     if not set(found) - {"time"}:
         raise ValueError(
             f"{source}: no columns of a trajectory in the header ({_few(header)}); expected time, t_x, t_y, "

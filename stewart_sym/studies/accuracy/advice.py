@@ -27,7 +27,7 @@ TERMS: Mapping[str, str] = {
     "reflected": "the rotors' reflected masses",
     "momentum": "the rotors' angular momenta",
     "rates": "velocities and accelerations",
-    "joint": "the right equations of joint and inertia",
+    "joint": "corrected equations (faults 1 to 3)",
     "digits": "double precision",
 }
 """Terms that a kernel may omit, as text; ``joint`` are the corrections of faults 1 to 3 of `paper`."""
@@ -135,11 +135,11 @@ def report(found: Advice) -> str:
 
 
 _NOTE = (
-    "Errors are shares of the peak force of their motion, the worst motion counts.\n"
-    f"Rounding is measured at {SAMPLED} poses spread over each motion and where force and condition "
-    "number are largest, the model error at all poses."
+    "Errors are fractions of the peak force of their motion; each cell is the maximum over all motions.\n"
+    f"Rounding errors are measured at {SAMPLED} poses of each motion, and where force and condition number "
+    "are largest. Modeling errors are measured at all poses."
 )
-_COLUMNS = ("operations", "ns per pose", "in a batch", "model error", "RMS", "rounding", "total")
+_COLUMNS = ("operations", "ns per pose", "in a batch", "modeling error", "RMS", "rounding", "total")
 
 
 def table(cost: Figures, found: Advice | None = None) -> str:
@@ -158,30 +158,30 @@ def table(cost: Figures, found: Advice | None = None) -> str:
 def _mark(entry: Figures, found: Advice) -> str:
     if entry is found.chosen:
         return "chosen"
-    return "good" if excess(entry, found.budget) <= 1.0 else ""
+    return "accepted" if excess(entry, found.budget) <= 1.0 else ""
 
 
 def _limits(budget: Budget) -> str:
     rate = "" if budget.rate is None else f", {1e9 / budget.rate:.4g} ns per pose at {budget.rate:g} Hz"
     return (
         f"tolerance {budget.tolerance:.3g}, margin {budget.margin:g}: "
-        f"good enough up to an error of {budget.tolerance / budget.margin:.2e}{rate}"
+        f"largest accepted error {budget.tolerance / budget.margin:.2e}{rate}"
     )
 
 
 def answer(found: Advice) -> list[str]:
     """Return the result and one line for each reason that excludes a cheaper kernel."""
     if found.chosen is None:
-        return [f"Nothing keeps the budget; closest: {closest(found)}."]
-    lines = [f"Cheapest that is good enough: {_cost(found.chosen)}, error {worst(found.chosen):.1e}."]
+        return [f"No kernel is within the budget; closest: {closest(found)}."]
+    lines = [f"Cheapest kernel within the budget: {_cost(found.chosen)}, error {worst(found.chosen):.1e}."]
     reasons = found.needed()
     if found.chosen is found.cost["candidates"][0]:
-        lines.append("Nothing is cheaper.")
+        lines.append("No kernel is cheaper.")
     elif not reasons:
-        lines.append("Cheaper ones leave nothing out that it has, yet err more.")
+        lines.append("Cheaper kernels include the same physics, but their errors are larger.")
     for left_out, entry in reasons:
         names = " and ".join(words for term, words in TERMS.items() if term in left_out)
-        lines.append(f"Forced by {names}: without ({_cost(entry)}) {_beyond(entry, found.budget)}.")
+        lines.append(f"Required: {names}. Without: {_cost(entry)}; {_beyond(entry, found.budget)}.")
     return lines
 
 
@@ -199,8 +199,8 @@ def _beyond(entry: Figures, budget: Budget) -> str:
     """Describe the excess of a candidate over the budget, the larger one first."""
     error, time = _misses(entry, budget)
     said = [
-        (error, f"the error is {worst(entry):.1e}, {error:.3g} times what is allowed"),
-        (time, f"a pose takes {entry['one_pose_ns']:.0f} ns, {time:.3g} times what is allowed"),
+        (error, f"the error is {worst(entry):.1e}, {error:.3g} times the limit"),
+        (time, f"a pose takes {entry['one_pose_ns']:.0f} ns, {time:.3g} times the limit"),
     ]
     largest, *others = sorted(said, key=lambda miss: -miss[0])
     return "; ".join(text for _, text in [largest, *(miss for miss in others if miss[0] > 1.0)])

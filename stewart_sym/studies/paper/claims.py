@@ -79,7 +79,7 @@ def _short(number: float) -> str:
 @_claim(
     "4.5",
     "4889 floating point operations a time-step without friction, only 3.36 times those of a serial arm",
-    "the emitted kernel needs no more",
+    "kernel has at most as many",
 )
 def _cost(found: Reproduction, form: str) -> tuple[object, ...]:
     kernels = {row["formulation"]: row for row in found.operations if not row["friction"]}
@@ -118,7 +118,7 @@ def _conditioned(found: Reproduction, form: str) -> tuple[object, ...]:
 def _common(found: Reproduction, form: str) -> tuple[object, ...]:
     fractions = counted_fractions(found.runs["I", form])
     low, median, high = np.quantile(fractions, [0.25, 0.5, 0.75])
-    return f"median {median:.1%}, half of all in {low:.0%} to {high:.0%}", 0.15 < median < 0.25
+    return f"median {median:.1%}, middle half {low:.0%} to {high:.0%}", 0.15 < median < 0.25
 
 
 @_claim("5.1, Fig. 6", "Path I: its maximum may even go up to 40%", "largest 35 to 45%")
@@ -127,11 +127,11 @@ def _maximum(found: Reproduction, form: str) -> tuple[object, ...]:
     keep = [leg for leg in range(6) if leg + 1 not in crossing_legs(run)]
     peaks = np.abs(run.fraction[:, keep]).max(axis=0)
     top = float(peaks.max())
-    text = f"{top:.1%} in leg {keep[int(peaks.argmax())] + 1}, of the legs that keep their sign"
+    text = f"{top:.1%} in leg {keep[int(peaks.argmax())] + 1}; only legs whose F keeps its sign"
     return text, 0.35 < top < 0.45
 
 
-@_claim("5.1, Fig. 6", "Path I: it jumps in legs 5 and 6, as F crosses zero", "those two legs")
+@_claim("5.1, Fig. 6", "Path I: it jumps in legs 5 and 6, as F crosses zero", "exactly these two legs")
 def _crossing(found: Reproduction, form: str) -> tuple[object, ...]:
     legs = crossing_legs(found.runs["I", form])
     named = " and ".join(map(str, legs)) or "none"
@@ -141,12 +141,12 @@ def _crossing(found: Reproduction, form: str) -> tuple[object, ...]:
 @_claim(
     "5.1",
     "platform mass of the order of a leg's: dynamic fraction often above 60%",
-    "in more than half of all (partly: a quarter)",
+    "in more than half of the samples (partly: a quarter)",
 )
 def _light(found: Reproduction, form: str) -> tuple[object, ...]:
     fractions = counted_fractions(found.light[form])
     share = float(np.mean(fractions > 0.6))
-    text = f"Path I, platform {LIGHT_PLATFORM:g} kg: above 60% in {share:.0%} of all; "
+    text = f"Path I, platform {LIGHT_PLATFORM:g} kg: above 60% in {share:.0%} of samples; "
     return text + f"median {np.median(fractions):.0%}", share > 0.5, share > 0.25
 
 
@@ -192,7 +192,9 @@ def _singular(found: Reproduction, form: str) -> tuple[object, ...]:
 
 
 @_claim(
-    "5.2, Fig. 10", "Path III: the condition number rises sharply precisely there", "same time of the grid"
+    "5.2, Fig. 10",
+    "Path III: the condition number rises sharply precisely there",
+    "at the same time of the grid",
 )
 def _precisely(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["III", form]
@@ -219,13 +221,13 @@ def _near_singular(found: Reproduction, form: str) -> tuple[object, ...]:
 @_claim(
     "6",
     "leg inertia generally contributes 20 to 50% of the forces",
-    "more than half of all on every path (partly: a quarter on one)",
+    "more than half of the samples on every path (partly: a quarter on one)",
 )
 def _generally(found: Reproduction, form: str) -> tuple[object, ...]:
     fractions = (counted_fractions(found.runs[name, form]) for name in PAPER_PATHS)
     shares = [float(np.mean((each >= 0.2) & (each <= 0.5))) for each in fractions]
     parts = ", ".join(f"{name} {share:.0%}" for name, share in zip(PAPER_PATHS, shares, strict=True))
-    return f"share of all within 20 to 50%: {parts}", min(shares) > 0.5, max(shares) > 0.25
+    return f"samples within 20 to 50%: {parts}", min(shares) > 0.5, max(shares) > 0.25
 
 
 @_claim(

@@ -20,8 +20,8 @@ from .reproduce import Reproduction, run_columns
 WIDTH = 110
 
 _FAULT_NAMES = {
-    frozenset({1}): "1  legs don't spin, (6), (8), (9)",
-    frozenset({2}): "2  joint's moment along s, (17)-(20)",
+    frozenset({1}): "1  no leg spin, (6), (8), (9)",
+    frozenset({2}): "2  joint moment along s, (17)-(20)",
     frozenset({3}): "3  transport term twice, (16)",
     PAPER: "1+2+3  together: `paper`",
     frozenset({4}): "4  sign of sum K, (33); not in `paper`",
@@ -48,7 +48,7 @@ def _data(found: Reproduction) -> dict[str, Any]:
         "singular_time_path_III_s": found.singular_time,
         "units": {
             "fault_costs": "RMS of F - F_exact over RMS of F_exact",
-            "mismatch": "share of the gain",
+            "mismatch": "fraction of the gain",
             "operations": "multiplications, additions, divisions, square roots",
         },
     }
@@ -57,11 +57,11 @@ def _data(found: Reproduction) -> dict[str, Any]:
 def report(found: Reproduction) -> str:
     """Format all tables, with units and definitions, as one text."""
     head = [
-        "Dasgupta & Mruthyunjaya (1998), section 5, computed again",
+        "Dasgupta & Mruthyunjaya (1998), section 5, recomputed",
         "",
-        f"Machine: the paper's appendix as printed. Computed by: {found.backend}.",
-        "`paper`: the equations as printed; `exact`: with their faults corrected. SI units.",
-        "Its inertias, as printed, belong to no rigid body:",
+        f"Robot: appendix of the paper, as printed. Computed by: {found.backend}.",
+        "`paper`: equations as printed; `exact`: corrected equations. SI units.",
+        "No rigid body can have the printed inertia tensors:",
         *(f"  {line}" for line in found.robot.find_invalid_inertias()),
     ]
     tables = (_claims_table, _fault_table, _energy_table, _operations_table)
@@ -74,16 +74,17 @@ def _claims_table(found: Reproduction) -> str:
         (row["where"], row["says"], row["paper"]["text"], row["exact"]["text"], _verdict(row), row["rule"])
         for row in claims(found)
     ]
-    header = ("section", "the text says", "`paper`", "`exact`", "verdict", "holds if")
+    header = ("section", "claim", "`paper`", "`exact`", "verdict", "criterion")
     return _section(
-        "(a) What the text claims, and what was computed",
+        "(a) Claims of the paper, and computed results",
         _wrapped(header, cells, (8, 23, 22, 22, 8, 16)),
-        "A verdict is `paper`'s; where `exact` has another, it follows after a semicolon. Dynamic "
-        "fraction: |F_d / F|, of all legs and all samples of the paper's time grid, "
-        f"those left out where |F| is below {NEAR_ZERO:.0%} of the leg's largest on the path, since the "
-        "fraction has no bound where F crosses zero. F_d is what masses and weights of the legs and friction "
-        "add, F_d = F - F_0; it is mostly weight: with the platform at rest on Path I its median is "
-        f"{still:.1%} (`exact`). Condition number: ratio of the singular values of H, moments in N m.",
+        "The verdict is for `paper`; a different verdict for `exact` follows after a semicolon. Dynamic "
+        "fraction: |F_d / F| for all legs and all samples of the paper's time grid. Samples with |F| below "
+        f"{NEAR_ZERO:.0%} of the leg's largest |F| on the path are excluded, because the fraction is "
+        "unbounded at zero crossings of F. F_d = F - F_0 is the force due to the masses, weights, and "
+        "friction of the legs. Most of it is weight: with the platform at rest on Path I, the median of the "
+        f"fraction is {still:.1%} (`exact`). Condition number: ratio of the largest to the smallest singular "
+        "value of H, with moments in N m.",
     )
 
 
@@ -93,7 +94,7 @@ def _verdict(row: Figures) -> str:
 
 
 def _fault_table(found: Reproduction) -> str:
-    header = ["fault kept", *(f"Path {name}" for name in PAPER_PATHS)]
+    header = ["fault", *(f"Path {name}" for name in PAPER_PATHS)]
     header += [f"{name} at rest" for name in PAPER_PATHS]
     cells = [
         (
@@ -103,52 +104,53 @@ def _fault_table(found: Reproduction) -> str:
         for cost in found.fault_costs
     ]
     return _section(
-        "(b) What the faults of the printed equations cost",
+        "(b) Force errors due to the faults of the printed equations",
         aligned(header, cells),
-        "RMS over all legs and samples of F - F_exact, in per cent of the RMS of F_exact; no friction. At "
-        "rest: on the same poses, with rates and accelerations 0. Fault 4 is a slip in print that (35) "
-        "doesn't have.",
+        "RMS of F - F_exact over all legs and samples, in percent of the RMS of F_exact, without friction. "
+        "At rest: the same poses with zero rates and accelerations. Fault 4 is a misprint of (33); (35) is "
+        "correct.",
     )
 
 
 def _energy_table(found: Reproduction) -> str:
-    header = ("path", "faults kept", "work, J", "gain, J", "(work - gain) / gain")
+    header = ("path", "faults", "work, J", "gain, J", "(work - gain) / gain")
     cells = []
     for row in found.work_energy:
         work, gain = (f"{row[name]:.6f}" for name in ("work_J", "gain_J"))
         kept = _FAULT_NAMES[frozenset(row["faults"])]
         cells.append((row["path"], kept, work, gain, _mismatch(row["mismatch"])))
     return _section(
-        "(c) Work of the actuators beside the gain of energy",
+        "(c) Work of the actuators compared with the energy gain",
         aligned(header, cells, left=2),
-        "No friction. Work: integral of F.Ldot, by Gauss-Legendre (24 points) between the jumps of "
-        "acceleration; F is the kernels' where none or all of 1, 2 and 3 are kept, else the reference's. "
-        "Gain: kinetic and potential energy of all 13 bodies with their true motion. Path III "
-        f"passes a singular pose at {found.singular_time:.3f} s, where F has no bound; the power has one, "
-        "F.Ldot = D.Ldot - c.twist, so the integral exists, with rounding enlarged by the condition number.",
+        "Without friction. Work: integral of F.Ldot by Gauss-Legendre quadrature (24 points) between the "
+        "jumps of acceleration. The kernels compute F for none and for all of the faults 1 to 3, the "
+        "reference computes it otherwise. Gain: kinetic and potential energy of all 13 bodies in their true "
+        f"motion. Path III passes a singular pose at {found.singular_time:.3f} s, where F is unbounded. The "
+        "power F.Ldot = D.Ldot - c.twist is bounded, so the integral exists; the condition number amplifies "
+        "its rounding error.",
     )
 
 
 def _operations_table(found: Reproduction) -> str:
-    header = ("kernel", "one leg", "platform", "final system", "in all", "mul/add/div/sqrt", "x arm")
+    header = ("kernel", "one leg", "platform", "final system", "total", "mul/add/div/sqrt", "x arm")
     paper = (str(PAPER_FLOPS[part]) for part in ("leg", "platform", "final", "total"))
-    cells = [("the paper's program", *paper, "", _arms(PAPER_FLOPS["total"]))]
+    cells = [("program of the paper", *paper, "", _arms(PAPER_FLOPS["total"]))]
     operations = sorted(found.operations, key=lambda row: row["formulation"] != "paper")
     for row in operations:
         sums = (str(sum(row[part])) for part in ("leg", "platform", "final", "total"))
         cells.append((_kernel_name(row), *sums, _counts(row["total"]), _arms(sum(row["total"]))))
-    header_apart = ("mul/add/div/sqrt of", "one leg", "platform", "final system")
+    header_apart = ("mul/add/div/sqrt", "one leg", "platform", "final system")
     apart = [
         (_kernel_name(row), *(_counts(row[part]) for part in ("leg", "platform", "final")))
         for row in operations
     ]
     return _section(
-        "(d) Operations of one time-step",
+        "(d) Operations per time step",
         aligned(header, cells) + "\n\n" + aligned(header_apart, apart),
-        "+, -, *, / and sqrt count one each; negation, copies and what is prepared once per robot are free. "
-        "In all: six legs, platform, final system (sum of c, solution of H x = c with pivoting, F = D - x). "
-        f"x arm: times the {SERIAL_ARM_FLOPS} operations of a serial arm of six joints (section 4.5). The "
-        "paper counted MATLAB's flops, without friction.",
+        "+, -, *, /, and sqrt count as one operation each. Negations, copies, and quantities prepared once "
+        "per robot do not count. Total: six legs, platform, and final system (sum of c, solution of H x = c "
+        f"with pivoting, F = D - x). x arm: ratio to the {SERIAL_ARM_FLOPS} operations of a serial arm with "
+        "six joints (section 4.5). The paper counted MATLAB flops without friction.",
     )
 
 

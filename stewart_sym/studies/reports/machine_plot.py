@@ -14,7 +14,7 @@ from ...viewer.content import around
 from ..common.drawing import (
     BLUE,
     DARK,
-    GREY,
+    GRAY,
     RED,
     Z_DOWN,
     Axes,
@@ -25,7 +25,7 @@ from ..common.drawing import (
     vertical,
 )
 
-BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
+BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GRAY, RED, "#2a7f3f"
 
 # Length of axes and arrows, and distance below which points coincide, relative to the size of the machine.
 _AXIS, _SAME = 0.12, 1e-3

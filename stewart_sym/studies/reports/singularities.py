@@ -29,8 +29,8 @@ from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import SMALL, Picture, Report
 from .machine_plot import twist_figure
 
-NEAREST = ("least held", "dearest wrench", "idlest forces")
-"""Titles in place of unconstrained twist, lost wrench, and idle forces if a pose is not singular."""
+NEAREST = ("least-rate twist", "largest-force wrench", "least-wrench forces")
+"""Labels of twist, wrench, and leg forces of the smallest singular value, if a pose is not singular."""
 
 _EVEN = 401
 _NEAR = 150
@@ -75,9 +75,9 @@ def report(found: Examination) -> str:
     ]
     if found.robot.tool.any():
         lines.append("point      reference point for twists and wrenches, not the tool of the robot file")
-    lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in along.spans]
+    lines += [f"singular   from {start:.9f} s to {end:.9f} s at every time" for start, end in along.spans]
     for number, (crossing, A) in enumerate(zip(along.crossings, found.residues, strict=True), 1):
-        at = f"{crossing.time:.12f} s (rounding leaves {crossing.time_error:.1e} s open)"
+        at = f"{crossing.time:.12f} s (rounding error up to {crossing.time_error:.1e} s)"
         lines += ["", f"Crossing {number} at {at}", *_crossing_lines(found, crossing, A)]
     if not along.crossings:
         lines += ["", f"Nearest approach at {along.nearest.time:.9f} s"]
@@ -142,9 +142,9 @@ def _data(found: Examination) -> dict[str, Any]:
         "crossings": [
             {
                 "time_s": crossing.time,
-                "uncertainty_s": crossing.time_error,
-                "side_before": crossing.sign_before,
-                "side_after": crossing.sign_after,
+                "time_error_s": crossing.time_error,
+                "sign_before": crossing.sign_before,
+                "sign_after": crossing.sign_after,
                 "residue_N_s": A,
                 **_pose_data(crossing.singularity),
             }
@@ -219,39 +219,43 @@ def curves(found: Examination) -> Columns:
 def _crossing_lines(found: Examination, crossing: SingularityCrossing, A: Array) -> list[str]:
     robot, leg = found.robot, int(np.argmax(np.abs(A)))
     rates = wrench_matrix(robot, found.path(np.array([crossing.time])))[0].T @ crossing.singularity.twist
+    before, after = sign_text(crossing.sign_before), sign_text(crossing.sign_after)
     lines = [
-        f"  det H          {sign_text(crossing.sign_before)} before, {sign_text(crossing.sign_after)} after",
+        f"  det H                {before} before, {after} after",
         *_pose_lines(crossing.singularity),
-        f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
+        f"  leg rates            at most {np.max(np.abs(rates)):.1e} m/s for this twist",
     ]
     if not np.isfinite(A).all():
-        return [*lines, "  force residue  no simple one: the path rests there or runs along singular poses"]
+        return [*lines, "  force residue        none: the path is at rest there, or follows singular poses"]
     values = ", ".join(f"{value:.6g}" for value in A)
     ends = ["-inf", "+inf"] if A[leg] > 0.0 else ["+inf", "-inf"]
     lines += [
-        f"  force residue  F = A / (t - t_0), A = ({values}) N s",
-        f"  most affected  leg {leg + 1}: {ends[0]} before, {ends[1]} after",
+        f"  force residue        F = A / (t - t_0), A = ({values}) N s",
+        f"  most affected        leg {leg + 1}: {ends[0]} before, {ends[1]} after",
     ]
     return lines
 
 
 def _pose_lines(at: SingularityResult) -> list[str]:
     pitch, axis = float(at.screw_pitch), triple_text(at.screw_axis)
-    motion, wrench, idle = ("unconstrained", "lost wrench", "idle forces") if at.lost_dof else NEAREST
+    motion, wrench, idle = (
+        ("unconstrained twist", "unbalanced wrench", "null-space forces") if at.lost_dof else NEAREST
+    )
     screw = f"translation along {axis}"
     if np.isfinite(pitch):
-        screw = f"turn about {axis} through {triple_text(at.screw_point)} m, pitch {pitch:.6g} m/rad"
+        pitch = round(pitch, 9) + 0.0
+        screw = f"rotation about {axis} through {triple_text(at.screw_point)} m, pitch {pitch:.6g} m/rad"
     lines = [
-        f"  condition      {float(at.condition_number):.6g} "
-        f"with moments divided by {at.characteristic_length:.6g} m, smallest "
+        f"  condition number     {float(at.condition_number):.6g} "
+        f"with moments divided by {at.characteristic_length:.6g} m; smallest "
         f"singular value {float(at.smallest_singular_value):.3g}",
-        f"  {motion:<14} {twist_text(at)}",
-        f"  as a screw     {screw}",
-        f"  {wrench:<14} force {triple_text(at.wrench[:3])} N, moment {triple_text(at.wrench[3:])} N m",
-        f"  {idle:<14} {triple_text(at.leg_forces)} N",
+        f"  {motion:<20} {twist_text(at)}",
+        f"  as a screw           {screw}",
+        f"  {wrench:<20} force {triple_text(at.wrench[:3])} N, moment {triple_text(at.wrench[3:])} N m",
+        f"  {idle:<20} {triple_text(at.leg_forces)} N",
     ]
     if int(at.lost_dof) > 1:
-        lines.append(f"  degrees of freedom lost  {int(at.lost_dof)}; the twist is one of them")
+        lines.append(f"  lost freedoms        {int(at.lost_dof)}; the twist is one of several")
     return lines
 
 
@@ -263,9 +267,12 @@ def _legs_table(found: Examination) -> str:
         above = f"{high - along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
         sine, least = _cells(along.min_joint_sine, leg), _cells(along.min_length, leg)
         rows.append((str(leg + 1), *sine, *least, below, *_cells(along.max_length, leg), above))
-    of_lengths = ("least L, m", "at, s", "to limit", "most L, m", "at, s", "to limit")
-    header = ("leg", "|k x s|", "at, s", *of_lengths)
-    return "Nearest to the universal joint's axis and to the limits of length\n" + aligned(header, rows)
+    of_lengths = ("min L, m", "time, s", "margin, m", "max L, m", "time, s", "margin, m")
+    header = ("leg", "min |k x s|", "time, s", *of_lengths)
+    return (
+        "Smallest sine of the angle between leg and universal axis; extreme lengths and margins to limits\n"
+        + aligned(header, rows)
+    )
 
 
 def _cells(extreme: LegExtreme, leg: int) -> tuple[str, str]:
@@ -289,7 +296,7 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
     for axes, values, label in (
         (panels[0], condition, "scaled condition\nnumber of H"),
         (panels[1], columns["smallest_singular_value"], "smallest singular value,\nsign of det H"),
-        (panels[2], largest, "largest leg force, N"),
+        (panels[2], largest, "largest actuator\nforce, N"),
     ):
         axes.plot(time, values, color=BLUE, linewidth=1.2)
         axes.set_ylabel(label)
@@ -302,6 +309,6 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
     count = len(found.along.crossings)
     where = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
     if found.along.spans:
-        where += ", and a way along singular poses"
+        where += ", and a segment of singular poses"
     figure.suptitle(as_written(f"{found.robot.name}, path {found.name}: {where}"), fontsize=11.0)
     return figure
