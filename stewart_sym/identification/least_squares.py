@@ -227,7 +227,7 @@ def solution(J: Array | Arrow, y: Array) -> Array:
     if isinstance(J, Arrow):
         return factors(J).solve(y)
     count = J.shape[1]
-    corner = np.linalg.qr(np.column_stack([J, y]), mode="r")[:count]
+    corner = np.asarray(np.linalg.qr(np.column_stack([J, y]), mode="r"))[:count]
     return np.asarray(np.linalg.solve(corner[:, :count], corner[:, count:])).reshape(count, *y.shape[1:])
 
 
