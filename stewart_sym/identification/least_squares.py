@@ -223,11 +223,12 @@ def factors(J: Array | Arrow) -> Factors:
 
 
 def solution(J: Array | Arrow, y: Array) -> Array:
-    """Solve J x = y, of full rank, by least squares."""
+    """Solve J x = y, of full rank, by least squares; y has shape (rows,) or, for a dense J, (rows, c)."""
     if isinstance(J, Arrow):
         return factors(J).solve(y)
-    corner = np.linalg.qr(np.column_stack([J, y]), mode="r")
-    return np.asarray(np.linalg.solve(corner[:-1, :-1], corner[:-1, -1]))
+    count = J.shape[1]
+    corner = np.asarray(np.linalg.qr(np.column_stack([J, y]), mode="r"))[:count]
+    return np.asarray(np.linalg.solve(corner[:, :count], corner[:, count:])).reshape(count, *y.shape[1:])
 
 
 # Tail probabilities of the test statistics

@@ -19,6 +19,7 @@ from ..io.extras import needed_for
 from ..motion.motion import Motion
 from ..motion.rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
 from ..motion.sample_times import elapsed
+from .least_squares import solution
 
 if TYPE_CHECKING:
     from ..motion.spline import SmoothCurves, Smoothness
@@ -168,7 +169,7 @@ def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
     found, costs = [], []
     for count in np.unique(np.rint(counts).astype(int)).tolist():
         basis = _fourier(noise.time, noise.period, count)
-        c = np.linalg.lstsq(basis.local[0], q, rcond=None)[0]
+        c = solution(basis.local[0], q)
         squares = float(np.sum(((q - basis.local[0] @ c) * noise.weights) ** 2))
         found.append((basis, c))
         costs.append(akaike(squares, q.size, 6 * basis.size))
