@@ -24,8 +24,6 @@ _NEAR = 0.2
 # Plausible ranges of leg lengths relative to the machine size and to the longest leg, and the usual range,
 # which determines the suggested units.
 _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0)
-# Excesses of length limits, relative to the stroke, that are no sign of another unit.
-_EXCESS, _LARGE_EXCESS = 1.0, 10.0
 LEAST_TURN = 0.5
 """Smallest range of an angle (rad) that is checked for degrees."""
 
@@ -100,7 +98,7 @@ def _fits(robot: Robot, few: LogSamples, times: float) -> bool:
         return True
     t, R = _poses(robot, few, times)
     return bool(np.linalg.norm(t, axis=-1).max() >= _NEAR * np.ptp(robot.b, axis=0).max()) or (
-        impossible(robot, t, R, _LARGE_EXCESS) is None
+        impossible(robot, t, R) is None
     )
 
 
@@ -110,8 +108,8 @@ def _need_angle_unit(robot: Robot, log: LogSamples, few: LogSamples) -> None:
     if spans.max() <= LEAST_TURN or log.file_format.angle_unit != "rad":
         return
     in_degrees = replace(few, vectors=few.vectors | {"theta": np.radians(few.vectors["theta"])})
-    wrong = np.any(spans > MOST_TURNS) or impossible(robot, *_poses(robot, few, 1.0), _EXCESS) is not None
-    if wrong and impossible(robot, *_poses(robot, in_degrees, 1.0), _LARGE_EXCESS) is None:
+    wrong = np.any(spans > MOST_TURNS) or impossible(robot, *_poses(robot, few, 1.0)) is not None
+    if wrong and impossible(robot, *_poses(robot, in_degrees, 1.0)) is None:
         axis = int(np.argmax(spans))
         finding = f"{angle_range(theta, axis)}, which the legs allow only in degrees"
         raise _other_unit(few, "angle_unit", finding, ["deg"])
@@ -150,15 +148,10 @@ def _beside_size(robot: Robot, lengths: Array) -> tuple[float, float, tuple[floa
     return typical, size, shares, f"lengths of {typical:.4g} m compared with {of} {size:.4g} m"
 
 
-def impossible(robot: Robot, t: Array, R: Array, excess: float = 0.0) -> str | None:
-    """Return the reason for which poses are unreachable, length limits or a singular pose; else None.
-
-    ``excess`` is a permitted excess of the length limits relative to the stroke.
-    """
+def impossible(robot: Robot, t: Array, R: Array) -> str | None:
+    """Return the reason for which poses are unreachable, length limits or a singular pose; else None."""
     L = leg_lengths(robot, R, t)
-    low, high = robot.length_limits.T
-    more = excess * (high - low) if excess else 0.0
-    if np.any((low - more > L) | (high + more < L)):
+    if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
         return "legs beyond length_limits"
     turned = np.linalg.det(rates_per_twist(robot, R, t))
     return "through a singular pose" if np.ptp(np.sign(turned)) > 0.0 else None
