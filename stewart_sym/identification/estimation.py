@@ -21,7 +21,6 @@ from numpy.typing import ArrayLike
 from ..dynamics.inverse_dynamics import inverse_dynamics, need_motion, need_universal
 from ..io.arguments import deviations, finite_array, instance, truth
 from ..io.array_types import Array
-from ..io.extras import need
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
 from ..robot.robot import LEGS, Robot
@@ -33,9 +32,9 @@ from .estimates import EXACT, LEVEL, IdentificationResult, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
 from .fits import Data, exact_fit, joint_fit
 from .least_squares import tail
-from .motion_basis import WITHOUT_PERIOD, PoseNoise, smoothed
+from .motion_basis import PoseNoise, smoothed
 from .parameters import inertial_parameters
-from .physical import POSSIBLE, possible_fit
+from .physical import possible_fit
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +111,7 @@ def identify(
     enforce_physical : bool, optional
         Restrict the estimate to physically possible bodies. Parameters that the forces do not determine are
         then as close as possible to the robot's own, all 148 parameters are returned, and the standard
-        deviations account for the restriction. Requires SciPy.
+        deviations account for the restriction.
     identical_legs : bool, optional
         Estimate one set of parameters for all legs; not with ``base_parameters``.
     drive_terms : sequence of str, optional
@@ -130,8 +129,6 @@ def identify(
     ValueError
         If an argument is invalid, if a pose has no solution, or if the motion does not excite every base
         parameter. ``base_parameters(robot, motion)`` contains the excited parameters only.
-    ImportError
-        If SciPy is required and not installed.
 
     See Also
     --------
@@ -164,10 +161,6 @@ def identify(
     """
     need_universal(robot)
     truth(enforce_physical, "enforce_physical")
-    if enforce_physical:
-        need("scipy", POSSIBLE)
-    if isinstance(pose_noise, PoseNoise) and pose_noise.period is None:
-        need("scipy", WITHOUT_PERIOD)
     if pose_noise is None:
         need_motion(robot, motion)
     if base_parameters is not None and identical_legs:

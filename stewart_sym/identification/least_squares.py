@@ -125,7 +125,7 @@ def arrow(A: Array, local: Array, start: Indices, others: Any) -> Array | Arrow:
 
 
 class ArrowFactors:
-    """Factors of an ``Arrow`` with the interface of ``DenseFactors``. Requires SciPy.
+    """Factors of an ``Arrow`` with the interface of ``DenseFactors``.
 
     Raises
     ------

@@ -15,17 +15,14 @@ import numpy as np
 
 from ..io.arguments import instance, number_in, real_array, shown, whole_number
 from ..io.array_types import Array, Indices
-from ..io.extras import needed_for
 from ..motion.motion import Motion
 from ..motion.rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
 from ..motion.sample_times import elapsed
+from ..motion.spline import likeliest, smooth_columns
 from .least_squares import solution
 
 if TYPE_CHECKING:
     from ..motion.spline import SmoothCurves, Smoothness
-
-WITHOUT_PERIOD = "a smooth motion without a period"
-"""Task that requires SciPy."""
 
 # Largest pitch angle (rad); beyond it, roll and yaw are too poorly determined.
 _STEEPEST = 1.4
@@ -200,8 +197,6 @@ def _fourier(time: Array, period: float, harmonics: int) -> Basis:
 
 def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]:
     """Smooth the poses alone; the noise is estimated unless the estimate is much below the stated noise."""
-    with needed_for(WITHOUT_PERIOD):
-        from ..motion.spline import likeliest, smooth_columns
     since, std = elapsed(noise.time), 1.0 / noise.weights
     smoothness = likeliest(since, q)
     curves = smooth_columns(since, q, smoothness=smoothness)

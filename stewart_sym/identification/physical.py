@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from ..generated import exact_regressor
 from ..io.array_types import Array
-from ..io.extras import needed_for
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult, alike
 from .parameters import (
@@ -33,9 +32,6 @@ from .parameters import (
 )
 
 Condition = tuple[str, str, Callable[[Array], float]]
-
-POSSIBLE = "an estimate kept to bodies that can exist"
-"""Name of the feature that requires SciPy."""
 
 _AXES = ("xx", "xy", "xz", "yy", "yz", "zz")
 _PLATFORM = ("M", *(f"h_P_{axis}" for axis in "xyz"), *(f"J_P_{axes}" for axes in _AXES))
@@ -148,7 +144,7 @@ def _of_all_legs(line: str) -> str:
 
 
 def possible_fit(robot: Robot, base: BaseParametersResult, values: Array, covariance: Array) -> PossibleFit:
-    """Fit possible bodies to an estimate. Requires SciPy.
+    """Fit possible bodies to an estimate.
 
     The prior consists of the bodies of the robot, corrected if they are impossible, with a standard deviation
     of about a factor e in each length and mass. It determines the parameters that the measurement does not.
@@ -167,8 +163,8 @@ def possible_fit(robot: Robot, base: BaseParametersResult, values: Array, covari
     PossibleFit
         Parameters, base parameters, and quality of the fit.
     """
-    with needed_for(POSSIBLE):
-        from scipy.optimize import least_squares
+    from scipy.optimize import least_squares
+
     own = inertial_parameters(robot)
     bodies, friction = _split(own.values)
     roots = np.array([_root(body) for body in bodies])

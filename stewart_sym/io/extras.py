@@ -11,7 +11,6 @@ EXTRAS = {
     "matplotlib": ("Matplotlib", "plot"),
     "mujoco": ("MuJoCo", "bench"),
     "pinocchio": ("Pinocchio", "bench"),
-    "scipy": ("SciPy", "sim"),
     "textalloc": ("textalloc", "plot"),
 }
 """Name and extra of each optional package by its import name."""

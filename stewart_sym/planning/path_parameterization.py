@@ -17,7 +17,6 @@ from ..dynamics.inverse_dynamics import Formulation
 from ..io.arguments import finite_array, instance, option, real_array, shown, whole_number
 from ..io.array_types import Array
 from ..io.error_policy import warn
-from ..io.extras import needed_for
 from ..io.progress import Progress, silent
 from ..io.toml_reader import positive
 from ..motion.motion import Motion
@@ -188,8 +187,6 @@ def parameterize_path(
         If an argument is invalid, or if a pose of the path cannot be held at rest within the limits. If the
         velocities of the path contradict its poses, or jump by more than a few thousandths of the largest
         rate. If ``duration`` is below the minimum, which the message contains.
-    ImportError
-        If SciPy is required and not installed.
 
     Warns
     -----
@@ -345,8 +342,8 @@ class _Task(NamedTuple):
 
     def gentlest(self, quickest: Profile, duration: float) -> Profile:
         """Compute the motion of least peak force in a duration or slightly less."""
-        with needed_for("a motion"):
-            from scipy.optimize import brentq
+        from scipy.optimize import brentq
+
         own, nodes = force_limits(self.robot, self.limits), quickest.nodes
         terms = self.source(self.limits)(nodes.s)
         at_rest = np.abs(terms.e[:, :LEGS]).max(axis=-1)

@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 from ..design.pose_limits import PoseLimits, need_clearance
 from ..io.arguments import finite_array, instance, option, shown
 from ..io.array_types import Array
-from ..io.extras import needed_for
 from ..io.progress import Progress, silent
 from ..io.toml_reader import not_negative
 from ..motion.motion import Motion
@@ -137,8 +136,6 @@ def plan_path(
     ValueError
         If an argument is invalid, a via pose is not reachable, or no path within the limits is found. The
         message names the via pose and the limit.
-    ImportError
-        If SciPy is not installed.
 
     See Also
     --------
@@ -323,8 +320,8 @@ class _Search:
 
     def minimum(self, x: Array) -> Array:
         """Find a local minimum with increasing penalties for the limits."""
-        with needed_for("a path"):
-            from scipy.optimize import minimize
+        from scipy.optimize import minimize
+
         free = len(self.family.free)
         box = [*self.family.box(), *[(None, None)] * (len(x) - free)]
         for penalty in _PENALTIES:
@@ -412,8 +409,8 @@ def _nearest(costs: PoseCosts, pose: ViaPose) -> ViaPose:
     """Return the pose within the tolerance with the smallest violation, from several initial guesses."""
     if not pose.has_tolerance:
         return pose
-    with needed_for("a path"):
-        from scipy.optimize import minimize
+    from scipy.optimize import minimize
+
     free = pose.tolerance_high > pose.tolerance_low
     low, high = pose.tolerance_low[free], pose.tolerance_high[free]
 

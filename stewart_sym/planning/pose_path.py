@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, real_array, shown
 from ..io.array_types import Array
-from ..io.extras import needed_for
 from ..io.frozen import Frozen
 from ..motion import rotation
 from ..motion.motion import Motion, pose_of
@@ -169,8 +168,8 @@ class PosePath(Frozen):
 
 def spline_values(knots: Array, coefficients: Array, s: Array, order: int) -> Array:
     """Return a spline with coefficients (c, k), or its derivative of an order, at s, shape (len(s), k)."""
-    with needed_for("a path"):
-        from scipy.interpolate import BSpline
+    from scipy.interpolate import BSpline
+
     spline = BSpline(knots, coefficients, DEGREE)
     return np.asarray(spline(s) if order == 0 else spline.derivative(order)(s))
 

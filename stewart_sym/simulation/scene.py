@@ -124,8 +124,6 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     ValueError
         If this file or a file named in it cannot be read or violates its schema. The message is one line,
         ``file: key: expected value (at line n)``.
-    ImportError
-        If a spline requires SciPy, which is not installed.
     """
     source = os.fsdecode(path)
     with toml_reader.toml_tables(source, "scene of simulate") as d:

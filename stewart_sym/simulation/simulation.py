@@ -19,7 +19,6 @@ from ..dynamics.equations import ForwardDynamics
 from ..dynamics.inverse_dynamics import Backend, Formulation
 from ..io.arguments import instance, number_in, option, real_array, shown
 from ..io.array_types import Array
-from ..io.extras import needed_for
 from ..motion.motion import Motion
 from ..motion.rotation import one_vector_rate, orthonormal, rotation_from_vector, turned_by
 from ..results import STATUS_TEXT
@@ -125,8 +124,6 @@ def simulate(
     ValueError
         If an argument is invalid, if the initial state has no accelerations, or if a law or a load does not
         return six finite numbers.
-    ImportError
-        If SciPy is not installed.
 
     See Also
     --------
@@ -444,6 +441,6 @@ def _state(given: Motion | str, law: ForceLaw) -> Motion:
 
 def _solver(method: str) -> Any:
     """Return the integrator class of SciPy."""
-    with needed_for("simulation"):
-        from scipy import integrate
+    from scipy import integrate
+
     return getattr(integrate, method)

@@ -17,9 +17,7 @@ import numpy as np
 import stewart_sym as ss
 
 from ...drives.noise import at_replaced
-from ...identification.physical import POSSIBLE
 from ...io.error_policy import warn
-from ...io.extras import need
 from ...io.progress import Progress
 from ...kinematics.robot_logs import log_of, samples_of
 from ...motion.log_reader import CURRENTS, FORCES, read_leg_columns
@@ -78,8 +76,6 @@ def run(arguments: Arguments) -> int:
 
 
 def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
-    if arguments.enforce_physical:
-        need("scipy", POSSIBLE)
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
     form = log_format(arguments)

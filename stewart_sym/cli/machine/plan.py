@@ -14,7 +14,6 @@ import numpy as np
 import stewart_sym as ss
 
 from ...io.error_policy import errors_of, warn
-from ...io.extras import need
 from ...io.progress import Progress
 from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.trajectory_checks import meters_doubt
@@ -35,7 +34,6 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> int:
-    need("scipy", "planning")
     with read_plan(arguments.via) as request:
         return _plan(arguments, request)
 

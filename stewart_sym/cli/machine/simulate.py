@@ -13,7 +13,6 @@ import dataclasses
 import stewart_sym as ss
 
 from ...io.error_policy import warn
-from ...io.extras import need
 from ...simulation.scene import read_scene
 from ...studies.reports import run as runs
 from ...studies.reports.scene_checks import start_doubts
@@ -30,7 +29,6 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> None:
-    need("scipy", "simulation")
     scene = read_scene(arguments.scene)
     warn_of_doubts(scene.robot, arguments.scene)
     for doubt in start_doubts(scene):

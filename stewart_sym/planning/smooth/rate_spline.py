@@ -12,7 +12,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ...io.array_types import Array
-from ...io.extras import needed_for
 from ..timing.phase_plane import PhasePath
 
 PARTS = 4
@@ -131,8 +130,8 @@ def duration(spline: RateSpline, v: Array) -> tuple[float, Array, Array]:
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")
 def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | None = None) -> Array:
     """Minimize a cost from feasible coefficients; with ``time`` the duration is fixed."""
-    with needed_for("a motion"):
-        from scipy.linalg import solveh_banded
+    from scipy.linalg import solveh_banded
+
     v = spline.values(c)
     g = rooms.values(v)
     f, by, twice = cost(v)

@@ -49,8 +49,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
 
     The keys are ``robot`` (file), ``motions`` (names of the paths of the paper or CSV files, as in
     ``read_trajectory``), ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz). Raises ValueError
-    if a file cannot be read or violates its schema, or if a pose is unsolvable, and ImportError if a spline
-    requires SciPy.
+    if a file cannot be read or violates its schema, or if a pose is unsolvable.
     """
     source = os.fspath(path)
     with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
