@@ -16,6 +16,9 @@ from .spline import DEGREE, PAIRS, SmoothCurves
 from .trajectory import Replaced, SmoothingOptions, Uncertainty
 from .trajectory_format import TrajectoryWarning
 
+# Number of rows per period below which accelerations are inaccurate, and range of a moving column in standard
+# deviations of its noise.
+_FEWEST_PER_PERIOD, _VISIBLE = 6, 50.0
 FEWEST_ROWS = 4
 """Number of rows that a spline requires."""
 _FEWEST_SMOOTHED = 12
@@ -71,13 +74,13 @@ def rates_of(
     clean = _is_clean(since[used], fitted.curves, found[2])
     if options.cutoff_frequency is None and clean.any():
         found[:, :, clean] = _interpolated(since[used], values[used][:, clean], since)
+    _warn_of_sampling(log, since, found, fitted)
     if clean.all() and used.all() and np.isnan(stated).all():
         return found, None
     uncertainty = _of_curve(log, found, fitted.curves, used, clean)
     if uncertainty.sigma[~clean].any():
-        _warn(
-            log, f"{noise_text(uncertainty)}; the columns are smoothed; state a known noise with position_std"
-        )
+        remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
+        _warn(log, f"{noise_text(uncertainty)}; the columns are smoothed{remedy}")
     return found, uncertainty
 
 
@@ -193,6 +196,19 @@ def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
         more = f" and {gaps.size - 1} more" if gaps.size > 1 else ""
         advice = "the motion in it is uncertain; add rows, or cut the log"
         _warn(log, f"gap from {start} s to {end} s{more}; {advice}")
+
+
+def _warn_of_sampling(log: LogSamples, since: Array, found: Array, fitted: FittedRows) -> None:
+    """Warn of a motion with few rows per period, which is the period of a sine with the same rates."""
+    rate, second_rate = np.sqrt(np.mean(found[1:] ** 2, axis=1))
+    step = float(np.median(np.diff(since)))
+    # Differences of noise have less than four rows per period.
+    moves = np.ptp(found[0], axis=0) > _VISIBLE * np.maximum(fitted.curves.noise_std, 1e-12)
+    period = 2.0 * math.pi * rate[moves] / np.maximum(second_rate[moves], 1e-300)
+    rows = float(period.min(initial=math.inf)) / step
+    if rows < _FEWEST_PER_PERIOD:
+        finding = f"about {rows:.2g} rows per period of the fastest motion"
+        _warn(log, f"{finding}; accelerations are inaccurate; log {2 * _FEWEST_PER_PERIOD} rows or more")
 
 
 def _warn(log: LogSamples, text: str) -> None:

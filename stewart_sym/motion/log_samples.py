@@ -79,8 +79,6 @@ class LogSamples:
         Format with all units.
     unit_places : dict of str to str
         Origin of each unit, such as "line 3"; empty if the unit is the default.
-    dropped : ndarray
-        Lines below the header that are no samples.
     """
 
     source: str
@@ -90,7 +88,6 @@ class LogSamples:
     steps: dict[str, Array]
     file_format: TrajectoryFormat
     unit_places: dict[str, str]
-    dropped: Lines
 
     def angles(self) -> tuple[Array, Array, str]:
         """Return unwrapped angles (rad), (n, 3), their steps, (3,), and the order of the rotations.
@@ -184,7 +181,6 @@ def read_samples(
         },
         form,
         places,
-        np.setdiff1d(np.concatenate([table.lines, table.dropped]), table.lines[place[rows]]),
     )
 
 
