@@ -17,7 +17,7 @@ from ..kinematics.forward_kinematics import twist_per_rates
 from ..kinematics.inverse_kinematics import legs_or_overflow
 from ..motion.motion import Motion
 from ..motion.rotation import motion_about_axes, orthonormal, rotation_from_vector
-from ..motion.trajectory import Trajectory, Uncertainty, need_trajectory
+from ..motion.trajectory import Trajectory, Uncertainty
 from ..robot.robot import Robot
 from .forces import ForceKernel
 from .inverse_dynamics import Backend, Formulation, inverse_dynamics, with_compiler
@@ -83,7 +83,7 @@ def force_std(
     ((26, 6), True)
     """
     instance(robot, Robot, "robot")
-    need_trajectory(trajectory)
+    instance(trajectory, Trajectory, "trajectory")
     forces = forces_of(robot, formulation, backend)
     count = len(trajectory.time)
     starts = range(0, count, CHUNK)

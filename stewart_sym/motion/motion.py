@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -75,13 +75,7 @@ class Motion(Frozen):
         if (self.alpha is None) != (self.a is None):
             missing = "alpha" if self.alpha is None else "a"
             raise ValueError(f"{missing}: expected both accelerations, alpha and a, or neither")
-        arrays: dict[str, Array] = {}
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if value is not None or field.name in ("R", "t", "omega", "v"):
-                name = field.name
-                arrays[name] = rotations(value, name) if name == "R" else finite_array(value, (3,), name)
-        self._spread(arrays)
+        self._spread(_checked({field.name: getattr(self, field.name) for field in fields(self)}))
 
     def _spread(self, arrays: dict[str, Array]) -> None:
         """Store checked arrays without other owners, broadcast to one leading shape."""
@@ -256,26 +250,32 @@ class Motion(Frozen):
         >>> motion.omega.tolist()
         [0.0, 0.0, 1.0]
         """
-        turns = _turns((3,), {"theta": theta, "theta_dot": theta_dot, "theta_ddot": theta_ddot}, a)
-        *shape, _ = np.broadcast_shapes(*(array.shape for array in turns))
-        theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in turns)
-        R, omega, alpha = rotation.rpy_motion(theta, theta_dot, second[0] if second else None)
-        return cls._turned(R, omega, alpha, {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext})
+        turns = {"theta": theta, "theta_dot": theta_dot, "theta_ddot": theta_ddot}
+        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        return cls._turned(rotation.motion_about_axes, turns, given)
 
     @classmethod
     def _turned(
-        cls, R: Array, omega: Array, alpha: Array | None, given: dict[str, ArrayLike | None]
+        cls,
+        convert: Callable[..., tuple[Array, Array, Array]],
+        turns: dict[str, ArrayLike | None],
+        given: dict[str, ArrayLike | None],
     ) -> Motion:
-        checked = {
-            name: finite_array(value, (3,), name)
-            for name, value in given.items()
-            if value is not None or name in ("t", "v")
-        }
-        turned = {"R": R, "omega": omega} | ({} if alpha is None else {"alpha": alpha})
-        for name, array in turned.items():
+        """Create a motion from an orientation and its derivatives, which a function converts."""
+        second = list(turns)[-1]
+        if (given["a"] is None) != (turns[second] is None):
+            missing = "a" if given["a"] is None else second
+            raise ValueError(f"{missing}: expected both accelerations, a and {second}, or neither")
+        core = (4,) if "e" in turns else (3,)
+        arrays = {name: finite_array(value, core, name) for name, value in turns.items() if value is not None}
+        shape = (*_leading_shape(arrays), *core)
+        orientation = [np.broadcast_to(array, shape) for array in arrays.values()]
+        R, omega, alpha = convert(*orientation, *[np.zeros(shape)] * (3 - len(orientation)))
+        found = {"R": R, "omega": omega} | ({} if given["a"] is None else {"alpha": alpha})
+        for name, array in found.items():
             if not np.isfinite(array).all():
-                finite_array(array, (3, 3) if name == "R" else (3,), name)
-        return cls._sound(turned | checked)
+                finite_array(array, array.shape, name)
+        return cls._sound(found | _checked(given))
 
     @classmethod
     def from_quaternion(
@@ -318,11 +318,9 @@ class Motion(Frozen):
         ValueError
             If an argument is invalid, as in ``Motion``, or a quaternion has length zero.
         """
-        turns = _turns((4,), {"e": e, "e_dot": e_dot, "e_ddot": e_ddot}, a)
-        alpha = None if a is None else rotation.angular_acceleration_from_quaternion(*turns)
-        omega = rotation.angular_velocity_from_quaternion(*turns[:2])
-        R = rotation.rotation_from_quaternion(turns[0])
-        return cls._turned(R, omega, alpha, {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext})
+        turns = {"e": e, "e_dot": e_dot, "e_ddot": e_ddot}
+        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        return cls._turned(rotation.motion_of_quaternion, turns, given)
 
     @classmethod
     def from_rotation_vector(
@@ -365,13 +363,9 @@ class Motion(Frozen):
         ValueError
             If an argument is invalid, as in ``Motion``.
         """
-        turns = _turns((3,), {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}, a)
-        second = np.zeros(3) if a is None else turns[2]
-        omega, alpha = rotation.angular_motion_from_vector(turns[0], turns[1], second)
-        R = rotation.rotation_from_vector(turns[0])
-        second_rate = None if a is None else alpha
-        given: dict[str, Any] = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
-        return cls(R=R, omega=omega, alpha=second_rate, **given)
+        turns = {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}
+        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        return cls._turned(rotation.motion_of_vector, turns, given)
 
 
 def at_rest(
@@ -391,22 +385,20 @@ def pose_of(value: object, name: str, expected: str) -> Motion:
         return Motion(R=R, t=t, omega=np.zeros(3), v=np.zeros(3))
 
 
-def _turns(core: tuple[int, ...], given: dict[str, ArrayLike | None], a: ArrayLike | None) -> list[Array]:
-    """Check an orientation and its rates; the second rate and a must be given together."""
-    second = list(given)[-1]
-    if (a is None) != (given[second] is None):
-        missing = "a" if a is None else second
-        raise ValueError(f"{missing}: expected both accelerations, a and {second}, or neither")
-    checked = {name: finite_array(value, core, name) for name, value in given.items() if value is not None}
-    _leading_shape(checked)
-    return list(checked.values())
+def _checked(given: Mapping[str, object]) -> dict[str, Array]:
+    """Check and copy the arrays of a motion; the optional ones may be None."""
+    return {
+        name: rotations(value, name) if name == "R" else finite_array(value, (3,), name)
+        for name, value in given.items()
+        if value is not None or name in ("R", "t", "omega", "v")
+    }
 
 
 def _leading_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
     return leading_shape({name: x.shape[: -2 if name == "R" else -1] for name, x in arrays.items()})
 
 
-def rotations(value: ArrayLike, name: str, batch: bool = True) -> Array:
+def rotations(value: object, name: str, batch: bool = True) -> Array:
     """Check the rotation matrices of an argument, shape (..., 3, 3), and return them.
 
     Matrices of single precision are made orthonormal in double precision. Other matrices that are no
@@ -420,27 +412,18 @@ def rotations(value: ArrayLike, name: str, batch: bool = True) -> Array:
 
 
 def _check_rotation(R: Array, tolerance: float, name: str) -> None:
-    if R.size == 0:
-        return
+    """Raise ValueError unless matrices, (..., 3, 3), are rotations to a tolerance."""
     with np.errstate(over="ignore", invalid="ignore"):
         off = np.max(np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)), axis=(-2, -1))
-        bad = ~(off <= tolerance)
-    if np.any(bad):
-        where = tuple(int(i) for i in np.argwhere(bad)[0])
-        cause = ""
-        if off[where] <= FLOAT_TOLERANCE and np.array_equal(R[where], R[where].astype(np.float32)):
-            cause = f": these are numbers of single precision, give {name} as an array of float32"
-        raise ValueError(
-            f"{name}{_at(where)}: expected a rotation matrix, {name}^T {name} differs from E by "
-            f"{off[where]:.2g}{cause}"
-        )
-    mirrored = np.linalg.det(R) < 0.0
-    if np.any(mirrored):
-        where = tuple(int(i) for i in np.argwhere(mirrored)[0])
-        raise ValueError(
-            f"{name}{_at(where)}: expected a rotation matrix, this one is a reflection (det {name} = -1)"
-        )
-
-
-def _at(where: tuple[int, ...]) -> str:
-    return f"[{', '.join(str(i) for i in where)}]" if where else ""
+        mirrored = np.linalg.det(R) < 0.0
+    bad = ~(off <= tolerance) | mirrored
+    if not np.any(bad):
+        return
+    where = tuple(int(i) for i in np.argwhere(bad)[0])
+    finding = f"{name}^T {name} differs from E by {off[where]:.2g}"
+    if off[where] <= tolerance:
+        finding = f"this one is a reflection (det {name} = -1)"
+    elif off[where] <= FLOAT_TOLERANCE and np.array_equal(R[where], R[where].astype(np.float32)):
+        finding += f": these are numbers of single precision, give {name} as an array of float32"
+    place = f"[{', '.join(map(str, where))}]" if where else ""
+    raise ValueError(f"{name}{place}: expected a rotation matrix, {finding}")

@@ -13,8 +13,8 @@ _DECIMALS = 15
 # A double next to the nearest double of a decimal number is interpreted as this number only if adjacent
 # decimal numbers are at least this many doubles apart.
 _FAR_APART = 16.0
-# Number of times that are processed together.
-_PART = 1 << 10
+# Number of times that are examined first.
+_FIRST = 1 << 10
 
 
 def elapsed(times: Array) -> Array:
@@ -24,46 +24,25 @@ def elapsed(times: Array) -> Array:
     millisecond. If all times are the nearest doubles of numbers with a few decimals, they are interpreted as
     these numbers.
     """
-    return apart(times, times[:1], parts(times))
-
-
-def apart(later: Array, earlier: Array, per_second: float | None) -> Array:
-    """Return differences of times (s), which are whole numbers of parts of a second unless it is None."""
-    if per_second is None:
-        return np.asarray(later - earlier)
-    return np.asarray((np.rint(later * per_second) - np.rint(earlier * per_second)) / per_second)
-
-
-def lost(times: Array) -> float:
-    """Return the possible rounding error of times (s), shape (n,): 0 if ``elapsed`` recovers the times."""
-    return _resolution(times) if parts(times) is None else 0.0
-
-
-def parts(times: Array) -> float | None:
-    """Return the smallest power of ten of which all times, shape (n,), have whole parts of a second."""
-    resolution = _resolution(times)
-    starts = range(0, len(times), _PART)
+    resolution = float(np.spacing(np.abs(times).max(initial=0.0)))
     for decimals in range(_DECIMALS + 1):
         per_second = 10.0**decimals
         if 2.0 * resolution * per_second > 1.0:
             break
         # The sum of a start time and a step may be a double adjacent to the nearest one.
-        beside = _FAR_APART * resolution * per_second < 1.0
-        if all(_whole_numbers(times[i : i + _PART + 1], per_second, beside) for i in starts):
-            return per_second
-    return None
+        adjacent = _FAR_APART * resolution * per_second < 1.0
+        # Most numbers of decimals are excluded by the first times.
+        if all(_whole_numbers(some, per_second, adjacent) for some in (times[:_FIRST], times)):
+            count = np.rint(times * per_second)
+            return np.asarray((count - count[:1]) / per_second)
+    return np.asarray(times - times[:1])
 
 
-def _resolution(times: Array) -> float:
-    """Return the resolution of the double of the largest time (s)."""
-    return float(np.spacing(max(times.max(initial=0.0), -times.min(initial=0.0))))
-
-
-def _whole_numbers(times: Array, per_second: float, beside: bool) -> bool:
-    """Return True if times are different whole parts of a second; ``beside`` permits adjacent doubles."""
+def _whole_numbers(times: Array, per_second: float, adjacent: bool) -> bool:
+    """Return True if times are different whole parts of a second; ``adjacent`` permits adjacent doubles."""
     count = np.rint(times * per_second)
     off = np.abs(count / per_second - times)
-    return bool((off <= beside * np.spacing(np.abs(times))).all() and (np.diff(count) > 0.0).all())
+    return bool((off <= adjacent * np.spacing(np.abs(times))).all() and (np.diff(count) > 0.0).all())
 
 
 def least_step(times: Array) -> float:

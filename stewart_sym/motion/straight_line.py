@@ -168,22 +168,19 @@ class StraightLinePath:
         ValueError
             If a time is outside [0, tau_f].
         """
-        time = self._checked(tau)
-        t, v, a = _line(self.t0, self.t1, self.distance, self.V, self.tau_t, self.tau_f, time)
-        theta, theta_dot, theta_ddot = _line(
-            self.theta0, self.theta1, self.angle, self.Omega, self.tau_theta, self.tau_f, time
-        )
-        motion = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
-        Q = np.array(self.axes)
-        return motion if np.array_equal(Q, np.eye(3)) else motion.in_rotated_frames(Q)
-
-    def _checked(self, tau: ArrayLike) -> Array:
         time = real_array(tau, "tau", "times")
         slack = _ROUNDING * self.tau_f
         outside = ~((time >= -slack) & (time <= self.tau_f + slack))
         if np.any(outside):
             raise ValueError(f"tau: expected times in [0, {self.tau_f:g}] s, got {time[outside][0]:g}")
-        return np.clip(time, 0.0, self.tau_f)
+        time = np.clip(time, 0.0, self.tau_f)
+        t, v, a = _line(self.t0, self.t1, self.V, self.tau_t, self.tau_f, time)
+        theta, theta_dot, theta_ddot = _line(
+            self.theta0, self.theta1, self.Omega, self.tau_theta, self.tau_f, time
+        )
+        motion = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+        Q = np.array(self.axes)
+        return motion if np.array_equal(Q, np.eye(3)) else motion.in_rotated_frames(Q)
 
 
 def _check_speed(name: str, speed: float, distance: float, tau_f: float, unit: str) -> None:
@@ -203,31 +200,24 @@ def _blend(distance: float, speed: float, tau_f: float) -> float:
 
 
 def _line(
-    start: Vector, end: Vector, distance: float, speed: float, blend: float, tau_f: float, time: Array
+    start: Vector, end: Vector, speed: float, blend: float, tau_f: float, time: Array
 ) -> tuple[Array, Array, Array]:
     """Return the coordinates and their first and second derivatives, each (..., 3)."""
-    origin = np.array(start)
-    if distance == 0.0:
+    origin, change = np.array(start), np.subtract(end, start)
+    if not change.any():
         zero = np.zeros((*time.shape, 3))
         return origin + zero, zero, zero
-    direction = (np.array(end) - origin) / distance
-    acceleration = speed / blend
+    acceleration = speed / blend * change / math.dist(start, end)
+    time = time[..., None]
     left = tau_f - time
     rounding = _ROUNDING * tau_f
-    ending = left <= blend + rounding
-    starting = ~ending & (time < blend - rounding)
-    phases = [starting, ending]
-    x = np.select(
-        phases,
-        [0.5 * acceleration * time**2, -0.5 * acceleration * left**2],
-        speed * (time - 0.5 * blend),
-    )
-    x_dot = np.select(phases, [acceleration * time, acceleration * left], speed)
-    x_ddot = np.select(phases, [acceleration, -acceleration], 0.0)
+    ending, starting = left <= blend + rounding, time < blend - rounding
     # Both end values are exact, because coordinates are computed from the nearer end.
-    from_end = x[..., None] * direction
-    coordinates = np.where(ending[..., None], np.array(end), origin) + from_end
-    return coordinates, x_dot[..., None] * direction, x_ddot[..., None] * direction
+    near = np.minimum(time, left)
+    moved = np.where(near < blend, 0.5 * near**2, blend * (near - 0.5 * blend)) * acceleration
+    coordinates = np.where(time <= left, origin + moved, np.array(end) - moved)
+    sign = np.where(ending, -1.0, np.where(starting, 1.0, 0.0))
+    return coordinates, np.minimum(near, blend) * acceleration, sign * acceleration
 
 
 def _triple(value: object, name: str) -> Vector:
@@ -246,22 +236,10 @@ class PaperPath(NamedTuple):
 
 
 _FIRST = StraightLinePath(
-    t0=(0.1, 0.0, 0.4),
-    theta0=(0.0, 0.0, -0.2),
-    t1=(0.3, 0.0, 0.6),
-    theta1=(0.0, 0.0, 0.2),
-    tau_f=6.0,
-    V=0.08,
-    Omega=0.08,
+    (0.1, 0.0, 0.4), (0.0, 0.0, -0.2), (0.3, 0.0, 0.6), (0.0, 0.0, 0.2), tau_f=6.0, V=0.08, Omega=0.08
 )
 _THIRD = StraightLinePath(
-    t0=(0.4, 1.4, 1.2),
-    theta0=(0.1, 0.2, 0.0),
-    t1=(0.8, 1.8, 1.8),
-    theta1=(0.3, 0.4, 0.0),
-    tau_f=6.0,
-    V=0.2,
-    Omega=0.08,
+    (0.4, 1.4, 1.2), (0.1, 0.2, 0.0), (0.8, 1.8, 1.8), (0.3, 0.4, 0.0), tau_f=6.0, V=0.2, Omega=0.08
 )
 PAPER_PATHS: Mapping[str, PaperPath] = MappingProxyType(
     {

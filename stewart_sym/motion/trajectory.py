@@ -8,7 +8,6 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.toml_reader import number
 from . import rotation
@@ -172,26 +171,22 @@ class Trajectory:
             raise ValueError(
                 f"{self.source}: leg lengths have no poses yet; use read_trajectory with the robot"
             )
-        (q, q_dot, q_ddot), loads = self.coordinates[:, index], self._loads(index)
+        q, q_dot, q_ddot = self.coordinates[:, index]
+        given = {"F_ext": self.F_ext, "M_ext": self.M_ext}
+        loads = {name: load[index] for name, load in given.items() if load is not None}
         R, omega, alpha = rotation.motion_about_axes(q[..., 3:], q_dot[..., 3:], q_ddot[..., 3:], self.order)
         motion = Motion(
             R=R, t=q[..., :3], omega=omega, v=q_dot[..., :3], alpha=alpha, a=q_ddot[..., :3], **loads
         )
         return motion if self.tool is None else motion.at_point(-self.tool)
 
-    def _loads(self, index: Index) -> dict[str, Array]:
-        given = {"F_ext": self.F_ext, "M_ext": self.M_ext}
-        return {name: load[index] for name, load in given.items() if load is not None}
-
     def of_tool(self, tool: Array) -> Self:
         """Return the trajectory whose poses and loads refer to a point (m, platform frame), shape (3,)."""
         if not tool.any():
             return self
         if self.in_joints:
-            moment = None if self.F_ext is None else np.cross(tool, self.F_ext)
-            if moment is not None and self.M_ext is not None:
-                moment = self.M_ext + moment
-            return self if moment is None else replace(self, M_ext=moment)
+            moment = 0.0 if self.M_ext is None else self.M_ext
+            return self if self.F_ext is None else replace(self, M_ext=moment + np.cross(tool, self.F_ext))
         noise = None if self.noise is None else replace(self.noise, tool=tool)
         return replace(self, tool=tool, noise=noise)
 
@@ -201,11 +196,6 @@ class Trajectory:
         assert self.in_joints
         assert self.coordinates is not None
         return self.coordinates
-
-
-def need_trajectory(value: object) -> None:
-    """Raise ValueError unless a value is a Trajectory of poses."""
-    instance(value, Trajectory, "trajectory")
 
 
 MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)

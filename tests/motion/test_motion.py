@@ -13,10 +13,10 @@ from motion_fields import skew_part
 
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import (
+    motion_about_axes,
     quaternion_from_rotation,
     rotation_from_rpy,
     rpy_from_rotation,
-    rpy_motion,
 )
 
 ZERO = np.zeros(3)
@@ -92,7 +92,7 @@ def test_omega_is_the_skew_part_of_R_dot_R_transposed(
     h = 1e-5
     ahead, behind = np.add(theta, h * np.array(rate)), np.subtract(theta, h * np.array(rate))
     R_dot = (rotation_from_rpy(ahead) - rotation_from_rpy(behind)) / (2.0 * h)
-    omega = rpy_motion(np.array(theta), np.array(rate), None)[1]
+    omega = motion_about_axes(np.array(theta), np.array(rate), ZERO)[1]
     np.testing.assert_allclose(omega, skew_part(R_dot @ rotation_from_rpy(theta).T), atol=3e-7)
 
 
@@ -105,10 +105,10 @@ def test_alpha_is_the_derivative_of_omega(
     x, v, a = np.array(theta), np.array(rate), np.array(second)
 
     def omega(time: float) -> Array:
-        return rpy_motion(x + v * time + 0.5 * a * time**2, v + a * time, None)[1]
+        return motion_about_axes(x + v * time + 0.5 * a * time**2, v + a * time, a)[1]
 
     difference = (omega(h) - omega(-h)) / (2.0 * h)
-    alpha = rpy_motion(x, v, a)[2]
+    alpha = motion_about_axes(x, v, a)[2]
     np.testing.assert_allclose(alpha, difference, atol=3e-6)
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.kinematics.conditioning import characteristic_length
-from stewart_sym.motion.rotation import angular_motion_from_vector, rotation_from_vector
+from stewart_sym.motion.rotation import motion_of_vector, rotation_from_vector
 
 Array = NDArray[np.float64]
 
@@ -38,10 +38,8 @@ class SmoothPath:
         x = self.start + share * self.change + np.sin(angle) @ self.sine
         x_1 = (self.change + (rate * np.cos(angle)) @ self.sine) / self.duration
         x_2 = -((rate**2 * np.sin(angle)) @ self.sine) / self.duration**2
-        omega, alpha = angular_motion_from_vector(x[:, 3:], x_1[:, 3:], x_2[:, 3:])
-        return ss.Motion(
-            R=rotation_from_vector(x[:, 3:]), t=x[:, :3], omega=omega, v=x_1[:, :3], alpha=alpha, a=x_2[:, :3]
-        )
+        R, omega, alpha = motion_of_vector(x[:, 3:], x_1[:, 3:], x_2[:, 3:])
+        return ss.Motion(R=R, t=x[:, :3], omega=omega, v=x_1[:, :3], alpha=alpha, a=x_2[:, :3])
 
 
 def random_case(rng: np.random.Generator) -> tuple[ss.Robot, SmoothPath]:
