@@ -1,8 +1,10 @@
 """CSV logs as columns of numbers: encoding, delimiter, decimal mark, header, and rows without numbers."""
 
+import contextlib
 import csv
+import itertools
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,12 +16,14 @@ from ..io.toml_reader import opened
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
 
-# Number of lines that are converted together if some line of the file is no row of numbers.
+# Number of lines that are converted together.
 _PART = 4096
+# Number of digits of nanoseconds since 1970, which a double cannot represent.
+_LONG = 16
+_BETWEEN_NUMBERS = re.compile(r"[\s;]+|,(?=\s|[-+\d])")
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?")
 _INSTANT = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ])?(\d\d:\d\d:\d\d(?:\.\d{1,9})?)(?:Z|[-+]\d\d:?\d\d)?")
 _UNIT = re.compile(r"(.*?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]")
-
 
 Lines = NDArray[np.int64]
 """Line numbers, from 1."""
@@ -69,19 +73,19 @@ class CsvTable:
         good : ndarray of bool, shape (n,)
             True for rows whose cells are all finite numbers.
         """
-        places = [self.header.index(name) for name in names if name != clock]
-        values = _numbers(self._texts, len(self.header), places, self._delimiter, self._decimal)
-        found = dict(zip([name for name in names if name != clock], values.T, strict=True))
+        names = [name for name in names if name != clock]
+        places = [self.header.index(name) for name in names]
+        found = dict(zip(names, _numbers(self._texts, places, self._delimiter, self._decimal).T, strict=True))
         if clock is not None:
             place = self.header.index(clock)
-            found[clock] = _seconds([_cells(text, self._delimiter)[place:][:1] for text in self._texts])
+            found[clock] = _seconds([_cells(text, self._delimiter)[place] for text in self._texts])
         good = np.logical_and.reduce([np.isfinite(column) for column in found.values()])
         return {name: column[good] for name, column in found.items()}, good
 
-    def first(self, name: str) -> str:
-        """Return the cell of a column in the first row."""
-        cells = _cells(self._texts[0], self._delimiter) if len(self._texts) else []
-        return cells[self.header.index(name)] if len(cells) == len(self.header) else ""
+    def has_instants(self, name: str) -> bool:
+        """Return True if a column begins with a date, a time of day, or nanoseconds since 1970."""
+        cell = _cells(self._texts[0], self._delimiter)[self.header.index(name)] if self._texts else ""
+        return not np.isnat(_instant(cell)) and (not cell.isdigit() or len(cell) > _LONG)
 
 
 def read_table(
@@ -113,9 +117,9 @@ def read_table(
         text = _decoded(stream.read())
     lines = text.splitlines()
     place, header, mark = _header(lines, source, None if delimiter is None else DELIMITERS[delimiter])
-    names, units = zip(*map(split_unit, header), strict=True)
+    names, stated_units = zip(*map(split_unit, header), strict=True)
     below = [i for i in range(place + 1, len(lines)) if lines[i].strip(' \t;,"') and lines[i][0] not in "#%"]
-    stated = dict(zip(names, units, strict=True))
+    stated = dict(zip(names, stated_units, strict=True))
     if below and (row := _cells(lines[below[0]], mark)) and _is_unit_row(row, len(names)):
         stated = {
             name: unit or cell.strip("[]() ") for (name, unit), cell in zip(stated.items(), row, strict=True)
@@ -126,17 +130,11 @@ def read_table(
     numbers = np.array(below) + 1
     texts = [lines[i] for i in below]
     comma = _has_decimal_comma(texts, mark) if decimal is None else decimal == "comma"
-    right = np.array([_count(text, mark) == len(names) for text in texts])
-    return CsvTable(
-        source,
-        names,
-        {name: unit for name, unit in stated.items() if unit},
-        numbers[right],
-        numbers[~right],
-        texts if right.all() else [text for text, good in zip(texts, right, strict=True) if good],
-        mark,
-        "," if comma else ".",
-    )
+    widths = (len(_cells(text, mark)) if '"' in text else text.count(mark) + 1 for text in texts)
+    right = np.array([width == len(names) for width in widths])
+    units = {name: unit for name, unit in stated.items() if unit}
+    texts = list(itertools.compress(texts, right))
+    return CsvTable(source, names, units, numbers[right], numbers[~right], texts, mark, "," if comma else ".")
 
 
 def split_unit(cell: str) -> tuple[str, str]:
@@ -170,44 +168,28 @@ def _header(lines: Sequence[str], source: str, given: str | None) -> tuple[int, 
         elif text.startswith(("#", "%")):
             comment = text.lstrip("#% ")
         elif text.strip(" \t,;"):
-            mark = stated or max(DELIMITERS.values(), key=(comment if is_number_row(line) else line).count)
+            is_row = all(not cell or is_number(cell) for cell in _BETWEEN_NUMBERS.split(line.strip()))
+            mark = stated or max(DELIMITERS.values(), key=(comment if is_row else line).count)
             cells = _cells(line, mark)
             if comment and all(map(is_number, cells)) and len(_cells(comment, mark)) == len(cells):
                 return i - 1, _cells(comment, mark), mark
             if all(map(is_number, cells)):
-                raise ValueError(
-                    f"{source}: line {i + 1}: no header line; name the columns in a line above the numbers"
-                )
-            return i, _named(cells), mark
+                place = f"{source}: line {i + 1}"
+                raise ValueError(f"{place}: no header line; name the columns in a line above the numbers")
+            return i, [cell or f"column {place + 1}" for place, cell in enumerate(cells)], mark
     raise ValueError(f"{source}: the file is empty; write a header line and rows of numbers")
 
 
-def is_number_row(line: str) -> bool:
-    """Return True if a line consists of numbers and delimiters."""
-    return all(not cell or is_number(cell) for cell in re.split(r"[\s;]+|,(?=\s|[-+\d])", line.strip()))
-
-
-def _named(cells: list[str]) -> list[str]:
-    """Return the cells of a header, with names for empty ones."""
-    return [cell or f"column {i + 1}" for i, cell in enumerate(cells)]
-
-
 def _cells(line: str, delimiter: str) -> list[str]:
+    """Split a line into cells without blanks and quotation marks."""
     cells = next(csv.reader([line], delimiter=delimiter)) if '"' in line else line.split(delimiter)
     return [cell.strip() for cell in cells]
 
 
-def _count(line: str, delimiter: str) -> int:
-    return len(_cells(line, delimiter)) if '"' in line else line.count(delimiter) + 1
-
-
 def _is_unit_row(cells: Sequence[str], width: int) -> bool:
     """Return True for a row without numbers and dates whose cells are short."""
-    return (
-        len(cells) == width
-        and any(cells)
-        and all(len(cell) < 12 and not re.search(r"\d{2}|^\d", cell) for cell in cells)
-    )
+    short = all(len(cell) < 12 and not re.search(r"\d{2}|^\d", cell) for cell in cells)
+    return len(cells) == width and any(cells) and short
 
 
 def _has_decimal_comma(texts: Sequence[str], delimiter: str) -> bool:
@@ -219,52 +201,38 @@ def _has_decimal_comma(texts: Sequence[str], delimiter: str) -> bool:
     return any("," in cell for cell in numbers) and not any("." in cell for cell in numbers)
 
 
-def _numbers(texts: Sequence[str], width: int, places: list[int], delimiter: str, decimal: str) -> Array:
+def _numbers(texts: Sequence[str], places: list[int], delimiter: str, decimal: str) -> Array:
     """Convert columns of lines to numbers, NaN for other cells, shape (n, places)."""
-    mended: Callable[[str], str] = str if decimal == "." else (lambda text: text.replace(",", "."))
-
-    def converted(part: Sequence[str]) -> Array:
-        lines = part if decimal == "." else [mended(text) for text in part]
-        columns = None if places == list(range(width)) else places
-        return np.loadtxt(lines, delimiter=delimiter, comments=None, usecols=columns, ndmin=2, quotechar='"')
-
-    if not texts:
-        return np.empty((0, len(places)))
-    try:
-        return converted(texts)
-    except ValueError:
-        found = np.full((len(texts), len(places)), np.nan)
+    found = np.full((len(texts), len(places)), np.nan)
     for start in range(0, len(texts), _PART):
         part = texts[start : start + _PART]
+        lines = part if decimal == "." else [text.replace(decimal, ".") for text in part]
         try:
-            found[start : start + len(part)] = converted(part)
+            found[start : start + _PART] = np.loadtxt(
+                lines, delimiter=delimiter, comments=None, usecols=places, ndmin=2, quotechar='"'
+            )
         except ValueError:
             for i, text in enumerate(part, start):
                 cells = _cells(text, delimiter)
-                numbers = [mended(cells[place]) for place in places]
+                numbers = [cells[place].replace(decimal, ".") for place in places]
                 found[i] = [float(each) if is_number(each) else np.nan for each in numbers]
     return found
 
 
-def _seconds(cells: Sequence[Sequence[str]]) -> Array:
+def _seconds(cells: Sequence[str]) -> Array:
     """Convert dates (ISO 8601), times of day, or integers of nanoseconds to seconds since the first one."""
-    instants = np.array(
-        [_instant(cell[0]) if cell else np.datetime64("NaT") for cell in cells], "datetime64[ns]"
-    )
-    valid = instants[~np.isnat(instants)]
-    since = (instants - valid[0]) / np.timedelta64(1, "ns") if valid.size else np.full(len(instants), np.nan)
-    return np.where(np.isnat(instants), np.nan, since) / 1e9
+    instants = np.array([_instant(cell) for cell in cells], "datetime64[ns]")
+    missing = np.isnat(instants)
+    since = (instants - instants[np.argmin(missing)]) / np.timedelta64(1, "ns")
+    return np.where(missing, np.nan, since) / 1e9
 
 
 def _instant(text: str) -> np.datetime64:
     """Return the instant of a cell; NaT if it is none."""
-    if text.isdigit():
-        return np.datetime64(int(text), "ns")
     found = _INSTANT.fullmatch(text.replace(",", "."))
-    if found is None:
-        return np.datetime64("NaT")
-    day, clock = found[1] or "1970-01-01", found[2]
-    try:
-        return np.datetime64(f"{day}T{clock}", "ns")
-    except ValueError:
-        return np.datetime64("NaT")
+    with contextlib.suppress(ValueError, OverflowError):
+        if text.isdigit():
+            return np.datetime64(int(text), "ns")
+        if found is not None:
+            return np.datetime64(f"{found[1] or '1970-01-01'}T{found[2]}", "ns")
+    return np.datetime64("NaT")

@@ -10,9 +10,9 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
-from .csv_table import read_table
+from .csv_table import read_table, split_unit
 from .log_rates import as_given, rates_of
-from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, number_columns
+from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, plain_unit, warn_of_dropped
 from .rate_checks import rate_error
 from .rotation import angle_rates, motion_about_axes, rotation_about_axes
 from .trajectory import SmoothingOptions, Trajectory, turn_doubt
@@ -112,8 +112,16 @@ def read_leg_columns(
     """
     source = os.fsdecode(path)
     table = read_table(source, form.delimiter, form.decimal, "forces")
-    group = next((each for each in groups if each[0] in table.header or each[0] in form.columns), groups[0])
-    return number_columns(table, group, form)
+    names = next((each for each in groups if each[0] in table.header or each[0] in form.columns), groups[0])
+    cells = [split_unit(form.columns.get(name, name))[0] for name in ("time", *names)]
+    for name, cell in zip(("time", *names), cells, strict=True):
+        if cell not in table.header:
+            raise ValueError(f"{source}: no column {name}; name it with columns {name}=HEADER")
+    numbers, good = table.columns(cells)
+    warn_of_dropped(table, good)
+    unit = form.time_unit or plain_unit(table.units.get(cells[0], ""), "time") or "s"
+    time, *values = (numbers[cell] for cell in cells)
+    return time / round(1.0 / TIME_UNITS[unit]), np.stack(values, axis=-1), names, table.lines[good].tolist()
 
 
 def _coordinates(samples: LogSamples) -> tuple[Array, Array, str]:

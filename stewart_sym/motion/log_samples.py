@@ -12,7 +12,7 @@ from ..io.arguments import safe_text
 from ..io.array_types import Array, Flags
 from ..io.error_policy import warn
 from . import rotation
-from .csv_table import CsvTable, Lines, is_number, read_table, split_unit
+from .csv_table import CsvTable, Lines, read_table, split_unit
 from .sample_times import time_text
 from .trajectory_format import PLAIN, UNITS, TrajectoryFormat, TrajectoryWarning
 
@@ -31,15 +31,10 @@ _ALIASES = {
 }
 # Kind of unit and power of the time in its denominator, by vector.
 _QUANTITIES = {
-    **{
-        "time": ("time_unit", 0),
-        "t": ("length_unit", 0),
-        "L": ("length_unit", 0),
-        "theta": ("angle_unit", 0),
-    },
-    **{"v": ("length_unit", 1), "L_dot": ("length_unit", 1), "theta_dot": ("angle_unit", 1)},
-    **{"a": ("length_unit", 2), "L_ddot": ("length_unit", 2), "theta_ddot": ("angle_unit", 2)},
-    **{"F_ext": ("unit of force", 0), "M_ext": ("unit of moment", 0)},
+    **{"time": ("time_unit", 0), "F_ext": ("unit of force", 0), "M_ext": ("unit of moment", 0)},
+    **{name: ("length_unit", power) for power, name in enumerate("tva")},
+    **{f"L{rate}": ("length_unit", power) for power, rate in enumerate(("", "_dot", "_ddot"))},
+    **{f"theta{rate}": ("angle_unit", power) for power, rate in enumerate(("", "_dot", "_ddot"))},
 }
 _KNOWN_UNITS = {**UNITS, "unit of force": {"N": 1.0}, "unit of moment": {"Nm": 1.0}}
 _PER_SECOND = ("", "/s", "/s2")
@@ -48,8 +43,6 @@ _SPELLED |= {"µs": "us", "μs": "us", "meters": "m", "seconds": "s", "n": "N", 
 _DEFAULTS = {"length_unit": "m", "angle_unit": "rad", "time_unit": "s"}
 # Numbers of a year after 1970; a time since then in another unit is 1000 times as large.
 _YEAR = 3.0e7
-# Number of digits of nanoseconds since 1970, which a double cannot represent.
-_LONG = 16
 _MOST_DECIMALS = 12
 # Number of different values that show the rounding of a column.
 _FEWEST_VALUES = 8
@@ -140,45 +133,48 @@ def read_samples(
     table = read_table(source, form.delimiter, form.decimal)
     if _is_standard(table, defaults):
         defaults = TrajectoryFormat(euler_order=defaults.euler_order)
-    given, own_rate, form = _given(form), form.row_rate, form.with_defaults(defaults)
+    stated, form = form, form.with_defaults(defaults)
     found = _columns(table, form)
-    if own_rate is not None and "time" in found:
+    if stated.row_rate is not None and "time" in found:
         raise ValueError(f"{source}: row_rate: the file has times; omit row_rate")
     vectors = _needed(found, table.header, source)
-    stated, places = _units(table, found, given)
-    places |= {kind: "the robot file" for kind in _given(defaults) if kind not in places}
-    stated = _given(defaults) | stated | given
-    clock = _clock(table, found.get("time"), stated.get("time_unit"))
+    units, places = _units(table, found, stated, defaults)
+    clock = found.get("time")
+    if clock is not None and not table.has_instants(clock):
+        clock = None
     components = [each for name in vectors for each in components_of(name)]
-    wanted = [found[each] for each in components] + [found[each] for each in ("time",) if each in found]
-    numbers, good = table.columns(wanted, clock)
-    _warn_of_dropped(table, good, wanted)
+    cells = [found[each] for each in (*components, "time") if each in found]
+    numbers, good = table.columns(cells, clock)
+    warn_of_dropped(table, good)
     place = np.flatnonzero(good)
     used = ~np.isin(table.lines[place], form.drop_lines)
     numbers, place = {name: column[used] for name, column in numbers.items()}, place[used]
-    raw = numbers.get(found.get("time", ""))
-    if clock is None and raw is not None and "time_unit" not in stated:
-        stated["time_unit"] = _unit_since_1970(raw) or "s"
-    units: dict[str, Any] = _DEFAULTS | stated
-    form = dataclasses.replace(form, **units)
-    time = raw if raw is None or clock else raw / round(1.0 / UNITS["time_unit"][form.time_unit or "s"])
-    if raw is None and form.row_rate is not None:
+    time = numbers.get(found.get("time", ""))
+    if time is None and form.row_rate is not None:
         time = place / form.row_rate
-    elif raw is None:
+    elif time is None:
         finding = f"{source}: no column of times; the rows are poses at rest"
         warn(f"{finding}; state row_rate if they are samples over time", TrajectoryWarning)
-    columns = {each: _scaled(each, numbers[found[each]], form) for each in components}
+    elif clock is None:
+        unit = units.setdefault("time_unit", _unit_since_1970(time))
+        # A division has a smaller rounding error than a multiplication by a power of ten.
+        time = time / round(1.0 / UNITS["time_unit"][unit])
+    known: dict[str, Any] = {**_DEFAULTS, **units}
+    form = dataclasses.replace(form, **known)
+    columns, steps = {}, {}
+    for each in components:
+        factor = UNITS.get(_quantity(each)[0], {}).get(getattr(form, _quantity(each)[0], ""), 1.0)
+        scale, offset = form.scales.get(each, 1.0), form.offsets.get(each, 0.0)
+        columns[each] = (numbers[found[each]] * scale + offset) * factor
+        steps[each] = _step(numbers[found[each]]) * abs(scale) * factor
     rows = _increasing(time, columns, table.lines[place], source)
-    time = None if time is None else time[rows]
+    lines = table.lines[place[rows]]
     return LogSamples(
         source,
-        table.lines[place[rows]],
-        time,
+        lines,
+        None if time is None else time[rows],
         {name: np.stack([columns[each][rows] for each in components_of(name)], axis=-1) for name in vectors},
-        {
-            name: np.array([_step(each, numbers[found[each]], form) for each in components_of(name)])
-            for name in vectors
-        },
+        {name: np.array([steps[each] for each in components_of(name)]) for name in vectors},
         form,
         places,
     )
@@ -214,15 +210,13 @@ def _columns(table: CsvTable, form: TrajectoryFormat) -> dict[str, str]:
                 f"{table.source}: no column {given!r}, given for {name}; columns: {_few(table.header)}"
             )
         found[name] = plain
-    taken = set(found.values())
-    for cell in table.header:
+    for cell in [cell for cell in table.header if cell not in found.values()]:
         known = _name_and_unit(cell)[0]
-        if known is None or cell in taken or known in form.columns:
+        if known is None or known in form.columns:
             continue
         if known in found:
-            raise ValueError(
-                f"{table.source}: columns {found[known]!r} and {cell!r} are both {known}; rename one of them"
-            )
+            finding = f"columns {found[known]!r} and {cell!r} are both {known}"
+            raise ValueError(f"{table.source}: {finding}; rename one of them")
         found[known] = cell
     return found
 
@@ -232,8 +226,7 @@ def _name_and_unit(cell: str) -> tuple[str | None, str]:
     for text, unit in ((cell, ""), cell.rpartition("_")[::2]):
         plain = re.sub(r"[\s_.\-]", "", text).lower()
         name = text if text == "time" else _COMPONENTS.get(plain) or _ALIASES.get(plain)
-        known = name is not None and (not unit or _plain_unit(unit, name) is not None)
-        if known:
+        if name is not None and (not unit or plain_unit(unit, name) is not None):
             return name, unit
     return None, ""
 
@@ -266,75 +259,54 @@ def _needed(found: Mapping[str, str], header: Sequence[str], source: str) -> lis
 
 
 def _units(
-    table: CsvTable, found: Mapping[str, str], given: Mapping[str, str]
+    table: CsvTable, found: Mapping[str, str], stated: TrajectoryFormat, defaults: TrajectoryFormat
 ) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the units that the file states by kind, and the origin of these and of given units."""
-    stated: dict[str, str] = {}
-    places = dict.fromkeys(given, "the options")
+    """Return the units by kind, from the options, the header, or the robot file, and their origins."""
+    units = {kind: unit for kind in UNITS if (unit := getattr(stated, kind)) is not None}
+    places = dict.fromkeys(units, "the options")
+    header: dict[str, str] = {}
     for name, cell in found.items():
         text = table.units.get(cell) or _name_and_unit(cell)[1]
-        kind = _QUANTITIES.get(name.rpartition("_")[0] or name, ("", 0))[0]
+        kind = _quantity(name)[0]
         if not text or not kind:
             continue
-        unit = _plain_unit(text, name)
+        unit, place = plain_unit(text, name), f"{table.source}: column {cell}"
         if unit is None:
             known = ", ".join(_KNOWN_UNITS[kind])
-            raise ValueError(
-                f"{table.source}: column {cell}: unknown unit {text!r}; convert it to one of {known}"
-            )
-        if stated.setdefault(kind, unit) != unit:
-            raise ValueError(
-                f"{table.source}: column {cell}: {unit} and {stated[kind]} in one file; use one {kind}"
-            )
-        places.setdefault(kind, "the header")
-        if given.get(kind, unit) != unit:
-            text = f"{table.source}: column {cell}: unit {unit} contradicts {kind}={given[kind]}"
-            warn(f"{text}, which is used; correct one of them", TrajectoryWarning)
-    return {kind: unit for kind, unit in stated.items() if kind in _DEFAULTS}, places
+            raise ValueError(f"{place}: unknown unit {text!r}; convert it to one of {known}")
+        if header.setdefault(kind, unit) != unit:
+            raise ValueError(f"{place}: {unit} and {header[kind]} in one file; use one {kind}")
+        if units.get(kind, unit) != unit:
+            finding = f"{place}: unit {unit} contradicts {kind}={units[kind]}"
+            warn(f"{finding}, which is used; correct one of them", TrajectoryWarning)
+    for kind in UNITS:
+        for unit, place in ((header.get(kind), "the header"), (getattr(defaults, kind), "the robot file")):
+            if kind not in units and unit is not None:
+                units[kind], places[kind] = unit, place
+    return units, places
 
 
-def _given(form: TrajectoryFormat) -> dict[str, str]:
-    return {kind: getattr(form, kind) for kind in _DEFAULTS if getattr(form, kind) is not None}
+def _quantity(name: str) -> tuple[str, int]:
+    """Return the kind of unit of a column, and the power of the time in its denominator."""
+    return _QUANTITIES.get(name.rpartition("_")[0] or name, ("", 0))
 
 
-def _plain_unit(text: str, name: str) -> str | None:
+def plain_unit(text: str, name: str) -> str | None:
     """Return a key of the known units for a text, without the denominator of rates; None for another unit."""
-    kind, times = _QUANTITIES.get(name.rpartition("_")[0] or name, ("", 0))
+    kind, times = _quantity(name)
     plain = re.sub(r"[\s·*^()\[\]]", "", text.replace("²", "2")).removesuffix(_PER_SECOND[times])
     unit = _SPELLED.get(plain.lower(), plain if plain in ("N", "Nm") else plain.lower())
     return unit if unit in _KNOWN_UNITS.get(kind, {}) else None
 
 
-def _clock(table: CsvTable, cell: str | None, unit: str | None) -> str | None:
-    """Return the column of times if its cells are dates, times of day, or nanoseconds since 1970."""
-    if cell is None:
-        return None
-    first = table.first(cell)
-    return (
-        cell
-        if not is_number(first) or (first.isdigit() and len(first) > _LONG and unit in (None, "ns"))
-        else None
-    )
+def _unit_since_1970(time: Array) -> str:
+    """Return the unit of times since 1970, which their size determines; s for smaller times."""
+    sizes = {"us": 1e6 * _YEAR, "ms": 1e3 * _YEAR}
+    return next((unit for unit, least in sizes.items() if len(time) and abs(time[0]) > least), "s")
 
 
-def _unit_since_1970(time: Array) -> str | None:
-    """Return the unit of times since 1970, which their size determines; None for smaller times."""
-    sizes = {"us": 1e6 * _YEAR, "ms": 1e3 * _YEAR, "s": _YEAR}
-    return next((unit for unit, least in sizes.items() if len(time) and abs(time[0]) > least), None)
-
-
-def _scaled(name: str, values: Array, form: TrajectoryFormat) -> Array:
-    """Return a column in SI units, with its scale and offset."""
-    return (values * form.scales.get(name, 1.0) + form.offsets.get(name, 0.0)) * _si(name, form)
-
-
-def _si(name: str, form: TrajectoryFormat) -> float:
-    kind = _QUANTITIES.get(name.rpartition("_")[0], ("", 0))[0]
-    return UNITS[kind][getattr(form, kind)] if kind in UNITS else 1.0
-
-
-def _step(name: str, values: Array, form: TrajectoryFormat) -> float:
-    """Return the step (SI) to which a column is rounded to decimals; 0 if there is none.
+def _step(values: Array) -> float:
+    """Return the step to which a column is rounded to decimals; 0 if there is none.
 
     Few or nearly constant values do not show their rounding.
     """
@@ -344,69 +316,43 @@ def _step(name: str, values: Array, form: TrajectoryFormat) -> float:
     for decimals in range(_MOST_DECIMALS):
         count = some * 10.0**decimals
         if np.all(np.abs(count - np.rint(count)) <= _ROUNDING * np.abs(count)):
-            return 10.0**-decimals * abs(form.scales.get(name, 1.0)) * _si(name, form)
+            return 10.0**-decimals
     return 0.0
 
 
-def _warn_of_dropped(table: CsvTable, good: Flags, wanted: Sequence[str]) -> None:
+def warn_of_dropped(table: CsvTable, good: Flags) -> None:
     """Warn of rows that are not numbers; raise ValueError if they are too many."""
     dropped = np.sort(np.concatenate([table.dropped, table.lines[~good]]))
-    if not len(dropped):
-        return
     if len(dropped) > _MOST_DROPPED * (len(dropped) + np.count_nonzero(good)):
         raise ValueError(f"{table.source}: line {dropped[0]}: no row of numbers; check delimiter and decimal")
-    warn(
-        f"{table.source}: rows without numbers ({line_ranges(dropped)}); they are not used; complete them",
-        TrajectoryWarning,
-    )
+    if len(dropped):
+        finding = f"{table.source}: rows without numbers ({line_ranges(dropped)})"
+        warn(f"{finding}; they are not used; complete them", TrajectoryWarning)
 
 
 def line_ranges(lines: Lines, most: int = 8) -> str:
     """Format line numbers such as ``lines 3, 7-9 and 5 more``."""
-    breaks = np.flatnonzero(np.diff(lines) > 1)
-    first, last = lines[np.r_[0, breaks + 1]], lines[np.r_[breaks, len(lines) - 1]]
-    texts = [f"{a}" if a == b else f"{a}-{b}" for a, b in zip(first, last, strict=True)]
+    runs = np.split(lines, np.flatnonzero(np.diff(lines) > 1) + 1)
+    texts = [f"{run[0]}" if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs]
     more = f" and {len(texts) - most} more places" if len(texts) > most else ""
     return f"line{'s' if len(lines) > 1 else ''} {', '.join(texts[:most])}{more}"
 
 
 def _increasing(time: Array | None, columns: Mapping[str, Array], lines: Lines, source: str) -> Lines:
     """Return the indices of rows without repeated ones; raise ValueError for times that do not increase."""
-    count = len(lines)
-    if not count:
+    if not len(lines):
         raise ValueError(f"{source}: no rows of numbers below the header; add rows")
     if time is None:
-        return np.arange(count)
-    again = np.zeros(count, dtype=bool)
-    again[1:] = np.diff(time) == 0.0
-    for column in columns.values():
-        again[1:] &= np.diff(column) == 0.0
-    rows = np.flatnonzero(~again)
+        return np.arange(len(lines))
+    again = [np.diff(column, prepend=np.nan) == 0.0 for column in (time, *columns.values())]
+    rows = np.flatnonzero(~np.logical_and.reduce(again))
     late = np.flatnonzero(np.diff(time[rows]) <= 0.0)
     if late.size:
         before, after = (time_text(each) for each in time[rows[late[0] : late[0] + 2]])
-        line = lines[rows[late[0] + 1]]
-        raise ValueError(
-            f"{source}: line {line}: time: {after} follows {before}; sort the rows or drop the line"
-        )
+        place = f"{source}: line {lines[rows[late[0] + 1]]}: time"
+        raise ValueError(f"{place}: {after} follows {before}; sort the rows or drop the line")
     return rows
 
 
 def _few(names: Sequence[str]) -> str:
     return ", ".join(safe_text(name[:40]) for name in names[:12])
-
-
-def number_columns(
-    table: CsvTable, names: Sequence[str], form: TrajectoryFormat
-) -> tuple[Array, Array, tuple[str, ...], list[int]]:
-    """Return times (s), columns by name or as given by the format, (n, c), the names, and the lines."""
-    cells = [split_unit(form.columns.get(name, name))[0] for name in ("time", *names)]
-    for name, cell in zip(("time", *names), cells, strict=True):
-        if cell not in table.header:
-            raise ValueError(f"{table.source}: no column {name}; name it with columns {name}=HEADER")
-    numbers, good = table.columns(cells)
-    _warn_of_dropped(table, good, cells)
-    unit = form.time_unit or _plain_unit(table.units.get(cells[0], ""), "time") or "s"
-    time = numbers[cells[0]] / round(1.0 / UNITS["time_unit"][unit])
-    values = np.stack([numbers[cell] for cell in cells[1:]], axis=-1)
-    return time, values, tuple(names), table.lines[good].tolist()
