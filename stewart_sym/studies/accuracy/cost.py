@@ -29,7 +29,7 @@ from ...motion.motion import Motion
 from ...precision.truth import Truth, deviation
 from ...robot.robot import Robot
 from ..common import host
-from ..common.kernel_loop import kernel_loop
+from ..common.kernel_loop import batch, loop
 from ..common.output import Figures
 from ..common.timing import Task, measured, repeated
 
@@ -276,15 +276,10 @@ def _tasks(
     """Return the timed tasks: "one pose" and "batch" of each kernel, and "" of other implementations."""
     few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))
     tasks: dict[tuple[Candidate | str, str], Task] = {}
+    rows = np.concatenate([array.reshape(FEW, -1) for array in few], axis=1)
     for candidate, kernel in kernels.items():
-        rows = np.concatenate([array.reshape(FEW, -1) for array in few], axis=1).astype(kernel.dtype)
-        forces_of_rows = np.zeros((FEW, 6), dtype=kernel.dtype)
-        one_pose = kernel_loop(kernel.c_function("forces"), kernel.model, rows, forces_of_rows)
-        tasks[candidate, "one pose"] = Task(one_pose, FEW)
-        arrays = [np.ascontiguousarray(array, dtype=kernel.dtype) for array in many]
-        F, status = np.zeros((MANY, 6), dtype=kernel.dtype), np.zeros(MANY, dtype=np.int32)
-        batch = functools.partial(kernel.forces, arrays, out=(F, status))
-        tasks[candidate, "batch"] = Task(repeated(batch), MANY)
+        one_pose = loop(rows.astype(kernel.dtype), kernel.c_function("forces"), kernel.model)
+        tasks[candidate, "one pose"], tasks[candidate, "batch"] = one_pose[0], batch(many, kernel)[0]
     motion = Motion(**dict(zip(MOTION, slow, strict=True)))
     for name, forces in ways.items():
         tasks[name, ""] = Task(repeated(functools.partial(forces, motion)), SLOW)

@@ -5,11 +5,10 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend import c_kernel, kernel, native
 from ...dynamics import closed_form, equations
-from ...dynamics.forces import CORES, ForceKernel, Precision
+from ...dynamics.forces import CORES, ForceKernel
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, prepared_kernel
 from ...exchange.model_from_robot import robot_of_bodies
 from ...io.array_types import Array
@@ -17,7 +16,7 @@ from ...io.extras import absent
 from ...io.progress import Progress
 from ...reference import newton_euler
 from ...reference.equations_of_motion import regressor
-from ..common.kernel_loop import kernel_loop
+from ..common.kernel_loop import Timed, batch, loop
 from ..common.timing import Task, over, repeated
 from .case import AGREEMENT, CALLS, EQUATIONS, FORCES, PASSES, SIZES, Case
 from .engines import forward_engines, inverse_engines
@@ -44,9 +43,6 @@ _FUSED = ("-ffp-contract=fast",)
 
 _ALONE = "C, F alone"
 
-Timed = tuple[Task, Callable[[], Array]]
-"""Task, and the function that returns its results."""
-
 
 def all_cases(poses: Poses, quick: bool, progress: Progress) -> list[Case]:
     """Build all cases; packages that are not installed are omitted.
@@ -59,7 +55,7 @@ def all_cases(poses: Poses, quick: bool, progress: Progress) -> list[Case]:
     progress("compiling the equations of motion")
     cases += [*_equations(poses.resized(_EQUATION_POSES)), *_calls(poses.resized(FEW), truth)]
     for size in QUICK_BATCHES if quick else BATCHES:
-        timed = _batch(poses.resized(size))
+        timed = batch(poses.resized(size).arrays, ForceKernel(poses.robot, NAME))
         cases.append(Case(SIZES, f"{size:,} poses", _ALONE, *timed, truth))
     progress("deriving the passes")
     return [*cases, *_passes(poses, truth)]
@@ -76,36 +72,22 @@ def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
     )
     function = getattr(c_kernel.library(f"{NAME}_forces"), f"stewart_{NAME}_forces")
     outputs = getattr(c_kernel.library(NAME), f"stewart_{NAME}_inverse_dynamics")
+    prepared = ForceKernel(robot, NAME)
     calls = {name: prepared_kernel(robot, NAME, name).forces for name in ("numpy", "reference")}
     # The structure of all outputs has 78 numbers and begins with F.
     rows: tuple[tuple[str, str, Timed, int | None], ...] = (
-        ("one pose", _ALONE, _loop(few, function, ForceKernel(robot, NAME).model), alone),
-        ("batch, one core", _ALONE, _batch(large), alone),
-        (f"batch, {CORES} cores", _ALONE, _batch(large, threads=CORES), alone),
-        ("batch, float", _ALONE, _batch(large, "float"), alone),
+        ("one pose", _ALONE, loop(few.rows, function, prepared.model), alone),
+        ("batch, one core", _ALONE, batch(large.arrays, prepared), alone),
+        (f"batch, {CORES} cores", _ALONE, batch(large.arrays, prepared, CORES), alone),
+        ("batch, float", _ALONE, batch(large.arrays, ForceKernel(robot, NAME, "float")), alone),
         ("batch, columns", _ALONE, _columns(large), alone),
-        ("every output", "C, D K H c x F", _loop(few, outputs, kernel.robot_numbers(robot), 78), every),
+        ("every output", "C, D K H c x F", loop(few.rows, outputs, kernel.robot_numbers(robot), 78), every),
         ("NumPy kernel", "vectorized", _whole(calls["numpy"], slow), every),
         ("vector reference", "NumPy, base frame", _whole(calls["reference"], slow), None),
     )
     for name, what, timed, operations in rows:
         tolerance = 1e-3 if "float" in name else AGREEMENT
         yield Case(FORCES, name, what, *timed, truth, operations, tolerance)
-
-
-def _loop(poses: Poses, function: Any, machine: NDArray[Any], width: int = 6, **more: Any) -> Timed:
-    """Time a C function for one pose with ``width`` results in a loop; ``more`` as in ``kernel_loop``."""
-    out = np.zeros((len(poses), width))
-    return Task(kernel_loop(function, machine, poses.rows, out, **more), len(poses)), lambda: out
-
-
-def _batch(poses: Poses, precision: Precision = "double", threads: int = 1) -> Timed:
-    """Time ``ForceKernel.forces`` with given arrays."""
-    prepared = ForceKernel(poses.robot, NAME, precision)
-    arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
-    F, status = np.zeros((len(poses), 6), dtype=prepared.dtype), np.zeros(len(poses), dtype=np.int32)
-    run = repeated(lambda: prepared.forces(arrays, threads, out=(F, status)))
-    return Task(run, len(poses)), lambda: F
 
 
 def _columns(poses: Poses) -> Timed:
@@ -143,7 +125,7 @@ def _compared(few: Poses, truth: Array) -> Iterator[Case]:
         programs = ((CLOSED, "leg", casadi_forces.leg_frame), (PLAIN, "base", casadi_forces.base_frame))
         for name, frame, legs in programs:
             made = casadi_forces.program(legs)
-            timed = _loop(few, native.load("bench_casadi", made.sources, _FUSED).one_pose, numbers)
+            timed = loop(few.rows, native.load("bench_casadi", made.sources, _FUSED).one_pose, numbers)
             yield Case(FORCES, name, f"C, {frame} frame", *timed, truth, made.operations, package="CasADi")
     yield from inverse_engines(few, truth)
 
@@ -177,11 +159,11 @@ def _equations(poses: Poses) -> Iterator[Case]:
     )
     for name, library, function, width, expected, given in rows:
         what, tolerance = f"stewart_{NAME}_{function}", AGREEMENT if given is None else 1e-8
-        timed = _loop(few, getattr(library, what), model, width, F=given)
+        timed = loop(few.rows, getattr(library, what), model, width, given)
         yield Case(EQUATIONS, name, what, *timed, expected, tolerance=tolerance)
     what = f"stewart_{NAME}_regressor"
     compiled = getattr(c_kernel.library(f"{NAME}_regressor"), what)
-    timed = _loop(few, compiled, kernel.robot_numbers(robot), columns.shape[1], all_columns=True)
+    timed = loop(few.rows, compiled, kernel.robot_numbers(robot), columns.shape[1], all_columns=True)
     yield Case(EQUATIONS, "regressor", what, *timed, columns)
     yield from forward_engines(few, F, acceleration)
 
@@ -226,7 +208,10 @@ def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
         model = np.zeros(made.model_numbers)
         if prepare(address(numbers), address(model)):
             raise ValueError(f"{made.name}: the constants of the robot cannot be prepared")
-        for kind, timed in (("one pose", _loop(few, one, model)), ("batch", _c_batch(batch, model, poses))):
+        for kind, timed in (
+            ("one pose", loop(few.rows, one, model)),
+            ("batch", _c_batch(batch, model, poses)),
+        ):
             yield Case(PASSES, f"{made.name}, {kind}", made.meaning, *timed, truth, made.operations[1])
 
 
