@@ -5,13 +5,14 @@ equations of the kernel in 50-digit arithmetic. All errors are fractions of the 
 their motion.
 """
 
+import contextlib
 import functools
 import itertools
 import statistics
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -126,14 +127,13 @@ def cost(
     tasks = _tasks(tuple(motions.values()), kernels, ways)
     others = host.Others()
     times = measured(list(tasks.values()), rounds, progress)
-    raw = {key: times[task] for key, task in tasks.items()}
     taken, load = others.share(), host.load_average()
     entries = [
         {
             **candidate._asdict(),
             "operations": fidelity.operations(robot, candidate.formulation, candidate.fidelity),
-            **_times("one_pose_", raw[candidate, "one pose"]),
-            **_times("batch_", raw[candidate, "batch"]),
+            **_times("one_pose_", times[tasks[candidate, "one pose"]]),
+            **_times("batch_", times[tasks[candidate, "batch"]]),
             "errors": errors[candidate],
         }
         for candidate in kernels
@@ -145,7 +145,7 @@ def cost(
         "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
         "candidates": sorted(entries, key=_cost),
         "implementations": [
-            {"name": way, **_times("", raw[way, ""]), "rounding": rounding[way]} for way in ways
+            {"name": way, **_times("", times[tasks[way, ""]]), "rounding": rounding[way]} for way in ways
         ],
         "units": _UNITS,
     }
@@ -175,22 +175,19 @@ def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
     """Compile every available fidelity level of every formulation in both precisions, in parallel."""
     levels = [(each, level) for each in FORMULATIONS for level in fidelity.available(robot, each)]
     every = [Candidate(*level, precision) for level in levels for precision in PRECISIONS]
+
+    def made(candidate: Any) -> ForceKernel:
+        return ForceKernel(robot, candidate.formulation, candidate.precision, candidate.fidelity, warns=False)
+
+    kernels = {}
     with ThreadPoolExecutor(CORES) as pool:
-        made = {each: pool.submit(_kernel, robot, each) for each in every}
-        done = tracked(progress, made.items(), lambda pair: f"compiling {pair[0].name}")
-        kernels = {each: future.result() for each, future in done}
-    return {each: kernel for each, kernel in kernels.items() if kernel is not None}
-
-
-def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
-    """Prepare the kernel of a robot; return None if its precision cannot represent the constants."""
-    formulation, precision = cast(Any, candidate.formulation), cast(Precision, candidate.precision)
-    try:
-        return ForceKernel(robot, formulation, precision, candidate.fidelity, warns=False)
-    except ValueError:
-        if precision == "double":
-            raise
-        return None
+        futures = [(each, pool.submit(made, each)) for each in every]
+        for each, future in tracked(progress, futures, lambda pair: f"compiling {pair[0].name}"):
+            # A precision that cannot represent the constants of the robot is omitted.
+            unsuitable = [ValueError] if each.precision == "float" else []
+            with contextlib.suppress(*unsuitable):
+                kernels[each] = future.result()
+    return kernels
 
 
 # --- errors -----------------------------------------------------------------------------------

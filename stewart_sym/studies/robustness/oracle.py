@@ -33,9 +33,7 @@ CLOSED = tuple(closed_form.OUTPUTS)
 GOOD = {"double": 1e12, "float": 1e3}
 """Condition number below which a pose must have a result."""
 DOUBTFUL = 10.0
-"""Ratio of error to condition number above which the condition number is measured again, by the sum of the
-effects of each input alone instead of random changes of all inputs.
-"""
+"""Ratio of error to condition number above which the latter is measured again, input by input."""
 SAMPLES = 3
 """Number of random changes of all inputs."""
 
