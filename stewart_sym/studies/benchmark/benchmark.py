@@ -101,10 +101,10 @@ def report(found: Figures) -> str:
         f"{found['robot']}, {found['formulation']}; times per pose, medians of {found['rounds']} rounds",
         f"{machine['processor']}, {machine['cores']} cores; {software['compiler']}",
         " ".join(software["flags"]),
-        *([versions] if versions else []),
+        *filter(None, [versions]),
     ]
-    taken = machine["taken_by_others"]
-    if taken is not None and taken > DISTURBED:
+    taken = machine["taken_by_others"] or 0.0
+    if taken > DISTURBED:
         head.append(f"other processes took {100 * taken:.0f} % of the cores' time: the figures are disturbed")
     if found["left_out"]:
         missing = ", ".join(found["left_out"])

@@ -124,9 +124,9 @@ def _compared(few: Poses, truth: Array) -> Iterator[Case]:
         numbers = kernel.robot_numbers(few.robot)
         programs = ((CLOSED, "leg", casadi_forces.leg_frame), (PLAIN, "base", casadi_forces.base_frame))
         for name, frame, legs in programs:
-            made = casadi_forces.program(legs)
-            timed = loop(few.rows, native.load("bench_casadi", made.sources, _FUSED).one_pose, numbers)
-            yield Case(FORCES, name, f"C, {frame} frame", *timed, truth, made.operations, package="CasADi")
+            sources, count = casadi_forces.program(legs)
+            timed = loop(few.rows, native.load("bench_casadi", sources, _FUSED).one_pose, numbers)
+            yield Case(FORCES, name, f"C, {frame} frame", *timed, truth, count, package="CasADi")
     yield from inverse_engines(few, truth)
 
 
