@@ -125,9 +125,9 @@ def cost(
         way: {name: case.rounding_of(forces) for name, case in cases.items()} for way, forces in ways.items()
     }
     tasks = _tasks(tuple(motions.values()), kernels, ways)
-    others = host.Others()
+    taken_by_others = host.taken_by_others()
     times = measured(list(tasks.values()), rounds, progress)
-    taken, load = others.share(), host.load_average()
+    taken, load = taken_by_others(), host.load_average()
     entries = [
         {
             **candidate._asdict(),

@@ -50,11 +50,11 @@ def benchmark(robot: Robot | None = None, quick: bool = False, progress: Progres
     cases = all_cases(poses, quick, progress)
     progress("comparing the results")
     differences = [case.difference() for case in cases]
-    others = host.Others()
+    taken_by_others = host.taken_by_others()
     tasks = list(dict.fromkeys(task for case in cases for task in case.tasks))
     rounds = QUICK_ROUNDS if quick else ROUNDS
     raw = timing.measured(tasks, rounds, progress)
-    machine["taken_by_others"] = others.share()
+    machine["taken_by_others"] = taken_by_others()
     return {
         "schema": 5,
         "unit": "ns/pose",

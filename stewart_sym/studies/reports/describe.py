@@ -96,9 +96,7 @@ def _with_units(prefix: str, part: object, units: dict[str, str]) -> dict[str, A
 
 def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
-    inertias = "possible for rigid bodies"
-    if bodies:
-        inertias = f"that no rigid body can have: {', '.join(bodies)}"
+    bad = f"that no rigid body can have: {', '.join(bodies)}"
     masses = robot.m_d + robot.m_u
     sizes = [f"{radius(points) / unit.meters:.4g} {unit.name}" for points in (robot.b, robot.p)]
     rows = [
@@ -114,7 +112,7 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ("friction", _friction(robot)),
         *([] if robot.drive is None else _drives(robot.drive, unit)),
         ("limits", _limits(robot, unit)),
-        ("inertias", inertias),
+        ("inertias", bad if bodies else "possible for rigid bodies"),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
 
@@ -136,11 +134,8 @@ def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
     offsets = robot.offsets
     if offsets is None:
         return []
-    parts = [
-        f"{_range(getattr(offsets, name) / unit.meters)} {unit.name} {where}"
-        for name, where in _OFFSETS.items()
-        if np.any(getattr(offsets, name))
-    ]
+    lengths = {where: getattr(offsets, name) / unit.meters for name, where in _OFFSETS.items()}
+    parts = [f"{_range(each)} {unit.name} {where}" for where, each in lengths.items() if np.any(each)]
     rows = [("offsets", ", ".join(parts) or "all zero: without them every feature serves")]
     if np.any(offsets.cross_mass) or np.any(offsets.cross_inertia):
         text = f"{_range(offsets.cross_mass)} kg, {_range(offsets.cross_inertia)} kg m^2 about the fixed axis"
@@ -176,12 +171,10 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     if home.status:
         rows.append(("condition", f"unsolvable: {STATUS_TEXT[home.status]}"))
     else:
-        length = characteristic_length(robot)
-        by = f"{length / unit.meters:.4g} {unit.name}"
+        by = f"{characteristic_length(robot) / unit.meters:.4g} {unit.name}"
         scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
-        holding = ", ".join(f"{force:.6g}" for force in home.F.tolist())
-        rows.append(("holding", f"({holding}) N"))
+        rows.append(("holding", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
     what = "platform centered above the base; " if robot.home_position is None else ""
     return [f"home pose: {what}{home.rule}", *_rows(rows)]
 
@@ -230,17 +223,14 @@ def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
         f"reflected mass {_range(drive.reflected_mass, 4)} kg",
         f"efficiency {_range(drive.efficiency)} driving, {_range(drive.backdrive_efficiency, 4)} back",
     ]
-    parts += [
-        f"{words} {_range(getattr(drive, name))} {per}"
-        for name, (words, per) in _DRIVE_FRICTION.items()
-        if np.any(getattr(drive, name))
+    values = {name: getattr(drive, name) for name in (*_DRIVE_FRICTION, *_DRIVE_LIMITS)}
+    friction = [(values[name], *words) for name, words in _DRIVE_FRICTION.items()]
+    limits = [(values[name], *words) for name, words in _DRIVE_LIMITS.items()]
+    parts += [f"{words} {_range(each)} {per}" for each, words, per in friction if np.any(each)]
+    most = [
+        f"{words} up to {_range(each, 4)} {per}" for each, words, per in limits if np.isfinite(each).any()
     ]
-    limits = [
-        f"{words} up to {_range(getattr(drive, name), 4)} {per}"
-        for name, (words, per) in _DRIVE_LIMITS.items()
-        if np.isfinite(getattr(drive, name)).any()
-    ]
-    return [("drives", ", ".join(parts)), *([("motors", ", ".join(limits))] if limits else [])]
+    return [("drives", ", ".join(parts)), *([("motors", ", ".join(most))] if most else [])]
 
 
 def _limits(robot: Robot, length: _Unit) -> str:
