@@ -150,7 +150,7 @@ _COLUMNS = ("operations", "ns per pose", "in a batch", "model error", "RMS", "ro
 
 def table(cost: Figures, found: Advice | None = None) -> str:
     """Format all candidates, the cheapest first; with advice, the selected kernel is marked."""
-    rows = [("kernel", *_COLUMNS, "")]
+    rows: list[tuple[str, ...]] = [("kernel", *_COLUMNS, "")]
     for entry in cost["candidates"]:
         errors = (worst(entry, *part) for part in (("model",), ("model_rms",), ("rounding",), ()))
         times = (f"{entry[name]:.0f}" for name in ("one_pose_ns", "batch_ns"))

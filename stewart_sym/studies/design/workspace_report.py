@@ -84,7 +84,8 @@ def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: P
     """Compute the planes through the center pose for each pair of varying positions or varying angles."""
     varying, examiner, made = _KINDS[found.kind][0], PoseExaminer(robot, at_reference(robot, limits)), []
     center, extent = np.concatenate([found.position, found.rpy]), np.full((6, 2), np.nan)
-    extent[varying] = np.where(np.isnan(found.extent).any(axis=1)[:, None], found.bounds, found.extent)
+    unknown = np.isnan(found.extent).any(axis=1, keepdims=True)
+    extent[varying] = np.where(unknown, found.bounds, found.extent)
     low, high = np.minimum(extent[:, 0], center), np.maximum(extent[:, 1], center)
     low, high = low - _MARGIN * (high - low), high + _MARGIN * (high - low)
     values = np.linspace(np.maximum(low, -_FARTHEST), np.minimum(high, _FARTHEST), POINTS)
@@ -96,7 +97,8 @@ def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: P
         R = rotation_from_rpy(poses[..., 3:].reshape(-1, 3))
         t = poses[..., :3].reshape(-1, 3) - R @ found.tool
         codes, condition = examiner.broken_limits(R, t), examiner.conditions(R, t)
-        made.append(Slice(axes, one, other, *(each.reshape(POINTS, POINTS) for each in (codes, condition))))
+        shape = (POINTS, POINTS)
+        made.append(Slice(axes, one, other, codes.reshape(shape), condition.reshape(shape)))
     return made
 
 

@@ -167,7 +167,8 @@ def _conclusions(found: Reproduction, form: str) -> Claims:
 
     # Spearman's rank correlation; there are no ties.
     pairs = {name: (run.condition, np.abs(run.F).max(axis=-1)) for name, run in runs.items()}
-    ranks = {name: np.corrcoef(np.argsort(np.argsort(pair)))[0, 1] for name, pair in pairs.items()}
+    matrices = {name: np.corrcoef(np.argsort(np.argsort(pair))) for name, pair in pairs.items()}
+    ranks = {name: np.asarray(each)[0, 1] for name, each in matrices.items()}
     text = "rank correlation of condition number and largest |F|: "
     text += ", ".join(f"{name} {value:+.2f}" for name, value in ranks.items())
     says = "the higher the condition number, the higher the forces"

@@ -271,7 +271,10 @@ _SINGULAR = (
 _PIVOT = "elimination with partial pivoting; status 4 if a pivot is at the rounding level of its row"
 _ALONG, _ANGLE = "leg along its universal joint's fixed axis", "angle between a leg and its fixed axis, rad"
 FAMILIES = (
-    *(Family(f"singular_{name}", title, "H singular", _PIVOT, *rest, 6) for name, title, *rest in _SINGULAR),
+    *(
+        Family(f"singular_{name}", title, "H singular", _PIVOT, axis, make, seed=6)
+        for name, title, axis, make in _SINGULAR
+    ),
     Family(
         *("joint_singularity", "A leg's joint singularity, moving machine", _ALONG),
         "sine and frame from k x s, dynamics in joint coordinates; status 3 for a sine of rounding level",

@@ -162,8 +162,8 @@ def full_report(found: Iterable[Course], swept: Figures) -> Report:
     families, columns, figures = [], {}, {}
     parts = ["Errors of every kernel along families of poses that approach a failure."]
     for course in found:
-        family, table = course.family, {"distance": course.distance}
-        counts = []
+        table: dict[str, NDArray[Any]] = {"distance": course.distance}
+        family, counts = course.family, []
         for kernel, each in course.verdicts.items():
             name = _named(kernel)
             counts.append({"kernel": name, **summary(each, course.distance, in_range=family.in_range)})
