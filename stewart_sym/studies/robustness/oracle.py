@@ -196,8 +196,9 @@ def check(
     Raises native.CompilerError without a compiler, or with a ``long double`` that is not wider than double.
     """
     if precision == "float":
-        given = (each.astype(np.float32) for each in (cases.robots, cases.motions, cases.forces))
-        cases = Cases(*(each.astype(np.float64) for each in given), cases.distance)
+        given = (cases.robots, cases.motions, cases.forces)
+        robots, motions, forces = (each.astype(np.float32).astype(np.float64) for each in given)
+        cases = Cases(robots, motions, forces, cases.distance)
     truth = functools.cache(lambda source: truth_of(cases, source, precision, samples))
     found = {}
     for kernel in kernels:
