@@ -19,6 +19,7 @@ extensions = [
     "mathml",
     "directives",
     "notebooks",
+    "narrow_windows",
 ]
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["_build", "tables"]

@@ -11,7 +11,7 @@ NOT_FINITE = 1  # an input is not finite, or a result overflows
 ZERO_LENGTH = 2  # a leg has length zero
 JOINT_SINGULAR = 3  # a leg lies along the fixed axis of its universal joint
 SINGULAR = 4  # H is singular: no leg forces can hold the platform
-MASS_MATRIX_INDEFINITE = 6  # the inertia matrix M is not positive definite: no body has such inertias
+MASS_MATRIX_INDEFINITE = 6  # the mass matrix M is not positive definite: no body has such inertias
 
 CONSTANTS = {
     'double': {'EPSILON': 2.220446049250313e-16, 'MAX': 1.7976931348623157e+308, 'ROUNDING': 3.552713678800501e-15, 'JOINT_SINGULAR_SINE': 9.094947017729282e-13, 'NEAR_JOINT_SINGULAR': 0.03125, 'SHORTEST': 5.0052077379577523e-147, 'SUSPECT': 0.0001220703125, 'BLOCK_GROWTH': 16.0, 'BLOCK_LEAST': 0.00048828125, 'BLOCK_SINGULAR': 7.62939453125e-06, 'SHORT_SHARE': 9.5367431640625e-07, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.0625, 'LEANING': 0.125},

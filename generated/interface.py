@@ -14,7 +14,7 @@ STATUS: dict[str, tuple[int, str]] = {
     "JOINT_SINGULAR": (3, "a leg lies along the fixed axis of its universal joint"),
     "SINGULAR": (4, "H is singular: no leg forces can hold the platform"),
     "BAD_ARGUMENT": (5, "an argument is invalid: a pointer is null, stride < count, or an index is out of range"),
-    "MASS_MATRIX_INDEFINITE": (6, "the inertia matrix M is not positive definite: no body has such inertias"),
+    "MASS_MATRIX_INDEFINITE": (6, "the mass matrix M is not positive definite: no body has such inertias"),
     "NOT_CONVERGED": (7, "no pose with these leg lengths was found"),
 }
 

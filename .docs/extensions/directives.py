@@ -113,6 +113,11 @@ def public_names(folder: str) -> list[str]:
     return sorted(found, key=lambda name: (inspect.isclass(getattr(ss, name)), name.lower()))
 
 
+def _first_line(value: object) -> str:
+    """Return the first line of a docstring as a cell of a Markdown table."""
+    return (inspect.getdoc(value) or "").split("\n", 1)[0].replace("``", "`").replace("|", "\\|")
+
+
 class Public(SphinxDirective):
     """Documents names by autodoc; of data, the text that follows them.
 
@@ -126,10 +131,15 @@ class Public(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """One entry a name."""
         names = [name for folder in self.arguments[0].split() for name in public_names(folder)]
+        listed = [name for name in names if callable(getattr(ss, name))]
+        rows = [
+            (f"{{py:obj}}`{name} <stewart_sym.{name}>`", _first_line(getattr(ss, name))) for name in listed
+        ]
         text = "".join(self._entry(name) for name in names)
         for name in self.options.get("also", "").split():
             text += f".. autoclass:: stewart_sym.{name}\n   :members:\n\n"
-        return self.parse_text_to_nodes(f"```{{eval-rst}}\n{text}```\n")
+        summary = table(("name", "summary"), rows) if rows else ""
+        return self.parse_text_to_nodes(f"{summary}```{{eval-rst}}\n{text}```\n")
 
     @staticmethod
     def _entry(name: str) -> str:

@@ -16,7 +16,7 @@ _CODE = "<details>\n<summary>Code</summary>\n\n```python\n{}\n```\n\n</details>\
 
 
 def markdown_of(notebook: Path) -> str:
-    """Convert a notebook to Markdown without its title, with drawings of the documentation as links."""
+    """Convert a notebook to Markdown without its title, with links as seen from a page."""
     cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
     parts = [part for cell in cells for part in _parts(cell)]
     return re.sub(r"\A# .*\n", "", "\n\n".join(parts))
@@ -26,7 +26,7 @@ def _parts(cell: dict[str, Any]) -> list[str]:
     """Return the parts of a cell as Markdown."""
     text = "".join(cell["source"])
     if cell["cell_type"] == "markdown":
-        return [text.replace("(attachment:", "(../drawings/")]
+        return [text.replace("(attachment:", "(../drawings/").replace("(../.docs/", "(../")]
     return [_CODE.format(text), *map(_output, cell["outputs"])]
 
 

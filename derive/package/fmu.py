@@ -16,7 +16,7 @@ from ..kernel.interface import CALLS
 from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..program.block import AXES, Quantity
-from . import licence
+from . import kit_license
 from .functions import Function, Part
 from .robot import Machine
 from .text_format import Numbers, stored, template
@@ -86,7 +86,7 @@ def unit(
             "guid": guid,
             "name": escape(machine.name),
             "says": escape(f"{kernel.says} SHA-256 of name and constants: {machine.digest}".strip()),
-            "licence": escape(licence.SAYS),
+            "license": escape(kit_license.NOTICE),
         }
         own = {
             **{f"sources/{name}": template(f"kit/{name}", common) for name in _STATIC},
@@ -96,7 +96,7 @@ def unit(
         compiled = sorted(path.removeprefix("sources/") for path in held if path.endswith(".c"))
         return held | {
             "modelDescription.xml": _description(machine.symbol, variables, compiled, common),
-            "documentation/licenses/license.txt": licence.TEXT,
+            "documentation/licenses/license.txt": kit_license.TEXT,
             "documentation/index.html": _page(precision, variables, common),
         }
 

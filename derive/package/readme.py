@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..print.c import wrapped
-from . import licence
+from . import kit_license
 from .forces_name import FORCES_HEADER
 from .functions import DRIVES, MODEL, Function, Part, reads_robot
 from .misra_deviations import deviations
@@ -85,7 +85,7 @@ def readme(kit: Kit) -> str:
         "title": in_markdown(kit.machine.name),
         "symbol": kit.machine.symbol,
         "options": kit.options,
-        "licence": licence.SAYS,
+        "license": kit_license.NOTICE,
         "version": kit.machine.version,
         "arithmetic": _ARITHMETIC[kit.precision],
         "parts": "\n".join(f"- {part.says}" for part in kit.parts),

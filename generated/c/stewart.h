@@ -54,7 +54,7 @@ typedef double stewart_real;
 #define STEWART_JOINT_SINGULAR 3 /* a leg lies along the fixed axis of its universal joint */
 #define STEWART_SINGULAR 4 /* H is singular: no leg forces can hold the platform */
 #define STEWART_BAD_ARGUMENT 5 /* an argument is invalid: a pointer is null, stride < count, or an index is out of range */
-#define STEWART_MASS_MATRIX_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
+#define STEWART_MASS_MATRIX_INDEFINITE 6 /* the mass matrix M is not positive definite: no body has such inertias */
 #define STEWART_NOT_CONVERGED 7 /* no pose with these leg lengths was found, or R of the guess is not a rotation */
 
 /* Thresholds of the statuses. Each error is the largest error of a result with STEWART_OK for

@@ -115,7 +115,7 @@ def prepared_model(
     first = -room.ctypes.data % 64 // room.itemsize
     model = room[first : first + count]
     if prepare(address(numbers), address(model)) != OK:
-        raise overflows(robot, precision)
+        raise overflows(precision)
     for each in (room, model):
         each.setflags(write=False)
     return model

@@ -56,14 +56,10 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
     Raises ValueError, which lists the available levels, for an unavailable one.
     """
     force_kernel(robot, formulation)
-    name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else fidelity
     names = available(robot, formulation)
-    if not isinstance(name, str) or name not in names:
-        joints = "offset joints" if robot.offsets is not None else f"{robot.base_joint} base joints"
-        joints = f" with {joints}" if formulation == "exact" else ""
-        raise ValueError(
-            f"fidelity: expected one of {', '.join(names)} for {formulation}{joints}, got {shown(fidelity)}"
-        )
+    name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else ""
+    if name not in names:
+        raise ValueError(f"fidelity: expected one of {', '.join(names)}, got {shown(fidelity)}")
     return name
 
 

@@ -36,10 +36,7 @@ def robot_kernel(robot: Robot, formulation: str) -> str:
     need_no_offsets(robot)
     if not robot.has_rotors:
         return name
-    if formulation == "paper":
-        raise ValueError(
-            'formulation: expected "exact" for a robot whose drive has rotor_inertia, got "paper"'
-        )
+    need_exact(formulation, "whose drive has rotor_inertia")
     return f"{name}_drive"
 
 
@@ -47,7 +44,7 @@ def force_kernel(robot: Robot, formulation: str) -> str:
     """Return the name of the force kernel of a robot, which may have offsets; raise ValueError if none."""
     if robot.offsets is None:
         return robot_kernel(robot, formulation)
-    need_offset_formulation(formulation)
+    need_exact(formulation, "with offset joints")
     if robot.offsets.has_spinning_parts:
         raise ValueError(
             'robot: offsets: platform_joint: expected "spherical", got "universal"; use inverse_dynamics'
@@ -55,11 +52,11 @@ def force_kernel(robot: Robot, formulation: str) -> str:
     return OFFSET_KERNEL
 
 
-def need_offset_formulation(formulation: str) -> None:
-    """Raise ValueError for formulations that do not support legs with offset joints."""
+def need_exact(formulation: str, whose: str) -> None:
+    """Raise ValueError unless the formulation is "exact"; ``whose`` describes the robot that requires it."""
     option(formulation, FORMULATIONS, "formulation")
     if formulation != "exact":
-        raise ValueError(f'formulation: expected "exact" for a robot with offset joints, got "{formulation}"')
+        raise ValueError(f'formulation: expected "exact" for a robot {whose}, got "{formulation}"')
 
 
 def takes_rotors(name: str) -> bool:
@@ -95,21 +92,9 @@ def _numbers(robot: Robot, names: Sequence[str], more: Sequence[Array] = ()) -> 
     return np.concatenate([legs.ravel(), *platform])
 
 
-def need_representable(robot: Robot, precision: str) -> None:
-    """Raise ValueError for the first constant beyond the range of ``precision``, "double" or "float"."""
-    largest = float(np.finfo(np.float64 if precision == "double" else np.float32).max)
-    for name in (*LEG, *ROTOR, *PLATFORM):
-        values = np.asarray(of_symbol(robot, name))
-        for index in np.argwhere(np.abs(values) > largest):
-            where = f"leg {index[0] + 1}: {name}" if name in (*LEG, *ROTOR) else name
-            got = f"{values[tuple(index)]:g}"
-            raise ValueError(f"robot: {where}: {got} exceeds the range of {precision}; use a smaller value")
-
-
-def overflows(robot: Robot, precision: str) -> ValueError:
+def overflows(precision: str) -> ValueError:
     """Return the error for constants that overflow during their preparation."""
-    need_representable(robot, precision)
-    return ValueError(f"robot: products of the constants exceed the range of {precision}; use smaller values")
+    return ValueError(f"robot: constants or their products exceed the range of {precision}; use smaller ones")
 
 
 def columns(values: Array) -> Array:

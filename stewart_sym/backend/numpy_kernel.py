@@ -128,7 +128,5 @@ def _store(target: Array, value: Any) -> None:
 
 def loaded(motion: Motion) -> SimpleNamespace:
     """Return the motion with zeros for a missing load."""
-    given = {name: getattr(motion, name) for name in MOTION}
-    return SimpleNamespace(
-        **{name: np.zeros((*motion.shape, 3)) if value is None else value for name, value in given.items()}
-    )
+    given, zero = {name: getattr(motion, name) for name in MOTION}, np.zeros((*motion.shape, 3))
+    return SimpleNamespace(**{name: zero if value is None else value for name, value in given.items()})

@@ -50,9 +50,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments = subcommand_parser(name).parse_args(rest)
     else:
         arguments = _overview().parse_args(words[:1])
-    inputs = (getattr(arguments, name, None) for name in ("robot", "trajectory"))
     try:
-        with warnings_in_lines(*filter(None, inputs)), needed_for(arguments.subcommand):
+        with warnings_in_lines(), needed_for(arguments.subcommand):
             code: int = arguments.run(arguments) or 0
         sys.stdout.flush()
         return code

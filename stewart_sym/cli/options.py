@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-from ..io.arguments import no_option
 from . import renamed
 from .terminal import PROGRAM, one_line
 
@@ -46,18 +45,11 @@ LOG_FORM = {
 """Meaning, default, and values of each option that describes a trajectory file."""
 
 
-def path_name(text: str) -> Path:
-    """Parse the name of a file or folder."""
-    if not text.strip():
-        raise argparse.ArgumentTypeError("expected a name, got nothing")
-    return Path(text)
-
-
 def folder_name(text: str) -> Path:
     """Parse the name of a folder; reject ``-``, because several files cannot go to standard output."""
     if text == "-":
         raise argparse.ArgumentTypeError("expected a folder, got - for standard output")
-    return path_name(text)
+    return Path(text)
 
 
 def _number(kind: type, allowed: Callable[[float], bool], expected: str) -> Callable[[str], Any]:
@@ -112,10 +104,6 @@ class Parser(argparse.ArgumentParser):
             if name.startswith("--") and not any(each.startswith(name) for each in known):
                 self.error(f"unrecognized arguments: {name}{hint(name, known)}")
         return super().parse_known_args(args, namespace)
-
-    def _check_value(self, action: argparse.Action, value: Any) -> None:
-        if action.choices is not None and value not in action.choices:
-            raise argparse.ArgumentError(action, no_option(value, [*action.choices]))
 
     def error(self, message: str) -> NoReturn:
         """Exit with code 2."""
@@ -174,7 +162,7 @@ class Parser(argparse.ArgumentParser):
         self.add_argument(
             *("-o", "--output"),
             metavar=metavar,
-            type=folder_name if metavar == "DIR" else path_name,
+            type=folder_name if metavar == "DIR" else Path,
             required=shown is None,
             default=default and Path(default),
             help=f"{text}; default: {shown}" if shown else text,
@@ -183,7 +171,7 @@ class Parser(argparse.ArgumentParser):
             text = "write tables and CSV files only, without Matplotlib"
             self.add_argument("--no-plots", dest="plots", action="store_false", help=text)
         if html:
-            self.valued("html", path_name, "HTML file of text, tables, figures, and motions", metavar="FILE")
+            self.valued("html", Path, "HTML file of text, tables, figures, and motions", metavar="FILE")
         self.json()
 
     def json(self) -> None:
@@ -192,7 +180,7 @@ class Parser(argparse.ArgumentParser):
             "JSON file of all numbers; units are in the keys or under `units`, non-finite numbers are null; "
             "without FILE or with -, standard output instead of the text"
         )
-        self.add_argument("--json", metavar="FILE", nargs="?", type=path_name, const=Path("-"), help=text)
+        self.add_argument("--json", metavar="FILE", nargs="?", type=Path, const=Path("-"), help=text)
         self.flag("force", "replace also files of other programs and edited files, except inputs")
 
     def log_form(self) -> Group:

@@ -9,11 +9,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from ..io.arguments import safe_text
-from ..io.atomic_write import ResultFolder, begins_with, must_be_replaceable, write_file
+from ..io.atomic_write import ResultFolder, must_be_replaceable, write_file
 from ..io.extras import need
 from ..io.json_text import json_text
 from ..io.progress import Progress
-from ..studies.common.not_finite import in_figures, note_not_finite
 from ..studies.common.report import Report, write
 from ..viewer.page import BEGINNING as HTML_BEGINNING
 from .terminal import PROGRAM, progress_line
@@ -37,50 +36,27 @@ def results(
     files that are not arguments. The text is printed if the block ends without an error and standard output
     is not the file. Files that cannot be written or replaced are errors before the block.
     """
-    inputs, lines = [*_paths(arguments), *read], []
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
-    output, page = (getattr(arguments, name, None) for name in ("output", "html"))
-    plots = getattr(arguments, "plots", True)
+    inputs, output = [*_paths(arguments), *read], getattr(arguments, "output", None)
     folder = None
     if stem is not None and output is not None:
-        if plots and hasattr(arguments, "plots"):
+        if getattr(arguments, "plots", False):
             need_drawing(", or use --no-plots")
-        names = (f"{stem}.txt", f"{stem}.json", *tables)
-        folder = ResultFolder(output, arguments.force, inputs, names)
-    paths = [path for path in (output, page, arguments.json) if path is not None]
-    if len({*paths}) < len(paths):
-        raise ValueError("-o, --html, --json: two results have the same file; name another file")
-    if beginnings and output is not None:
-        need_own_file(output, beginnings, arguments.force, inputs)
-    if page is not None:
-        need_html("--html", page)
-        need_own_file(page, [HTML_BEGINNING], arguments.force, inputs)
-    if arguments.json is not None:
-        if arguments.json.suffix in (".toml", ".csv"):
-            raise ValueError(f"--json {arguments.json}: got an input; put inputs before --json")
-        beginning = json_text(made_by).removesuffix("\n}\n") + ","
-        need_own_file(arguments.json, [beginning], arguments.force, inputs)
+        folder = ResultFolder(output, arguments.force, inputs, (f"{stem}.txt", f"{stem}.json", *tables))
+    _check_files(arguments, inputs, beginnings, json_text(made_by))
+    lines: list[str] = []
 
     def take(report: Report, content: str | None = None) -> None:
         if content is not None and output is not None:
             write_file(output, content)
-        report = dataclasses.replace(
-            report, data={**made_by, **report.data}, figures=report.figures if plots else {}
-        )
+        figures = report.figures if getattr(arguments, "plots", True) else {}
+        report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
         if report.text:
             lines.append(report.text.rstrip("\n"))
-        if in_figures(report.data):
-            note_not_finite()
         if folder is not None and stem is not None:
             write(report, folder, stem, progress)
             lines.append(f"Written to {output}: {', '.join(sorted(folder.names))}")
-        if page is not None:
-            from ..studies.common.html_page import html_page
-
-            write_file(page, html_page(made_by["generator"], report, progress))
-            lines.append(f"Written to {page}")
-        if arguments.json is not None:
-            write_file(arguments.json, json_text(report.data))
+        lines.extend(_written(arguments, report, progress))
 
     with progress_line() as progress:
         yield take, progress
@@ -91,6 +67,36 @@ def results(
     if str(arguments.json) != "-":
         for text in lines:
             print(*map(safe_text, text.split("\n")), sep="\n")
+
+
+def _check_files(
+    arguments: argparse.Namespace, inputs: Iterable[Path], beginnings: Sequence[str], generator: str
+) -> None:
+    """Raise ValueError for single files that cannot be written or replaced; ``generator`` begins JSON."""
+    output, page = (getattr(arguments, name, None) for name in ("output", "html"))
+    paths = [path for path in (output, page, arguments.json) if path is not None]
+    if len({*paths}) < len(paths):
+        raise ValueError("-o, --html, --json: two results have the same file; name another file")
+    if beginnings and output is not None:
+        need_own_file(output, beginnings, arguments.force, inputs)
+    if page is not None:
+        need_html("--html", page)
+        need_own_file(page, [HTML_BEGINNING], arguments.force, inputs)
+    if arguments.json is not None:
+        beginning = generator.removesuffix("\n}\n") + ","
+        need_own_file(arguments.json, [beginning], arguments.force, inputs)
+
+
+def _written(arguments: argparse.Namespace, report: Report, progress: Progress) -> list[str]:
+    """Write the HTML and JSON files of a report; return the lines about them."""
+    page = getattr(arguments, "html", None)
+    if page is not None:
+        from ..studies.common.html_page import html_page
+
+        write_file(page, html_page(report.data["generator"], report, progress))
+    if arguments.json is not None:
+        write_file(arguments.json, json_text(report.data))
+    return [] if page is None else [f"Written to {page}"]
 
 
 def _paths(arguments: argparse.Namespace) -> Iterator[Path]:
@@ -105,7 +111,9 @@ def _paths(arguments: argparse.Namespace) -> Iterator[Path]:
 def need_own_file(path: Path, beginnings: Sequence[str], force: bool, inputs: Iterable[Path]) -> None:
     """Raise ValueError if a file cannot be written or must not be replaced; ``-`` is standard output."""
     if str(path) != "-":
-        must_be_replaceable(path, begins_with(path, beginnings), force, inputs)
+        found = path.read_bytes() if path.is_file() else b""
+        is_ours = not found or found.startswith(tuple(map(str.encode, beginnings)))
+        must_be_replaceable(path, is_ours, force, inputs)
 
 
 def need_html(option: str, target: Path) -> None:
@@ -115,8 +123,6 @@ def need_html(option: str, target: Path) -> None:
 
 
 def need_drawing(otherwise: str = "") -> None:
-    """Raise ImportError with the name of the extra and the alternative ``otherwise`` if a plotting package is
-    missing.
-    """
+    """Raise ImportError if a plotting package is missing; ``otherwise`` is an alternative without it."""
     for package in ("matplotlib", "textalloc"):
         need(package, "drawing", otherwise)

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 
 from ..io.arguments import safe_text
 from ..io.progress import Progress, silent
-from ..studies.common.not_finite import results_noted
 
 PROGRAM = "stewart-sym"
 
@@ -66,32 +65,18 @@ def _bar(share: float, passed: float) -> str:
 
 
 @contextlib.contextmanager
-def warnings_in_lines(*sources: object) -> Iterator[None]:
+def warnings_in_lines() -> Iterator[None]:
     """Print the warnings of the block at its end, one line each, before the error message of the block.
 
-    NumPy's overflow warnings are combined into one line that names the inputs ``sources``. This line is
-    printed only if a result of the block contains a non-finite number.
+    NumPy's warnings of overflows are not printed, because results show the non-finite numbers.
     """
-    lines: list[str] = []
-    overflows: list[str] = []
-
-    def keep(message: Warning | str, category: type[Warning], *_: object, **__: object) -> None:
-        of_numpy = category is RuntimeWarning and " encountered in " in str(message)
-        (overflows if of_numpy else lines).append(one_line(message))
-
-    with warnings.catch_warnings():
-        warnings.showwarning = keep
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.filterwarnings("ignore", ".* encountered in ", RuntimeWarning)
         try:
-            with results_noted() as noted:
-                yield
-            if overflows and noted:
-                place = ", ".join(map(str, sources)) or "inputs"
-                lines.append(
-                    f"{place}: numbers overflow on the way: do not rely on results that are inf or nan"
-                )
+            yield
         finally:
-            for text in lines:
-                print(f"{PROGRAM}: warning: {text}", file=sys.stderr)
+            for each in caught:
+                print(f"{PROGRAM}: warning: {one_line(each.message)}", file=sys.stderr)
 
 
 def one_line(error: object) -> str:

@@ -107,7 +107,7 @@ class ArrayKernel(Frozen):
         with np.errstate(all="ignore"):
             model = source.prepare(on_numpy, robot_structure(source.Robot(), self.robot))
         if model.status != OK:
-            raise overflows(self.robot, "double")
+            raise overflows("double")
         self._set({"_source": source, "_on": on, "_model": _converted(model, on), "dtype": on.type})
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -49,13 +49,13 @@ def home_pose(robot: Robot) -> HomePose:
     )
     L = level_lengths(robot, t)
     if robot.home_position is not None:
-        rule = "as the robot file states"
+        rule = "from the robot file"
     elif np.all(np.isfinite(robot.length_limits)):
-        rule = "the height that puts the legs, on average, in the middle of their length limits"
+        rule = "height at which the mean leg length is in the middle of its limits"
         amid = int(np.argmin(np.abs(L.mean(axis=-1) - robot.length_limits.mean())))
         t, L = t[amid, None], L[amid, None]
     else:
-        rule = "no length limits are given: the height with the least scaled condition number"
+        rule = "height with the smallest scaled condition number, because no length limits are given"
     forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")
     scaled = scaled_condition_number(forces.H, length)
     best = int(np.argmin(np.nan_to_num(scaled, nan=np.inf)))

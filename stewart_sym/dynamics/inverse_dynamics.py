@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from .. import results
 from ..backend.c_kernel import CKernel
-from ..backend.kernel import FORMULATIONS, need_offset_formulation, robot_kernel
+from ..backend.kernel import FORMULATIONS, need_exact, robot_kernel
 from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
 from ..io.arguments import instance, option, real_array
@@ -50,7 +50,7 @@ class _VectorKernel:
         if robot.offsets is None:
             robot_kernel(robot, formulation)
         else:
-            need_offset_formulation(formulation)
+            need_exact(formulation, "with offset joints")
         self.robot, self.faults = robot, faults_of(formulation)
 
     def forces(self, motion: Motion) -> results.InverseDynamicsResult:
@@ -282,7 +282,7 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
 def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     """Compute the fraction of the actuator forces that is due to the legs.
 
-    The legs contribute inertia, weight, and friction, and the inertia of the rotors.
+    The contribution of the legs consists of weight, friction, and inertia, with the inertia of the rotors.
 
     Parameters
     ----------

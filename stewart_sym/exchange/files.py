@@ -16,7 +16,7 @@ from ..dynamics.left_out import effect
 from ..io.arguments import instance, option, shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
-from ..io.toml_reader import file_name, read_text
+from ..io.toml_reader import read_text
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.fields import LEGS
@@ -43,7 +43,6 @@ BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"
 """First characters of files that this program has written."""
 LOOPS = ".loops.json"
 """Ending of the name of the loops file of a URDF file; it replaces the suffix of the URDF file."""
-_MOST_BYTES = 1 << 24
 _FAST = 1e6
 """Factor of the rotor speed that reduces the angular momentum for the same reflected mass."""
 
@@ -199,9 +198,9 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     >>> imported.assumptions[-1]
     'home: the pose in the file'
     """
-    source = file_name(path)
-    text, beside = read_text(source, "model", _MOST_BYTES), loops_path(source)
-    loops = read_text(str(beside), "loops", _MOST_BYTES) if beside.is_file() else None
+    source = os.fsdecode(path)
+    text, beside = read_text(source, "model"), loops_path(source)
+    loops = read_text(str(beside), "loops") if beside.is_file() else None
     with errors_of(f"{source}: "):
         root = parsed(text)
     try:

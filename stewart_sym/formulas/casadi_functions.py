@@ -60,7 +60,7 @@ def casadi_function(
     ------
     ValueError
         If the quantity or the formulation is unknown or not available for the robot.
-    MissingExtraError
+    ImportError
         If CasADi is not installed.
 
     See Also

@@ -264,7 +264,7 @@ def prepared(
     with np.errstate(all="ignore"):
         model = Interpreter(program, on).run("prepare", numbers)
     if model.status != OK:
-        raise overflows(robot, "double")
+        raise overflows("double")
     return program, function, model
 
 

@@ -95,8 +95,9 @@ def leading_shape(leading: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
         try:
             shape = np.broadcast_shapes(shape, lead)
         except ValueError:
-            expected = f"a leading shape that broadcasts with {shape}"
-            raise ValueError(f"{name}: expected {expected}, got {lead}") from None
+            raise ValueError(
+                f"{name}: expected a leading shape that broadcasts with {shape}, got {lead}"
+            ) from None
     return shape
 
 
@@ -116,13 +117,9 @@ def option(value: object, options: Sequence[str], name: str) -> str:
     """Return a value that is one of the options; raise ValueError otherwise."""
     if isinstance(value, str) and value in options:
         return value
-    raise ValueError(f"{name}: {no_option(value, options)}")
-
-
-def no_option(value: object, options: Sequence[str]) -> str:
-    """Format the error text for a value that is not one of the options."""
     *others, last = (f'"{text}"' for text in options)
-    return f"expected {', '.join(others)}{' or ' if others else ''}{last}, got {shown(value)}"
+    expected = f"{', '.join(others)}{' or ' if others else ''}{last}"
+    raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
 
 
 def status_text(name: str) -> str:

@@ -4,10 +4,8 @@ import contextlib
 import hashlib
 import json
 import os
-import secrets
-import shutil
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from importlib.metadata import version
 from pathlib import Path
 
@@ -16,70 +14,44 @@ from .json_text import json_text
 RECORD = ".stewart-sym.json"
 """Record of the names and SHA-256 digests of the files that this program wrote into a folder."""
 
-TEMPORARY = ".stewart-sym-"
-"""Beginning of the names of temporary files, which remain only if the process is killed."""
-
 
 def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
     """Write a file atomically; ``-`` writes text to standard output.
 
-    The content is written to a temporary file in the same folder, which then replaces ``path``. Missing
-    folders are created. A device or a pipe is written directly. Raises OSError with the name ``path``.
+    The content is written to a file ``.stewart-sym-*`` in the same folder, which then replaces ``path``.
+    Missing folders are created. A device or a pipe is written directly. Raises OSError that names ``path``.
     """
     chunks: Iterable[str | bytes] = [content] if isinstance(content, str | bytes) else content
     if str(path) == "-":
         sys.stdout.writelines(map(str, chunks))
         return
-    # Links are followed. /dev/stdout and a shell's >(...) are pipes, so they are written directly.
-    special = path.exists() and not path.is_file()
-    target = path if special else path.resolve()
-    place = path if special else target.with_name(f"{TEMPORARY}{secrets.token_hex(4)}")
+    data = (each.encode() if isinstance(each, str) else each for each in chunks)
+    if path.exists() and not path.is_file():
+        with open(path, "wb") as stream:
+            stream.writelines(data)
+        return
+    target = path.resolve()
+    target.parent.mkdir(parents=True, exist_ok=True)
+    place = target.with_name(f".stewart-sym-{os.urandom(4).hex()}")
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with open(place, "wb" if special else "xb") as stream:
-            stream.writelines(each.encode() if isinstance(each, str) else each for each in chunks)
-        if not special:
-            if target.exists():
-                shutil.copymode(target, place)
-            os.replace(place, target)
-    except BaseException as error:
-        if not special:
-            place.unlink(missing_ok=True)
-        if isinstance(error, OSError) and error.filename in (None, str(place)):
-            raise OSError(error.errno, error.strerror, str(path)) from None
-        raise
+        with open(place, "xb") as stream:
+            stream.writelines(data)
+        os.replace(place, target)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from None
+    finally:
+        place.unlink(missing_ok=True)
 
 
-def must_be_replaceable(
-    path: Path,
-    is_ours: bool,
-    force: bool = False,
-    inputs: Iterable[Path] = (),
-    remedy: str = "name another file",
-) -> None:
-    """Raise ValueError if a file cannot be written or must not be replaced.
-
-    Inputs are never replaced. Other files that are not ours are replaced only with ``force``.
-    """
+def must_be_replaceable(path: Path, is_ours: bool, force: bool = False, inputs: Iterable[Path] = ()) -> None:
+    """Raise ValueError if a file cannot be written, is an input, or is not ours and ``force`` is False."""
     folder = next(each for each in path.absolute().parents if each.exists())
     if path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
-        raise ValueError(f"{path}: cannot write a file here; {remedy}")
-    if not path.exists():
-        return
-    if any(each.exists() and path.samefile(each) for each in inputs):
-        raise ValueError(f"{path}: is an input; {remedy}")
-    if not (is_ours or force):
+        raise ValueError(f"{path}: cannot write a file here; use another name")
+    if any(each.exists() and path.exists() and path.samefile(each) for each in inputs):
+        raise ValueError(f"{path}: is an input; use another name")
+    if path.exists() and not (is_ours or force):
         raise ValueError(f"{path}: exists with other content; use --force to overwrite")
-
-
-def begins_with(path: Path, beginnings: Sequence[str]) -> bool:
-    """Return True if a path has no file, an empty file, or a file with one of the beginnings."""
-    if not path.is_file():
-        return True
-    known = tuple(text.encode() for text in beginnings)
-    with open(path, "rb") as stream:
-        start = stream.read(max(map(len, known)))
-    return not start or start.startswith(known)
 
 
 def digest(path: Path) -> str | None:
@@ -87,16 +59,10 @@ def digest(path: Path) -> str | None:
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
 
 
-def recorded(directory: Path, record: str = RECORD) -> dict[str, str]:
-    """Read digests of files that this program wrote into a folder; return {} without a valid record."""
-    if not (directory / record).is_file():
-        return {}
-    with contextlib.suppress(OSError, ValueError, KeyError, TypeError, AttributeError):
-        found = json.loads((directory / record).read_text(encoding="utf-8"))
-        files = {str(name): str(value) for name, value in found["files"].items()}
-        inside = all(not Path(name).is_absolute() and ".." not in Path(name).parts for name in files)
-        if inside and str(found["generator"]).startswith("stewart-sym "):
-            return files
+def recorded(record: Path) -> dict[str, str]:
+    """Read digests of files that this program wrote into a folder, by name; return {} without a record."""
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
+        return dict(json.loads(record.read_text(encoding="utf-8"))["files"])
     return {}
 
 
@@ -104,11 +70,7 @@ class ResultFolder:
     """Folder whose files are written one by one, with a record of the files that this program wrote.
 
     Inputs are never replaced. Edited files, and files of other programs, are replaced only with ``force``.
-
-    Attributes
-    ----------
-    names : list of str
-        Names of the files written so far.
+    ``names`` are the files written so far.
     """
 
     def __init__(
@@ -117,15 +79,15 @@ class ResultFolder:
         """Raise ValueError now if the folder or one of the files ``names`` cannot be written."""
         self.names: list[str] = []
         self._directory, self._force, self._inputs = directory, force, [*inputs]
-        self._digests = recorded(directory)
+        self._digests = recorded(directory / RECORD)
         must_be_replaceable(directory / RECORD, is_ours=True)
         for name in names:
             self._check(name, "")
 
     def _check(self, name: str, new: str) -> None:
         path = self._directory / name
-        is_ours = path.exists() and digest(path) in (self._digests.get(name, ""), new)
-        must_be_replaceable(path, is_ours, self._force, self._inputs, "name another folder")
+        is_ours = digest(path) in (self._digests.get(name, ""), new)
+        must_be_replaceable(path, is_ours, self._force, self._inputs)
 
     def write(self, name: str, content: str | bytes | Iterable[str]) -> None:
         """Write one file and record it."""
@@ -136,5 +98,4 @@ class ResultFolder:
         self._digests[name] = new
         self.names.append(name)
         generator = f"stewart-sym {version('stewart-sym')}"
-        record = {"generator": generator, "files": dict(sorted(self._digests.items()))}
-        write_file(self._directory / RECORD, json_text(record))
+        write_file(self._directory / RECORD, json_text({"generator": generator, "files": self._digests}))

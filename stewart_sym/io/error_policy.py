@@ -5,8 +5,6 @@ import inspect
 import warnings
 from collections.abc import Iterator
 
-_PACKAGE = __name__.partition(".")[0]
-
 
 @contextlib.contextmanager
 def errors_of(where: str) -> Iterator[None]:
@@ -19,7 +17,7 @@ def errors_of(where: str) -> Iterator[None]:
 
 def warn(text: str, category: type[Warning] = UserWarning) -> None:
     """Warn at the line outside this package that called it, at any depth of the call stack."""
-    frame, level = inspect.currentframe(), 0
-    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == _PACKAGE:
+    frame, level, package = inspect.currentframe(), 0, __name__.partition(".")[0]
+    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == package:
         frame, level = frame.f_back, level + 1
     warnings.warn(text, category, stacklevel=level + 1)

@@ -9,17 +9,12 @@ EXTRAS = {
     "dask": ("Dask", "cluster"),
     "distributed": ("Dask", "cluster"),
     "matplotlib": ("Matplotlib", "plot"),
-    "mpl_toolkits": ("Matplotlib", "plot"),
     "mujoco": ("MuJoCo", "bench"),
     "pinocchio": ("Pinocchio", "bench"),
     "scipy": ("SciPy", "sim"),
     "textalloc": ("textalloc", "plot"),
 }
 """Name and extra of each optional package by its import name."""
-
-
-class MissingExtraError(ImportError):
-    """Error for an optional package that is not installed; the message names its extra."""
 
 
 def absent(*packages: str) -> tuple[str, ...]:
@@ -33,13 +28,10 @@ def install(extra: str) -> str:
 
 
 def need(package: str, what: str, otherwise: str = "") -> None:
-    """Raise MissingExtraError if a package is not installed, for use before a long computation.
-
-    ``what`` is the task that requires the package, and ``otherwise`` an alternative without it.
-    """
-    if absent(package):
+    """Raise ImportError if a package of the task ``what`` is missing; ``otherwise`` is an alternative."""
+    if package in EXTRAS and absent(package):
         name, extra = EXTRAS[package]
-        raise MissingExtraError(f"{what} needs {name}: {install(extra)}{otherwise}")
+        raise ImportError(f"{what} needs {name}: {install(extra)}{otherwise}")
 
 
 @contextlib.contextmanager
@@ -48,7 +40,5 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     try:
         yield
     except ModuleNotFoundError as error:
-        package = (error.name or "").partition(".")[0]
-        if package in EXTRAS:
-            need(package, what, otherwise)
+        need((error.name or "").partition(".")[0], what, otherwise)
         raise

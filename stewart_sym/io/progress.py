@@ -6,8 +6,7 @@ from typing import TypeVar
 T = TypeVar("T")
 
 Progress = Callable[..., None]
-"""Callback ``progress(text, share=None)`` with the current step and the completed fraction of the task, which
-does not decrease."""
+"""Callback ``progress(text, share=None)`` with the current step and the increasing completed fraction."""
 
 
 def silent(text: str, share: float | None = None) -> None:

@@ -5,33 +5,22 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 
-def toml_text(tables: Mapping[str, Any], inline: bool = True) -> str:
+def toml_text(tables: Mapping[str, Any]) -> str:
     """Format tables of strings, numbers, lists, and tables as TOML.
 
-    ``inline`` writes a table without nested tables in one line, except for the top-level tables of the file.
-    Otherwise every table is a section.
+    A table without nested tables is written in one line, except for the top-level tables of the file.
     """
-    return "\n".join(_lines(tables, "", inline)) + "\n"
+    return "\n".join(_lines(tables, "")) + "\n"
 
 
-def _lines(table: Mapping[str, Any], path: str, inline: bool) -> Iterator[str]:
-    sections = {key: value for key, value in table.items() if _is_section(value, path, inline)}
+def _lines(table: Mapping[str, Any], path: str) -> Iterator[str]:
+    sections = {key: value for key, value in table.items() if isinstance(value, Mapping)}
+    if path:
+        sections = {k: v for k, v in sections.items() if any(isinstance(x, Mapping) for x in v.values())}
     yield from (f"{key} = {_value(value)}" for key, value in table.items() if key not in sections)
     for key, value in sections.items():
-        name, entries = f"{path}{key}", isinstance(value, list)
-        for each in value if entries else [value]:
-            # A table of sections only needs no header.
-            nested = bool(each) and all(_is_section(one, name, inline) for one in each.values())
-            if entries or not inline or not nested:
-                yield from ("", f"[[{name}]]" if entries else f"[{name}]")
-            yield from _lines(each, f"{name}.", inline)
-
-
-def _is_section(value: object, path: str, inline: bool) -> bool:
-    if isinstance(value, list):
-        return bool(value) and isinstance(value[0], Mapping)
-    nested = isinstance(value, Mapping) and any(isinstance(each, Mapping) for each in value.values())
-    return isinstance(value, Mapping) and (not path or not inline or nested)
+        yield from ("", f"[{path}{key}]")
+        yield from _lines(value, f"{path}{key}.")
 
 
 def _value(value: Any) -> str:

@@ -69,11 +69,11 @@ class ForwardKinematicsResult:
         Largest difference between the given lengths and the lengths of the returned pose (m). If no pose was
         found, the difference at the end of the last search.
     iterations : ndarray of int, shape (...)
-        Number of Newton steps. Without a guess, the steps of unsuccessful starts are included. With a guess,
-        the steps of further searches are included if their result replaced an earlier one.
+        Number of Newton steps. Without a guess, it is the sum over all starts. With a guess, it is the sum
+        over the first search and all further searches whose pose replaced an earlier one.
     status : ndarray of int, shape (...)
-        ``results.OK``, ``NOT_CONVERGED``, ``SINGULAR`` (a pose has the lengths, but is too close to a
-        singular pose to be determined by them), or ``OUT_OF_LIMITS``.
+        ``results.OK``, ``NOT_CONVERGED``, ``SINGULAR`` (a pose with these lengths was found, but so close to
+        a singular pose that the lengths do not determine it), or ``OUT_OF_LIMITS``.
     """
 
     R: Array
@@ -271,7 +271,7 @@ def forward_acceleration(
 ) -> Accelerations:
     """Compute the acceleration of the platform from leg accelerations, (8).
 
-    The equation is L_ddot = H^T [a; alpha] plus the terms of (8) without accelerations.
+    The equation is L_ddot = H^T [a; alpha] plus the velocity terms of (8).
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ DECISIVE = 0.1
 _LEVEL = np.radians(15.0)
 # Relative differences of the two sides that are clear, and that exceed rounding.
 _CLEARLY, _EQUAL = 0.01, 1e-6
-_AGAINST_GRAVITY, _AT_HOME = "against gravity", "at the home pose of the robot file"
+_AGAINST_GRAVITY, _AT_HOME = "opposite to gravity", "from home_position of the robot file"
 # Largest x component of a unit vector that is far enough from the x axis.
 _ACROSS = 0.9
 # Coordinate of a mean, relative to the largest coordinate, below which it is rounding error.
@@ -124,15 +124,19 @@ def platform_side(robot: Robot) -> Side:
     pull = float(_normal(robot.b, axis) @ g)
     if abs(pull) > DECISIVE * np.linalg.norm(g):
         return Side(-axis if pull > 0.0 else axis, _AGAINST_GRAVITY, True)
-    gravity = f"gravity is {'along the base' if np.any(robot.g) else '0'}"
+    gravity = f"gravity is {'parallel to the base' if np.any(robot.g) else '0'}"
     outside, condition = zip(*(_level_scores(robot, side) for side in (axis, -axis)), strict=True)
-    for name, (one, other) in (("nearer to the length limits", outside), ("of smaller condition", condition)):
+    for name, (one, other) in (
+        ("closer to the length limits", outside),
+        ("with the smaller condition number", condition),
+    ):
         if abs(one - other) > _CLEARLY * max(one, other):
-            return Side(axis if one < other else -axis, f"{gravity}, the side {name} is taken", True)
+            return Side(axis if one < other else -axis, f"{gravity}; selected the side {name}", True)
     # The difference is small, but it selects the same side for any axes of the robot file.
     if condition[0] - condition[1] > _EQUAL * condition[0]:
         axis = -axis
-    rule = f"{gravity}, the side {_shown(axis)} of the base is taken; {_shown(-axis)} is as plausible"
+    selected = f"selected the side {_shown(axis)} of the base, although {_shown(-axis)} is as plausible"
+    rule = f"{gravity}; {selected}; give home_position"
     return Side(axis, rule, False)
 
 

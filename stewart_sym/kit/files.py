@@ -13,7 +13,7 @@ import numpy as np
 
 from ..backend import fidelity
 from ..derive.generate import generator_version
-from ..derive.package import build, cpp, fmu, licence
+from ..derive.package import build, cpp, fmu, kit_license
 from ..derive.package.example import example
 from ..derive.package.forces_name import forces_header
 from ..derive.package.functions import Function, Vector, reads_robot
@@ -40,11 +40,11 @@ from .kit_options import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, opti
 from .parts import Parts, generator, parts, robot_numbers
 from .vectors import rejected, vectors
 
-LICENCE, ROBOT = "LICENSE", "robot.toml"
+LICENSE, ROBOT = "LICENSE", "robot.toml"
 MANIFEST = "manifest.json"
 """Record of the files of a kit, from which a later run recognizes edited files."""
 
-_TEXTS = (build.SELFTEST, build.EXAMPLE, LICENCE, ROBOT, "README.md", build.WRAPPER, *build.FILES)
+_TEXTS = (build.SELFTEST, build.EXAMPLE, LICENSE, ROBOT, "README.md", build.WRAPPER, *build.FILES)
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     texts[build.SELFTEST] = selftest(machine, tested, found, unsolvable)
     texts[build.EXAMPLE] = example(machine, tested, found)
     texts |= _build_files(machine, made, texts, choice.precision)
-    texts[LICENCE] = licence.TEXT
+    texts[LICENSE] = kit_license.TEXT
     texts[ROBOT] = robot_toml(robot, choice)
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:

@@ -104,7 +104,7 @@ def check(choice: Choice, robot: Robot) -> None:
 
 def robot_toml(robot: Robot, choice: Choice) -> str:
     """Format the robot file of the kit: the same robot to the bit, with the kit options as a comment."""
-    return template("kit/robot.toml", {"options": options(choice)}) + toml_text(robot.to_dict(), inline=False)
+    return template("kit/robot.toml", {"options": options(choice)}) + toml_text(robot.to_dict())
 
 
 def options(choice: Choice) -> str:

@@ -3,7 +3,7 @@
 from ..backend.fidelity import resolved
 from ..derive.generate import output_program
 from ..derive.mechanics import quantities as n
-from ..derive.package import licence
+from ..derive.package import kit_license
 from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents
 from ..derive.package.robot import Machine
@@ -57,6 +57,6 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     contents = Contents(machine, program, outputs, tests, choice.precision, options(choice))
     made = language.files(contents)
     made["README.md"] = language.readme(contents, made[language.example])
-    made["LICENSE"] = licence.TEXT
+    made["LICENSE"] = kit_license.TEXT
     made["robot.toml"] = robot_toml(robot, choice)
     return made

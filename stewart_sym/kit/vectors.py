@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..backend import fidelity as fidelities
-from ..backend.kernel import MOTION, need_representable
+from ..backend.kernel import MOTION, overflows, robot_numbers
 from ..derive.kernel.outputs import FORCED
 from ..derive.package.functions import Vector
 from ..drives.friction import drive_numbers
@@ -72,7 +72,6 @@ def vectors(
     precision: str = "double",
     count: int = 8,
     baked: bool = False,
-    extreme: bool = True,
 ) -> tuple[Vector, ...]:
     """Compute the test vectors of some functions.
 
@@ -96,8 +95,6 @@ def vectors(
         Largest number of ordinary vectors of each function.
     baked : bool
         True if the constants are baked, so that they are rounded last.
-    extreme : bool
-        False omits the extreme motions.
 
     Returns
     -------
@@ -110,8 +107,9 @@ def vectors(
         If the robot has no suitable pose.
     """
     level = fidelities.resolved(robot, formulation, fidelity or "general")
-    need_representable(robot, precision)
     kind = PRECISIONS[precision]
+    if not np.isfinite(rounded(robot_numbers(robot, rotors=True), kind)).all():
+        raise overflows(precision)
     every = poses(robot, formulation, count)
     ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
     made = _Vectors(robot, formulation, level, kind, baked)
@@ -123,7 +121,7 @@ def vectors(
             for at in motions
             if function not in _BACKWARD or _settled(robot, at, kind)
         ]
-        if function == "forces" and extreme:
+        if function == "forces":
             chosen = extreme_motions(robot, every[0], knows_axes(robot, level))
             inputs = [_input(robot, motion, kind) for motion in chosen]
             found += [replace(made.vector(function, at), ordinary=False) for at in inputs]

@@ -38,40 +38,25 @@ def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] 
     kit would be compiled with the new kit. Other files remain, and ``inputs`` are never replaced. All files
     are checked before the first one is written.
 
-    Raises ValueError if a file would be overwritten or the folder cannot be written.
+    Raises ValueError if a file would be overwritten, and OSError if the folder cannot be written.
     """
-    try:
-        ours = recorded(directory, MANIFEST)
-        if ours:
-            ours[MANIFEST] = str(digest(directory / MANIFEST))
-        changed = {
-            name: content for name, content in made.files.items() if not _is(directory / name, content)
-        }
-        for name in changed:
-            path = directory / name
-            if path.exists() and not path.is_file():
-                found = "a folder" if path.is_dir() else "a device or a pipe"
-                raise ValueError(f"{path}: expected a file or nothing, found {found}")
-            is_ours = (directory / name).exists() and digest(directory / name) == ours.get(name, "")
-            must_be_replaceable(directory / name, is_ours, force, inputs, "name another folder")
-        gone = [directory / name for name in ours if name not in made.files and (directory / name).is_file()]
-        for path in gone:
-            if any(each.exists() and path.samefile(each) for each in inputs):
-                raise ValueError(f"{path}: is an input; name another folder")
-            if not force and digest(path) != ours[path.relative_to(directory).as_posix()]:
-                raise ValueError(
-                    f"{path}: was edited and is not part of this kit; use --force to remove it, or rename it"
-                )
-        # The manifest is the last file, so that it lists no file of an unfinished kit.
-        for name in sorted(changed, key=MANIFEST.__eq__):
-            write_file(directory / name, changed[name])
-        for path in gone:
-            path.unlink()
-            with contextlib.suppress(OSError):
-                path.parent.rmdir()
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise ValueError(f"{error.filename or directory}: {reason}") from error
+    ours = recorded(directory / MANIFEST)
+    if ours:
+        ours[MANIFEST] = str(digest(directory / MANIFEST))
+    changed = {name: content for name, content in made.files.items() if not _is(directory / name, content)}
+    inside = directory.resolve()
+    old = [directory / name for name in ours.keys() - made.files]
+    gone = [path for path in old if path.is_file() and path.resolve().is_relative_to(inside)]
+    for path in [*(directory / name for name in changed), *gone]:
+        is_ours = digest(path) == ours.get(path.relative_to(directory).as_posix(), "")
+        must_be_replaceable(path, is_ours, force, inputs)
+    # The manifest is the last file, so that it lists no file of an unfinished kit.
+    for name in sorted(changed, key=MANIFEST.__eq__):
+        write_file(directory / name, changed[name])
+    for path in gone:
+        path.unlink()
+        with contextlib.suppress(OSError):
+            path.parent.rmdir()
     return [directory / name for name in made.files]
 
 

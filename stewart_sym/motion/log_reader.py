@@ -11,7 +11,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.extras import need
 from ..io.progress import Progress, silent
-from ..io.toml_reader import file_name, opened
+from ..io.toml_reader import opened
 from .even_clock import Clock, even_clock
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import TrajectoryFormat, need_columns, read_columns, stated_units
@@ -32,8 +32,6 @@ from .trajectory import (
     turn_doubt,
 )
 
-# Of a CSV file; more than two million rows with everything in them.
-_MOST_BYTES = 1 << 30
 QUATERNION = ("t", "q")
 _LENGTHS = ("L",)
 _LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
@@ -109,10 +107,10 @@ def read_poses(
 def _read(
     path: str | os.PathLike[str], form: TrajectoryFormat, smoothing: SmoothingOptions, progress: Progress
 ) -> Log:
-    source = file_name(path)
+    source = os.fsdecode(path)
     if form.columns:
         _check_header([*form.columns], "columns", "")
-    with opened(source, "trajectory", _MOST_BYTES) as stream:
+    with opened(source, "trajectory") as stream:
         check = partial(_check_log, smoothing=smoothing)
         table = read_columns(stream, source, check, form, progress)
     names = {name.rpartition("_")[0] for name in table.columns} - {""}
@@ -123,10 +121,10 @@ def _read(
 
 def with_units_of(path: str | os.PathLike[str], form: TrajectoryFormat) -> TrajectoryFormat:
     """The form with all units: given ones, else those of the file's row of units, else SI; a pipe is SI."""
-    source = file_name(path)
+    source = os.fsdecode(path)
     if not os.path.isfile(source):
         return form.with_units({})
-    with opened(source, "trajectory", _MOST_BYTES) as stream:
+    with opened(source, "trajectory") as stream:
         return form.with_units(stated_units(stream, source, form))
 
 
@@ -179,7 +177,7 @@ def read_leg_columns(
     columns and, without a row of units, the unit of time. Returns times (n,), the columns (n, 6),
     their names, and the lines of the file. Raises ``ValueError`` that names the file and the line or column.
     """
-    source = file_name(path)
+    source = os.fsdecode(path)
     group = groups[0]
 
     def check(header: list[str], source: str) -> None:
@@ -192,7 +190,7 @@ def read_leg_columns(
         _check_names(header, [*wanted, *header], source)
         need_columns(header, wanted, source)
 
-    with opened(source, "forces", _MOST_BYTES) as stream:
+    with opened(source, "forces") as stream:
         unit = stated_units(stream, source, form).get("time_unit", form.time_unit)
         stream.seek(0)
         form = dataclasses.replace(form, time_unit=unit)

@@ -98,7 +98,7 @@ def read_plan(path: str | os.PathLike[str]) -> Iterator[PlanRequest]:
         If this file or a file named in it cannot be read or violates its schema. The message is one line,
         ``file: key: expected value (at line n)``.
     """
-    source = toml_reader.file_name(path)
+    source = os.fsdecode(path)
     with toml_reader.toml_tables(source, "file of via poses") as d:
         yield _request(d, source)
 
@@ -107,7 +107,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     """Convert the tables of a plan file to a plan."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot"))
-    toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
+    toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
     if ("via" in top) == ("via_file" in top):
         raise ValueError(f"{file}via: expected either via poses or via_file")
     options: dict[str, Any] = {
@@ -208,7 +208,7 @@ def _box(value: object, prefix: str) -> tuple[Array, Array]:
     low, high = np.zeros(6), np.zeros(6)
     for key, given in toml_reader.checked_table(value, prefix, COORDINATES).items():
         i = COORDINATES.index(key)
-        low[i], high[i] = toml_reader.numbers(given, (2,), prefix + key)
+        low[i], high[i] = toml_reader.numbers(given, prefix + key, (2,))
         if not low[i] <= 0.0 <= high[i]:
             raise ValueError(f"{prefix}{key}: expected [low, high] with low <= 0 <= high, got {given}")
     return low, high

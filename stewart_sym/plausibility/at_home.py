@@ -1,4 +1,4 @@
-"""Plausibility at the home pose: its place, axes, limits, centers of mass, forces, and motors."""
+"""Plausibility at the home pose: its place, limits, centers of mass, forces, and motors."""
 
 from collections.abc import Iterator
 
@@ -13,11 +13,6 @@ from .level_poses import Finding
 
 MOST_LEGS = 5.0
 """Largest plausible shortest leg over machine size; machines have 0.2 to 2, limits in inches at least 8."""
-LEAST_SINE, LEAST_SINES = 0.03, 0.1
-"""Smallest plausible sine of the angle between a leg and its universal axis at the home pose.
-
-The first applies to any leg if length limits determine the home pose, the second to all six legs.
-"""
 OUTSIDE = 0.9
 """Ratio of the mean leg to the nearest mean limit below which no pose is likely to be within the limits."""
 MOST_DISTANCE, BEYOND = 3.0, 0.05
@@ -31,30 +26,14 @@ IN_METERS = 0.05
 
 
 def of_home(robot: Robot, t: Array) -> Iterator[Finding]:
-    """Yield findings about limits, axes, centers of mass, forces, and motors of the level pose at t (m)."""
+    """Yield findings about limits, centers of mass, forces, and motors of the level pose at t (m)."""
     L = level_lengths(robot, t)
     found = list(_of_limits(robot, L)) or list(_of_parts(robot, L))
-    if robot.base_joint == "universal":
-        yield from _of_axes(robot, t)
     yield from found
     if not found:
         F = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan").F
         yield from _of_forces(robot, F)
         yield from _of_torques(robot, F)
-
-
-def _of_axes(robot: Robot, t: Array) -> Iterator[Finding]:
-    S = t + robot.p - robot.b
-    limited = bool(np.all(np.isfinite(robot.length_limits)))
-    sine = np.linalg.norm(np.cross(S / np.linalg.norm(S, axis=-1)[:, None], robot.k), axis=-1)
-    along = np.flatnonzero((sine < LEAST_SINE) & limited | np.all(sine < LEAST_SINES)).tolist()
-    if along:
-        yield Finding(
-            "joint-singularity",
-            f"universal_axis of {legs_text(along)}: {np.degrees(np.arcsin(sine[along].min())):.2g} degrees "
-            "from the leg at the home pose, a joint singularity; likely cause: the leg's direction given, "
-            "expected the axis fixed in the base, across the leg",
-        )
 
 
 def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:

@@ -6,14 +6,13 @@ import numpy as np
 
 from ..dynamics.home_pose import radius
 from ..io.array_types import Array
-from ..robot.robot import LEGS, Robot, legs_text
+from ..robot.robot import Robot, legs_text
 from .level_poses import Finding
 
 MOST_GRAVITY = 50.0
 """Largest plausible gravity (m/s^2): twice Jupiter's; the Moon's is 1,620 in mm/s^2 and 162 in cm/s^2."""
 MOST_SIZE = 50.0
 """Largest plausible RMS radius of points (m); larger machines are rarer than files in millimeters."""
-STRAY = 50.0
 MOST_PROPORTION = (2.5, 200.0)
 """Largest ratio of platform to base: of exchanged points, and of points in another unit."""
 SLENDER = (1.5, 0.4, 0.5, 1.5)
@@ -60,40 +59,20 @@ def of_numbers(robot: Robot) -> Iterator[Finding]:
 def _of_points(robot: Robot) -> Iterator[Finding]:
     base, platform = radius(robot.b), radius(robot.p)
     sizes = f"base points {base:.3g} m, platform points {platform:.3g} m in RMS radius"
-    strays = [
-        f"{what} of leg {i + 1}"
-        for what, points in (("base_point", robot.b), ("platform_point", robot.p))
-        for i in _strays(points)
-    ]
-    if strays:
-        yield Finding(
-            "stray-point",
-            f"{', '.join(strays)}: more than {STRAY:g} times as far out as the others; likely cause: given "
-            "in millimeters, or a decimal point lost",
-        )
-    elif max(base, platform) > MOST_SIZE and min(base, platform) * MOST_PROPORTION[1] > max(base, platform):
+    if max(base, platform) > MOST_SIZE and min(base, platform) * MOST_PROPORTION[1] > max(base, platform):
         yield Finding("length-unit", f"{sizes}; likely cause: points in millimeters, expected meters")
     else:
-        yield from list(_of_proportion(robot, platform / base, sizes)) or _of_lightness(robot, sizes)
-
-
-def _strays(points: Array) -> list[int]:
-    """Return the indices of points that are far from the mean of the others, relative to their radius."""
-    found = []
-    for i in range(LEGS):
-        others = np.delete(points, i, axis=0)
-        size = radius(others)
-        if size > 0.0 and np.linalg.norm(points[i] - others.mean(axis=0)) > STRAY * size:
-            found.append(i)
-    return found
+        yield from list(_of_proportion(robot, float(np.divide(platform, base)), sizes)) or _of_lightness(
+            robot, sizes
+        )
 
 
 def _of_proportion(robot: Robot, ratio: float, sizes: str) -> Iterator[Finding]:
     exchanged, unit = MOST_PROPORTION
-    gyration = float(_gyration(robot.I_p, robot.M))
+    gyration = _gyration(robot.I_p, robot.M)
     most, thin, low, high = SLENDER
     slender = gyration < thin * radius(robot.p) and low < gyration / radius(robot.b) < high
-    if ratio > unit or ratio < 1.0 / unit:
+    if not 1.0 / unit <= ratio <= unit:
         larger, smaller = ("platform", "base") if ratio > unit else ("base", "platform")
         cause = f"{larger} points in millimeters, or {smaller} points in meters in a file of millimeters"
         yield Finding("proportion", f"{sizes}; likely cause: {cause}")

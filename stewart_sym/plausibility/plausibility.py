@@ -9,7 +9,6 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from ..dynamics.home_pose import radius
 from ..kinematics.mounting import AssemblyModeWarning
 from ..robot.robot import Robot
 from .at_home import of_home
@@ -17,37 +16,21 @@ from .leg_order import of_order
 from .level_poses import Finding, level_home
 from .numbers import of_numbers
 
-_COLLAPSED = (1e-6, 1e-12)
-"""Radius of points, relative to the other points and to the coordinates, below which they have no size."""
-
 
 def find_implausible(robot: Robot) -> list[Finding]:
     """Return the findings about a robot except the suppressed ones; impossible inertias are not included.
 
     A finding that explains others replaces them: with a wrong unit, poses are not examined.
     """
-    with np.errstate(all="ignore"), warnings.catch_warnings():
-        # No finding depends on the side of the base on which the platform is.
-        warnings.simplefilter("ignore", AssemblyModeWarning)
-        return _found(robot)
 
-
-def _found(robot: Robot) -> list[Finding]:
     def left(found: Iterable[Finding]) -> list[Finding]:
         return [finding for finding in found if finding.name not in robot.suppressed_warnings]
 
-    base, platform = radius(robot.b), radius(robot.p)
-    if not np.isfinite(base + platform):
-        text = "base or platform points so far out that distances overflow; likely cause: a wrong exponent"
-        return left([Finding("length-unit", text)])
-    reach = float(max(np.abs(robot.b).max(), np.abs(robot.p).max()))
-    to_size, to_reach = _COLLAPSED
-    collapsed = min(base, platform) <= max(to_size * max(base, platform), to_reach * reach)
-    if collapsed:
-        text = "base or platform points in one place; likely cause: a point copied and not changed"
-        return left([Finding("proportion", text)])
-    found = left(of_numbers(robot))
-    if not found:
-        t = level_home(robot)
-        found = left(of_order(robot, t)) or left(of_home(robot, t))
-    return found
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        # No finding depends on the side of the base on which the platform is.
+        warnings.simplefilter("ignore", AssemblyModeWarning)
+        found = left(of_numbers(robot))
+        if not found:
+            t = level_home(robot)
+            found = left(of_order(robot, t)) or left(of_home(robot, t))
+        return found

@@ -21,8 +21,8 @@ Check = Callable[[object, str], Any]
 
 WARNING_NAMES = (
     *("platform-inertia", "lower-inertia", "upper-inertia", "density"),
-    *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size", "center-of-mass"),
-    *("leg-order", "condition", "crossing", "joint-singularity"),
+    *("gravity", "length-unit", "proportion", "mass", "inertia-size", "center-of-mass"),
+    *("leg-order", "condition", "crossing"),
     *("home", "length-limits", "force-limit", "speed-limit", "drive-limit", "drive-speed"),
 )
 """Names of all warnings about the numbers of a robot, as in ``suppress_warnings``.
@@ -67,7 +67,7 @@ def accepted(value: object, where: str) -> tuple[str, ...]:
 
 def limits(value: object, where: str) -> Array:
     """Check the minimum and maximum leg length, (2,)."""
-    found = toml_reader.numbers(value, (2,), where)
+    found = toml_reader.numbers(value, where, (2,))
     if not 0.0 <= found[0] < found[1]:
         raise ValueError(f"{where}: expected [min, max] with 0 <= min < max, got {shown(found.tolist())}")
     return found
@@ -79,7 +79,7 @@ def joint_angles(value: object, where: str, straight: float = math.pi) -> Array:
     ``straight`` is 180 degrees in the unit of the value.
     """
     both = isinstance(value, list | tuple | np.ndarray)
-    found = toml_reader.numbers(value if both else [value, value], (2,), where)
+    found = toml_reader.numbers(value if both else [value, value], where, (2,))
     if not np.all((found > 0.0) & (found <= straight)):
         raise ValueError(f"{where}: expected angles > 0 and <= {straight:g}, got {shown(found.tolist())}")
     return found
@@ -124,7 +124,7 @@ def no_direction(value: object, where: str) -> Array:
 
 def inertia(value: object, where: str) -> Array:
     """Check a symmetric tensor, (3, 3)."""
-    tensor = toml_reader.numbers(value, (3, 3), where)
+    tensor = toml_reader.numbers(value, where, (3, 3))
     if (tensor == tensor.T).all():
         return tensor
     skew = np.abs(tensor - tensor.T)

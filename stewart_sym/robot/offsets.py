@@ -101,7 +101,7 @@ class JointOffsets(Frozen):
 def _six(value: Any, shape: tuple[int, ...], name: str) -> Array:
     """Return the checked numbers of each leg; one number may represent all legs."""
     alone = isinstance(value, int | float) and not isinstance(value, bool) and shape == (LEGS,)
-    return toml_reader.numbers([value] * LEGS if alone else value, shape, name)
+    return toml_reader.numbers([value] * LEGS if alone else value, name, shape)
 
 
 SHAPES: dict[str, tuple[int, ...]] = {

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import shown
+from ..io.arguments import safe_text, shown
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.frozen import Frozen
@@ -32,8 +32,7 @@ class RobotWarning(UserWarning):
 class Robot(Frozen):
     """Gough-Stewart platform with six legs, which may all be different. Arrays are read-only.
 
-    For an array with six entries, one entry is sufficient if all legs have the same value, except for ``b``
-    and ``p``.
+    If all legs have the same value, one entry is sufficient instead of six, except for ``b`` and ``p``.
 
     Attributes
     ----------
@@ -71,8 +70,9 @@ class Robot(Frozen):
     force_limit, speed_limit : ndarray, shape (6,), optional
         Limits of the actuators (N and m/s); inf means no limit.
     joint_angle_limit : ndarray, shape (6, 2), optional
-        Largest angles (rad) between a leg and its direction at the home pose, in the base frame and in the
-        platform frame. The value pi means no limit at one end; a row (inf, inf) means no limit.
+        Largest angles (rad) between a leg and its direction at the home pose: column 0 in the base frame,
+        column 1 in the platform frame. The value pi means no limit at this end; a row (inf, inf) means no
+        limit.
     lower_length, upper_length : ndarray, shape (6,), optional
         Lengths (m) of the parts, from the base point and from the platform point to the other end; 0 if not
         given. They are for drawings and do not affect forces.
@@ -145,7 +145,7 @@ class Robot(Frozen):
 
     def __post_init__(self) -> None:
         base_joint(self.base_joint, "robot: base_joint")
-        checked: dict[str, Any] = {"name": toml_reader.title(self.name, "robot: name")}
+        checked: dict[str, Any] = {"name": safe_text(toml_reader.one_line(self.name, "robot: name"))}
         checked["suppressed_warnings"] = fields.accepted(
             self.suppressed_warnings, "robot: suppressed_warnings"
         )
@@ -208,7 +208,7 @@ class Robot(Frozen):
             About inertias that no body can have and densities that almost no body has, unless the file
             suppresses these warnings.
         """
-        source = toml_reader.file_name(path)
+        source = os.fsdecode(path)
         with toml_reader.toml_tables(source, "robot file") as d:
             robot = cls._read(d, source)
         _warn(robot, d, source)
@@ -250,7 +250,7 @@ class Robot(Frozen):
             raise ValueError(f"{source}: expected a table, got {shown(d)}")
         toml_reader.require(d, ("schema",), file, "missing")
         _need_schema(d["schema"], f"{file}schema")
-        # The fields are not checked again, because the tables are checked with messages that name the keys.
+        # schema_2 checks the tables, with messages that name the keys; __post_init__ would repeat the checks.
         robot = object.__new__(cls)
         robot._set(fields.DEFAULTS | schema_2.values(d, file))
         return robot
@@ -407,7 +407,7 @@ def _need_schema(value: object, where: str) -> None:
             "common values of the legs in [legs], and [leg.1] to [leg.6] in place of [[leg]]"
         )
         raise ValueError(f"{where}: schema 1 is no longer read; {remedy}")
-    toml_reader.need_schema(value, (schema_2.SCHEMA,), where)
+    toml_reader.need_schema(value, schema_2.SCHEMA, where)
 
 
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import option, shown
+from ..io.arguments import option, safe_text, shown
 from ..io.array_types import Array
 from ..motion.text.unit_row import LENGTH_UNITS
 from . import fields
@@ -62,7 +62,7 @@ def values(d: object, file: str) -> dict[str, Any]:
         else None
     )
     own = {
-        "name": toml_reader.title(top["name"], f"{file}name"),
+        "name": safe_text(toml_reader.one_line(top["name"], f"{file}name")),
         "base_joint": joint,
         "g": toml_reader.vector(top.get("gravity", fields.DEFAULT_GRAVITY), f"{file}gravity"),
         "suppressed_warnings": fields.accepted(top.get("suppress_warnings", ()), f"{file}suppress_warnings"),
@@ -244,7 +244,7 @@ class _Legs:
         return np.radians(found) if self.degrees else found
 
     def _about_home(self, value: object, where: str, length: float | None) -> Array:
-        stroke = self.meters(toml_reader.numbers(value, (2,), where))
+        stroke = self.meters(toml_reader.numbers(value, where, (2,)))
         if stroke[0] >= stroke[1]:
             raise ValueError(f"{where}: expected [least, most] with least < most, got {shown(value)}")
         if length is None:
@@ -323,7 +323,7 @@ def points(table: Mapping[str, Any], prefix: str, meters: Meters, degrees: bool)
     radius = toml_reader.per_leg(table["radius"], f"{prefix}radius")
     if np.any(radius <= 0.0):
         raise ValueError(f"{prefix}radius: expected a number > 0, got {shown(table['radius'])}")
-    angles = toml_reader.numbers(table["angles"], (fields.LEGS,), f"{prefix}angles")
+    angles = toml_reader.numbers(table["angles"], f"{prefix}angles", (fields.LEGS,))
     turns = np.abs(angles) / (360.0 if degrees else 2.0 * math.pi)
     if np.any(turns > _MOST_TURNS):
         i = int(np.argmax(turns))

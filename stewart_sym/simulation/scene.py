@@ -128,7 +128,7 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     ImportError
         If a spline requires SciPy, which is not installed.
     """
-    source = toml_reader.file_name(path)
+    source = os.fsdecode(path)
     with toml_reader.toml_tables(source, "scene of simulate") as d:
         return _scene(d, source)
 
@@ -137,7 +137,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     """Convert the tables of a scene file to a scene."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "actuation"))
-    toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
+    toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
     # Errors in this file are reported before errors in other files.
     legs = _actuation(top["actuation"], f"{file}actuation.")
     options: dict[str, Any] = {
@@ -208,7 +208,7 @@ def _not_negative(value: object, where: str) -> Any:
 
 
 _LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
-    "constant_force": {"forces": lambda value, where: toml_reader.numbers(value, (6,), where)},
+    "constant_force": {"forces": lambda value, where: toml_reader.numbers(value, where, (6,))},
     "spring": {"stiffness": _not_negative, "rest_length": toml_reader.per_leg, "damping": _not_negative},
     "computed_torque": {
         "path": toml_reader.one_line,

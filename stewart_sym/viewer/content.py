@@ -280,7 +280,7 @@ def _event(event: Event, step: float, units: dict[str, Any]) -> dict[str, Any]:
     at, length, unit = event.at, units["length"], units["lengthName"]
     turns = bool(np.isfinite(at.screw_pitch))
     screw = (
-        f"turn about {_triple(at.screw_axis)} through {_triple(length * at.screw_point)} {unit}, "
+        f"rotation about {_triple(at.screw_axis)} through {_triple(length * at.screw_point)} {unit}, "
         f"pitch {length * float(at.screw_pitch):.4g} {unit}/rad"
         if turns
         else f"translation along {_triple(at.screw_axis)}"
@@ -293,7 +293,7 @@ def _event(event: Event, step: float, units: dict[str, Any]) -> dict[str, Any]:
         "twist": at.twist,
         "axis": at.screw_axis if turns else None,
         "point": at.screw_point if turns else None,
-        "words": f"{'unconstrained' if event.singular else 'least held'} twist: {screw}; condition number "
+        "words": f"{'unconstrained' if event.singular else 'least-rate'} twist: {screw}; condition number "
         f"{float(at.condition_number):.4g}".replace("inf", "\u221e"),
     }
 

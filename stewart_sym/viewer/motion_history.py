@@ -16,7 +16,7 @@ from ..dynamics.force_noise import force_std
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
-from ..io.toml_reader import file_name, opened
+from ..io.toml_reader import opened
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.mounting import path_for
@@ -41,7 +41,6 @@ STEPS_PER_PATH = 600
 _NAMES = {
     name: [f"{name}_{axis}" for axis in "xyz"] for name in ("t", "theta", "v", "omega")
 } | {name: [f"{name}_{leg}" for leg in range(1, 7)] for name in "FL"}  # fmt: skip
-_MOST_BYTES = 1 << 31
 # Largest difference between the lengths in a run file and at its poses, relative to the longest leg.
 _SAME = 1e-9
 
@@ -183,12 +182,12 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
 
     Raises ValueError with one line that contains the file and the row or column.
     """
-    source = file_name(path)
+    source = os.fsdecode(path)
 
     def check(header: list[str], source: str) -> None:
         need_columns(header, ["time", *itertools.chain(*_NAMES.values())], source)
 
-    with opened(source, "run", _MOST_BYTES) as stream:
+    with opened(source, "run") as stream:
         columns = read_columns(stream, source, check, PLAIN).columns
     t, theta, v, omega, F, L = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
     return columns["time"], Motion(R=rotation_from_rpy(theta), t=t, omega=omega, v=v), F, L
@@ -209,7 +208,7 @@ def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> MotionHistory:
     if not same.all():
         row, leg = (int(found[0]) for found in np.nonzero(~same))
         raise ValueError(
-            f"{file_name(path)}: expected a run of {robot.name}, got one of another machine: at "
+            f"{os.fsdecode(path)}: expected a run of {robot.name}, got one of another machine: at "
             f"{time[row]:g} s leg {leg + 1} is {own[row, leg]:.6g} m long, L{leg + 1} is {L[row, leg]:.6g} m"
         )
     return _history(robot, "simulated run", time, motion, _path_of(time, motion), time, {"run": F})

@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 from logged_compiler import LoggedCompiler
 
+from stewart_sym.backend import native
+
 
 @pytest.fixture
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
@@ -29,3 +31,4 @@ def no_compiler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(empty))
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setitem(sys.modules, "ziglang", None)
+    native._working.cache_clear()

@@ -9,7 +9,6 @@ import time
 from pathlib import Path
 
 import pytest
-from command_line import rejects
 from logged_compiler import ADD, CHILD, LoggedCompiler, load_adder, obey_permissions, run_child, script
 
 from stewart_sym.backend import native
@@ -39,6 +38,7 @@ def test_order_of_compilers(no_compiler: None, tmp_path: Path, monkeypatch: pyte
         script(tmp_path / name / name, f"echo '{name} 1.0'\necho more\nexit {code}")
     # A `cc` that is only a stub is passed over.
     monkeypatch.setenv("PATH", os.pathsep.join([str(tmp_path / "cc"), str(tmp_path / "gcc")]))
+    native._working.cache_clear()
     gcc = str(tmp_path / "gcc" / "gcc")
     assert native.find_compiler() == native.Compiler((gcc,), "gcc 1.0")
     monkeypatch.setenv("CC", f"{gcc} -m64 '-DA=\"b c\"'")
@@ -50,7 +50,7 @@ def test_broken_cc_is_named_and_nothing_else_is_tried(
     broken: str, cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if broken == "failing":
-        broken = str(script(tmp_path / "failing", "echo 'licence expired'\nexit 3"))
+        broken = str(script(tmp_path / "failing", "echo 'license expired'\nexit 3"))
     monkeypatch.setenv("CC", broken)
     with pytest.raises(native.CompilerError) as caught:
         load_adder()
@@ -66,12 +66,10 @@ def test_compile_error_shows_the_first_error_and_keeps_the_log(cache: Path, comp
     assert "no_such_name" in message
     assert "\n" not in message
     assert "nor_this" in caught.value.log
-    assert list(cache.iterdir()) == []
+    assert list(cache.glob("*.so")) == []
 
 
-def test_flags_are_strict_arithmetic(
-    cache: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_flags_are_strict_arithmetic(cache: Path, compiler: LoggedCompiler) -> None:
     load_adder(flags=("-O2",))
     (call,) = compiler.calls
     words = call.split()
@@ -79,8 +77,6 @@ def test_flags_are_strict_arithmetic(
     assert {*arithmetic, "-std=c99", "-fPIC", "-shared", "-lm"} <= set(words)
     assert words.index("-O3") < words.index("-O2")
     assert not any("fast" in word for word in words)
-    monkeypatch.setenv("CC", f"{compiler.path} -Ofast")
-    rejects(r"^CC: -Ofast changes the arithmetic", load_adder)
 
 
 def test_compiler_that_does_not_know_march_native(
@@ -118,7 +114,7 @@ def test_processes_starting_at_once_on_an_empty_cache_compile_once(
     (tmp_path / "go").touch()
     results = [process.communicate(timeout=600) for process in processes]
     assert [process.returncode for process in processes] == [0] * 3, results
-    assert {Path(output.strip()) for output, _ in results} == set(cache.iterdir())
+    assert {Path(output.strip()) for output, _ in results} == set(cache.glob("*.so"))
     assert len(compiler.calls) == 1
 
 
@@ -167,21 +163,21 @@ def test_home_with_spaces_and_letters_beyond_ascii(
     assert len(compiler.calls) == 1
 
 
-def test_unusable_cache_gives_a_temporary_folder_that_is_removed(
-    cache: Path, tmp_path: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
+def test_a_cache_that_cannot_be_written_is_an_error_with_a_remedy(
+    cache: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    temporary = tmp_path / "temporary"
-    temporary.mkdir()
-    monkeypatch.setenv("TMPDIR", str(temporary))
-    cache.mkdir(mode=0o500)
+    library = Path(load_adder()._name)
+    cache.chmod(0o500)
     try:
-        assert run_child(CHILD, obey_permissions, cache).is_relative_to(temporary)
-        assert list(temporary.iterdir()) == []
-        cache.chmod(0o700)
-        library = Path(load_adder()._name)
-        cache.chmod(0o500)
         # A library that the folder already contains is loaded from there.
         assert run_child(CHILD, obey_permissions) == library
+        library.unlink()
+        code = CHILD.replace("library = ", "try:\n    ").replace(
+            "assert library.add(2, 3) == 5\nprint(library._name)",
+            "except native.CompilerError as error:\n    print(error)",
+        )
+        told = str(run_child(code, obey_permissions))
     finally:
         cache.chmod(0o700)
-    assert len(compiler.calls) == 2
+    assert told.startswith(f"cannot load {library}: ")
+    assert told.endswith("; set STEWART_SYM_CACHE to a writable folder")

@@ -127,10 +127,6 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(fails: Fails) -> Non
         ),
         (["check", "a.toml", "b.toml"], "unrecognized arguments: b.toml (see {} check --help)"),
         (
-            ["generate", "a", "-o", "b", "--precision", "half"],
-            """argument --precision: expected "double" or "float", got 'half' (see {} generate --help)""",
-        ),
-        (
             ["plann", "--minimize"],
             "argument SUBCOMMAND: expected a subcommand, got 'plann', did you mean plan? (see {} --help)",
         ),

@@ -145,7 +145,7 @@ def test_constants_that_overflow_the_precision_are_rejected() -> None:
     robot = dasgupta()
     heavy = dataclasses.replace(robot, M=1e39)
     ss.ForceKernel(heavy)
-    rejects(r"robot: M: 1e\+39 exceeds the range of float", ss.ForceKernel, heavy, precision="float")
+    rejects("exceed the range of float", ss.ForceKernel, heavy, precision="float")
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])

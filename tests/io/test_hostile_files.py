@@ -5,7 +5,6 @@ The fuzzer of fuzz_files.py starts from sound files; what it can't reach by chan
 
 import functools
 import importlib.util
-import itertools
 import os
 import resource
 import socket
@@ -50,7 +49,6 @@ READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
     "forces": (read_forces, FORCES),
 }
 MASS = b"mass = 40.0"
-MILLIONS = 5_000_000
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 
@@ -120,39 +118,6 @@ def test_values_that_are_no_mass_are_rejected(value: bytes, tmp_path: Path) -> N
     assert told.startswith(("platform.body.mass: ", "not valid TOML: "))
 
 
-HUGE = {
-    "tables": b"[[leg]]\n" * 1_250_000,
-    "digits": POSES + b"9," + b"1" * MILLIONS + b",0,0,0,0,0\n",
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", HUGE)
-def test_ten_megabytes_are_read_or_rejected_in_seconds_and_little_memory(name: str, tmp_path: Path) -> None:
-    """Each reader in a process of its own with a gigabyte and 20 s of processor time."""
-    path = written(tmp_path, HUGE[name])
-    code = (
-        "import sys, warnings\nwarnings.simplefilter('ignore')\n"
-        "from stewart_sym.robot.robot import Robot\nfrom stewart_sym.simulation.scene import read_scene\n"
-        "from stewart_sym.motion.log_reader import FORCES, PLAIN, read_leg_columns, read_log\n"
-        "read_forces = lambda path: read_leg_columns(path, PLAIN, (FORCES,))\n"
-        "for read in (Robot.from_toml, read_scene, read_log, read_forces):\n"
-        "    try:\n        read(sys.argv[1])\n    except ValueError as error:\n        print(error)\n"
-    )
-
-    def bounded() -> None:
-        resource.setrlimit(resource.RLIMIT_CPU, (20, 20))
-        resource.setrlimit(resource.RLIMIT_DATA, (1 << 30, 1 << 30))
-
-    done = subprocess.run(
-        [sys.executable, "-c", code, str(path)], capture_output=True, text=True, preexec_fn=bounded
-    )
-    assert (done.returncode, done.stderr) == (0, "")
-    lines = done.stdout.splitlines()
-    assert len(lines) == 4
-    assert all(line.startswith(f"{path}: ") and len(line) < 900 for line in lines)
-
-
 # What is no file
 
 
@@ -162,17 +127,15 @@ def test_what_is_no_file_is_rejected(name: str, tmp_path: Path, monkeypatch: pyt
     Path("circle").symlink_to("circle")
     with socket.socket(socket.AF_UNIX) as ear:
         ear.bind("ear")
-        for place in ("/dev/zero", "/dev/null", "/", "no/such/file", "", "x" * 5000, "circle", "ear"):
+        for place in ("/", "no/such/file", "", "x" * 5000, "circle", "ear"):
             rejects("cannot read the ", READERS[name][0], place)
 
 
 @pytest.mark.slow
-def test_a_pipe_is_read_to_its_end_and_no_further_than_a_file(tmp_path: Path) -> None:
+def test_a_pipe_is_read_to_its_end() -> None:
     script = "from stewart_sym.robot.robot import Robot; print(Robot.from_toml('/dev/stdin').M)"
     command = [sys.executable, "-W", "ignore", "-c", script]
     assert subprocess.run(command, input=ROBOT, capture_output=True).stdout == b"40.0\n"
-    done = subprocess.run(command, input=b"#" * 3 * MILLIONS, capture_output=True)
-    assert done.stderr.splitlines()[-1].endswith(b"longer than 262,144 bytes")
 
 
 @pytest.mark.full
@@ -215,11 +178,3 @@ def test_a_mistake_is_placed_at_its_line(kind: str, tmp_path: Path, run: Run) ->
     told = run(command, tmp_path / "file.toml", *options, code=2).err
     assert "file.toml: mistake: unknown key, " in told
     assert told.endswith(f" (at line {line})\n")
-
-
-def test_a_file_of_another_kind_is_called_that(tmp_path: Path, run: Run) -> None:
-    for expected, got in itertools.permutations(KINDS, 2):
-        (tmp_path / "file.toml").write_text(KINDS[got][0])
-        command, *options = KINDS[expected][1]
-        told = run(command, tmp_path / "file.toml", *options, code=2).err
-        assert told.endswith(f"file.toml: expected a {expected}, got a {got}\n")

@@ -62,10 +62,10 @@ def turned(column: str) -> float:
 
 def test_gravity_settles_the_side_and_then_limits_and_then_the_condition() -> None:
     robot = dasgupta()
-    assert platform_side(robot).rule == "against gravity"
+    assert platform_side(robot).rule == "opposite to gravity"
     afloat = dataclasses.replace(robot, g=np.zeros(3))
     side = platform_side(afloat)
-    assert side.rule == "gravity is 0, the side of smaller condition is taken"
+    assert side.rule == "gravity is 0; selected the side with the smaller condition number"
     assert side.settled
     for direction in (1.0, -1.0):
         # Limits that the level platform keeps on one side only.
@@ -74,16 +74,22 @@ def test_gravity_settles_the_side_and_then_limits_and_then_the_condition() -> No
         ).L
         limited = dataclasses.replace(afloat, length_limits=np.stack([L - 1e-2, L + 1e-2], axis=-1))
         found = platform_side(limited)
-        assert found.rule == "gravity is 0, the side nearer to the length limits is taken"
+        assert found.rule == "gravity is 0; selected the side closer to the length limits"
         assert found.direction[2] == direction
     sideways = dataclasses.replace(robot, b=robot.b * [1.0, 1.0, 0.0], g=np.array([3.0, 9.0, -0.5]))
-    assert platform_side(sideways).rule == "gravity is along the base, the side of smaller condition is taken"
+    assert (
+        platform_side(sideways).rule
+        == "gravity is parallel to the base; selected the side with the smaller condition number"
+    )
 
 
 def test_two_sides_as_plausible_as_each_other_are_both_named() -> None:
     flat = np.array([1.0, 1.0, 0.0])
     robot = dataclasses.replace(dasgupta(), b=dasgupta().b * flat, p=dasgupta().p * flat, g=np.zeros(3))
-    text = r"robot: gravity is 0, the side \(0, 0, 1\) of the base is taken; \(0, 0, -1\) is as plausible"
+    text = (
+        r"robot: gravity is 0; selected the side \(0, 0, 1\) of the base, although \(0, 0, -1\) is as "
+        "plausible; give home_position"
+    )
     L = ss.inverse_kinematics(
         robot, ss.Motion(R=np.eye(3), t=[0.0, 0.0, 0.5], omega=np.zeros(3), v=np.zeros(3))
     ).L

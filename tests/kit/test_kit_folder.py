@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -72,9 +73,9 @@ def test_files_that_the_new_kit_has_not_are_removed_and_edited_ones_only_with_fo
     (tmp_path / "stewart_robot.h").write_text("mine", encoding="utf-8")
     edited = contents(tmp_path)
     baked = kit_of(choice=Choice(bake=True, scalar=True))
-    rejects(r"^\S+robot\.h: was edited and is not part of this kit; use --force to", put, baked, tmp_path)
+    rejects(r"^\S+robot\.h: exists with other content; use --force", put, baked, tmp_path)
     assert contents(tmp_path) == edited
-    with pytest.raises(ValueError, match=r"^\S+robot\.h: is an input; name another folder$"):
+    with pytest.raises(ValueError, match=r"^\S+robot\.h: is an input; use another name$"):
         put(baked, tmp_path, force=True, inputs=[tmp_path / "stewart_robot.h"])
     put(baked, tmp_path, force=True)
     assert contents(tmp_path) == baked.files
@@ -119,7 +120,8 @@ def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x", encoding="utf-8")
     # The kernel's own file system takes no files, not even root's.
     for folder in (Path("/proc/kit"), Path("/proc/self"), tmp_path / "file", tmp_path / "file" / "kit"):
-        rejects(rf"\A{folder}", put, kit_of(), folder)
+        with pytest.raises((ValueError, OSError), match=re.escape(str(folder))):
+            put(kit_of(), folder)
     assert os.listdir(tmp_path) == ["file"]
 
 

@@ -196,7 +196,7 @@ def limited(limit: str) -> str:
         (HEAD + FIRST + FIRST, "via 2: expected another pose than via pose 1 (at line 6)"),
         (limited("force = 10.0"), "at rest at s ="),
         (limited("max_condition = 1.1"), "via 1: expected a condition number of at most 1.1"),
-        ("", "the file is empty"),
+        ("", "schema: missing (at line 1)"),
     ],
 )
 def test_bad_input_is_one_line_and_leaves_nothing_behind(folder: Path, text: str, words: str) -> None:

@@ -278,7 +278,7 @@ def test_paper_and_levels_are_rejected() -> None:
     robot, motion = offset_case(0)
     rejects("formulation: expected", ss.inverse_dynamics, robot, motion, formulation="paper")
     rejects("formulation: expected", ss.ForceKernel, robot, formulation="paper")
-    rejects("with offset joints, got 'slender'", ss.ForceKernel, robot, fidelity="slender")
+    rejects("expected one of general, got 'slender'", ss.ForceKernel, robot, fidelity="slender")
     universal, _ = offset_case(0, "universal")
     rejects("platform_joint", ss.ForceKernel, universal)
 

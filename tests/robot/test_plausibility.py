@@ -50,7 +50,7 @@ def test_published_machines_are_not_doubted(limited: bool) -> None:
 
 
 # Without limits nothing says where the machine stands and what it carries.
-BY_LIMITS = {"universal axis along the leg", "home of another point"}
+BY_LIMITS = {"home of another point"}
 BY_LIMITS |= {wrong for wrong, (_, name, _) in ABSURD.items() if name.endswith("-limit") or "limits" in name}
 
 

@@ -341,12 +341,6 @@ def test_arguments_of_a_wrong_kind_are_named_in_one_line(name: str) -> None:
                     call.function(**{**call.arguments, argument: value})
             except ValueError as error:
                 told = str(error)
-            if (
-                argument == "path"
-                and name in ("Robot.from_toml", "import_model", "read_trajectory")
-                and kind in ("text", "bytes")
-            ):
-                told = told.replace("x: cannot read", "path: cannot read")
             assert told.isprintable(), (argument, kind, told)
             named = f"{argument}: expected " if argument in CHOICES else names
             assert told.startswith(named), (argument, kind, told)

@@ -170,12 +170,6 @@ DOUBTFUL = {
     "millimeters": ('length_unit = "mm"\n', "", "length-unit", "points in millimeters, expected meters"),
     "counted the other way": ("[50, 70, 170, 190, 290, 310]", "[310, 290, 190, 170, 70, 50]", "", "mirrored"),
     "exchanged": ("radius = 600", "radius = 100", "proportion", "base_point and platform_point exchanged"),
-    "axes along the legs": (
-        "[leg.3]",
-        "[leg.3]\nuniversal_axis = [90, -407, 650]",
-        "joint-singularity",
-        "leg",
-    ),
     "g/cm^3": ("density = 7800", "density = 7.8", "density", "legs.lower.density: 7.8 kg/m^3; likely "),
     "center of mass in meters": ("[250, 0, 0]", "[0.25, 0, 0]", "center-of-mass", "part of leg 3: center_of"),
 }

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from chart_tables import entry_of
 from command_line import Run, read
 from cost_figures import (
     CHEAP,
@@ -51,7 +52,7 @@ from stewart_sym.studies.accuracy.advice import (
     without_effect,
 )
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
-from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, entry_of, worst
+from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, worst
 from stewart_sym.studies.common.output import Figures
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
@@ -131,7 +132,7 @@ def test_a_kernel_slower_than_the_rate_is_not_good_enough() -> None:
     none = advice(given, budget(9.0, rate=1e8))
     assert none.chosen is None
     assert none.closest is MIDDLE
-    assert "a pose takes 100 ns, 10 times what is allowed" in answer(none)[0]
+    assert "a pose takes 100 ns, 10 times the limit" in answer(none)[0]
 
 
 def reasons(found: Advice) -> dict[frozenset[str], str]:
@@ -148,7 +149,7 @@ def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i:
     }
     lines = answer(found)
     assert (
-        f"Forced by joint friction: without (exact frictionless, double: {FRICTIONLESS} operations) the error"
+        f"Required: joint friction. Without: exact frictionless, double: {FRICTIONLESS} operations; the error"
         in str(lines)
     )
     for left_out, without in found.needed():
@@ -220,7 +221,7 @@ def test_rotors_get_a_kernel_with_rotors_and_a_reason(monkeypatch: pytest.Monkey
 
 def test_the_report_has_every_figure(on_path_i: Figures) -> None:
     text = report(advice(on_path_i, budget(0.05)))
-    assert "tolerance 0.05, margin 3: good enough up to an error of 1.67e-02" in text
+    assert "tolerance 0.05, margin 3: largest accepted error 1.67e-02" in text
     for each in on_path_i["candidates"]:
         line = next(line for line in text.splitlines() if line.startswith(f"{candidate_of(each).name} "))
         assert f" {each['operations']} " in line
@@ -258,8 +259,8 @@ TABLES = ["chart.csv", "chart.json", "chart.txt"]
 def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
     output = scene.parent / "advice.json"
     captured = run("choose-fidelity", scene, "--json", output)
-    assert "Cheapest that is good enough: exact general_static, float" in captured.out
-    assert "Forced by centers of mass off the legs' axes" in captured.out
+    assert "Cheapest kernel within the budget: exact general_static, float" in captured.out
+    assert "Required: centers of mass off the legs' axes" in captured.out
     written = json.loads(output.read_text())
     assert written["chosen"]["fidelity"] == "general_static"
     assert (written["tolerance"], written["margin"], written["rate_Hz"]) == (0.05, 2.0, 1000.0)

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from chart_tables import entry_of
 from command_line import fails_in_one_line, folder_state
 from cost_figures import SCENE, hasty
 from fifty_digits import truth as eliminated
@@ -25,7 +26,7 @@ from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy.budget import papers_motions, read_budget
-from stewart_sym.studies.accuracy.cost import cost, entry_of, worst
+from stewart_sym.studies.accuracy.cost import cost, worst
 from stewart_sym.studies.common.output import Figures, csv_lines
 
 pytestmark = pytest.mark.usefixtures("quickly")

@@ -9,6 +9,7 @@ from pathlib import Path
 import matplotlib.image
 import numpy as np
 import pytest
+from chart_tables import entry_of
 from command_line import rejects
 from cost_figures import LEVELS, PEAKS, chart, errors, made_up
 from matplotlib.axes import Axes
@@ -17,7 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
 from stewart_sym.studies.accuracy import cost_plot
-from stewart_sym.studies.accuracy.cost import entry_of, worst
+from stewart_sym.studies.accuracy.cost import worst
 from stewart_sym.studies.accuracy.cost_plot import ROUNDING, TOTAL, Point, csv_rows, figure, front, points
 from stewart_sym.studies.common.drawing import name_points
 from stewart_sym.studies.common.report import SMALL, Picture, draw

@@ -91,7 +91,7 @@ def calls() -> dict[str, Call]:
     by_angles = ("t", "theta", "v", "theta_dot", "a", "theta_ddot", "F_ext", "M_ext")
     add(ss.Motion.from_rpy, **dict.fromkeys(by_angles, vector))
     add(ss.Robot.from_dict, d=robot.to_dict(), other={"d": "robot"})
-    add(ss.Robot.from_toml, path="no.toml")
+    add(ss.Robot.from_toml, path="no.toml", free=("path",))
     add(ss.StraightLinePath, **lines, tau_f=1.0, V=1.5, Omega=1.0)
     add(path.sample, tau=0.5)
     add(path.time_grid, dtau=0.5)
@@ -133,9 +133,9 @@ def calls() -> dict[str, Call]:
         "smoothing": ss.SmoothingOptions(),
         "guess": guess,
     }
-    add(ss.read_trajectory, robot=robot, **log, free=("file_format", "guess"))
+    add(ss.read_trajectory, robot=robot, **log, free=("path", "file_format", "guess"))
     add(ss.export_model, robot=robot, format="mjcf")
-    add(ss.import_model, path="no.xml")
+    add(ss.import_model, path="no.xml", free=("path",))
     add(ss.ForceKernel, robot=robot, formulation="exact", precision="double", fidelity="general")
     add(ss.ForceKernel(robot).forces, motion=motion, threads=1, on_singular="raise")
     add(ss.ForceKernel(robot).status, motion=motion, threads=1)

@@ -99,20 +99,12 @@ def test_the_example_opens_a_browser_or_says_the_path(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[str] = []
-
-    def open_(address: str) -> bool:
-        opened.append(address)
-        return True
-
-    monkeypatch.setattr("webbrowser.open", open_)
-    for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"):
-        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or len(opened) > 1)
     assert main(["view", "--example"]) == 0
-    assert opened == []
     assert str(folder / "machine.html") in capsys.readouterr().err
-    monkeypatch.setenv("DISPLAY", ":0")
     assert main(["view", "--example"]) == 0
-    assert opened == [(folder / "machine.html").as_uri()]
+    assert capsys.readouterr().err == ""
+    assert opened == [(folder / "machine.html").as_uri()] * 2
 
 
 def test_what_cannot_be_shown_is_named() -> None:
@@ -142,8 +134,6 @@ def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
 
 
 def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
-    said = fails("view", "trajectory.csv", "-o", "out.html")
-    assert "trajectory.csv: expected a robot file, got 'time," in said
     Path("report.json").write_text('{\n "generator": "x"\n}\n', encoding="utf-8")
     said = fails("view", "hexapod.toml", "report.json", "-o", "out.html")
     assert said.endswith("report.json: expected a CSV file with a header line, got '{'")
@@ -151,8 +141,6 @@ def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
     assert said.endswith("-o out.txt: the file name must end in .html")
     said = fails("forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf")
     assert said.endswith("--html out.pdf: the file name must end in .html")
-    said = fails("view", "report.json", "-o", "out.html")
-    assert said.endswith("report.json: expected a robot file, got '{'")
 
 
 def test_a_robot_with_rotors_is_shown_in_exact_alone(folder: Path) -> None:

@@ -13,7 +13,7 @@ STATUSES = (
         5,
         "an argument is invalid: a pointer is null, stride < count, or an index is out of range",
     ),
-    ("MASS_MATRIX_INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
+    ("MASS_MATRIX_INDEFINITE", 6, "the mass matrix M is not positive definite: no body has such inertias"),
     ("NOT_CONVERGED", 7, "no pose with these leg lengths was found"),
 )
 """Name, code and meaning of each status."""

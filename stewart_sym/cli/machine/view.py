@@ -8,7 +8,6 @@ Limits of legs and motors are compared as in `forces`.
 Example: stewart-sym view hexapod.toml trajectory.csv -o machine.html
 """
 
-import os
 import sys
 import webbrowser
 from pathlib import Path
@@ -54,8 +53,8 @@ def run(arguments: Arguments) -> None:
         take(Report(shown.title, data=view_data(shown)), shown.html)
     for _, line in shown.limits.told:
         warn(line)
-    if shown_at_once and not _opened(path):
-        print(f"no screen found; open {path.resolve()} in a browser", file=sys.stderr)
+    if shown_at_once and not webbrowser.open(path.resolve().as_uri()):
+        print(f"no browser found; open {path.resolve()} in a browser", file=sys.stderr)
 
 
 def _motion(robot: ss.Robot, arguments: Arguments, progress: Progress) -> MotionHistory:
@@ -73,11 +72,3 @@ def _motion(robot: ss.Robot, arguments: Arguments, progress: Progress) -> Motion
     trajectory = trajectory_of(robot, path, arguments, progress)
     progress("computing forces and singular poses")
     return motion_history.of_trajectory(robot, trajectory)
-
-
-def _opened(path: Path) -> bool:
-    """Open a file in a browser; return False without a screen or a browser."""
-    screen = sys.platform in ("darwin", "win32") or any(
-        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER")
-    )
-    return screen and webbrowser.open(path.resolve().as_uri())

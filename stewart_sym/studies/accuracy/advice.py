@@ -27,7 +27,7 @@ TERMS: Mapping[str, str] = {
     "reflected": "the rotors' reflected masses",
     "momentum": "the rotors' angular momenta",
     "rates": "velocities and accelerations",
-    "joint": "the right equations of joint and inertia",
+    "joint": "corrected equations (faults 1 to 3)",
     "digits": "double precision",
 }
 """Terms that a kernel may omit, as text; ``joint`` are the corrections of faults 1 to 3 of `paper`."""
@@ -132,7 +132,7 @@ def report(found: Advice) -> str:
     )
     budget = found.budget
     limits = f"tolerance {budget.tolerance:.3g}, margin {budget.margin:g}: "
-    limits += f"good enough up to an error of {budget.tolerance / budget.margin:.2e}"
+    limits += f"largest accepted error {budget.tolerance / budget.margin:.2e}"
     if budget.rate is not None:
         limits += f", {1e9 / budget.rate:.4g} ns per pose at {budget.rate:g} Hz"
     return "\n\n".join(
@@ -141,11 +141,11 @@ def report(found: Advice) -> str:
 
 
 _NOTE = (
-    "Errors are shares of the peak force of their motion, the worst motion counts.\n"
-    f"Rounding is measured at {SAMPLED} poses spread over each motion and where force and condition "
-    "number are largest, the model error at all poses."
+    "Errors are fractions of the peak force of their motion; each cell is the maximum over all motions.\n"
+    f"Rounding errors are measured at {SAMPLED} poses of each motion, and where force and condition number "
+    "are largest. Modeling errors are measured at all poses."
 )
-_COLUMNS = ("operations", "ns per pose", "in a batch", "model error", "RMS", "rounding", "total")
+_COLUMNS = ("operations", "ns per pose", "in a batch", "modeling error", "RMS", "rounding", "total")
 
 
 def table(cost: Figures, found: Advice | None = None) -> str:
@@ -155,8 +155,8 @@ def table(cost: Figures, found: Advice | None = None) -> str:
         errors = (worst(entry, *part) for part in (("model",), ("model_rms",), ("rounding",), ()))
         times = (f"{entry[name]:.0f}" for name in ("one_pose_ns", "batch_ns"))
         shares = (f"{error:.1e}" if error else "0" for error in errors)
-        good = "" if found is None or excess(entry, found.budget) > 1.0 else "good"
-        mark = "chosen" if found is not None and entry is found.chosen else good
+        accepted = "" if found is None or excess(entry, found.budget) > 1.0 else "accepted"
+        mark = "chosen" if found is not None and entry is found.chosen else accepted
         rows.append((candidate_of(entry).name, str(entry["operations"]), *times, *shares, mark))
     rows = [row[:-1] for row in rows] if found is None else rows
     return f"{aligned(rows[0], rows[1:])}\n\n{_NOTE}"
@@ -165,16 +165,16 @@ def table(cost: Figures, found: Advice | None = None) -> str:
 def answer(found: Advice) -> list[str]:
     """Return the result and one line for each reason that excludes a cheaper kernel."""
     if found.chosen is None:
-        return [f"Nothing keeps the budget; closest: {closest(found)}."]
-    lines = [f"Cheapest that is good enough: {_cost(found.chosen)}, error {worst(found.chosen):.1e}."]
+        return [f"No kernel is within the budget; closest: {closest(found)}."]
+    lines = [f"Cheapest kernel within the budget: {_cost(found.chosen)}, error {worst(found.chosen):.1e}."]
     reasons = found.needed()
     if found.chosen is found.cost["candidates"][0]:
-        lines.append("Nothing is cheaper.")
+        lines.append("No kernel is cheaper.")
     elif not reasons:
-        lines.append("Cheaper ones leave nothing out that it has, yet err more.")
+        lines.append("Cheaper kernels include the same physics, but their errors are larger.")
     for left_out, entry in reasons:
         names = " and ".join(words for term, words in TERMS.items() if term in left_out)
-        lines.append(f"Forced by {names}: without ({_cost(entry)}) {_beyond(entry, found.budget)}.")
+        lines.append(f"Required: {names}. Without: {_cost(entry)}; {_beyond(entry, found.budget)}.")
     return lines
 
 
@@ -193,7 +193,7 @@ def _beyond(entry: Figures, budget: Budget) -> str:
     texts = f"the error is {worst(entry):.1e}", f"a pose takes {entry['one_pose_ns']:.0f} ns"
     largest, other = sorted(zip(_misses(entry, budget), texts, strict=True), key=lambda miss: -miss[0])
     said = [largest, other] if other[0] > 1.0 else [largest]
-    return "; ".join(f"{text}, {ratio:.3g} times what is allowed" for ratio, text in said)
+    return "; ".join(f"{text}, {ratio:.3g} times the limit" for ratio, text in said)
 
 
 def as_json(found: Advice) -> dict[str, Any]:

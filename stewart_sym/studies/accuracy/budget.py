@@ -55,7 +55,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     file = f"{source}: "
     with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
         top = toml_reader.checked_table(d, file, _KEYS, _KEYS[:4])
-        toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
+        toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
         names = _names(top["motions"], f"{file}motions")
         tolerance = toml_reader.positive(top["tolerance"], f"{file}tolerance")
         margin = toml_reader.number(top.get("margin", MARGIN), f"{file}margin")

@@ -69,11 +69,6 @@ def candidate_of(entry: Figures) -> Candidate:
     return Candidate(*(entry[name] for name in Candidate._fields))
 
 
-def entry_of(found: Figures, *kernel: str) -> Figures:
-    """Return the record of a candidate with the given formulation, fidelity level, and precision."""
-    return next(entry for entry in found["candidates"] if candidate_of(entry) == kernel)
-
-
 def worst(entry: Figures, *parts: str) -> float:
     """Return the largest error over all motions; ``parts`` selects the parts to add, by default all."""
     named = parts or ("model", "rounding")

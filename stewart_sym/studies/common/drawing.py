@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 else:
     Axes = Axis = Figure = Any
 
-BLUE, RED, DARK, GREY = "#1f4e9c", "#c1440e", "#3a3a3a", "#8a8a8a"
+BLUE, RED, DARK, GRAY = "#1f4e9c", "#c1440e", "#3a3a3a", "#8a8a8a"
 LEG_COLORS = (BLUE, RED, "#2e7d4f", "#8e5ea2", "#b8860b", DARK)
 
 Place = tuple[float, float]
@@ -39,7 +39,7 @@ _ALONG_Z = 0.5
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """Create an empty figure (inches); raise MissingExtraError without Matplotlib."""
+    """Create an empty figure (inches); raise ImportError without Matplotlib."""
     with needed_for("drawing"):
         from matplotlib import figure
     return figure.Figure(figsize=(width, height), layout="constrained")

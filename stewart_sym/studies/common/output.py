@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from ...motion.rotation import quaternion_from_rotation
 from ...robot.robot import LEGS
-from .not_finite import in_figures, note_not_finite
 
 _ROWS = 1024
 
@@ -50,8 +49,6 @@ def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Itera
     # Rows are converted to Python numbers in blocks, because these require four times the memory of arrays.
     for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
         part = [column[start : start + _ROWS] for column in columns.values()]
-        if in_figures(part):
-            note_not_finite()
         yield csv_text(zip(*(values.tolist() for values in part), strict=True))
 
 

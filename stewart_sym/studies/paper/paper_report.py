@@ -18,8 +18,8 @@ from .plots import pictures
 from .reproduce import Reproduction, run_columns
 
 _FAULT_NAMES = {
-    frozenset({1}): "1  legs don't spin, (6), (8), (9)",
-    frozenset({2}): "2  joint's moment along s, (17)-(20)",
+    frozenset({1}): "1  no leg spin, (6), (8), (9)",
+    frozenset({2}): "2  joint moment along s, (17)-(20)",
     frozenset({3}): "3  transport term twice, (16)",
     PAPER: "1+2+3  together: `paper`",
     frozenset({4}): "4  sign of sum K, (33); not in `paper`",
@@ -32,11 +32,11 @@ def full_report(found: Reproduction) -> Report:
     """Create the report: all tables, the runs over time, the plots of Figs. 4-10, and a view of each path."""
     verdicts = claims(found)
     head = [
-        "Dasgupta & Mruthyunjaya (1998), section 5, computed again",
+        "Dasgupta & Mruthyunjaya (1998), section 5, recomputed",
         "",
-        f"Machine: the paper's appendix as printed. Computed by: {found.backend}.",
-        "`paper`: the equations as printed; `exact`: with their faults corrected. SI units.",
-        "Its inertias, as printed, belong to no rigid body:",
+        f"Robot: appendix of the paper, as printed. Computed by: {found.backend}.",
+        "`paper`: equations as printed; `exact`: corrected equations. SI units.",
+        "No rigid body can have the printed inertia tensors:",
         *(f"  {line}" for line in found.robot.find_invalid_inertias()),
     ]
     parts = (
@@ -56,7 +56,7 @@ def full_report(found: Reproduction) -> Report:
         "singular_time_path_III_s": found.singular_time,
         "units": {
             "fault_costs": "RMS of F - F_exact over RMS of F_exact",
-            "mismatch": "share of the gain",
+            "mismatch": "fraction of the gain",
             "operations": "multiplications, additions, divisions, square roots",
         },
     }
@@ -67,7 +67,7 @@ def full_report(found: Reproduction) -> Report:
 
 def _claims_table(found: Reproduction, verdicts: list[Figures]) -> str:
     still = float(np.median(counted_fractions(found.rest["exact"])))
-    rows = [("section", "the text says", "`paper`", "`exact`", "verdict", "holds if")]
+    rows = [("section", "claim", "`paper`", "`exact`", "verdict", "criterion")]
     for row in verdicts:
         paper, exact = row["paper"], row["exact"]
         verdict = paper["verdict"]
@@ -75,30 +75,31 @@ def _claims_table(found: Reproduction, verdicts: list[Figures]) -> str:
             verdict += f"; `exact` {exact['verdict']}"
         rows.append((row["where"], row["says"], paper["text"], exact["text"], verdict, row["rule"]))
     return _section(
-        "(a) What the text claims, and what was computed",
+        "(a) Claims of the paper, and computed results",
         _wrapped(rows, (8, 23, 22, 22, 8, 16)),
-        "A verdict is `paper`'s; where `exact` has another, it follows after a semicolon. Dynamic "
-        "fraction: |F_d / F|, of all legs and all samples of the paper's time grid, "
-        f"those left out where |F| is below {NEAR_ZERO:.0%} of the leg's largest on the path, since the "
-        "fraction has no bound where F crosses zero. F_d is what masses and weights of the legs and friction "
-        "add, F_d = F - F_0; it is mostly weight: with the platform at rest on Path I its median is "
-        f"{still:.1%} (`exact`). Condition number: ratio of the singular values of H, moments in N m.",
+        "The verdict is for `paper`; a different verdict for `exact` follows after a semicolon. Dynamic "
+        "fraction: |F_d / F| for all legs and all samples of the paper's time grid. Samples with |F| below "
+        f"{NEAR_ZERO:.0%} of the leg's largest |F| on the path are excluded, because the fraction is "
+        "unbounded at zero crossings of F. F_d = F - F_0 is the force due to the masses, weights, and "
+        "friction of the legs. Most of it is weight: with the platform at rest on Path I, the median of the "
+        f"fraction is {still:.1%} (`exact`). Condition number: ratio of the largest to the smallest singular "
+        "value of H, with moments in N m.",
     )
 
 
 def _fault_table(found: Reproduction) -> str:
-    header = ["fault kept", *(f"Path {name}" for name in PAPER_PATHS)]
+    header = ["fault", *(f"Path {name}" for name in PAPER_PATHS)]
     header += [f"{name} at rest" for name in PAPER_PATHS]
     cells = []
     for cost in found.fault_costs:
         shares = [*cost["moving"].values(), *cost["at_rest"].values()]
         cells.append((_FAULT_NAMES[frozenset(cost["faults"])], *map(_percent, shares)))
     return _section(
-        "(b) What the faults of the printed equations cost",
+        "(b) Force errors due to the faults of the printed equations",
         aligned(header, cells),
-        "RMS over all legs and samples of F - F_exact, in per cent of the RMS of F_exact; no friction. At "
-        "rest: on the same poses, with rates and accelerations 0. Fault 4 is a slip in print that (35) "
-        "doesn't have.",
+        "RMS of F - F_exact over all legs and samples, in percent of the RMS of F_exact, without friction. "
+        "At rest: the same poses with zero rates and accelerations. Fault 4 is a misprint of (33); (35) is "
+        "correct.",
     )
 
 
@@ -114,36 +115,37 @@ def _energy_table(found: Reproduction) -> str:
         kept = _FAULT_NAMES[frozenset(row["faults"])]
         cells.append((row["path"], kept, f"{row['work_J']:.6f}", f"{row['gain_J']:.6f}", mismatch))
     return _section(
-        "(c) Work of the actuators beside the gain of energy",
-        aligned(("path", "faults kept", "work, J", "gain, J", "(work - gain) / gain"), cells, left=2),
-        "No friction. Work: integral of F.Ldot, by Gauss-Legendre (24 points) between the jumps of "
-        "acceleration; F is the kernels' where none or all of 1, 2 and 3 are kept, else the reference's. "
-        "Gain: kinetic and potential energy of all 13 bodies with their true motion. Path III "
-        f"passes a singular pose at {found.singular_time:.3f} s, where F has no bound; the power has one, "
-        "F.Ldot = D.Ldot - c.twist, so the integral exists, with rounding enlarged by the condition number.",
+        "(c) Work of the actuators compared with the energy gain",
+        aligned(("path", "faults", "work, J", "gain, J", "(work - gain) / gain"), cells, left=2),
+        "Without friction. Work: integral of F.Ldot by Gauss-Legendre quadrature (24 points) between the "
+        "jumps of acceleration. The kernels compute F for none and for all of the faults 1 to 3, the "
+        "reference computes it otherwise. Gain: kinetic and potential energy of all 13 bodies in their true "
+        f"motion. Path III passes a singular pose at {found.singular_time:.3f} s, where F is unbounded. The "
+        "power F.Ldot = D.Ldot - c.twist is bounded, so the integral exists; the condition number amplifies "
+        "its rounding error.",
     )
 
 
 def _operations_table(found: Reproduction) -> str:
-    rows = [("the paper's program", [PAPER_FLOPS[part] for part in _PARTS], [""] * 4)]
+    rows = [("program of the paper", [PAPER_FLOPS[part] for part in _PARTS], [""] * 4)]
     for row in sorted(found.operations, key=lambda row: row["formulation"] != "paper"):
         name = f"`{row['formulation']}` {'with' if row['friction'] else 'without'} friction"
         rows.append(
             (name, [sum(row[part]) for part in _PARTS], ["/".join(map(str, row[part])) for part in _PARTS])
         )
-    header = ("kernel", "one leg", "platform", "final system", "in all", "mul/add/div/sqrt", "x arm")
+    header = ("kernel", "one leg", "platform", "final system", "total", "mul/add/div/sqrt", "x arm")
     cells = [
         (name, *map(str, sums), kinds[-1], f"{sums[-1] / SERIAL_ARM_FLOPS:.2f}") for name, sums, kinds in rows
     ]
-    header_apart = ("mul/add/div/sqrt of", "one leg", "platform", "final system")
+    header_apart = ("mul/add/div/sqrt", "one leg", "platform", "final system")
     apart = [(name, *kinds[:-1]) for name, _, kinds in rows[1:]]
     return _section(
-        "(d) Operations of one time-step",
+        "(d) Operations per time step",
         aligned(header, cells) + "\n\n" + aligned(header_apart, apart),
-        "+, -, *, / and sqrt count one each; negation, copies and what is prepared once per robot are free. "
-        "In all: six legs, platform, final system (sum of c, solution of H x = c with pivoting, F = D - x). "
-        f"x arm: times the {SERIAL_ARM_FLOPS} operations of a serial arm of six joints (section 4.5). The "
-        "paper counted MATLAB's flops, without friction.",
+        "+, -, *, /, and sqrt count as one operation each. Negations, copies, and quantities prepared once "
+        "per robot do not count. Total: six legs, platform, and final system (sum of c, solution of H x = c "
+        f"with pivoting, F = D - x). x arm: ratio to the {SERIAL_ARM_FLOPS} operations of a serial arm with "
+        "six joints (section 4.5). The paper counted MATLAB flops without friction.",
     )
 
 

@@ -96,7 +96,7 @@ def _with_units(prefix: str, part: object, units: dict[str, str]) -> dict[str, A
 
 def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
-    bad = f"that no rigid body can have: {', '.join(bodies)}"
+    bad = f"not physically possible: {', '.join(bodies)}"
     masses = robot.m_d + robot.m_u
     sizes = [f"{radius(points) / unit.meters:.4g} {unit.name}" for points in (robot.b, robot.p)]
     rows = [
@@ -106,13 +106,13 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ("gravity", f"{_vector(robot.g)} m/s^2"),
         ("platform", f"{robot.M:g} kg, center of mass {unit.vector(robot.R_0)} {unit.name}"),
         ("legs", f"{_range(masses)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})"),
-        ("mass ratio", f"platform to one leg {robot.M / np.mean(masses):.3g}"),
+        ("mass ratio", f"platform mass / leg mass {robot.M / np.mean(masses):.3g}"),
         ("size", f"base points {sizes[0]}, platform points {sizes[1]} (RMS radius)"),
         *_conventions(robot, unit),
         ("friction", _friction(robot)),
         *([] if robot.drive is None else _drives(robot.drive, unit)),
         ("limits", _limits(robot, unit)),
-        ("inertias", bad if bodies else "possible for rigid bodies"),
+        ("inertias", bad if bodies else "physically possible"),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
 
@@ -123,8 +123,8 @@ def _platform_joint(robot: Robot) -> str:
 
 _OFFSETS = {
     "axis_offset": "from the fixed to the moving axis",
-    "slide_offset_y": "along it",
-    "slide_offset_z": "across it",
+    "slide_offset_y": "along the moving axis",
+    "slide_offset_z": "across the moving axis",
     "wrist_offset": "in the platform joint",
 }
 
@@ -136,7 +136,7 @@ def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
         return []
     lengths = {where: getattr(offsets, name) / unit.meters for name, where in _OFFSETS.items()}
     parts = [f"{_range(each)} {unit.name} {where}" for where, each in lengths.items() if np.any(each)]
-    rows = [("offsets", ", ".join(parts) or "all zero: without them every feature serves")]
+    rows = [("offsets", ", ".join(parts) or "all zero; delete them to use every feature")]
     if np.any(offsets.cross_mass) or np.any(offsets.cross_inertia):
         text = f"{_range(offsets.cross_mass)} kg, {_range(offsets.cross_inertia)} kg m^2 about the fixed axis"
         rows.append(("crosses", text))
@@ -147,18 +147,18 @@ def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
     """Return a row about the trajectory format of the robot, if it is not the default."""
     parts = []
     if robot.tool.any():
-        parts.append(f"poses of the point {unit.vector(robot.tool)} {unit.name} of the platform")
+        parts.append(f"poses of the tool at {unit.vector(robot.tool)} {unit.name} in the platform frame")
     if robot.euler_order != "zyx":
         parts.append(f"R = {' '.join(f'R{axis}' for axis in robot.euler_order)}")
     if robot.length_mode == "relative":
-        parts.append("leg lengths less those of the home pose")
+        parts.append("leg lengths relative to the home pose")
     return [("trajectories", ", ".join(parts))] if parts else []
 
 
 def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     shortest, longest = robot.length_limits.T
     legs = ", ".join(str(i + 1) for i in np.flatnonzero((home.L < shortest) | (home.L > longest)))
-    outside = f"; outside their limits: leg {legs}" if legs else ""
+    outside = f"; outside the limits: leg {legs}" if legs else ""
     rows = [
         ("side", _side(robot, home)),
         ("position", f"{unit.vector(home.t)} {unit.name}, level, at rest"),
@@ -167,14 +167,14 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     if np.isfinite(longest).all() and not legs:
         back, forth = np.min(home.L - shortest), np.min(longest - home.L)
         span = f"{-back / unit.meters:.4g} to {forth / unit.meters:+.4g} {unit.name}"
-        rows.append(("stroke left", span))
+        rows.append(("stroke", f"{span} from here"))
     if home.status:
         rows.append(("condition", f"unsolvable: {STATUS_TEXT[home.status]}"))
     else:
         by = f"{characteristic_length(robot) / unit.meters:.4g} {unit.name}"
         scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
-        rows.append(("holding", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
+        rows.append(("leg forces", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
     what = "platform centered above the base; " if robot.home_position is None else ""
     return [f"home pose: {what}{home.rule}", *_rows(rows)]
 
@@ -187,7 +187,7 @@ def _side(robot: Robot, home: HomePose) -> str:
     if abs(pull) <= DECISIVE * np.linalg.norm(robot.g):
         return text
     here, there = ("stands on its legs", "hangs below its base")[:: 1 if pull < 0.0 else -1]
-    return f"{text}: the platform {here}; on the other side, {_vector(-direction)}, it {there}"
+    return f"{text}; the platform {here} (on the other side, {_vector(-direction)}, it {there})"
 
 
 def _rows(rows: list[tuple[str, str]]) -> list[str]:
@@ -202,9 +202,9 @@ def _friction(robot: Robot) -> str:
 
 
 _DRIVE_FRICTION = {
-    "screw_coulomb": ("dry friction along the leg", "N"),
-    "stribeck_force": ("more at rest", "N"),
-    "motor_coulomb": ("dry friction of the motor", "N m"),
+    "screw_coulomb": ("Coulomb friction along the leg", "N"),
+    "stribeck_force": ("Stribeck force", "N"),
+    "motor_coulomb": ("Coulomb friction of the motor", "N m"),
 }
 _DRIVE_LIMITS = {
     "torque_limit": ("torque", "N m"),
@@ -219,9 +219,9 @@ _DRIVE_LIMITS = {
 def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
     """Return rows about the drives and, if any are given, the limits of their motors."""
     parts = [
-        f"{_range(drive.lead / drive.gear_ratio / unit.meters)} {unit.name} per turn of the motor",
+        f"{_range(drive.lead / drive.gear_ratio / unit.meters)} {unit.name} per motor revolution",
         f"reflected mass {_range(drive.reflected_mass, 4)} kg",
-        f"efficiency {_range(drive.efficiency)} driving, {_range(drive.backdrive_efficiency, 4)} back",
+        f"efficiency {_range(drive.efficiency)} driving, {_range(drive.backdrive_efficiency, 4)} backdriving",
     ]
     values = {name: getattr(drive, name) for name in (*_DRIVE_FRICTION, *_DRIVE_LIMITS)}
     friction = [(values[name], *words) for name, words in _DRIVE_FRICTION.items()]

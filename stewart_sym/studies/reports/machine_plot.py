@@ -13,7 +13,7 @@ from ...singularities.singular_poses import SingularityResult
 from ...viewer.content import around
 from ..common.drawing import BLUE as PLATFORM
 from ..common.drawing import DARK as BASE
-from ..common.drawing import GREY as LEG
+from ..common.drawing import GRAY as LEG
 from ..common.drawing import RED as MARK
 from ..common.drawing import Z_DOWN, Axes, Figure, as_written, name_points, new_figure, vertical
 

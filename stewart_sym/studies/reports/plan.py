@@ -24,7 +24,7 @@ from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
-from ..common.drawing import BLUE, GREY, RED, Axes, Figure, legend_below, log_numbers, new_figure, plot_legs
+from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure, plot_legs
 from ..common.motion_columns import trajectory_columns
 from ..common.output import Columns, by_leg, of_legs
 from ..common.report import Picture, Report
@@ -222,7 +222,7 @@ def _condition_figure(plan: Plan) -> Figure:
     """Plot the condition numbers of the planned and of the straight path over their parameter."""
     figure = new_figure(8.0, 4.4)
     axes, planned, s = figure.subplots(), plan.planned, np.linspace(0.0, 1.0, _POSES)
-    drawn = ((planned.initial_path, "straight spline", GREY), (planned.path, "planned", BLUE))
+    drawn = ((planned.initial_path, "straight spline", GRAY), (planned.path, "planned", BLUE))
     for path, name, color in drawn:
         axes.semilogy(s, _conditions(plan.robot, path(s)), color=color, linewidth=1.4, label=name)
     _mark_via(axes, plan)
@@ -257,7 +257,7 @@ def _phase_figure(plan: Plan) -> Figure:
     top = 1.6 * float(rate.max())
     if profile.ease is None:
         for square, color, name in (
-            (profile.phase.most, GREY, "no acceleration keeps the limits above"),
+            (profile.phase.most, GRAY, "no acceleration keeps the limits above"),
             (profile.phase.stops, RED, "rest at the end is out of reach above"),
         ):
             axes.plot(s, np.minimum(np.sqrt(square), 2.0 * top), color=color, linestyle="--", label=name)
@@ -273,4 +273,4 @@ _PARAMETER = "path parameter s; via poses dashed"
 
 def _mark_via(axes: Axes, plan: Plan) -> None:
     for via in plan.planned.path.via:
-        axes.axvline(via, color=GREY, linewidth=0.7, linestyle=(0, (4, 3)))
+        axes.axvline(via, color=GRAY, linewidth=0.7, linestyle=(0, (4, 3)))

@@ -69,7 +69,7 @@ def _text(found: Examination) -> str:
     ]
     if found.robot.tool.any():
         lines.append("point      reference point for twists and wrenches, not the tool of the robot file")
-    lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in along.spans]
+    lines += [f"singular   from {start:.9f} s to {end:.9f} s at every time" for start, end in along.spans]
     for number in range(len(along.crossings)):
         lines += ["", *_crossing_lines(found, number)]
     if not along.crossings:
@@ -138,9 +138,9 @@ def _data(found: Examination) -> dict[str, Any]:
         "crossings": [
             {
                 "time_s": crossing.time,
-                "uncertainty_s": crossing.time_error,
-                "side_before": crossing.sign_before,
-                "side_after": crossing.sign_after,
+                "time_error_s": crossing.time_error,
+                "sign_before": crossing.sign_before,
+                "sign_after": crossing.sign_after,
                 "residue_N_s": A,
                 **_pose_data(crossing.singularity),
             }
@@ -204,40 +204,42 @@ def _crossing_lines(found: Examination, number: int) -> list[str]:
     crossing, A = found.along.crossings[number], found.residues[number]
     pose, leg = found.path(np.array([crossing.time])), int(np.argmax(np.abs(A)))
     rates = wrench_matrix(found.robot, pose)[0].T @ crossing.singularity.twist
-    at = f"{crossing.time:.12f} s (rounding leaves {crossing.time_error:.1e} s open)"
+    at = f"{crossing.time:.12f} s (rounding error up to {crossing.time_error:.1e} s)"
+    before, after = sign_text(crossing.sign_before), sign_text(crossing.sign_after)
     lines = [
         f"Crossing {number + 1} at {at}",
-        f"  det H          {sign_text(crossing.sign_before)} before, {sign_text(crossing.sign_after)} after",
+        f"  det H                {before} before, {after} after",
         *_pose_lines(crossing.singularity),
-        f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
+        f"  leg rates            at most {np.max(np.abs(rates)):.1e} m/s for this twist",
     ]
     if not np.isfinite(A).all():
-        return [*lines, "  force residue  no simple one: the path rests there or runs along singular poses"]
+        return [*lines, "  force residue        none: the path is at rest there, or follows singular poses"]
     values = ", ".join(f"{value:.6g}" for value in A)
     ends = ["-inf", "+inf"] if A[leg] > 0.0 else ["+inf", "-inf"]
-    residue = f"  force residue  F = A / (t - t_0), A = ({values}) N s"
-    return [*lines, residue, f"  most affected  leg {leg + 1}: {ends[0]} before, {ends[1]} after"]
+    residue = f"  force residue        F = A / (t - t_0), A = ({values}) N s"
+    return [*lines, residue, f"  most affected        leg {leg + 1}: {ends[0]} before, {ends[1]} after"]
 
 
 def _pose_lines(at: SingularityResult) -> list[str]:
     pitch, axis = float(at.screw_pitch), triple_text(at.screw_axis)
-    motion, wrench, idle = "least held", "dearest wrench", "idlest forces"
+    motion, wrench, idle = "least-rate twist", "largest-force wrench", "least-wrench forces"
     if at.lost_dof:
-        motion, wrench, idle = "unconstrained", "lost wrench", "idle forces"
+        motion, wrench, idle = "unconstrained twist", "unbalanced wrench", "null-space forces"
     screw = f"translation along {axis}"
     if np.isfinite(pitch):
-        screw = f"turn about {axis} through {triple_text(at.screw_point)} m, pitch {pitch:.6g} m/rad"
+        pitch = round(pitch, 9) + 0.0
+        screw = f"rotation about {axis} through {triple_text(at.screw_point)} m, pitch {pitch:.6g} m/rad"
     lines = [
-        f"  condition      {float(at.condition_number):.6g} "
-        f"with moments divided by {at.characteristic_length:.6g} m, smallest "
+        f"  condition number     {float(at.condition_number):.6g} "
+        f"with moments divided by {at.characteristic_length:.6g} m; smallest "
         f"singular value {float(at.smallest_singular_value):.3g}",
-        f"  {motion:<14} {twist_text(at)}",
-        f"  as a screw     {screw}",
-        f"  {wrench:<14} force {triple_text(at.wrench[:3])} N, moment {triple_text(at.wrench[3:])} N m",
-        f"  {idle:<14} {triple_text(at.leg_forces)} N",
+        f"  {motion:<20} {twist_text(at)}",
+        f"  as a screw           {screw}",
+        f"  {wrench:<20} force {triple_text(at.wrench[:3])} N, moment {triple_text(at.wrench[3:])} N m",
+        f"  {idle:<20} {triple_text(at.leg_forces)} N",
     ]
     if int(at.lost_dof) > 1:
-        lines.append(f"  degrees of freedom lost  {int(at.lost_dof)}; the twist is one of them")
+        lines.append(f"  lost freedoms        {int(at.lost_dof)}; the twist is one of several")
     return lines
 
 
@@ -252,9 +254,10 @@ def _legs_table(found: Examination) -> str:
             for extreme in (along.min_joint_sine, along.min_length, along.max_length)
         )
         rows.append((str(leg + 1), *sine, *least, below, *most, above))
-    of_lengths = ("least L, m", "at, s", "to limit", "most L, m", "at, s", "to limit")
-    header = ("leg", "|k x s|", "at, s", *of_lengths)
-    return "Nearest to the universal joint's axis and to the limits of length\n" + aligned(header, rows)
+    of_lengths = ("min L, m", "time, s", "margin, m", "max L, m", "time, s", "margin, m")
+    header = ("leg", "min |k x s|", "time, s", *of_lengths)
+    title = "Smallest sine of the angle between leg and universal axis; extreme lengths and margins to limits"
+    return f"{title}\n{aligned(header, rows)}"
 
 
 def _near(time: float, at: SingularityResult) -> str:
@@ -274,7 +277,7 @@ def _path_figure(found: Examination, columns: Columns) -> Figure:
     for axes, values, label in (
         (panels[0], columns["scaled_condition"], "scaled condition\nnumber of H"),
         (panels[1], columns["smallest_singular_value"], "smallest singular value,\nsign of det H"),
-        (panels[2], largest, "largest leg force, N"),
+        (panels[2], largest, "largest actuator\nforce, N"),
     ):
         axes.plot(time, values, color=BLUE, linewidth=1.2)
         axes.set_ylabel(label)
@@ -287,6 +290,6 @@ def _path_figure(found: Examination, columns: Columns) -> Figure:
     count = len(found.along.crossings)
     where = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
     if found.along.spans:
-        where += ", and a way along singular poses"
+        where += ", and a segment of singular poses"
     figure.suptitle(as_written(f"{found.robot.name}, path {found.name}: {where}"), fontsize=11.0)
     return figure

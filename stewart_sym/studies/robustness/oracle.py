@@ -154,7 +154,7 @@ class Truth:
 class Verdict:
     """Errors of a kernel, shape (n,) each.
 
-    ``error`` is the largest error of a block in rounding units of its ``size``, NaN with a status of the
+    ``error`` is the largest error of a block in rounding units of its size, NaN with a status of the
     kernel or the truth, and ``condition`` is the condition number of that block. ``pose`` is the largest
     condition number of block, scaled H, and leg frames.
     """
@@ -164,7 +164,6 @@ class Verdict:
     pose: Array
     status: Codes
     truth: Codes
-    size: Array
 
     @property
     def ratio(self) -> Array:
@@ -205,7 +204,7 @@ def check(
         values, status = run(cases, kernel, precision)
         if not solvable:
             none = np.full(len(status), np.nan)
-            found[kernel] = Verdict(none, none, none, status, np.full_like(status, SINGULAR), none)
+            found[kernel] = Verdict(none, none, none, status, np.full_like(status, SINGULAR))
             continue
         source = _TRUTH if kernel in FORCES else kernel
         found[kernel] = judge(kernel, values, status, truth(source), cases, precision, floor)
@@ -253,7 +252,7 @@ def judge(
     """Compare outputs (n, m) with the truth, block by block; keep the worst block of each case."""
     count, length, known = len(values), _length(cases)[:, None], truth.status == OK
     least = truth.scaled if floor or kernel in FORCES else np.ones(count)
-    error, condition, size = np.full(count, np.nan), np.ones(count), np.ones(count)
+    error, condition = np.full(count, np.nan), np.ones(count)
     solved = (status == OK) & known
     for places, powers in BLOCKS[kernel].values():
         weight, true = length**powers, truth.values[:, places]
@@ -265,11 +264,11 @@ def judge(
         own = np.fmax(np.fmax(moved / whole, least), 1.0)
         units = np.where(solved, off / (EPSILON[precision] * whole), np.nan).astype(np.float64)
         worse = np.where(solved, ~(units / own <= error / condition), known & (own > condition))
-        for kept, new in ((error, units), (condition, own), (size, whole)):
+        for kept, new in ((error, units), (condition, own)):
             kept[worse] = new[worse]
     condition = np.where(known, condition, np.inf)
     pose = np.fmax(np.fmax(condition, truth.scaled), truth.frames)
-    return Verdict(error, condition, pose, status, truth.status, size)
+    return Verdict(error, condition, pose, status, truth.status)
 
 
 def run(cases: Cases, kernel: str, precision: str) -> tuple[NDArray[Any], Codes]:

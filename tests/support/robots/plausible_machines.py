@@ -197,10 +197,6 @@ def like_base(robot: Robot) -> Robot:
     return replace(robot, b=0.55 * robot.b, p=robot.b, I_p=robot.M * 0.15**2 * np.eye(3))
 
 
-def along_legs(robot: Robot) -> Robot:
-    return replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b)
-
-
 BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     # name of the doubt -> what is wrong: change of a sound machine, words of its cause
     "length-unit": {
@@ -213,10 +209,9 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
             lambda robot: replace(robot, b=0.6 * robot.p, p=robot.b),
             "base_point and platform_point exchanged",
         ),
-        "all platform points in one place": (same(*[0] * 6, of_base=False), "in one place"),
+        "all platform points in one place": (same(*[0] * 6, of_base=False), "points in millimeters"),
         "exchanged, body": (like_base, "base_point and platform_point exchanged"),
     },
-    "stray-point": {"one point in millimeters": (one_leg("b", 2, 1e3), "base_point of leg 3")},
     "gravity": {"gravity in mm/s^2": (scaled(g=1e3), "given in mm/s^2")},
     "": {
         "mass in grams": (scaled(M=1e3, m_d=1e3, m_u=1e3), "grams"),
@@ -247,7 +242,6 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "crossing": {
         "two platform points exchanged": (of(p=lambda p: p[SECOND]), "legs 1, 2 cross"),
     },
-    "joint-singularity": {"universal axis along the leg": (along_legs, "across the leg")},
     "length-limits": {
         "limits in millimeters, alike": (alike(1e3), OTHER_UNIT),
         "limits in millimeters": (scaled(length_limits=1e3), OTHER_UNIT),

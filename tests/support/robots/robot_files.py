@@ -34,7 +34,7 @@ upper = { shape = "rod", radius = 20, length = 450, mass = 3.5 }
 
 def written(robot: ss.Robot, path: Path) -> Path:
     """The robot as a file that can be read."""
-    path.write_text(toml_text(robot.to_dict(), inline=False), encoding="utf-8")
+    path.write_text(toml_text(robot.to_dict()), encoding="utf-8")
     return path
 
 

@@ -2,11 +2,16 @@
 
 from stewart_sym.backend import fidelity
 from stewart_sym.studies.accuracy.budget import MARGIN
-from stewart_sym.studies.accuracy.cost import candidate_of, entry_of
+from stewart_sym.studies.accuracy.cost import candidate_of
 from stewart_sym.studies.common.output import Figures, paragraph, table
 
 _TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))
 _README_LEVELS = ("massless", "slender", "frictionless", "paper", "general")
+
+
+def entry_of(found: Figures, *kernel: str) -> Figures:
+    """Return the record of a candidate with the given formulation, fidelity level, and precision."""
+    return next(entry for entry in found["candidates"] if candidate_of(entry) == kernel)
 
 
 def tables(found: Figures) -> dict[str, str]:

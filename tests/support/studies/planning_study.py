@@ -32,7 +32,7 @@ from stewart_sym.singularities.path_singularities import singularity_crossings
 from stewart_sym.studies.common.drawing import (
     BLUE,
     DARK,
-    GREY,
+    GRAY,
     RED,
     Figure,
     legend_below,
@@ -55,8 +55,8 @@ _SAMPLES, _INSTANTS = 201, 10_001
 _MOST_CONDITION = 40.0
 # Durations of random paths, in units of the time in which the machine falls its own size.
 _DURATIONS = {"slow": 20.0, "fast": 3.0}
-_COLORS = {"slow": BLUE, "fast": RED, "straight": GREY, "planned": BLUE}
-_SHADES = (GREY, BLUE, RED)
+_COLORS = {"slow": BLUE, "fast": RED, "straight": GRAY, "planned": BLUE}
+_SHADES = (GRAY, BLUE, RED)
 
 
 def along(robot: Robot, path: PosePath, duration: float) -> tuple[Array, Array]:

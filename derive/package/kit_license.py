@@ -2,6 +2,6 @@
 
 from .text_format import template
 
-SAYS = "Generated code: use, change, and pass it on without any condition; no warranty (SPDX: 0BSD)."
+NOTICE = "Generated code: use, change, and pass it on without any condition; no warranty (SPDX: 0BSD)."
 
 TEXT = template("kit/LICENSE")
