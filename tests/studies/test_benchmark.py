@@ -1,7 +1,6 @@
 """`benchmark`: all cases compute the same results, wrong ones stop the run, and the figures are right."""
 
 import dataclasses
-import gc
 import itertools
 import json
 import re
@@ -45,7 +44,6 @@ def shorten(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(cases, "LARGE", 2 * forces.LEAST_SHARE)
     patch.setattr(cases, "QUICK_BATCHES", (8, 64))
     patch.setattr(timing, "SHORTEST", 1e-5)
-    patch.setattr(gc, "collect", lambda: 0)
     patch.setattr(benchmark, "QUICK_ROUNDS", 3)
 
 
@@ -164,7 +162,6 @@ class Clock:
         self.now = 0
         self.calls: list[tuple[str, int]] = []
         monkeypatch.setattr("time.perf_counter_ns", lambda: self.now)
-        monkeypatch.setattr("gc.collect", lambda: 0)
 
     def task(self, name: str, units: int, ns: int) -> timing.Task:
         def run(repeats: int) -> None:

@@ -26,7 +26,6 @@ def add_arguments(parser: Parser) -> None:
 
 def run(arguments: Arguments) -> int:
     from ...studies.robustness import study
-    from ...studies.robustness.pictures import pictures
 
     cases = CASES if arguments.cases is None else arguments.cases
     if arguments.cases is not None and arguments.output is None:
@@ -38,5 +37,5 @@ def run(arguments: Arguments) -> int:
         with results(arguments, "stability") as (take, progress):
             found = study.courses(progress)
             swept = study.sweep(cases, arguments.seed, progress)
-            take(study.full_report(found, swept, pictures(found)))
+            take(study.full_report(found, swept))
     return 1 if swept["wrong"] or swept["rejected_good"] else 0

@@ -81,9 +81,9 @@ def excess(entry: Figures, budget: Budget) -> float:
 
 
 def _misses(entry: Figures, budget: Budget) -> tuple[float, float]:
-    """Return the ratios of error and time to the budget; the ratio of time is 0 without a rate."""
-    error = worst(entry) * budget.margin / budget.tolerance
-    return error, 0.0 if budget.rate is None else entry["one_pose_ns"] * 1e-9 * budget.rate
+    """Return the ratios of error and time to the budget."""
+    time = entry["one_pose_ns"] * 1e-9 * (budget.rate or 0.0)
+    return worst(entry) * budget.margin / budget.tolerance, time
 
 
 def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
@@ -130,8 +130,14 @@ def report(found: Advice) -> str:
         f"{name} ({motion['poses']} poses, peak force {motion['peak_force_N']:.4g} N)"
         for name, motion in cost["motions"].items()
     )
-    head = f"{cost['robot']}: {motions}\n{_limits(found.budget)}"
-    return "\n\n".join([head, table(cost, found), "\n".join(answer(found))])
+    budget = found.budget
+    limits = f"tolerance {budget.tolerance:.3g}, margin {budget.margin:g}: "
+    limits += f"largest accepted error {budget.tolerance / budget.margin:.2e}"
+    if budget.rate is not None:
+        limits += f", {1e9 / budget.rate:.4g} ns per pose at {budget.rate:g} Hz"
+    return "\n\n".join(
+        [f"{cost['robot']}: {motions}\n{limits}", table(cost, found), "\n".join(answer(found))]
+    )
 
 
 _NOTE = (
@@ -144,29 +150,16 @@ _COLUMNS = ("operations", "ns per pose", "in a batch", "modeling error", "RMS", 
 
 def table(cost: Figures, found: Advice | None = None) -> str:
     """Format all candidates, the cheapest first; with advice, the selected kernel is marked."""
-    marked = [] if found is None else [""]
-    rows = []
+    rows: list[tuple[str, ...]] = [("kernel", *_COLUMNS, "")]
     for entry in cost["candidates"]:
         errors = (worst(entry, *part) for part in (("model",), ("model_rms",), ("rounding",), ()))
         times = (f"{entry[name]:.0f}" for name in ("one_pose_ns", "batch_ns"))
         shares = (f"{error:.1e}" if error else "0" for error in errors)
-        mark = [] if found is None else [_mark(entry, found)]
-        rows.append((candidate_of(entry).name, str(entry["operations"]), *times, *shares, *mark))
-    return f"{aligned(['kernel', *_COLUMNS, *marked], rows)}\n\n{_NOTE}"
-
-
-def _mark(entry: Figures, found: Advice) -> str:
-    if entry is found.chosen:
-        return "chosen"
-    return "accepted" if excess(entry, found.budget) <= 1.0 else ""
-
-
-def _limits(budget: Budget) -> str:
-    rate = "" if budget.rate is None else f", {1e9 / budget.rate:.4g} ns per pose at {budget.rate:g} Hz"
-    return (
-        f"tolerance {budget.tolerance:.3g}, margin {budget.margin:g}: "
-        f"largest accepted error {budget.tolerance / budget.margin:.2e}{rate}"
-    )
+        accepted = "" if found is None or excess(entry, found.budget) > 1.0 else "accepted"
+        mark = "chosen" if found is not None and entry is found.chosen else accepted
+        rows.append((candidate_of(entry).name, str(entry["operations"]), *times, *shares, mark))
+    rows = [row[:-1] for row in rows] if found is None else rows
+    return f"{aligned(rows[0], rows[1:])}\n\n{_NOTE}"
 
 
 def answer(found: Advice) -> list[str]:
@@ -197,13 +190,10 @@ def closest(found: Advice) -> str:
 
 def _beyond(entry: Figures, budget: Budget) -> str:
     """Describe the excess of a candidate over the budget, the larger one first."""
-    error, time = _misses(entry, budget)
-    said = [
-        (error, f"the error is {worst(entry):.1e}, {error:.3g} times the limit"),
-        (time, f"a pose takes {entry['one_pose_ns']:.0f} ns, {time:.3g} times the limit"),
-    ]
-    largest, *others = sorted(said, key=lambda miss: -miss[0])
-    return "; ".join(text for _, text in [largest, *(miss for miss in others if miss[0] > 1.0)])
+    texts = f"the error is {worst(entry):.1e}", f"a pose takes {entry['one_pose_ns']:.0f} ns"
+    largest, other = sorted(zip(_misses(entry, budget), texts, strict=True), key=lambda miss: -miss[0])
+    said = [largest, other] if other[0] > 1.0 else [largest]
+    return "; ".join(f"{text}, {ratio:.3g} times the limit" for ratio, text in said)
 
 
 def as_json(found: Advice) -> dict[str, Any]:

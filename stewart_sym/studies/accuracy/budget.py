@@ -4,7 +4,6 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from ...dynamics.inverse_dynamics import first_fault
 from ...io import toml_reader
@@ -52,26 +51,22 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     if a file cannot be read or violates its schema, or if a pose is unsolvable.
     """
     source = os.fspath(path)
-    with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
-        return _budget(d, source)
-
-
-def _budget(d: Mapping[str, Any], source: str) -> Budget:
     file = f"{source}: "
-    top = toml_reader.checked_table(d, file, _KEYS, _KEYS[:4])
-    toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
-    names = _names(top["motions"], f"{file}motions")
-    tolerance = toml_reader.positive(top["tolerance"], f"{file}tolerance")
-    margin = toml_reader.number(top.get("margin", MARGIN), f"{file}margin")
-    if margin < 1.0:
-        raise ValueError(f"{file}margin: expected a number >= 1, got {margin:g}")
-    rate = toml_reader.positive(top["rate"], f"{file}rate") if "rate" in top else None
-    robot_file = toml_reader.file_beside(top["robot"], source, "robot")
-    own = [name for name in names if name not in PAPER_PATHS]
-    logs = {name: toml_reader.file_beside(name, source, "motions") for name in own}
-    robot = Robot.from_toml(robot_file)
-    motions = {name: _motion(robot, name, logs.get(name), f"{file}motions: ") for name in names}
-    return Budget(robot, motions, tolerance, margin, rate, (Path(source), robot_file, *logs.values()))
+    with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
+        top = toml_reader.checked_table(d, file, _KEYS, _KEYS[:4])
+        toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
+        names = _names(top["motions"], f"{file}motions")
+        tolerance = toml_reader.positive(top["tolerance"], f"{file}tolerance")
+        margin = toml_reader.number(top.get("margin", MARGIN), f"{file}margin")
+        if margin < 1.0:
+            raise ValueError(f"{file}margin: expected a number >= 1, got {margin:g}")
+        rate = toml_reader.positive(top["rate"], f"{file}rate") if "rate" in top else None
+        robot_file = toml_reader.file_beside(top["robot"], source, "robot")
+        own = [name for name in names if name not in PAPER_PATHS]
+        logs = {name: toml_reader.file_beside(name, source, "motions") for name in own}
+        robot = Robot.from_toml(robot_file)
+        motions = {name: _motion(robot, name, logs.get(name), f"{file}motions: ") for name in names}
+        return Budget(robot, motions, tolerance, margin, rate, (Path(source), robot_file, *logs.values()))
 
 
 def papers_motions() -> dict[str, Motion]:

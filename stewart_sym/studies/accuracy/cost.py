@@ -5,13 +5,14 @@ equations of the kernel in 50-digit arithmetic. All errors are fractions of the 
 their motion.
 """
 
+import contextlib
 import functools
 import itertools
 import statistics
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +30,7 @@ from ...motion.motion import Motion
 from ...precision.truth import Truth, deviation
 from ...robot.robot import Robot
 from ..common import host
-from ..common.kernel_loop import kernel_loop
+from ..common.kernel_loop import batch, loop
 from ..common.output import Figures
 from ..common.timing import Task, measured, repeated
 
@@ -119,16 +120,15 @@ def cost(
         way: {name: case.rounding_of(forces) for name, case in cases.items()} for way, forces in ways.items()
     }
     tasks = _tasks(tuple(motions.values()), kernels, ways)
-    others = host.Others()
+    taken_by_others = host.taken_by_others()
     times = measured(list(tasks.values()), rounds, progress)
-    raw = {key: times[task] for key, task in tasks.items()}
-    taken, load = others.share(), host.load_average()
+    taken, load = taken_by_others(), host.load_average()
     entries = [
         {
             **candidate._asdict(),
             "operations": fidelity.operations(robot, candidate.formulation, candidate.fidelity),
-            **_times("one_pose_", raw[candidate, "one pose"]),
-            **_times("batch_", raw[candidate, "batch"]),
+            **_times("one_pose_", times[tasks[candidate, "one pose"]]),
+            **_times("batch_", times[tasks[candidate, "batch"]]),
             "errors": errors[candidate],
         }
         for candidate in kernels
@@ -140,7 +140,7 @@ def cost(
         "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
         "candidates": sorted(entries, key=_cost),
         "implementations": [
-            {"name": way, **_times("", raw[way, ""]), "rounding": rounding[way]} for way in ways
+            {"name": way, **_times("", times[tasks[way, ""]]), "rounding": rounding[way]} for way in ways
         ],
         "units": _UNITS,
     }
@@ -170,22 +170,19 @@ def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
     """Compile every available fidelity level of every formulation in both precisions, in parallel."""
     levels = [(each, level) for each in FORMULATIONS for level in fidelity.available(robot, each)]
     every = [Candidate(*level, precision) for level in levels for precision in PRECISIONS]
+
+    def made(candidate: Any) -> ForceKernel:
+        return ForceKernel(robot, candidate.formulation, candidate.precision, candidate.fidelity, warns=False)
+
+    kernels = {}
     with ThreadPoolExecutor(CORES) as pool:
-        made = {each: pool.submit(_kernel, robot, each) for each in every}
-        done = tracked(progress, made.items(), lambda pair: f"compiling {pair[0].name}")
-        kernels = {each: future.result() for each, future in done}
-    return {each: kernel for each, kernel in kernels.items() if kernel is not None}
-
-
-def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
-    """Prepare the kernel of a robot; return None if its precision cannot represent the constants."""
-    formulation, precision = cast(Any, candidate.formulation), cast(Precision, candidate.precision)
-    try:
-        return ForceKernel(robot, formulation, precision, candidate.fidelity, warns=False)
-    except ValueError:
-        if precision == "double":
-            raise
-        return None
+        futures = [(each, pool.submit(made, each)) for each in every]
+        for each, future in tracked(progress, futures, lambda pair: f"compiling {pair[0].name}"):
+            # A precision that cannot represent the constants of the robot is omitted.
+            unsuitable = [ValueError] if each.precision == "float" else []
+            with contextlib.suppress(*unsuitable):
+                kernels[each] = future.result()
+    return kernels
 
 
 # --- errors -----------------------------------------------------------------------------------
@@ -271,15 +268,10 @@ def _tasks(
     """Return the timed tasks: "one pose" and "batch" of each kernel, and "" of other implementations."""
     few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))
     tasks: dict[tuple[Candidate | str, str], Task] = {}
+    rows = np.concatenate([array.reshape(FEW, -1) for array in few], axis=1)
     for candidate, kernel in kernels.items():
-        rows = np.concatenate([array.reshape(FEW, -1) for array in few], axis=1).astype(kernel.dtype)
-        forces_of_rows = np.zeros((FEW, 6), dtype=kernel.dtype)
-        one_pose = kernel_loop(kernel.c_function("forces"), kernel.model, rows, forces_of_rows)
-        tasks[candidate, "one pose"] = Task(one_pose, FEW)
-        arrays = [np.ascontiguousarray(array, dtype=kernel.dtype) for array in many]
-        F, status = np.zeros((MANY, 6), dtype=kernel.dtype), np.zeros(MANY, dtype=np.int32)
-        batch = functools.partial(kernel.forces, arrays, out=(F, status))
-        tasks[candidate, "batch"] = Task(repeated(batch), MANY)
+        one_pose = loop(rows.astype(kernel.dtype), kernel.c_function("forces"), kernel.model)
+        tasks[candidate, "one pose"], tasks[candidate, "batch"] = one_pose[0], batch(many, kernel)[0]
     motion = Motion(**dict(zip(MOTION, slow, strict=True)))
     for name, forces in ways.items():
         tasks[name, ""] = Task(repeated(functools.partial(forces, motion)), SLOW)

@@ -94,9 +94,6 @@ def front(given: Sequence[Point]) -> list[Point]:
     return best
 
 
-_COLUMNS = ("error", "name", "ns", "motion", "largest", "pareto")
-
-
 def csv_rows(found: Figures) -> str:
     """Format every point and motion of the plot as CSV with all digits."""
     every = points(found)
@@ -106,7 +103,7 @@ def csv_rows(found: Figures) -> str:
         for point in every
         for motion, error in point.errors.items()
     ]
-    return csv_text([_COLUMNS, *rows])
+    return csv_text([("error", "name", "ns", "motion", "largest", "pareto"), *rows])
 
 
 def _of(every: Sequence[Point], panel: str) -> list[Point]:
@@ -119,8 +116,11 @@ def figure(found: Figures) -> Figure:
     marks = dict(zip(found["motions"], itertools.cycle(_MARKERS), strict=False))
     picture = new_figure(12.4, 7.8)
     left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
-    title = f"Speed against accuracy: {as_written(found['robot'])}"
-    picture.suptitle("\n".join([title, *_disturbance(found)]))
+    title, taken = f"Speed against accuracy: {as_written(found['robot'])}", found["taken_by_others"] or 0.0
+    if taken > host.DISTURBED:
+        load = "" if found["load"] is None else f", load {found['load']:.1f}"
+        title += f"\ntimes disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"
+    picture.suptitle(title)
     _draw(left, _of(every, TOTAL), marks)
     _draw(right, _of(every, ROUNDING), marks)
     left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
@@ -128,24 +128,19 @@ def figure(found: Figures) -> Figure:
     left.set_ylabel("largest error, share of the motion's peak force")
     _legend(picture, marks, {point.color for point in every})
     for axes, panel in ((left, TOTAL), (right, ROUNDING)):
-        _name(axes, _of(every, panel))
+        given = _of(every, panel)
+        height = _heights(given)
+        names = [(p.name, (p.ns, height(p.worst)), p.color) for p in given if not p.beside]
+        markers = [[(point.ns, height(error)) for error in point.errors.values()] for point in given]
+        bars = [(min(of_point), max(of_point)) for of_point in markers]
+        name_points(axes, names, [*itertools.chain(*markers)], bars)
     return picture
-
-
-def _disturbance(found: Figures) -> list[str]:
-    """Return a line about the disturbance of the times; nothing if it is small or unknown."""
-    taken, busy = found["taken_by_others"], found["load"]
-    if taken is None or taken <= host.DISTURBED:
-        return []
-    load = "" if busy is None else f", load {busy:.1f}"
-    return [f"times disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"]
 
 
 def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
     """Draw the errors of each point, connected by a line across the motions, and the Pareto front."""
     height = _heights(given)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
+    axes.set(xscale="log", yscale="log")
     for point in given:
         heights = {motion: height(error) for motion, error in point.errors.items()}
         ends = min(heights.values()), max(heights.values())
@@ -203,19 +198,10 @@ def _legend(picture: Figure, marks: Mapping[str, str], drawn: Set[str]) -> None:
     dots: Any = {"color": _OTHER, "linestyle": "", "markersize": 5.0}
     colors = {"exact, double": _EXACT, "paper, double": _PAPER, "float": _FLOAT, "other code": _OTHER}
     titles = {name: f"Path {name}" if name in PAPER_PATHS else name for name in marks}
-    shown = [each for each in colors.items() if each[1] in drawn]
     handles = [
         *(legend_line(titles[name], marker=mark, **dots) for name, mark in marks.items()),
-        *(legend_line(label, color=color, linewidth=3.0) for label, color in shown),
+        *(legend_line(name, color=color, linewidth=3.0) for name, color in colors.items() if color in drawn),
         legend_line("the same in float", color=_FLOAT, linestyle=":", marker="o", **_HOLLOW),
         legend_line("Pareto front, worst motion", color=_FRONT, linewidth=4.0, alpha=0.35),
     ]
     legend_below(picture, handles)
-
-
-def _name(axes: Axes, given: Sequence[Point]) -> None:
-    height, named = _heights(given), [point for point in given if not point.beside]
-    names = [(point.name, (point.ns, height(point.worst)), point.color) for point in named]
-    markers = [[(point.ns, height(error)) for error in point.errors.values()] for point in given]
-    bars = [(min(of_point), max(of_point)) for of_point in markers]
-    name_points(axes, names, [marker for of_point in markers for marker in of_point], bars)

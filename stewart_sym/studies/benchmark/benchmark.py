@@ -50,11 +50,11 @@ def benchmark(robot: Robot | None = None, quick: bool = False, progress: Progres
     cases = all_cases(poses, quick, progress)
     progress("comparing the results")
     differences = [case.difference() for case in cases]
-    others = host.Others()
+    taken_by_others = host.taken_by_others()
     tasks = list(dict.fromkeys(task for case in cases for task in case.tasks))
     rounds = QUICK_ROUNDS if quick else ROUNDS
     raw = timing.measured(tasks, rounds, progress)
-    machine["taken_by_others"] = others.share()
+    machine["taken_by_others"] = taken_by_others()
     return {
         "schema": 5,
         "unit": "ns/pose",
@@ -101,10 +101,10 @@ def report(found: Figures) -> str:
         f"{found['robot']}, {found['formulation']}; times per pose, medians of {found['rounds']} rounds",
         f"{machine['processor']}, {machine['cores']} cores; {software['compiler']}",
         " ".join(software["flags"]),
-        *([versions] if versions else []),
+        *filter(None, [versions]),
     ]
-    taken = machine["taken_by_others"]
-    if taken is not None and taken > DISTURBED:
+    taken = machine["taken_by_others"] or 0.0
+    if taken > DISTURBED:
         head.append(f"other processes took {100 * taken:.0f} % of the cores' time: the figures are disturbed")
     if found["left_out"]:
         missing = ", ".join(found["left_out"])

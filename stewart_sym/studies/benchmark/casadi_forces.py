@@ -5,8 +5,7 @@ system. This module must not depend on the derivation and the generated kernels,
 """
 
 import itertools
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
@@ -27,22 +26,15 @@ _FREE = ("INPUT", "OUTPUT", "PARAMETER", "CONST", "ASSIGN", "NEG")
 """Instructions without computation: moves and changes of sign."""
 
 
-@dataclass(frozen=True)
-class Program:
-    """C files by name, with the function ``one_pose``, and the operations per pose counted by CasADi."""
-
-    sources: Mapping[str, str]
-    operations: int
-
-
 LegEquations = Callable[[Numbers, Numbers], Numbers]
 """Function of the constants of a leg and of the motion and gravity that returns q, s, K, D, and f of (18)."""
 
 
-def program(equations: LegEquations) -> Program:
+def program(equations: LegEquations) -> tuple[dict[str, str], int]:
     """Generate C code of the `exact` inverse dynamics with ``base_frame`` or ``leg_frame`` as leg equations.
 
-    The inputs are numbers in the order of ``struct stewart_robot`` and ``struct stewart_motion``.
+    The inputs are numbers in the order of ``struct stewart_robot`` and ``struct stewart_motion``. Returns C
+    files by name, with the function ``one_pose``, and the operations per pose counted by CasADi.
     """
     of_leg, of_platform, of_motion = (sum(_sizes(name).values()) for name in ("leg", "platform", "motion"))
     robot, motion = casadi.SX.sym("robot", 6 * of_leg + of_platform), casadi.SX.sym("motion", of_motion)
@@ -61,7 +53,7 @@ def program(equations: LegEquations) -> Program:
     )
     free = {getattr(casadi, f"OP_{name}") for name in _FREE}
     operations = sum(function.instruction_id(i) not in free for i in range(function.n_instructions()))
-    return Program({"casadi_forces.c": generator.dump() + one_pose}, operations)
+    return {"casadi_forces.c": generator.dump() + one_pose}, operations
 
 
 def _forces(legs: list[Matrix], platform: Matrix, motion: Matrix, equations: LegEquations) -> Matrix:

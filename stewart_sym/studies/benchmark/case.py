@@ -22,8 +22,8 @@ class Case:
 
     ``group``, ``name``, and ``what`` are table, row, and description. ``task`` is the timed code, whose unit
     is a pose; the times of ``plus`` and ``minus`` are added and subtracted. ``found`` returns the results of
-    a run, shape (n, k), and ``expected`` are results of the reference at the first poses, shape (m, k), with
-    the largest relative difference ``tolerance``. ``package`` is None for code of stewart-sym.
+    a run, (n, k), and ``expected`` are results of the reference at the first poses, (m, j), for the first of
+    them, with the largest relative difference ``tolerance``. ``package`` is None for code of stewart-sym.
     """
 
     group: str
@@ -46,13 +46,13 @@ class Case:
     def difference(self) -> float:
         """Return the largest difference relative to the largest value of a pose; ValueError if too large."""
         self.task.run(1)
-        count = min(len(self.expected), self.task.units)
-        found, truth = self.found()[:count], self.expected[:count]
-        worst = float(np.max(np.abs(found - truth).max(axis=-1) / np.abs(truth).max(axis=-1)))
-        if worst <= self.tolerance:
-            return worst
-        text = f"results differ from the reference by {worst:.1e}, expected {self.tolerance:g}"
-        raise ValueError(f"{self.name}: {text}")
+        found, truth = self.found(), self.expected[: self.task.units]
+        off = np.abs(found[: len(truth), : truth.shape[1]] - truth).max(axis=-1)
+        worst = float(np.max(off / np.abs(truth).max(axis=-1)))
+        if not worst <= self.tolerance:
+            text = f"results differ from the reference by {worst:.1e}, expected {self.tolerance:g}"
+            raise ValueError(f"{self.name}: {text}")
+        return worst
 
     def figure(self, raw: Mapping[Task, tuple[float, ...]], difference: float) -> Figures:
         """Return the record: time per pose (ns) in each round, median, and quartiles."""

@@ -31,50 +31,15 @@ _CORRECTIONS = 3
 
 def inverse_engines(poses: Poses, expected: Array) -> Iterator[Case]:
     """Yield the installed engines that compute the actuator forces; ``expected`` are forces, (n, 6)."""
-    if not absent("pinocchio"):
-        yield _rnea(poses, joint_tree(poses.robot, poses.motion), expected)
-
-
-def forward_engines(poses: Poses, F: Array, expected: Array) -> Iterator[Case]:
-    """Yield the installed engines that compute [a; alpha], shape (n, 6), from the actuator forces F (N)."""
-    tree = joint_tree(poses.robot, poses.motion)
-    forces = tree.resistance.copy()
-    forces[:, SLIDES] += F
-    if not absent("pinocchio"):
-        yield _constraint_dynamics(poses.robot, tree, forces, expected)
-    if not absent("mujoco"):
-        yield _mj_forward(poses.robot, tree, forces, expected)
-
-
-def _forward_case(
-    name: str,
-    what: str,
-    tree: JointTree,
-    calls: tuple[Callable[[int], None], Callable[[int], None]],
-    joints: Callable[[], Array],
-    expected: Array,
-    tolerance: float,
-) -> Case:
-    """Return the case of an engine: calls for all poses and for an empty model, and joint accelerations."""
-    run, empty = (Task(call, len(expected)) for call in calls)
-    more: Any = {"tolerance": tolerance, "package": name, "minus": empty}
-
-    def found() -> Array:
-        return tree.platform_acceleration(joints())
-
-    return Case(EQUATIONS, f"forward dynamics, {name}", f"{what} - call", run, found, expected, **more)
-
-
-# --- Pinocchio --------------------------------------------------------------------------------
-
-
-def _rnea(poses: Poses, tree: JointTree, expected: Array) -> Case:
-    """Measure ``rnea`` for the tree, and the solution of 6x6 systems for the actuator forces."""
+    if absent("pinocchio"):
+        return
     import pinocchio as pin
 
+    tree = joint_tree(poses.robot, poses.motion)
     model, _ = _pinocchio_model(poses.robot)
     data, nothing = model.createData(), pin.Model()
     states = list(zip(_positions(tree), tree.rates, tree.accelerations, strict=True))
+    # The actuator forces are solutions of 6x6 systems.
     tau = np.array([pin.rnea(model, data, *state) for state in states])
     several = np.resize(np.arange(len(tau)), _SOLVED)
     matrices = np.swapaxes(tree.per_twist[:, SLIDES], -1, -2)[several]
@@ -87,18 +52,40 @@ def _rnea(poses: Poses, tree: JointTree, expected: Array) -> Case:
     def found() -> Array:
         return np.asarray(np.linalg.solve(matrices, right)[: len(tau), :, 0])
 
-    return Case(FORCES, "Pinocchio", "rnea + solve - call", task, found, expected, **more)
+    yield Case(FORCES, "Pinocchio", "rnea + solve - call", task, found, expected, **more)
 
 
-def _constraint_dynamics(robot: Robot, tree: JointTree, forces: Array, expected: Array) -> Case:
-    """Measure ``constraintDynamics`` with rigid constraints and one step of its proximal solver."""
+def forward_engines(poses: Poses, F: Array, expected: Array) -> Iterator[Case]:
+    """Yield the installed engines that compute [a; alpha], shape (n, 6), from the actuator forces F (N)."""
+    tree = joint_tree(poses.robot, poses.motion)
+    forces = tree.resistance.copy()
+    forces[:, SLIDES] += F
+    for name, what, engine, tolerance in (
+        ("Pinocchio", "constraintDynamics", _constraint_dynamics, 1e-6),
+        ("MuJoCo", "mj_forward", _mj_forward, 1e-4),
+    ):
+        if not absent(name.lower()):
+            *calls, joints = engine(poses.robot, tree, forces)
+            run, empty = (Task(call, len(expected)) for call in calls)
+            found = partial(lambda joints: tree.platform_acceleration(joints()), joints)
+            more: Any = {"tolerance": tolerance, "package": name, "minus": empty}
+            row, what = f"forward dynamics, {name}", f"{what}, 5 loops - call"
+            yield Case(EQUATIONS, row, what, run, found, expected, **more)
+
+
+Engine = tuple[Callable[[int], None], Callable[[int], None], Callable[[], Array]]
+"""Calls for all poses and for an empty model, and the function that returns the joint accelerations."""
+
+# --- Pinocchio --------------------------------------------------------------------------------
+
+
+def _constraint_dynamics(robot: Robot, tree: JointTree, forces: Array) -> Engine:
+    """Call ``constraintDynamics`` with rigid constraints and one step of its proximal solver."""
     import pinocchio as pin
 
     def solver(model: Any, constraints: list[Any]) -> tuple[Callable[..., Any], tuple[Any, ...]]:
-        models, datas = pin.StdVec_RigidConstraintModel(), pin.StdVec_RigidConstraintData()
-        for constraint in constraints:
-            models.append(constraint)
-            datas.append(constraint.createData())
+        models = pin.StdVec_RigidConstraintModel(constraints)
+        datas = pin.StdVec_RigidConstraintData([each.createData() for each in constraints])
         data = model.createData()
         pin.initConstraintDynamics(model, data, models, datas)
         more = models, datas, pin.ProximalSettings(1e-12, 1e-12, 1)
@@ -107,13 +94,8 @@ def _constraint_dynamics(robot: Robot, tree: JointTree, forces: Array, expected:
     solve, more = solver(*_pinocchio_model(robot))
     nothing, no_more = solver(pin.Model(), [])
     states = [(*state, *more) for state in zip(_positions(tree), tree.rates, forces, strict=True)]
-    calls = over(solve, states), over(nothing, [(*3 * (np.zeros(0),), *no_more)] * len(states))
-
-    def joints() -> Array:
-        return np.array([solve(*state) for state in states])
-
-    what = "constraintDynamics, 5 loops"
-    return _forward_case("Pinocchio", what, tree, calls, joints, expected, 1e-6)
+    empty = over(nothing, [(*3 * (np.zeros(0),), *no_more)] * len(states))
+    return over(solve, states), empty, lambda: np.array([solve(*state) for state in states])
 
 
 def _positions(tree: JointTree) -> Array:
@@ -148,16 +130,15 @@ def _pinocchio_model(robot: Robot) -> tuple[Any, list[Any]]:
 # --- MuJoCo -----------------------------------------------------------------------------------
 
 
-def _mj_forward(robot: Robot, tree: JointTree, forces: Array, expected: Array) -> Case:
-    """Measure ``mj_forward`` with five ``connect`` constraints and one dense Newton step.
+def _mj_forward(robot: Robot, tree: JointTree, forces: Array) -> Engine:
+    """Call ``mj_forward`` with five ``connect`` constraints and one dense Newton step.
 
     The constraints yield in proportion to their force. In compensation the legs are moved by nanometers in
     advance, so that the springs of the constraints supply the missing force.
     """
     import mujoco
 
-    model = mujoco.MjModel.from_xml_string(_xml(robot, mujoco.mjMAXIMP))
-    nothing = mujoco.MjModel.from_xml_string(f"<mujoco>{_option(np.zeros(3))}</mujoco>")
+    model, nothing = _mujoco_model(robot), mujoco.MjModel.from_xml_string(_OPTIONS)
     datas = [mujoco.MjData(model) for _ in forces]
     for data, quaternion, rates, of_pose in zip(datas, tree.quaternion, tree.rates, forces, strict=True):
         data.qpos[-4:], data.qvel[:], data.qfrc_applied[:] = quaternion, rates, of_pose
@@ -175,46 +156,45 @@ def _mj_forward(robot: Robot, tree: JointTree, forces: Array, expected: Array) -
         for data, place, by in zip(datas, places, closed, strict=True):
             data.qpos[:-4] = place.ravel()
             data.qpos[: 3 * CARRIER] += by.ravel()
-    return _forward_case("MuJoCo", "mj_forward, 5 loops", tree, (forward, empty), joints, expected, 1e-4)
+    return forward, empty, joints
 
 
-def _xml(robot: Robot, stiff: float) -> str:
-    """Format the machine as an MJCF model; sites are the constrained points."""
-    carried, quaternions = robot.p[CARRIER], quaternion_from_rotation(base_frames(robot))
-    points = (f'<site name="point{i}" pos="{_text(robot.p[i] - carried)}"/>' for i in range(CARRIER))
-    platform = _body('<joint type="ball"/>', robot.M, robot.R_0 - carried, robot.I_p, "".join(points))
-    slide = '<joint type="slide" axis="1 0 0"/>'
-    hinges = '<joint type="hinge" axis="1 0 0"/><joint type="hinge" axis="0 1 0"/>'
-    legs = ""
-    for i, quaternion in enumerate(quaternions):
-        tip = platform if i == CARRIER else f'<site name="tip{i}"/>'
-        upper = _body(slide, robot.m_u[i], robot.r_u0[i], robot.I_u0[i], tip)
-        place = f' pos="{_text(robot.b[i])}" quat="{_text(quaternion)}"'
-        legs += _body(hinges, robot.m_d[i], robot.r_d0[i], robot.I_d0[i], upper, place)
-    soft = f'solref="{-STIFFNESS:g} 0" solimp="{stiff} {stiff} 1"'
-    closed = "".join(f'<connect site1="tip{i}" site2="point{i}" {soft}/>' for i in range(CARRIER))
-    return (
-        f'<mujoco><compiler angle="radian"/>{_option(robot.g)}<worldbody>{legs}</worldbody>'
-        f"<equality>{closed}</equality></mujoco>"
-    )
+def _mujoco_model(robot: Robot) -> Any:
+    """Return the machine; sites are the constrained points."""
+    import mujoco
+
+    spec = mujoco.MjSpec.from_string(_OPTIONS)
+    spec.option.gravity = robot.g
+    slide, hinge, ball = (getattr(mujoco.mjtJoint, f"mjJNT_{name}") for name in ("SLIDE", "HINGE", "BALL"))
+    x, y = np.eye(3)[:2]
+
+    def body(parent: Any, mass: Any, center: Array, inertia: Array, joints: Any, **place: Any) -> Any:
+        tensor = inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+        made = parent.add_body(mass=mass, ipos=center, fullinertia=tensor, explicitinertial=True, **place)
+        for kind, axis in joints:
+            made.add_joint(type=kind, axis=axis)
+        return made
+
+    uppers = []
+    for i, quaternion in enumerate(quaternion_from_rotation(base_frames(robot))):
+        place: Any = {"joints": [(hinge, x), (hinge, y)], "pos": robot.b[i], "quat": quaternion}
+        lower = body(spec.worldbody, robot.m_d[i], robot.r_d0[i], robot.I_d0[i], **place)
+        uppers.append(body(lower, robot.m_u[i], robot.r_u0[i], robot.I_u0[i], [(slide, x)]))
+    carried = robot.p[CARRIER]
+    platform = body(uppers[CARRIER], robot.M, robot.R_0 - carried, robot.I_p, [(ball, x)])
+    closure: Any = {"type": mujoco.mjtEq.mjEQ_CONNECT, "objtype": mujoco.mjtObj.mjOBJ_SITE}
+    closure |= {"solref": (-STIFFNESS, 0.0), "solimp": (mujoco.mjMAXIMP, mujoco.mjMAXIMP, 1.0, 0.5, 2.0)}
+    for i, upper in enumerate(uppers[:CARRIER]):
+        upper.add_site(name=f"tip{i}")
+        platform.add_site(name=f"point{i}", pos=robot.p[i] - carried)
+        spec.add_equality(name1=f"tip{i}", name2=f"point{i}", **closure)
+    return spec.compile()
 
 
-def _option(gravity: Array) -> str:
-    """Return the options: the fastest solver, without warm start and unrequested computations."""
-    off = " ".join(f'{name}="disable"' for name in ("contact", "sensor", "warmstart", "island"))
-    return (
-        f'<option gravity="{_text(gravity)}" solver="Newton" jacobian="dense" iterations="1" tolerance="0">'
-        f'<flag {off}/></option><size memory="1M"/>'
-    )
-
-
-def _body(joints: str, mass: float, center: Array, inertia: Array, inside: str, place: str = "") -> str:
-    tensor = inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
-    return (
-        f'<body{place}>{joints}<inertial mass="{_text(mass)}" pos="{_text(center)}" '
-        f'fullinertia="{_text(tensor)}"/>{inside}</body>'
-    )
-
-
-def _text(numbers: Any) -> str:
-    return " ".join(repr(float(number)) for number in np.ravel(numbers))
+_OPTIONS = """<mujoco>
+  <option gravity="0 0 0" solver="Newton" jacobian="dense" iterations="1" tolerance="0">
+    <flag contact="disable" sensor="disable" warmstart="disable" island="disable"/>
+  </option>
+  <size memory="1M"/>
+</mujoco>"""
+"""MuJoCo's fastest solver, without warm start and unrequested computations."""

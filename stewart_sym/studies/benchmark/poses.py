@@ -49,17 +49,14 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
 
     Raises ValueError if the base joints are not universal, or if no poses near the middle are regular.
     """
-    rng = np.random.default_rng(1998)
-    if robot is None:
-        robot = dasgupta1998()
-        moving = _near_the_paths(rng, count)
-    elif robot.base_joint != "universal":
+    rng, given = np.random.default_rng(1998), robot
+    robot = dasgupta1998() if given is None else given
+    if robot.base_joint != "universal":
         raise ValueError(f"{robot.name}: expected universal base joints, which the baselines require")
-    else:
-        if robot.has_rotors:
-            warn(f"{robot.name}: timed without its rotors, which the baselines do not have")
-            robot = replace(robot, drive=None)
-        moving = _near_the_middle(rng, count, robot)
+    if robot.has_rotors:
+        warn(f"{robot.name}: timed without its rotors, which the baselines do not have")
+        robot = replace(robot, drive=None)
+    moving = _near_the_paths(rng, count) if given is None else _near_the_middle(rng, count, robot)
     load = 0.5 * robot.M * 9.81
     loads = (scale * rng.normal(size=(count, 3)) for scale in (load, load * float(np.ptp(robot.p))))
     arrays = tuple(np.ascontiguousarray(array, dtype=np.float64) for array in (*moving, *loads))
@@ -73,15 +70,14 @@ def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
     """Sample Paths I and II alternately with small random displacements."""
     paths = [PAPER_PATHS[name].path for name in ("I", "II")]
     at = [path.sample(path.tau_f * rng.uniform(size=count)) for path in paths]
-    turn = np.arange(count) % len(paths)
-
-    def taken(name: str) -> Array:
-        both = np.stack([getattr(motion, name) for motion in at])
-        return np.asarray(both[turn, np.arange(count)])
-
-    R = taken("R") @ rotation_from_rpy(0.01 * rng.normal(size=(count, 3)))
-    spread = {"t": 0.003, **dict.fromkeys(("omega", "v", "alpha", "a"), 0.02)}
-    return R, *(taken(name) + scale * rng.normal(size=(count, 3)) for name, scale in spread.items())
+    scales = {"R": 0.01, "t": 0.003, **dict.fromkeys(("omega", "v", "alpha", "a"), 0.02)}
+    found = []
+    for name, scale in scales.items():
+        values = np.array(getattr(at[0], name))
+        values[1::2] = getattr(at[1], name)[1::2]
+        by = scale * rng.normal(size=(count, 3))
+        found.append(values @ rotation_from_rpy(by) if name == "R" else values + by)
+    return tuple(found)
 
 
 def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:

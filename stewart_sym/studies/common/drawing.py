@@ -100,27 +100,16 @@ def name_points(
     # The type hints of the function omit that some results may be None.
     allocate: Any = textalloc.allocate
     texts, at, colors = zip(*names, strict=True)
+    obstacles: Any = dict(zip(("x_scatter", "y_scatter"), zip(*markers, strict=True), strict=True))
+    obstacles |= {"x_lines": [[start[0], end[0]] for start, end in bars]}
+    obstacles |= {"y_lines": [[start[1], end[1]] for start, end in bars]}
+    style: Any = {"textsize": size, "textcolor": colors, "linecolor": colors, "linewidth": 0.6}
+    search: Any = {"margin": 0.006, "max_distance": 0.4, "nbr_candidates": 400, "draw_all": False}
     # The order of placement matters. The given order is tried first, then other orders.
     for clear, order in [(True, None), *((clear, order) for clear in (True, False) for order in range(4))]:
-        *_, written, lines = allocate(
-            axes,
-            *zip(*at, strict=True),
-            texts,
-            x_scatter=[x for x, _ in markers],
-            y_scatter=[y for _, y in markers],
-            x_lines=[[start[0], end[0]] for start, end in bars],
-            y_lines=[[start[1], end[1]] for start, end in bars],
-            avoid_label_lines_overlap=clear,
-            priority_strategy=order,
-            draw_all=False,
-            textsize=size,
-            textcolor=colors,
-            linecolor=colors,
-            linewidth=0.6,
-            margin=0.006,
-            max_distance=0.4,
-            nbr_candidates=400,
-        )
+        how: Any = {"avoid_label_lines_overlap": clear, "priority_strategy": order}
+        place = zip(*at, strict=True)
+        *_, written, lines = allocate(axes, *place, texts, **obstacles, **style, **search, **how)
         if None not in written:
             return
         for drawn in (*written, *lines):

@@ -4,6 +4,7 @@ import contextlib
 import os
 import platform
 import time
+from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -50,19 +51,20 @@ def software(*packages: str) -> dict[str, Any]:
     }
 
 
-class Others:
-    """Time of all cores that other processes and a hypervisor use from now on."""
+def taken_by_others() -> Callable[[], float | None]:
+    """Return a function of the fraction of core time, 0 to 1, that other processes use from now on.
 
-    def __init__(self) -> None:
-        """Start the measurement."""
-        self._start, self._work = time.perf_counter(), _work_of_others()
+    The fraction includes a hypervisor; it is None if the system does not provide it.
+    """
+    start, before = time.perf_counter(), _work_of_others()
 
-    def share(self) -> float | None:
-        """Return the used fraction of the core time, 0 to 1; None if the system does not provide it."""
-        seconds, work = time.perf_counter() - self._start, _work_of_others()
-        if self._work is None or work is None or seconds <= 0:
+    def share() -> float | None:
+        seconds, after = time.perf_counter() - start, _work_of_others()
+        if before is None or after is None or seconds <= 0:
             return None
-        return min(1.0, max(0.0, (work - self._work) / ((os.cpu_count() or 1) * seconds)))
+        return min(1.0, max(0.0, (after - before) / ((os.cpu_count() or 1) * seconds)))
+
+    return share
 
 
 def _work_of_others() -> float | None:

@@ -70,10 +70,8 @@ def _lists(where: str, data: object) -> Iterator[tuple[str, Sequence[Mapping[str
         for key, value in data.items():
             yield from _lists(f"{where} {key}".strip(), value)
     elif _is_list_of_tables(data):
-        yield (
-            where,
-            [{key: each for key, each in row.items() if not _is_list_of_tables(each)} for row in data],
-        )
+        flat = [{key: each for key, each in row.items() if not _is_list_of_tables(each)} for row in data]
+        yield where, flat
         for number, row in enumerate(data, 1):
             inner = {key: value for key, value in row.items() if _is_list_of_tables(value)}
             yield from _lists(f"{where} {row.get('name', number)}", inner)

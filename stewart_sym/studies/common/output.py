@@ -13,7 +13,6 @@ from ...robot.robot import LEGS
 
 _ROWS = 1024
 
-
 Columns = dict[str, NDArray[Any]]
 """Columns of shape (n,) by name."""
 
@@ -60,18 +59,12 @@ def csv_text(rows: Iterable[Sequence[object]]) -> str:
 
 
 def aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> str:
-    """Format a text table with aligned columns; the first ``left`` columns are left-aligned, others
-    right-aligned.
-    """
-    table = [header, *rows]
-    widths = [max(len(row[i]) for row in table) for i in range(len(header))]
-    lines = [
-        "  ".join(
-            cell.ljust(width) if i < left else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in table
-    ]
+    """Format a text table; the first ``left`` columns are left-aligned, others right-aligned."""
+    columns = []
+    for i, column in enumerate(zip(header, *rows, strict=True)):
+        width = max(map(len, column))
+        columns.append([cell.ljust(width) if i < left else cell.rjust(width) for cell in column])
+    lines = ["  ".join(cells).rstrip() for cells in zip(*columns, strict=True)]
     return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])
 
 

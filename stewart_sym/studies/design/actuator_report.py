@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
-from ...design.limit_margins import LimitMargins, compared, states_limits
+from ...design.limit_margins import compared, states_limits
 from ...drives.limit_status import shows, spread_text, unknown_forces
 from ...io.array_types import Array
 from ...motion.trajectory import Trajectory
@@ -17,7 +17,7 @@ from ...robot.robot import LEGS, Robot
 from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
 from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
-from ..common.output import Columns, aligned, columns_of
+from ..common.output import aligned, columns_of
 from ..common.report import SMALL, Picture, Report
 
 _UNITS = (
@@ -28,25 +28,27 @@ _UNITS = (
 )
 """Units of the values in the JSON data."""
 
-_FURTHER = {
-    "force": {
-        "force, rms": "rms_force",
-        "push force, peak": "max_push_force",
-        "pull force, peak": "max_pull_force",
-    },
-    "power": {"power into the leg": "max_driving_power", "power out of the leg": "max_braking_power"},
-    "torque": {"torque, rms": "rms_torque"},
-}
-"""Rows that follow the quantiles of a requirement."""
-
-_GEOMETRY: tuple[tuple[str, str, str, Callable[[Array], Array]], ...] = (
-    ("stroke", "m", "stroke", np.asarray),
-    ("shortest leg", "m", "length", lambda length: length[:, 0]),
-    ("longest leg", "m", "length", lambda length: length[:, 1]),
-    ("base joint", "degrees", "base_angle", np.degrees),
-    ("platform joint", "degrees", "platform_angle", np.degrees),
+_ROWS: tuple[tuple[str, str, Callable[[Array], Array] | None], ...] = (
+    ("force", "force", None),
+    ("force, rms", "rms_force", np.asarray),
+    ("push force, peak", "max_push_force", np.asarray),
+    ("pull force, peak", "max_pull_force", np.asarray),
+    ("speed", "speed", None),
+    ("power", "power", None),
+    ("power into the leg", "max_driving_power", np.asarray),
+    ("power out of the leg", "max_braking_power", np.asarray),
+    ("torque", "torque", None),
+    ("torque, rms", "rms_torque", np.asarray),
+    ("motor speed", "motor_speed", None),
+    ("current", "current", None),
+    ("motor power", "motor_power", None),
+    ("stroke", "stroke", np.asarray),
+    ("shortest leg", "length", lambda length: length[:, 0]),
+    ("longest leg", "length", lambda length: length[:, 1]),
+    ("base joint", "base_angle", np.degrees),
+    ("platform joint", "platform_angle", np.degrees),
 )
-"""Name, unit, and attribute of the rows about lengths and angles, and the function that selects them."""
+"""Name and attribute of the rows, and the function that selects values of the legs; None: all quantiles."""
 
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
 _DIGITS = 4
@@ -58,9 +60,12 @@ _MOST = 4000
 
 def report(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> Report:
     """Create the report: text, data, a table of the requirements, and a plot."""
-    text, tables = _text(robot, sources, needs), {"needs": _table(needs)}
+    legs = [f"leg{leg + 1}" for leg in range(LEGS)]
+    header = ("need", "unit", *legs, *(f"{leg}_std" for leg in legs if needs.std is not None))
+    found = [(*row, *values, *(() if sd is None else sd)) for *row, values, sd in rows(needs)]
     figures = {"size": Picture(lambda: figure(robot, needs), SMALL)}
-    return Report(text, tables, _data(robot, sources, needs), figures)
+    tables = {"needs": columns_of([header, *found])}
+    return Report(_text(robot, sources, needs), tables, _data(robot, sources, needs), figures)
 
 
 def views(
@@ -99,18 +104,15 @@ def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> lis
 
 def rows(needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str, Array, Array | None]]:
     """Yield name, unit, values, and standard deviations, if any, shape (6,), of every requirement."""
-    std = needs.std or {}
-    for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
-        unit, values, sd = _UNITS[name], getattr(needs, name), std.get(name)
-        for k, share in enumerate(needs.quantiles if values is not None else ()):
-            words = "peak" if share == 1.0 else f"{100.0 * float(share):g} % of time"
-            yield f"{name.replace('_', ' ')}, {words}", unit, values[k], None if sd is None else sd[k]
-        for words, more in _FURTHER.get(name, {}).items():
-            if getattr(needs, more) is not None:
-                yield words, unit, getattr(needs, more), std.get(more)
-    for words, unit, name, pick in _GEOMETRY:
-        sd = std.get(name)
-        yield words, unit, pick(getattr(needs, name)), None if sd is None else pick(sd)
+    for name, attribute, pick in _ROWS:
+        values, sd = getattr(needs, attribute), (needs.std or {}).get(attribute)
+        unit = _UNITS[attribute].replace("rad", "degrees") if pick is np.degrees else _UNITS[attribute]
+        if values is not None and pick is not None:
+            yield name, unit, pick(values), None if sd is None else pick(sd)
+        elif values is not None:
+            for k, share in enumerate(needs.quantiles):
+                words = "peak" if share == 1.0 else f"{100.0 * float(share):g} % of time"
+                yield f"{name}, {words}", unit, values[k], None if sd is None else sd[k]
 
 
 def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> str:
@@ -157,7 +159,14 @@ def _capital(line: str) -> str:
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> dict[str, Any]:
-    found = compared(robot, needs)
+    found, unknown, noisy = compared(robot, needs), doubt(needs), {}
+    if needs.std is not None:
+        noisy = {
+            "std": dict(needs.std),
+            "inconclusive": found.inconclusive,
+            "margin_inconclusive": found.margin_inconclusive,
+            "warnings": [] if unknown is None else [unknown],
+        }
     kept = {name: getattr(needs, name) for name in _UNITS if getattr(needs, name) is not None}
     return {
         "robot": robot.name,
@@ -168,29 +177,9 @@ def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
         "exceeded": found.exceeded,
         "margin_missing": found.margin_missing,
         "crossings": list(needs.crossings),
-        **_data_of_noise(found, needs),
+        **noisy,
         "units": {name: _UNITS[name] for name in kept},
     }
-
-
-def _data_of_noise(found: LimitMargins, needs: ActuatorRequirementsResult) -> dict[str, Any]:
-    """Return standard deviations and undecided limits for the JSON data; nothing without noise."""
-    if needs.std is None:
-        return {}
-    unknown = doubt(needs)
-    return {
-        "std": dict(needs.std),
-        "inconclusive": found.inconclusive,
-        "margin_inconclusive": found.margin_inconclusive,
-        "warnings": [] if unknown is None else [unknown],
-    }
-
-
-def _table(needs: ActuatorRequirementsResult) -> Columns:
-    legs = [f"leg{leg + 1}" for leg in range(LEGS)]
-    header = ("need", "unit", *legs, *(f"{leg}_std" for leg in legs if needs.std is not None))
-    found = [(*row, *values, *(() if sd is None else sd)) for *row, values, sd in rows(needs)]
-    return columns_of([header, *found])
 
 
 def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:

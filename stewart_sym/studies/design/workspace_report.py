@@ -1,6 +1,5 @@
 """Report of ``workspace``: volume, limiting constraints, and slices through the center pose."""
 
-import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -25,10 +24,19 @@ POINTS = 121
 """Number of poses of a slice along each axis."""
 
 AXES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
-_ENDS = np.array([[-math.inf, math.inf]] * 3 + [[-math.pi, math.pi]] * 3)
-_ENDS[4] *= 0.5
+_FARTHEST = np.array([math.inf, math.inf, math.inf, math.pi, 0.5 * math.pi, math.pi])
+"""Largest values of the axes."""
+_PAIRS = ((0, 1), (0, 2), (1, 2), (3, 4), (3, 5), (4, 5))
+_KINDS = {
+    "constant_orientation": (slice(0, 3), "m", "constant orientation, roll, pitch, yaw ({theta}) rad"),
+    "orientation": (slice(3, 6), "rad", "orientation, at ({t}) m"),
+    "six_dof": (slice(0, 6), "", "six degrees of freedom, positions and orientations"),
+}
+"""Varying axes, unit of the distance to a limit, and title of each kind of workspace."""
 # Fraction of the width by which a slice extends beyond the poses within the limits, on each side.
 _MARGIN = 0.12
+
+_NAMES = [f"{name}, {'m' if name[1] == '_' else 'rad'}" for name in AXES]
 
 _OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
 """Colors of the limits in the order of ``REASONS``."""
@@ -74,35 +82,29 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
 
 def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: Progress) -> list[Slice]:
     """Compute the planes through the center pose for each pair of varying positions or varying angles."""
-    varying = {"constant_orientation": [0], "orientation": [3], "six_dof": [0, 3]}[found.kind]
-    pairs = [(i + start, j + start) for start in varying for i, j in itertools.combinations(range(3), 2)]
-    examiner, first = PoseExaminer(robot, at_reference(robot, limits)), varying[0]
-    made = []
+    varying, examiner, made = _KINDS[found.kind][0], PoseExaminer(robot, at_reference(robot, limits)), []
+    center, extent = np.concatenate([found.position, found.rpy]), np.full((6, 2), np.nan)
+    unknown = np.isnan(found.extent).any(axis=1, keepdims=True)
+    extent[varying] = np.where(unknown, found.bounds, found.extent)
+    low, high = np.minimum(extent[:, 0], center), np.maximum(extent[:, 1], center)
+    low, high = low - _MARGIN * (high - low), high + _MARGIN * (high - low)
+    values = np.linspace(np.maximum(low, -_FARTHEST), np.minimum(high, _FARTHEST), POINTS)
+    pairs = [pair for pair in _PAIRS if {*pair} <= {*range(6)[varying]}]
     for axes in tracked(progress, pairs, lambda axes: f"plane of {' and '.join(AXES[i] for i in axes)}"):
-        ends = [_ends(found, axis, axis - first) for axis in axes]
-        one, other = (np.linspace(low, high, POINTS) for low, high in ends)
-        poses = np.tile(np.concatenate([found.position, found.rpy]), (POINTS, POINTS, 1))
+        one, other = values[:, axes[0]], values[:, axes[1]]
+        poses = np.tile(center, (POINTS, POINTS, 1))
         poses[..., axes[0]], poses[..., axes[1]] = one[:, None], other
-        flat = poses.reshape(-1, 6)
-        R = rotation_from_rpy(flat[:, 3:])
-        t = flat[:, :3] - R @ found.tool
-        shape = (POINTS, POINTS)
+        R = rotation_from_rpy(poses[..., 3:].reshape(-1, 3))
+        t = poses[..., :3].reshape(-1, 3) - R @ found.tool
         codes, condition = examiner.broken_limits(R, t), examiner.conditions(R, t)
+        shape = (POINTS, POINTS)
         made.append(Slice(axes, one, other, codes.reshape(shape), condition.reshape(shape)))
     return made
 
 
-def _ends(found: WorkspaceResult, axis: int, row: int) -> Array:
-    """Return the ends of a slice along an axis."""
-    extent = found.bounds[row] if np.isnan(found.extent[row]).any() else found.extent[row]
-    middle = float(np.concatenate([found.position, found.rpy])[axis])
-    low, high = min(extent[0], middle), max(extent[1], middle)
-    wider = _MARGIN * (high - low)
-    return np.asarray(np.clip([low - wider, high + wider], *_ENDS[axis]))
-
-
 def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: list[Slice]) -> Report:
     """Create the report: text, data, and the planes as a table and a plot."""
+    varying, unit, _ = _KINDS[found.kind]
     data = {
         "robot": robot.name,
         "kind": found.kind,
@@ -117,7 +119,7 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
         **{name: getattr(found, name) for name in ("volume", "error", "unit", "bounds", "extent")},
         **{"tool_m": found.tool, "position_m": found.position, "rpy_rad": found.rpy},
         **{name: getattr(found, name) for name in ("distance_to_limit", "limit_fractions", "samples")},
-        "units": {"bounds": _names(found), "extent": _names(found), "distance_to_limit": _clear_unit(found)},
+        "units": {"bounds": _NAMES[varying], "extent": _NAMES[varying], "distance_to_limit": unit},
     }
     figures = {"slices": Picture(lambda: figure(robot, found, planes), SMALL)}
     return Report(_text(robot, limits, found), {"slices": _table(planes)}, data, figures)
@@ -126,31 +128,26 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
 def _title(found: WorkspaceResult) -> str:
     """Describe the kind of workspace."""
     t, theta = (", ".join(f"{x:.4g}" for x in values) for values in (found.position, found.rpy))
-    return {
-        "constant_orientation": f"constant orientation, roll, pitch, yaw ({theta}) rad",
-        "orientation": f"orientation, at ({t}) m",
-        "six_dof": "six degrees of freedom, positions and orientations",
-    }[found.kind]
+    return _KINDS[found.kind][2].format(t=t, theta=theta)
 
 
 def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
-    lines = [
-        f"robot      {robot.name}",
-        f"workspace  {_title(found)}",
-        f"limits     {', '.join(_limits(robot, limits)) or 'none'}",
-        f"volume     {_size(found)}, from {found.samples:,} random poses",
-    ]
+    lines = [f"robot      {robot.name}", f"workspace  {_title(found)}"]
     if found.tool.any():
         point = ", ".join(f"{x:.4g}" for x in found.tool)
-        lines.insert(2, f"point      tool of the robot file, ({point}) m, platform frame: positions and load")
+        lines.append(f"point      tool of the robot file, ({point}) m, platform frame: positions and load")
+    lines.append(f"limits     {', '.join(_limits(robot, limits)) or 'none'}")
+    lines.append(f"volume     {_size(found)}, from {found.samples:,} random poses")
     if found.kind != "six_dof":
-        distance = f"{found.distance_to_limit:.4g} {_clear_unit(found)}"
+        distance = f"{found.distance_to_limit:.4g} {_KINDS[found.kind][1]}"
         nearest = f"at most {distance} from the center pose to the nearest pose beyond a limit"
         known = np.isfinite(found.distance_to_limit)
         lines.append(f"distance   {nearest if known else 'no random pose is beyond a limit'}")
     rows = [
         (name, *("-" if np.isnan(end) else f"{end:.4g}" for end in ends))
-        for name, ends in zip(_names(found), np.hstack([found.extent, found.bounds]), strict=True)
+        for name, ends in zip(
+            _NAMES[_KINDS[found.kind][0]], np.hstack([found.extent, found.bounds]), strict=True
+        )
     ]
     header = ("coordinate", "at least from", "to", "searched from", "to")
     lines += ["", aligned(header, rows), ""]
@@ -178,30 +175,22 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
         yield "actuator forces at rest" + (" under the load" if limits.load.any() else "")
 
 
-def _names(found: WorkspaceResult) -> list[str]:
-    names = [f"{name}, {'m' if name[1] == '_' else 'rad'}" for name in AXES]
-    return {"constant_orientation": names[:3], "orientation": names[3:], "six_dof": names}[found.kind]
-
-
-def _clear_unit(found: WorkspaceResult) -> str:
-    return {"constant_orientation": "m", "orientation": "rad", "six_dof": ""}[found.kind]
-
-
 def _table(planes: list[Slice]) -> Columns:
     """Return one row for each pose of the planes."""
-    parts = []
+    columns: dict[str, list[Any]] = {}
     for plane in planes:
         first, second = np.meshgrid(plane.first, plane.second, indexing="ij")
         axes = np.full(first.shape, "-".join(AXES[i] for i in plane.axes))
-        parts.append((axes, first, second, np.array(REASONS)[plane.codes], plane.condition))
-    names = ("axes", "first", "second", "first_limit", "scaled_condition")
-    columns = (np.concatenate([each.ravel() for each in column]) for column in zip(*parts, strict=True))
-    return dict(zip(names, columns, strict=True))
+        part = {"axes": axes, "first": first, "second": second, "first_limit": np.array(REASONS)[plane.codes]}
+        for name, values in (part | {"scaled_condition": plane.condition}).items():
+            columns.setdefault(name, []).append(values.ravel())
+    return {name: np.concatenate(values) for name, values in columns.items()}
 
 
 def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     """Draw a panel for each plane, with t_z vertical according to gravity."""
-    shapes = np.array([_shape(plane) for plane in planes]).reshape(-1, 3)
+    shapes = np.array([np.ptp(plane.first) / np.ptp(plane.second) for plane in planes])
+    shapes = shapes.clip(*_SHAPES).reshape(-1, 3)
     # All rows have the width of the plot, and panels of one row have the same height.
     widths = _WIDTH * shapes.mean(axis=0) / shapes.mean(axis=0).sum()
     heights = (widths / shapes).max(axis=1)
@@ -219,9 +208,8 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
         if plane.axes[1] == AXES.index("t_z") and vertical(robot) == Z_DOWN:
             axes.invert_yaxis()
             axes.set_ylabel("t_z, m (z points down)")
-        middle = np.concatenate([found.position, found.rpy])
-        scale = _scale(plane)
-        axes.plot(*(scale * middle[list(plane.axes)]), marker="+", color=DARK, markersize=9.0)
+        middle = np.concatenate([found.position, found.rpy])[list(plane.axes)]
+        axes.plot(*(_scale(plane) * middle), marker="+", color=DARK, markersize=9.0)
     bar = drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")
     bar.ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
     bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
@@ -235,11 +223,6 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     if handles:
         legend_below(drawn, handles, title="first limit that breaks")
     return drawn
-
-
-def _shape(plane: Slice) -> float:
-    """Return the ratio of width to height of a panel, within its limits."""
-    return float(np.clip(np.ptp(plane.first) / np.ptp(plane.second), *_SHAPES))
 
 
 def _norm(planes: list[Slice]) -> Any:

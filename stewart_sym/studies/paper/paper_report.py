@@ -17,8 +17,6 @@ from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, claims, counted_fr
 from .plots import pictures
 from .reproduce import Reproduction, run_columns
 
-WIDTH = 110
-
 _FAULT_NAMES = {
     frozenset({1}): "1  no leg spin, (6), (8), (9)",
     frozenset({2}): "2  joint moment along s, (17)-(20)",
@@ -27,21 +25,31 @@ _FAULT_NAMES = {
     frozenset({4}): "4  sign of sum K, (33); not in `paper`",
     EXACT: "none: `exact`",
 }
+_PARTS = ("leg", "platform", "final", "total")
 
 
 def full_report(found: Reproduction) -> Report:
     """Create the report: all tables, the runs over time, the plots of Figs. 4-10, and a view of each path."""
-    tables = {f"path_{path}_{form}": run_columns(run) for (path, form), run in found.runs.items()}
-    views = {f"Path {path}": functools.partial(view, found.robot, path) for path in PAPER_PATHS}
-    return Report(report(found), tables, _data(found), pictures(found), views)
-
-
-def _data(found: Reproduction) -> dict[str, Any]:
-    return {
+    verdicts = claims(found)
+    head = [
+        "Dasgupta & Mruthyunjaya (1998), section 5, recomputed",
+        "",
+        f"Robot: appendix of the paper, as printed. Computed by: {found.backend}.",
+        "`paper`: equations as printed; `exact`: corrected equations. SI units.",
+        "No rigid body can have the printed inertia tensors:",
+        *(f"  {line}" for line in found.robot.find_invalid_inertias()),
+    ]
+    parts = (
+        _claims_table(found, verdicts),
+        _fault_table(found),
+        _energy_table(found),
+        _operations_table(found),
+    )
+    data: dict[str, Any] = {
         "robot": found.robot.name,
         "computed_by": found.backend,
         "impossible_inertias": found.robot.find_invalid_inertias(),
-        "claims": claims(found),
+        "claims": verdicts,
         "fault_costs": found.fault_costs,
         "work_and_energy": found.work_energy,
         "operations": found.operations,
@@ -52,32 +60,23 @@ def _data(found: Reproduction) -> dict[str, Any]:
             "operations": "multiplications, additions, divisions, square roots",
         },
     }
+    tables = {f"path_{path}_{form}": run_columns(run) for (path, form), run in found.runs.items()}
+    views = {f"Path {path}": functools.partial(view, found.robot, path) for path in PAPER_PATHS}
+    return Report("\n\n\n".join(["\n".join(head), *parts]) + "\n", tables, data, pictures(found), views)
 
 
-def report(found: Reproduction) -> str:
-    """Format all tables, with units and definitions, as one text."""
-    head = [
-        "Dasgupta & Mruthyunjaya (1998), section 5, recomputed",
-        "",
-        f"Robot: appendix of the paper, as printed. Computed by: {found.backend}.",
-        "`paper`: equations as printed; `exact`: corrected equations. SI units.",
-        "No rigid body can have the printed inertia tensors:",
-        *(f"  {line}" for line in found.robot.find_invalid_inertias()),
-    ]
-    tables = (_claims_table, _fault_table, _energy_table, _operations_table)
-    return "\n\n\n".join(["\n".join(head), *(table(found) for table in tables)]) + "\n"
-
-
-def _claims_table(found: Reproduction) -> str:
+def _claims_table(found: Reproduction, verdicts: list[Figures]) -> str:
     still = float(np.median(counted_fractions(found.rest["exact"])))
-    cells = [
-        (row["where"], row["says"], row["paper"]["text"], row["exact"]["text"], _verdict(row), row["rule"])
-        for row in claims(found)
-    ]
-    header = ("section", "claim", "`paper`", "`exact`", "verdict", "criterion")
+    rows = [("section", "claim", "`paper`", "`exact`", "verdict", "criterion")]
+    for row in verdicts:
+        paper, exact = row["paper"], row["exact"]
+        verdict = paper["verdict"]
+        if exact["verdict"] != verdict:
+            verdict += f"; `exact` {exact['verdict']}"
+        rows.append((row["where"], row["says"], paper["text"], exact["text"], verdict, row["rule"]))
     return _section(
         "(a) Claims of the paper, and computed results",
-        _wrapped(header, cells, (8, 23, 22, 22, 8, 16)),
+        _wrapped(rows, (8, 23, 22, 22, 8, 16)),
         "The verdict is for `paper`; a different verdict for `exact` follows after a semicolon. Dynamic "
         "fraction: |F_d / F| for all legs and all samples of the paper's time grid. Samples with |F| below "
         f"{NEAR_ZERO:.0%} of the leg's largest |F| on the path are excluded, because the fraction is "
@@ -88,21 +87,13 @@ def _claims_table(found: Reproduction) -> str:
     )
 
 
-def _verdict(row: Figures) -> str:
-    paper, exact = (row[form]["verdict"] for form in ("paper", "exact"))
-    return str(paper) if paper == exact else f"{paper}; `exact` {exact}"
-
-
 def _fault_table(found: Reproduction) -> str:
     header = ["fault", *(f"Path {name}" for name in PAPER_PATHS)]
     header += [f"{name} at rest" for name in PAPER_PATHS]
-    cells = [
-        (
-            _FAULT_NAMES[frozenset(cost["faults"])],
-            *(_percent(cost[how][name]) for how in ("moving", "at_rest") for name in PAPER_PATHS),
-        )
-        for cost in found.fault_costs
-    ]
+    cells = []
+    for cost in found.fault_costs:
+        shares = [*cost["moving"].values(), *cost["at_rest"].values()]
+        cells.append((_FAULT_NAMES[frozenset(cost["faults"])], *map(_percent, shares)))
     return _section(
         "(b) Force errors due to the faults of the printed equations",
         aligned(header, cells),
@@ -112,16 +103,20 @@ def _fault_table(found: Reproduction) -> str:
     )
 
 
+def _percent(share: float) -> str:
+    return "0" if share == 0 else f"{100 * share:.2g}%" if share < 1e-3 else f"{100 * share:.2f}%"
+
+
 def _energy_table(found: Reproduction) -> str:
-    header = ("path", "faults", "work, J", "gain, J", "(work - gain) / gain")
     cells = []
     for row in found.work_energy:
-        work, gain = (f"{row[name]:.6f}" for name in ("work_J", "gain_J"))
+        share = row["mismatch"]
+        mismatch = f"{share:.0e}" if 0 < abs(share) < 1e-9 else f"{100 * share:+.4f}%" if share else "0"
         kept = _FAULT_NAMES[frozenset(row["faults"])]
-        cells.append((row["path"], kept, work, gain, _mismatch(row["mismatch"])))
+        cells.append((row["path"], kept, f"{row['work_J']:.6f}", f"{row['gain_J']:.6f}", mismatch))
     return _section(
         "(c) Work of the actuators compared with the energy gain",
-        aligned(header, cells, left=2),
+        aligned(("path", "faults", "work, J", "gain, J", "(work - gain) / gain"), cells, left=2),
         "Without friction. Work: integral of F.Ldot by Gauss-Legendre quadrature (24 points) between the "
         "jumps of acceleration. The kernels compute F for none and for all of the faults 1 to 3, the "
         "reference computes it otherwise. Gain: kinetic and potential energy of all 13 bodies in their true "
@@ -132,18 +127,18 @@ def _energy_table(found: Reproduction) -> str:
 
 
 def _operations_table(found: Reproduction) -> str:
+    rows = [("program of the paper", [PAPER_FLOPS[part] for part in _PARTS], [""] * 4)]
+    for row in sorted(found.operations, key=lambda row: row["formulation"] != "paper"):
+        name = f"`{row['formulation']}` {'with' if row['friction'] else 'without'} friction"
+        rows.append(
+            (name, [sum(row[part]) for part in _PARTS], ["/".join(map(str, row[part])) for part in _PARTS])
+        )
     header = ("kernel", "one leg", "platform", "final system", "total", "mul/add/div/sqrt", "x arm")
-    paper = (str(PAPER_FLOPS[part]) for part in ("leg", "platform", "final", "total"))
-    cells = [("program of the paper", *paper, "", _arms(PAPER_FLOPS["total"]))]
-    operations = sorted(found.operations, key=lambda row: row["formulation"] != "paper")
-    for row in operations:
-        sums = (str(sum(row[part])) for part in ("leg", "platform", "final", "total"))
-        cells.append((_kernel_name(row), *sums, _counts(row["total"]), _arms(sum(row["total"]))))
-    header_apart = ("mul/add/div/sqrt", "one leg", "platform", "final system")
-    apart = [
-        (_kernel_name(row), *(_counts(row[part]) for part in ("leg", "platform", "final")))
-        for row in operations
+    cells = [
+        (name, *map(str, sums), kinds[-1], f"{sums[-1] / SERIAL_ARM_FLOPS:.2f}") for name, sums, kinds in rows
     ]
+    header_apart = ("mul/add/div/sqrt", "one leg", "platform", "final system")
+    apart = [(name, *kinds[:-1]) for name, _, kinds in rows[1:]]
     return _section(
         "(d) Operations per time step",
         aligned(header, cells) + "\n\n" + aligned(header_apart, apart),
@@ -154,38 +149,16 @@ def _operations_table(found: Reproduction) -> str:
     )
 
 
-def _kernel_name(row: Figures) -> str:
-    return f"`{row['formulation']}` {'with' if row['friction'] else 'without'} friction"
-
-
-def _counts(part: Sequence[int]) -> str:
-    return "/".join(map(str, part))
-
-
-def _arms(total: int) -> str:
-    return f"{total / SERIAL_ARM_FLOPS:.2f}"
-
-
-def _percent(share: float) -> str:
-    return "0" if share == 0 else f"{100 * share:.2g}%" if share < 1e-3 else f"{100 * share:.2f}%"
-
-
-def _mismatch(share: float) -> str:
-    return f"{share:.0e}" if 0 < abs(share) < 1e-9 else "0" if share == 0 else f"{100 * share:+.4f}%"
-
-
 def _section(title: str, table: str, notes: str) -> str:
-    return "\n".join([title, "=" * len(title), "", table, "", textwrap.fill(notes, WIDTH)])
+    return "\n".join([title, "=" * len(title), "", table, "", textwrap.fill(notes, 110)])
 
 
-def _wrapped(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequence[int]) -> str:
+def _wrapped(rows: Sequence[Sequence[str]], widths: Sequence[int]) -> str:
     """Format columns of given widths with wrapped cells and a blank line between the rows."""
-    blocks = [_block(row, widths) for row in (header, *rows)]
+    blocks = []
+    for row in rows:
+        cells = [textwrap.wrap(cell, width) for cell, width in zip(row, widths, strict=True)]
+        lines = itertools.zip_longest(*cells, fillvalue="")
+        blocks.append("\n".join("  ".join(map(str.ljust, line, widths)).rstrip() for line in lines))
     rule = "-" * (sum(widths) + 2 * (len(widths) - 1))
     return "\n".join([blocks[0], rule, "\n\n".join(blocks[1:])])
-
-
-def _block(row: Sequence[str], widths: Sequence[int]) -> str:
-    cells = [textwrap.wrap(cell, width) for cell, width in zip(row, widths, strict=True)]
-    lines = itertools.zip_longest(*cells, fillvalue="")
-    return "\n".join("  ".join(map(str.ljust, line, widths)).rstrip() for line in lines)

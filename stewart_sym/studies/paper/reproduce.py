@@ -14,7 +14,7 @@ from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, massless
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
-from ...motion.motion import Motion, at_rest
+from ...motion.motion import at_rest
 from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler
 from ...reference.newton_euler import EXACT
@@ -84,25 +84,21 @@ class Reproduction:
 def reproduce(progress: Progress = silent) -> Reproduction:
     """Compute all results for the machine of the paper; ``progress`` receives the current step."""
     robot, path = dasgupta1998(), PAPER_PATHS["III"].path
-    progress("compiling the kernels")
-    backend = _backend(robot)
-    progress("running Paths I-III")
     lighter = dataclasses.replace(robot, M=LIGHT_PLATFORM)
+    progress("running Paths I-III")
     runs = {(name, form): run_path(robot, name, form) for name in PAPER_PATHS for form in FORMULATIONS}
     every = tracked(progress, FAULTS, lambda _: "measuring the printed faults")
-    costs = [fault_cost(robot, faults) for faults in every]
     kept = [(name, faults) for name in PAPER_PATHS for faults in (EXACT, *FAULTS)]
     each = tracked(progress, kept, lambda _: "comparing work and energy")
-    work = [work_energy(robot, *of_path) for of_path in each]
     return Reproduction(
         robot=robot,
-        backend=backend,
+        backend=_backend(robot),
         runs=runs,
         light={form: run_path(lighter, "I", form) for form in FORMULATIONS},
         rest={form: run_path(robot, "I", form, rest=True) for form in FORMULATIONS},
         singular_time=singularity_crossings(robot, path.sample, path.breakpoints())[0].time,
-        fault_costs=costs,
-        work_energy=work,
+        fault_costs=[fault_cost(robot, faults) for faults in every],
+        work_energy=[work_energy(robot, *of_path) for of_path in each],
         operations=operations(),
     )
 
@@ -121,10 +117,14 @@ def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool
 
 def run_columns(run: PathRun) -> Columns:
     """Return the columns of the CSV file of a run by name, shape (n,), SI units."""
-    columns: Columns = {"time": run.time}
-    for name, values in (("F", run.F), ("F0", run.F0), ("Fd", run.Fd), ("dynamic_fraction", run.fraction)):
-        columns |= of_legs(name, values)
-    return columns | {"condition_number": run.condition, "scaled_condition_number": run.scaled_condition}
+    return (
+        {"time": run.time}
+        | of_legs("F", run.F)
+        | of_legs("F0", run.F0)
+        | of_legs("Fd", run.Fd)
+        | of_legs("dynamic_fraction", run.fraction)
+        | {"condition_number": run.condition, "scaled_condition_number": run.scaled_condition}
+    )
 
 
 def without_friction(robot: Robot) -> Robot:
@@ -136,12 +136,14 @@ def without_friction(robot: Robot) -> Robot:
 def fault_cost(robot: Robot, faults: frozenset[int]) -> Figures:
     """Return the RMS of F - F_exact over the RMS of F_exact by path, moving and at rest, without friction."""
     frictionless = without_friction(robot)
-    found: dict[str, Figures] = {"moving": {}, "at_rest": {}}
+    found: Figures = {"faults": sorted(faults), "moving": {}, "at_rest": {}}
     for name, (path, dtau) in PAPER_PATHS.items():
-        motion = path.sample(path.time_grid(dtau))
-        found["moving"][name] = _difference(frictionless, motion, faults)
-        found["at_rest"][name] = _difference(frictionless, at_rest(motion.R, motion.t), faults)
-    return {"faults": sorted(faults), **found}
+        moving = path.sample(path.time_grid(dtau))
+        for state, motion in (("moving", moving), ("at_rest", at_rest(moving.R, moving.t))):
+            exact = newton_euler.inverse_dynamics(frictionless, motion).F
+            faulty = newton_euler.inverse_dynamics(frictionless, motion, faults).F
+            found[state][name] = float(np.linalg.norm(faulty - exact) / np.linalg.norm(exact))
+    return found
 
 
 def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
@@ -163,8 +165,8 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
     power = newton_euler.actuator_power(frictionless, motion, F)
     ends = newton_euler.energy(frictionless, path.sample(breaks[[0, -1]]))
     work, gain = float((half * _WEIGHTS).ravel() @ power), float(ends[1] - ends[0])
-    named = {"path": name, "faults": sorted(faults)}
-    return {**named, "work_J": work, "gain_J": gain, "mismatch": (work - gain) / gain}
+    mismatch = (work - gain) / gain
+    return {"path": name, "faults": sorted(faults), "work_J": work, "gain_J": gain, "mismatch": mismatch}
 
 
 def operations() -> list[Figures]:
@@ -180,12 +182,6 @@ def operations() -> list[Figures]:
         named = {"formulation": form, "friction": friction == "friction"}
         found.append(named | {part: each.tolist() for part, each in counts.items()})
     return found
-
-
-def _difference(robot: Robot, motion: Motion, faults: frozenset[int]) -> float:
-    exact = newton_euler.inverse_dynamics(robot, motion).F
-    faulty = newton_euler.inverse_dynamics(robot, motion, faults).F
-    return float(np.linalg.norm(faulty - exact) / np.linalg.norm(exact))
 
 
 def _backend(robot: Robot) -> str:

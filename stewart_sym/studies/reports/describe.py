@@ -37,19 +37,22 @@ def report(robot: Robot, length_unit: str = "m") -> Report:
         # The row "side" lists both sides if they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         home = home_pose(robot)
-    data = {**_data(robot), "home_pose": _home_data(robot, home)}
     unit = _Unit(length_unit, LENGTH_UNITS[length_unit])
     figures = {"machine": Picture(lambda: figure(robot, home), SMALL)}
-    return Report(_description(robot, home, unit), data=data, figures=figures)
+    return Report(_description(robot, home, unit), data=_data(robot, home), figures=figures)
 
 
-def _data(robot: Robot) -> dict[str, Any]:
-    """Return dimensions, masses, and limits for the JSON data."""
+def _data(robot: Robot, home: HomePose) -> dict[str, Any]:
+    """Return dimensions, masses, limits, and the home pose for the JSON data."""
+    offsets = {"cross_mass": "kg", "cross_inertia": "kg_m2", "cross_center": "m"}
+    offsets |= dict.fromkeys(("axis_offset", "slide_offset_y", "slide_offset_z", "wrist_offset"), "m")
+    drive = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "backdrive_efficiency": ""}
+    drive |= {name: unit for name, (_, unit) in (_DRIVE_FRICTION | _DRIVE_LIMITS).items()}
     return {
         "robot": robot.name,
         "base_joint": robot.base_joint,
         "platform_joint": _platform_joint(robot),
-        **_offset_data(robot),
+        **_with_units("offset", robot.offsets, offsets),
         "gravity_m_per_s2": robot.g,
         "platform_mass_kg": robot.M,
         "platform_center_of_mass_m": robot.R_0,
@@ -67,51 +70,33 @@ def _data(robot: Robot) -> dict[str, Any]:
         "force_limit_N": robot.force_limit,
         "speed_limit_m_per_s": robot.speed_limit,
         "joint_angle_limit_rad": robot.joint_angle_limit,
-        **_drive_data(robot),
+        **_with_units("drive", robot.drive, drive),
         "impossible_inertias": robot.find_invalid_inertias(),
+        "home_pose": {
+            "rule": home.rule,
+            "above": home.side.direction,
+            "position_m": home.t,
+            "leg_lengths_m": home.L,
+            "status": home.status,
+            "holding_forces_N": home.F,
+            "condition_number": home.condition,
+            "scaled_condition_number": home.scaled_condition,
+            "characteristic_length_m": characteristic_length(robot),
+        },
     }
 
 
-def _drive_data(robot: Robot) -> dict[str, Any]:
-    """Return the drives for the JSON data; nothing without drives."""
-    if robot.drive is None:
-        return {}
-    units = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "backdrive_efficiency": ""}
-    units |= {name: unit for name, (_, unit) in (_DRIVE_FRICTION | _DRIVE_LIMITS).items()}
-    return {
-        "_".join(["drive", name, *unit.replace("/", " per ").split()]): getattr(robot.drive, name)
-        for name, unit in units.items()
+def _with_units(prefix: str, part: object, units: dict[str, str]) -> dict[str, Any]:
+    """Return attributes of a part of the robot with their units in the keys; nothing without the part."""
+    keys = {
+        name: "_".join([prefix, name, *unit.replace("/", " per ").split()]) for name, unit in units.items()
     }
-
-
-def _offset_data(robot: Robot) -> dict[str, Any]:
-    """Return the offset joints for the JSON data; nothing without offsets."""
-    if robot.offsets is None:
-        return {}
-    names = {"cross_mass": "kg", "cross_inertia": "kg_m2", "cross_center": "m"}
-    names |= dict.fromkeys(("axis_offset", "slide_offset_y", "slide_offset_z", "wrist_offset"), "m")
-    return {f"offset_{name}_{unit}": getattr(robot.offsets, name) for name, unit in names.items()}
-
-
-def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
-    return {
-        "rule": home.rule,
-        "above": home.side.direction,
-        "position_m": home.t,
-        "leg_lengths_m": home.L,
-        "status": home.status,
-        "holding_forces_N": home.F,
-        "condition_number": home.condition,
-        "scaled_condition_number": home.scaled_condition,
-        "characteristic_length_m": characteristic_length(robot),
-    }
+    return {} if part is None else {key: getattr(part, name) for name, key in keys.items()}
 
 
 def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
-    inertias = "physically possible"
-    if bodies:
-        inertias = f"not physically possible: {', '.join(bodies)}"
+    bad = f"not physically possible: {', '.join(bodies)}"
     masses = robot.m_d + robot.m_u
     sizes = [f"{radius(points) / unit.meters:.4g} {unit.name}" for points in (robot.b, robot.p)]
     rows = [
@@ -127,7 +112,7 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ("friction", _friction(robot)),
         *([] if robot.drive is None else _drives(robot.drive, unit)),
         ("limits", _limits(robot, unit)),
-        ("inertias", inertias),
+        ("inertias", bad if bodies else "physically possible"),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
 
@@ -149,11 +134,8 @@ def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
     offsets = robot.offsets
     if offsets is None:
         return []
-    parts = [
-        f"{_range(getattr(offsets, name) / unit.meters)} {unit.name} {where}"
-        for name, where in _OFFSETS.items()
-        if np.any(getattr(offsets, name))
-    ]
+    lengths = {where: getattr(offsets, name) / unit.meters for name, where in _OFFSETS.items()}
+    parts = [f"{_range(each)} {unit.name} {where}" for where, each in lengths.items() if np.any(each)]
     rows = [("offsets", ", ".join(parts) or "all zero; delete them to use every feature")]
     if np.any(offsets.cross_mass) or np.any(offsets.cross_inertia):
         text = f"{_range(offsets.cross_mass)} kg, {_range(offsets.cross_inertia)} kg m^2 about the fixed axis"
@@ -192,12 +174,10 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     if home.status:
         rows.append(("condition", f"unsolvable: {STATUS_TEXT[home.status]}"))
     else:
-        length = characteristic_length(robot)
-        by = f"{length / unit.meters:.4g} {unit.name}"
+        by = f"{characteristic_length(robot) / unit.meters:.4g} {unit.name}"
         scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
-        holding = ", ".join(f"{force:.6g}" for force in home.F.tolist())
-        rows.append(("leg forces", f"({holding}) N"))
+        rows.append(("leg forces", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
     what = "platform centered above the base; " if robot.home_position is None else ""
     return [f"home pose: {what}{home.rule}", *_rows(rows)]
 
@@ -218,14 +198,10 @@ def _rows(rows: list[tuple[str, str]]) -> list[str]:
 
 
 def _friction(robot: Robot) -> str:
-    joints = (
-        ("base joint", robot.C_u, "N m s"),
-        ("prismatic", robot.C_p, "N s/m"),
-        ("spherical", robot.C_s, "N m s"),
-    )
-    if not any(np.any(C) for _, C, _ in joints):
+    if not np.any([robot.C_u, robot.C_p, robot.C_s]):
         return "off"
-    return "on: " + ", ".join(f"{name} {_range(C)} {unit}" for name, C, unit in joints)
+    base, slide, tip = map(_range, (robot.C_u, robot.C_p, robot.C_s))
+    return f"on: base joint {base} N m s, prismatic {slide} N s/m, spherical {tip} N m s"
 
 
 _DRIVE_FRICTION = {
@@ -250,17 +226,14 @@ def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
         f"reflected mass {_range(drive.reflected_mass, 4)} kg",
         f"efficiency {_range(drive.efficiency)} driving, {_range(drive.backdrive_efficiency, 4)} backdriving",
     ]
-    parts += [
-        f"{words} {_range(getattr(drive, name))} {per}"
-        for name, (words, per) in _DRIVE_FRICTION.items()
-        if np.any(getattr(drive, name))
+    values = {name: getattr(drive, name) for name in (*_DRIVE_FRICTION, *_DRIVE_LIMITS)}
+    friction = [(values[name], *words) for name, words in _DRIVE_FRICTION.items()]
+    limits = [(values[name], *words) for name, words in _DRIVE_LIMITS.items()]
+    parts += [f"{words} {_range(each)} {per}" for each, words, per in friction if np.any(each)]
+    most = [
+        f"{words} up to {_range(each, 4)} {per}" for each, words, per in limits if np.isfinite(each).any()
     ]
-    limits = [
-        f"{words} up to {_range(getattr(drive, name), 4)} {per}"
-        for name, (words, per) in _DRIVE_LIMITS.items()
-        if np.isfinite(getattr(drive, name)).any()
-    ]
-    return [("drives", ", ".join(parts)), *([("motors", ", ".join(limits))] if limits else [])]
+    return [("drives", ", ".join(parts)), *([("motors", ", ".join(most))] if most else [])]
 
 
 def _limits(robot: Robot, length: _Unit) -> str:

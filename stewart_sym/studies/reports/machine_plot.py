@@ -11,21 +11,13 @@ from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import SingularityResult
 from ...viewer.content import around
-from ..common.drawing import (
-    BLUE,
-    DARK,
-    GRAY,
-    RED,
-    Z_DOWN,
-    Axes,
-    Figure,
-    as_written,
-    name_points,
-    new_figure,
-    vertical,
-)
+from ..common.drawing import BLUE as PLATFORM
+from ..common.drawing import DARK as BASE
+from ..common.drawing import GRAY as LEG
+from ..common.drawing import RED as MARK
+from ..common.drawing import Z_DOWN, Axes, Figure, as_written, name_points, new_figure, vertical
 
-BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GRAY, RED, "#2a7f3f"
+OFFSET = "#2a7f3f"
 
 # Length of axes and arrows, and distance below which points coincide, relative to the size of the machine.
 _AXIS, _SAME = 0.12, 1e-3
@@ -133,9 +125,8 @@ def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> lis
         text += ", with gravity"
     if robot.tool.any():
         tool = home.t + robot.tool
-        axes.plot(
-            *np.stack([tips.mean(axis=0), tool]).T, color=PLATFORM, linewidth=0.8, linestyle=(0, (4, 2))
-        )
+        line = np.stack([tips.mean(axis=0), tool])
+        axes.plot(*line.T, color=PLATFORM, linewidth=0.8, linestyle=(0, (4, 2)))
         axes.plot(*tool[:, None], marker="x", color=PLATFORM, markersize=6.0, linestyle="")
         drawn.append(tool[None])
         text += "\ncross: point of the trajectories' poses"

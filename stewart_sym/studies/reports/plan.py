@@ -1,6 +1,6 @@
 """Report of ``plan``: trajectory, summary, JSON data, and plots."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -34,8 +34,6 @@ from .drives import DriveDigest
 _INSTANTS = 10_001
 # Number of drawn samples of the forces, and of poses for the condition numbers of a path.
 _DRAWN, _POSES = 4001, 801
-
-
 _CERTIFIED = ("is_valid", "samples", "max_utilization", "lengths_ok", "angles_ok", "active_fraction")
 
 
@@ -78,7 +76,6 @@ class Plan:
     def times(self) -> Array:
         """Sample times of the trajectory (s); the last one is its end."""
         end = self.timed.duration
-        need_samples(end, self.rate)
         return np.append(np.arange(0.0, end * (1.0 - 1e-9), 1.0 / self.rate), end)
 
 
@@ -91,49 +88,50 @@ def need_samples(end: float, rate: float) -> None:
         )
 
 
-def along(plan: Plan, times: Array) -> Columns:
+def _along(plan: Plan, times: Array, motion: Motion) -> Columns:
     """Return columns over time: path parameter, its rates, condition number, lengths, speeds, and forces."""
-    place, motion = plan.timed.profile.at(times), plan.timed.sample(times)
+    place = plan.timed.profile.at(times)
     legs = inverse_kinematics(plan.robot, motion)
     forces = inverse_dynamics(plan.robot, motion, plan.timed.formulation).F
     columns: Columns = {"time": times, "s": place.s, "s_dot": place.rate, "s_ddot": place.second}
-    columns["scaled_condition"] = conditions(plan.robot, motion)
+    columns["scaled_condition"] = _conditions(plan.robot, motion)
     return columns | of_legs("L", legs.L) | of_legs("L_dot", legs.L_dot) | of_legs("F", forces)
 
 
-def conditions(robot: Robot, motion: Motion) -> Array:
+def _conditions(robot: Robot, motion: Motion) -> Array:
     """Compute condition numbers of H with moments divided by the characteristic length, shape (n,)."""
     return scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot) or 1.0)
 
 
 def report(plan: Plan) -> Report:
     """Create the report of a plan with its plots."""
-    motion = plan.timed.sample(plan.times)
-    tables = {
-        "trajectory": trajectory_columns(plan.robot, plan.times, motion),
-        "path": along(plan, plan.times),
-    }
-    text = summary(plan) if plan.motors is None else f"{summary(plan)}\n\n{plan.motors.table()}"
+    times, robot = plan.times, plan.robot
+    motion = plan.timed.sample(times)
+    tables = {"trajectory": trajectory_columns(robot, times, motion), "path": _along(plan, times, motion)}
+    text = _summary(plan) if plan.motors is None else f"{_summary(plan)}\n\n{plan.motors.table()}"
     figures = {
-        "condition": Picture(lambda: condition_figure(plan)),
-        "forces": Picture(lambda: forces_figure(plan)),
-        "phase_plane": Picture(lambda: phase_figure(plan)),
+        "condition": Picture(lambda: _condition_figure(plan)),
+        "forces": Picture(lambda: _forces_figure(plan)),
+        "phase_plane": Picture(lambda: _phase_figure(plan)),
     }
-    view = {"motion": lambda: Viewer(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))}
-    return Report(text, tables, data(plan), figures, view)
+    view = {"motion": lambda: Viewer(robot, of_motion(robot, motion, times, "planned motion"))}
+    return Report(text, tables, _data(plan), figures, view)
 
 
-def summary(plan: Plan) -> str:
+def _summary(plan: Plan) -> str:
     """Format duration, condition numbers, extremes, distance to singular poses, and the certificate."""
     found, planned = plan.certificate, plan.planned
+    over = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
+    beyond = " and ".join(name for name, exceeded in over.items() if exceeded)
+    verdict = "valid" if found.is_valid else f"not valid{beyond and f': {beyond} beyond their limits'}"
     leg = int(np.argmax(found.force.value))
     fast = int(np.argmax(found.speed.value))
     longer = planned.condition_numbers.length / planned.initial_condition_numbers.length
     lines = [
         f"duration   {plan.timed.duration:.6g} s, from rest to rest",
         f"path       {longer:.4g} times as long as the straight one",
-        f"condition  {_conditions(planned.condition_numbers)}",
-        f"straight   {_conditions(planned.initial_condition_numbers)}",
+        f"condition  {_condition_text(planned.condition_numbers)}",
+        f"straight   {_condition_text(planned.initial_condition_numbers)}",
         f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
         f"speed      up to {found.speed.value[fast]:.6g} m/s, leg {fast + 1} "
         f"at {found.speed.time[fast]:.6g} s",
@@ -144,9 +142,9 @@ def summary(plan: Plan) -> str:
         f"one is active in {100.0 * found.active_fraction:.4g} % of the time",
         f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
         f"smallest singular value {found.nearest.smallest:.4g}",
-        f"certificate  {_verdict(found)}",
+        f"certificate  {verdict}",
+        *_moved(planned),
     ]
-    lines += [f"via pose {number}  {text}" for number, text in _freed(planned)]
     return "\n".join(lines)
 
 
@@ -158,21 +156,13 @@ def _angles(found: PlanCertificate) -> Iterator[str]:
             yield f"angle      at the {name} {most} at {angle.time[leg]:.6g} s"
 
 
-def _verdict(found: PlanCertificate) -> str:
-    """Describe the validity of the certificate, and violated limits without a utilization."""
-    beyond = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
-    names = " and ".join(name for name, over in beyond.items() if over)
-    return "valid" if found.is_valid else f"not valid{names and f': {names} beyond their limits'}"
-
-
-def _conditions(found: Conditions) -> str:
+def _condition_text(found: Conditions) -> str:
     peak = "infinite, it crosses a singular pose" if np.isinf(found.peak) else f"{found.peak:.5g}"
     return f"number of H: mean {found.mean:.5g}, peak {peak}"
 
 
-def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
-    """Return the number of each via pose with a tolerance, and the displacement of the path from it."""
-    found = []
+def _moved(planned: PlannedPath) -> Iterator[str]:
+    """Yield the displacement of the path from each via pose with a tolerance."""
     pairs = zip(planned.requested_poses, planned.reached_poses, strict=True)
     for number, (given, passed) in enumerate(pairs, start=1):
         if given.has_tolerance:
@@ -180,12 +170,11 @@ def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
             # Small rotations are rounding errors.
             moves[3:][np.abs(moves[3:]) <= 1e-12] = 0.0
             named = zip(("x", "y", "z", "roll", "pitch", "yaw"), moves, strict=True)
-            parts = [f"{name} {value:+.4g}" for name, value in named if value]
-            found.append((number, "moved by " + (", ".join(parts) or "nothing")))
-    return found
+            parts = ", ".join(f"{name} {value:+.4g}" for name, value in named if value)
+            yield f"via pose {number}  moved by {parts or 'nothing'}"
 
 
-def data(plan: Plan) -> dict[str, Any]:
+def _data(plan: Plan) -> dict[str, Any]:
     """Return the numbers of the summary for the JSON data."""
     found, planned = plan.certificate, plan.planned
     legs: dict[str, Any] = {
@@ -230,13 +219,13 @@ _UNITS = {
 }
 
 
-def condition_figure(plan: Plan) -> Figure:
+def _condition_figure(plan: Plan) -> Figure:
     """Plot the condition numbers of the planned and of the straight path over their parameter."""
     figure = new_figure(8.0, 4.4)
     axes, planned, s = figure.subplots(), plan.planned, np.linspace(0.0, 1.0, _POSES)
     drawn = ((planned.initial_path, "straight spline", GRAY), (planned.path, "planned", BLUE))
     for path, name, color in drawn:
-        axes.semilogy(s, conditions(plan.robot, path(s)), color=color, linewidth=1.4, label=name)
+        axes.semilogy(s, _conditions(plan.robot, path(s)), color=color, linewidth=1.4, label=name)
     _mark_via(axes, plan)
     axes.set(xlim=(0.0, 1.0), xlabel=_PARAMETER, ylabel="scaled condition number of H")
     log_numbers(axes.yaxis)
@@ -244,7 +233,7 @@ def condition_figure(plan: Plan) -> Figure:
     return figure
 
 
-def forces_figure(plan: Plan) -> Figure:
+def _forces_figure(plan: Plan) -> Figure:
     """Plot the forces of the legs relative to their limits, or in N if a leg has no limit."""
     figure = new_figure(8.0, 4.6)
     axes = figure.subplots()
@@ -261,16 +250,17 @@ def forces_figure(plan: Plan) -> Figure:
     return figure
 
 
-def phase_figure(plan: Plan) -> Figure:
+def _phase_figure(plan: Plan) -> Figure:
     """Plot s' over s: the motion, and its limits for feasible accelerations and for stopping at the end."""
     figure = new_figure(8.0, 4.6)
     axes, profile = figure.subplots(), plan.timed.profile
     s, rate = profile.nodes.s, profile.nodes.rate
     top = 1.6 * float(rate.max())
     if profile.ease is None:
-        limits = {"no acceleration keeps the limits above": profile.phase.most}
-        limits["rest at the end is out of reach above"] = profile.phase.stops
-        for (name, square), color in zip(limits.items(), (GRAY, RED), strict=True):
+        for square, color, name in (
+            (profile.phase.most, GRAY, "no acceleration keeps the limits above"),
+            (profile.phase.stops, RED, "rest at the end is out of reach above"),
+        ):
             axes.plot(s, np.minimum(np.sqrt(square), 2.0 * top), color=color, linestyle="--", label=name)
     axes.plot(s, rate, color=BLUE, label="motion")
     _mark_via(axes, plan)

@@ -1,9 +1,4 @@
-"""Plausibility checks of the initial state of a scene: units of lengths, angles, and speeds, and assembly
-mode.
-"""
-
-from collections.abc import Mapping
-from typing import Any
+"""Plausibility checks of the initial state of a scene: units, and assembly mode."""
 
 import numpy as np
 
@@ -20,9 +15,7 @@ _MOST_FALLS = 5.0
 
 
 def start_doubts(scene: Scene) -> list[str]:
-    """Return warnings, each with its key, about an initial state or springs that are implausible for the
-    robot.
-    """
+    """Return warnings, each with its key, about an implausible initial state or implausible springs."""
     robot, state, stated = scene.robot, scene.state, scene.stated
     L = leg_lengths(robot, state.R, state.t)
     # The reader of a path file has already issued warnings about the path.
@@ -50,16 +43,14 @@ def start_doubts(scene: Scene) -> list[str]:
             lines.append(
                 f"state.theta: {theta[axis]:.4g} rad about {'xyz'[axis]}: in degrees, expected radians?"
             )
-    return lines + _speed_doubts(stated, float(np.median(L)))
-
-
-def _speed_doubts(stated: Mapping[str, Any], length: float) -> list[str]:
-    """Return warnings about initial speeds far above the speed of a fall through the length of a leg (m)."""
+    length = float(np.median(L))
     fall = float(np.sqrt(2.0 * abs(DEFAULT_GRAVITY[2]) * length))
     units = {"v": ("m/s", "in mm/s", fall), "omega": ("rad/s", "in degrees/s", fall / length)}
-    return [
-        f"state.{name}: {speed:.4g} {unit}, {speed / usual:.2g} times what a fall through the length of a "
-        f"leg gives: {other}, expected {unit}?"
-        for name, (unit, other, usual) in units.items()
-        if (speed := float(np.linalg.norm(stated.get(f"state.{name}", 0.0)))) > _MOST_FALLS * usual
-    ]
+    for name, (unit, other, usual) in units.items():
+        speed = float(np.linalg.norm(stated.get(f"state.{name}", 0.0)))
+        if speed > _MOST_FALLS * usual:
+            lines.append(
+                f"state.{name}: {speed:.4g} {unit}, {speed / usual:.2g} times what a fall through the length "
+                f"of a leg gives: {other}, expected {unit}?"
+            )
+    return lines

@@ -1,7 +1,6 @@
 """Report of ``singularities``: singular poses that a path crosses, and the degrees of freedom lost there."""
 
 import functools
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,9 +15,7 @@ from ...motion.interpolation import Path
 from ...motion.sample_times import time_text
 from ...robot.robot import LEGS, Robot
 from ...singularities.path_singularities import (
-    LegExtreme,
     PathSingularitiesResult,
-    SingularityCrossing,
     path_singularities,
     singular_force_residue,
 )
@@ -28,9 +25,6 @@ from ..common.drawing import BLUE, DARK, RED, Figure, as_written, log_numbers, n
 from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import SMALL, Picture, Report
 from .machine_plot import twist_figure
-
-NEAREST = ("least-rate twist", "largest-force wrench", "least-wrench forces")
-"""Labels of twist, wrench, and leg forces of the smallest singular value, if a pose is not singular."""
 
 _EVEN = 401
 _NEAR = 150
@@ -64,7 +58,7 @@ def examine(
     return Examination(robot, name, path, formulation, along, residues)
 
 
-def report(found: Examination) -> str:
+def _text(found: Examination) -> str:
     """Format all results as text in SI units."""
     along = found.along
     lines = [
@@ -76,9 +70,8 @@ def report(found: Examination) -> str:
     if found.robot.tool.any():
         lines.append("point      reference point for twists and wrenches, not the tool of the robot file")
     lines += [f"singular   from {start:.9f} s to {end:.9f} s at every time" for start, end in along.spans]
-    for number, (crossing, A) in enumerate(zip(along.crossings, found.residues, strict=True), 1):
-        at = f"{crossing.time:.12f} s (rounding error up to {crossing.time_error:.1e} s)"
-        lines += ["", f"Crossing {number} at {at}", *_crossing_lines(found, crossing, A)]
+    for number in range(len(along.crossings)):
+        lines += ["", *_crossing_lines(found, number)]
     if not along.crossings:
         lines += ["", f"Nearest approach at {along.nearest.time:.9f} s"]
         lines += _pose_lines(along.nearest.singularity)
@@ -91,24 +84,19 @@ def report(found: Examination) -> str:
 
 def full_report(found: Examination) -> Report:
     """Create the report with text, events, and curves over time, their plot, and drawings of crossings."""
-    columns = curves(found)
-    figures = {"path": Picture(lambda: path_figure(found, columns))}
-    for name, time, at in _drawn(found):
-        pose = found.path(np.array([time]))[0]
-        title = f"{found.robot.name}, path {found.name}, at {time:.9f} s"
-        figures[name] = Picture(functools.partial(twist_figure, found.robot, pose, at, title), SMALL)
-    return Report(report(found), {"events": events(found), "path": columns}, _data(found), figures)
+    columns = _curves(found)
+    figures = {"path": Picture(lambda: _path_figure(found, columns))}
+    crossings = enumerate(found.along.crossings[:_MOST_DRAWN], 1)
+    drawn: dict[str, Any] = {f"crossing_{number}": crossing for number, crossing in crossings}
+    for name, each in (drawn or {"nearest": found.along.nearest}).items():
+        pose = found.path(np.array([each.time]))[0]
+        title = f"{found.robot.name}, path {found.name}, at {each.time:.9f} s"
+        draw = functools.partial(twist_figure, found.robot, pose, each.singularity, title)
+        figures[name] = Picture(draw, SMALL)
+    return Report(_text(found), {"events": _events(found), "path": columns}, _data(found), figures)
 
 
-def _drawn(found: Examination) -> Iterator[tuple[str, float, SingularityResult]]:
-    """Yield name, time, and pose of each drawing: the first crossings, or the nearest pose."""
-    for number, crossing in enumerate(found.along.crossings[:_MOST_DRAWN], 1):
-        yield f"crossing_{number}", crossing.time, crossing.singularity
-    if not found.along.crossings:
-        yield "nearest", found.along.nearest.time, found.along.nearest.singularity
-
-
-def events(found: Examination) -> Columns:
+def _events(found: Examination) -> Columns:
     """Return columns (n,) with a row for each crossing (1) and each local minimum (0), sorted by time."""
     along, none = found.along, np.full(LEGS, np.nan)
     rows = [
@@ -122,17 +110,25 @@ def events(found: Examination) -> Columns:
     *numbers, poses, residues = zip(*sorted(rows, key=lambda row: row[0]), strict=True)
     names = ("time", "crossing", "time_error", "sign_before", "sign_after")
     columns: Columns = {name: np.array(values) for name, values in zip(names, numbers, strict=True)}
-    for name in ("condition_number", "smallest_singular_value", "lost_dof", "screw_pitch"):
-        columns[name] = np.array([getattr(pose, name) for pose in poses])
-    twists = np.array([pose.twist for pose in poses])
-    columns |= of_axes("v", twists[:, :3]) | of_axes("omega", twists[:, 3:])
-    for name in ("screw_axis", "screw_point"):
-        columns |= of_axes(name, np.array([getattr(pose, name) for pose in poses]))
+    at = {name: np.array([getattr(pose, name) for pose in poses]) for name in _OF_POSE}
+    columns |= {name: at[name] for name in _OF_POSE[:4]}
+    columns |= of_axes("v", at["twist"][:, :3]) | of_axes("omega", at["twist"][:, 3:])
+    columns |= of_axes("screw_axis", at["screw_axis"]) | of_axes("screw_point", at["screw_point"])
     return columns | of_legs("A", np.array(residues))
+
+
+_OF_POSE = (
+    *("condition_number", "smallest_singular_value", "lost_dof", "screw_pitch"),
+    *("twist", "screw_axis", "screw_point"),
+)
 
 
 def _data(found: Examination) -> dict[str, Any]:
     along = found.along
+    extremes = (("min_joint_sine", ""), ("min_length", "_m"), ("max_length", "_m"))
+    legs: dict[str, Array] = {}
+    for name, unit in extremes:
+        legs |= {f"{name}{unit}": getattr(along, name).value, f"{name}_time_s": getattr(along, name).time}
     return {
         "robot": found.robot.name,
         "path": found.name,
@@ -153,16 +149,8 @@ def _data(found: Examination) -> dict[str, Any]:
         "nearest": {"time_s": along.nearest.time, **_pose_data(along.nearest.singularity)},
         "minima": [{"time_s": each.time, **_pose_data(each.singularity)} for each in along.approaches],
         "singular_throughout_s": along.spans,
-        "legs": by_leg(
-            _extreme("min_joint_sine", "", along.min_joint_sine)
-            | _extreme("min_length", "_m", along.min_length)
-            | _extreme("max_length", "_m", along.max_length)
-        ),
+        "legs": by_leg(legs),
     }
-
-
-def _extreme(name: str, unit: str, found: LegExtreme) -> dict[str, Array]:
-    return {f"{name}{unit}": found.value, f"{name}_time_s": found.time}
 
 
 def _pose_data(at: SingularityResult) -> dict[str, Any]:
@@ -182,7 +170,7 @@ def _pose_data(at: SingularityResult) -> dict[str, Any]:
     }
 
 
-def curves(found: Examination) -> Columns:
+def _curves(found: Examination) -> Columns:
     """Return columns (n,) over time, denser near each crossing and minimum; nan at unsolvable poses.
 
     The smallest singular value has the sign of det H; the scaled condition is inf at a singular pose.
@@ -206,21 +194,20 @@ def curves(found: Examination) -> Columns:
     with np.errstate(divide="ignore", invalid="ignore"):
         condition = s[:, 0] / smallest
         sine = np.linalg.norm(np.cross(robot.k, S), axis=-1) / L
-    columns: Columns = {
-        "time": times,
-        "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest,
-        "scaled_condition": condition,
-    }
-    columns |= of_legs("F", forces.F)
+    columns = {"time": times, "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest}
+    columns |= {"scaled_condition": condition} | of_legs("F", forces.F)
     columns |= {} if robot.base_joint == "spherical" else of_legs("joint_sine", sine)
     return columns | of_legs("L", L)
 
 
-def _crossing_lines(found: Examination, crossing: SingularityCrossing, A: Array) -> list[str]:
-    robot, leg = found.robot, int(np.argmax(np.abs(A)))
-    rates = wrench_matrix(robot, found.path(np.array([crossing.time])))[0].T @ crossing.singularity.twist
+def _crossing_lines(found: Examination, number: int) -> list[str]:
+    crossing, A = found.along.crossings[number], found.residues[number]
+    pose, leg = found.path(np.array([crossing.time])), int(np.argmax(np.abs(A)))
+    rates = wrench_matrix(found.robot, pose)[0].T @ crossing.singularity.twist
+    at = f"{crossing.time:.12f} s (rounding error up to {crossing.time_error:.1e} s)"
     before, after = sign_text(crossing.sign_before), sign_text(crossing.sign_after)
     lines = [
+        f"Crossing {number + 1} at {at}",
         f"  det H                {before} before, {after} after",
         *_pose_lines(crossing.singularity),
         f"  leg rates            at most {np.max(np.abs(rates)):.1e} m/s for this twist",
@@ -229,18 +216,15 @@ def _crossing_lines(found: Examination, crossing: SingularityCrossing, A: Array)
         return [*lines, "  force residue        none: the path is at rest there, or follows singular poses"]
     values = ", ".join(f"{value:.6g}" for value in A)
     ends = ["-inf", "+inf"] if A[leg] > 0.0 else ["+inf", "-inf"]
-    lines += [
-        f"  force residue        F = A / (t - t_0), A = ({values}) N s",
-        f"  most affected        leg {leg + 1}: {ends[0]} before, {ends[1]} after",
-    ]
-    return lines
+    residue = f"  force residue        F = A / (t - t_0), A = ({values}) N s"
+    return [*lines, residue, f"  most affected        leg {leg + 1}: {ends[0]} before, {ends[1]} after"]
 
 
 def _pose_lines(at: SingularityResult) -> list[str]:
     pitch, axis = float(at.screw_pitch), triple_text(at.screw_axis)
-    motion, wrench, idle = (
-        ("unconstrained twist", "unbalanced wrench", "null-space forces") if at.lost_dof else NEAREST
-    )
+    motion, wrench, idle = "least-rate twist", "largest-force wrench", "least-wrench forces"
+    if at.lost_dof:
+        motion, wrench, idle = "unconstrained twist", "unbalanced wrench", "null-space forces"
     screw = f"translation along {axis}"
     if np.isfinite(pitch):
         pitch = round(pitch, 9) + 0.0
@@ -265,18 +249,15 @@ def _legs_table(found: Examination) -> str:
     for leg, (low, high) in enumerate(limits):
         below = f"{along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none"
         above = f"{high - along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
-        sine, least = _cells(along.min_joint_sine, leg), _cells(along.min_length, leg)
-        rows.append((str(leg + 1), *sine, *least, below, *_cells(along.max_length, leg), above))
+        sine, least, most = (
+            (f"{extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}")
+            for extreme in (along.min_joint_sine, along.min_length, along.max_length)
+        )
+        rows.append((str(leg + 1), *sine, *least, below, *most, above))
     of_lengths = ("min L, m", "time, s", "margin, m", "max L, m", "time, s", "margin, m")
     header = ("leg", "min |k x s|", "time, s", *of_lengths)
-    return (
-        "Smallest sine of the angle between leg and universal axis; extreme lengths and margins to limits\n"
-        + aligned(header, rows)
-    )
-
-
-def _cells(extreme: LegExtreme, leg: int) -> tuple[str, str]:
-    return f"{extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}"
+    title = "Smallest sine of the angle between leg and universal axis; extreme lengths and margins to limits"
+    return f"{title}\n{aligned(header, rows)}"
 
 
 def _near(time: float, at: SingularityResult) -> str:
@@ -286,15 +267,15 @@ def _near(time: float, at: SingularityResult) -> str:
     )
 
 
-def path_figure(found: Examination, columns: Columns) -> Figure:
+def _path_figure(found: Examination, columns: Columns) -> Figure:
     """Plot condition number, signed smallest singular value, and the largest force over the whole path."""
     figure = new_figure(9.0, 7.2)
     panels = figure.subplots(3, 1, sharex=True)
-    time, condition = columns["time"], columns["scaled_condition"]
+    time = columns["time"]
     largest = np.max(np.abs([columns[f"F_{leg}"] for leg in range(1, LEGS + 1)]), axis=0)
     panels[1].axhline(0.0, color=DARK, linewidth=0.7)
     for axes, values, label in (
-        (panels[0], condition, "scaled condition\nnumber of H"),
+        (panels[0], columns["scaled_condition"], "scaled condition\nnumber of H"),
         (panels[1], columns["smallest_singular_value"], "smallest singular value,\nsign of det H"),
         (panels[2], largest, "largest actuator\nforce, N"),
     ):

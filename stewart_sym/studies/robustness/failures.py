@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...backend.kernel import robot_numbers
 from ...io.array_types import Array, Flags
 from ...motion.motion import Motion
 from ...motion.rotation import cross, rotation_from_rpy, rotation_from_vector, rpy_from_rotation
@@ -43,7 +44,7 @@ def distances() -> Array:
 
 def singular(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     """Move poses near singular poses. Distances are fractions of a random way; NaN if there is none."""
-    (R, t), n = _pose(cases), len(way)
+    R, t, n = cases.motion["R"], cases.motion["t"], len(way)
     size = np.abs(cases.legs["b"]).max(axis=(1, 2))[:, None]
     start = _side(cases, R, t)
     phi, shift, found = np.zeros((n, 3)), np.zeros((n, 3)), np.zeros(n, dtype=np.bool_)
@@ -75,7 +76,7 @@ def _side(cases: Cases, R: Array, t: Array) -> Flags:
 def joint(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     """Rotate the fixed axis of a random leg to an angle from the leg."""
     each, leg = np.arange(len(way)), rng.integers(6, size=len(way))
-    s = _unit(_points(cases, *_pose(cases))[1][each, leg])
+    s = _unit(_points(cases)[1][each, leg])
     across = _unit(cross(s, rng.normal(size=s.shape)))
     side = rng.choice([-1.0, 1.0], (len(way), 1))
     cases.legs["k"][each, leg] = _unit(side * s + way[:, None] * across)
@@ -91,8 +92,8 @@ def both(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
 
 def short(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     """Move the base point of a random leg near its platform point; distances relative to the largest term."""
-    each, leg, (R, t) = np.arange(len(way)), rng.integers(6, size=len(way)), _pose(cases)
-    q = _points(cases, R, t)[0][each, leg]
+    each, leg, t = np.arange(len(way)), rng.integers(6, size=len(way)), cases.motion["t"]
+    q = _points(cases)[0][each, leg]
     reach = np.fmax(np.abs(q), np.abs(t)).max(axis=1)
     aside = _unit(rng.normal(size=q.shape))
     cases.legs["b"][each, leg] = q + t - (way * reach)[:, None] * aside
@@ -104,8 +105,7 @@ def heavy(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     light = 10.0 ** -rng.uniform(0.0, 6.0, len(way))
     each, leg = np.arange(len(way)), rng.integers(6, size=len(way))
     for part in ("m_d", "I_d0", "m_u", "I_u0"):
-        numbers = cases.legs[part]
-        numbers[each, leg] = (numbers[each, leg].T / light).T
+        cases.legs[part][each, leg] = (cases.legs[part][each, leg].T / light).T
     joint(rng, cases, 10.0 ** -rng.uniform(0.0, 3.0, len(way)))
     return light
 
@@ -121,7 +121,7 @@ def proportions(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     cases.motion["M_ext"] *= body
     longer = np.where(rng.random((n, 6)) < 0.5, 10.0 ** rng.uniform(0.0, 4.0, (n, 6)), 1.0)
     longer[which == 1] = 1.0
-    cases.legs["b"] -= (longer - 1.0)[..., None] * _points(cases, *_pose(cases))[1]
+    cases.legs["b"] -= (longer - 1.0)[..., None] * _points(cases)[1]
     return np.asarray(np.minimum(small[:, 0], 1.0 / longer.max(axis=1)))
 
 
@@ -158,14 +158,11 @@ def not_finite(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     return np.zeros(len(way))
 
 
-def _points(cases: Cases, R: Array, t: Array) -> tuple[Array, Array]:
-    """Compute q and S of all legs, (n, 6, 3) each, at poses R (n, 3, 3), t (n, 3)."""
+def _points(cases: Cases, R: Array | None = None, t: Array | None = None) -> tuple[Array, Array]:
+    """Compute q and S of all legs, (n, 6, 3) each, at the poses of the cases or other ones."""
+    R, t = (cases.motion["R"], cases.motion["t"]) if R is None or t is None else (R, t)
     q = cases.legs["p"] @ np.swapaxes(R, -1, -2)
     return q, q + t[:, None] - cases.legs["b"]
-
-
-def _pose(cases: Cases) -> tuple[Array, Array]:
-    return cases.motion["R"], cases.motion["t"]
 
 
 def _unit(vectors: Array) -> Array:
@@ -193,7 +190,7 @@ class Family:
     in_range: bool = True
 
 
-def path_III() -> tuple[list[Robot], list[Motion]]:
+def _path_III(rng: np.random.Generator) -> Cases:
     """Return poses of the robot of the paper near the crossing, on the tangent of Path III before it."""
     robot, path = dasgupta1998(), PAPER_PATHS["III"].path
     crossing = singularity_crossings(robot, path.sample, path.breakpoints())[0].time
@@ -206,11 +203,7 @@ def path_III() -> tuple[list[Robot], list[Motion]]:
         dataclasses.replace(moving, R=rotation_from_rpy(theta - d * theta_dot), t=moving.t - d * moving.v)
         for d in distances()
     ]
-    return [robot] * len(motions), motions
-
-
-def _path_III(rng: np.random.Generator) -> Cases:
-    return cases_of(*path_III(), distances())
+    return cases_of([robot] * POINTS, motions, distances())
 
 
 def _turned(robot: Robot, motion: Motion, R: Array) -> Cases:
@@ -269,17 +262,19 @@ def _extreme(rng: np.random.Generator) -> Cases:
     return cases_of(robots, motions, sizes)
 
 
-def _singular(name: str, title: str, axis: str, make: Callable[[np.random.Generator], Cases]) -> Family:
-    remedy = "elimination with partial pivoting; status 4 if a pivot is at the rounding level of its row"
-    return Family(f"singular_{name}", title, "H singular", remedy, axis, make, 6)
-
-
+_SINGULAR = (
+    ("path_III", "Path III crosses a singular pose", "time from the crossing, s", _path_III),
+    ("hexagons", "Similar hexagons turned by 90 degrees", "angle from 90 degrees, rad", _hexagons),
+    ("line", "Six legs meet one line", "turn away from that pose, rad", _line),
+    ("flat", "Six legs in one plane", "height over the plane, m", _flat),
+)
+_PIVOT = "elimination with partial pivoting; status 4 if a pivot is at the rounding level of its row"
 _ALONG, _ANGLE = "leg along its universal joint's fixed axis", "angle between a leg and its fixed axis, rad"
 FAMILIES = (
-    _singular("path_III", "Path III crosses a singular pose", "time from the crossing, s", _path_III),
-    _singular("hexagons", "Similar hexagons turned by 90 degrees", "angle from 90 degrees, rad", _hexagons),
-    _singular("line", "Six legs meet one line", "turn away from that pose, rad", _line),
-    _singular("flat", "Six legs in one plane", "height over the plane, m", _flat),
+    *(
+        Family(f"singular_{name}", title, "H singular", _PIVOT, axis, make, seed=6)
+        for name, title, axis, make in _SINGULAR
+    ),
     Family(
         *("joint_singularity", "A leg's joint singularity, moving machine", _ALONG),
         "sine and frame from k x s, dynamics in joint coordinates; status 3 for a sine of rounding level",
@@ -330,8 +325,7 @@ def random_cases(kind: str, rng: np.random.Generator, count: int, each: int, dec
 
     Distances are logarithmically uniform over the decades. A quarter of the motions is at rest.
     """
-    machines = random_machines(rng, -(-count // each), kind == MACHINE)
-    robots = np.repeat(machines.robots, each, axis=0)[:count]
+    robots = np.repeat(_random_machines(rng, -(-count // each), kind == MACHINE), each, axis=0)[:count]
     cases = Cases(robots, np.empty((count, 30)), np.empty((count, 6)), np.empty(count))
     _move(rng, cases)
     at_rest = rng.integers(4, size=count) == 0
@@ -342,23 +336,20 @@ def random_cases(kind: str, rng: np.random.Generator, count: int, each: int, dec
     return cases[np.isfinite(cases.distance)]
 
 
-def random_machines(rng: np.random.Generator, count: int, are_singular: bool) -> Cases:
-    """Generate machines without motion, half of them of about one meter, others of any size.
+def _random_machines(rng: np.random.Generator, count: int, are_singular: bool) -> Array:
+    """Generate numbers of machines, (count, 205), half of them of about one meter, others of any size.
 
     ``are_singular`` selects machines of the families of ``singular_machines`` in turn.
     """
     machines, families = [], tuple(SINGULAR_MACHINES)
     for number in range(count):
-        legs = LEGS[number // 2 % len(LEGS)]
         size, mass = (10.0 ** rng.uniform(*np.log10(extremes)) for extremes in (SIZES, MASSES))
         size, mass = (size, mass) if number % 2 else (1.0, 10.0)
-        machines.append(
-            singular_machine(rng, families[number % len(families)], size, mass, legs)
-            if are_singular
-            else random_machine(rng, size, mass, legs)
-        )
-    none = Motion(R=np.eye(3), t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))
-    return cases_of(machines, [none] * count)
+        kind = (size, mass, LEGS[number // 2 % len(LEGS)])
+        family = families[number % len(families)]
+        robot = singular_machine(rng, family, *kind) if are_singular else random_machine(rng, *kind)
+        machines.append(robot_numbers(robot))
+    return np.array(machines)
 
 
 def _move(rng: np.random.Generator, cases: Cases) -> None:

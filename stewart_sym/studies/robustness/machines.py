@@ -1,6 +1,7 @@
 """Machines and motions of the study: general and special, of any size and mass, with different legs."""
 
 import dataclasses
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -13,12 +14,9 @@ GRAVITY = 9.81
 LEGS = ("general", "axisymmetric", "slender", "nearly massless")
 """Kinds of legs of a random machine."""
 
-_BASE = np.radians([-12.0, 12.0, 108.0, 132.0, 228.0, 252.0])
-_PLATFORM = np.radians([-48.0, 48.0, 72.0, 168.0, 192.0, -72.0])
-# Angles of the corners of a hexagon with two side lengths, and of the same hexagon rotated by 60 degrees, leg
-# by leg.
-_PAIRS = (-20.0, 20.0, 100.0, 140.0, 220.0, 260.0)
-_PAIRS_TURNED = (-40.0, 40.0, 80.0, 160.0, 200.0, 280.0)
+_BASE, _PLATFORM = (-12.0, 12.0, 108.0, 132.0, 228.0, 252.0), (-48.0, 48.0, 72.0, 168.0, 192.0, -72.0)
+# Corners of a hexagon with two side lengths, and of the same hexagon rotated by 60 degrees, leg by leg.
+_PAIRS, _PAIRS_TURNED = (-20.0, 20.0, 100.0, 140.0, 220.0, 260.0), (-40.0, 40.0, 80.0, 160.0, 200.0, 280.0)
 
 
 def random_machine(
@@ -86,13 +84,11 @@ def machine_size(robot: Robot) -> float:
 
 
 def similar_hexagons(rng: np.random.Generator) -> Robot:
-    """Generate a general machine with similar planar hexagons; the platform hexagon is rotated by 60 degrees
-    at home.
+    """Generate a general machine with similar planar hexagons, rotated by 60 degrees at home.
 
     Rotated from there by 90 degrees about the normal, it is singular at any position (Fichter, 1986).
     """
-    b, p = (_ring(np.radians(angles)) for angles in (_PAIRS, _PAIRS_TURNED))
-    return dataclasses.replace(random_machine(rng), b=b, p=0.6 * p)
+    return dataclasses.replace(random_machine(rng), b=_ring(_PAIRS), p=0.6 * _ring(_PAIRS_TURNED))
 
 
 def meeting_one_line(rng: np.random.Generator, motion: Motion) -> Robot:
@@ -108,11 +104,11 @@ def meeting_one_line(rng: np.random.Generator, motion: Motion) -> Robot:
 def flat(rng: np.random.Generator) -> Robot:
     """Generate a general machine with planar base and platform, so that all six legs can be in one plane."""
     robot = random_machine(rng)
-    plane = np.array([1.0, 1.0, 0.0])
-    return dataclasses.replace(robot, b=robot.b * plane, p=robot.p * plane)
+    return dataclasses.replace(robot, b=robot.b * (1.0, 1.0, 0.0), p=robot.p * (1.0, 1.0, 0.0))
 
 
-def _ring(angles: Array) -> Array:
+def _ring(degrees: Sequence[float]) -> Array:
+    angles = np.radians(degrees)
     return np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
 
 

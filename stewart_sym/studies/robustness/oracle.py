@@ -33,9 +33,7 @@ CLOSED = tuple(closed_form.OUTPUTS)
 GOOD = {"double": 1e12, "float": 1e3}
 """Condition number below which a pose must have a result."""
 DOUBTFUL = 10.0
-"""Ratio of error to condition number above which the condition number is measured again, by the sum of the
-effects of each input alone instead of random changes of all inputs.
-"""
+"""Ratio of error to condition number above which the latter is measured again, input by input."""
 SAMPLES = 3
 """Number of random changes of all inputs."""
 
@@ -105,21 +103,15 @@ class Cases:
         """Return some of the cases."""
         return Cases(self.robots[where], self.motions[where], self.forces[where], self.distance[where])
 
-    def rounded(self) -> "Cases":
-        """Return the cases with all numbers rounded to float."""
-        given = (self.robots, self.motions, self.forces)
-        robots, motions, forces = (values.astype(np.float32).astype(np.float64) for values in given)
-        return Cases(robots, motions, forces, self.distance)
-
 
 def cases_of(robots: list[Robot], motions: list[Motion], distance: Array | None = None) -> Cases:
     """Return cases from n robots and n motions of shape (); the forces are multiples of the weight."""
     numbers = np.array([robot_numbers(robot) for robot in robots])
-    poses = [[np.ravel(getattr(loaded(motion), name)) for name in STRUCTS["motion"]] for motion in motions]
+    every = [[np.ravel(getattr(loaded(motion), name)) for name in STRUCTS["motion"]] for motion in motions]
     with np.errstate(over="ignore"):
         forces = numbers[:, 192:193] * 9.81 * np.array([0.7, -1.1, 0.4, 1.3, -0.2, 0.9])
     distance = np.zeros(len(numbers)) if distance is None else distance
-    return Cases(numbers, np.array([np.concatenate(pose) for pose in poses]), forces, distance)
+    return Cases(numbers, np.array([*map(np.concatenate, every)]), forces, distance)
 
 
 def _blocks(kernel: str) -> dict[str, tuple[NDArray[np.int64], NDArray[np.int64]]]:
@@ -184,6 +176,7 @@ class Verdict:
         return np.asarray((self.status != OK) & (self.truth == OK) & (self.pose < GOOD[precision]))
 
 
+@np.errstate(all="ignore")
 def check(
     cases: Cases,
     kernels: tuple[str, ...],
@@ -201,13 +194,17 @@ def check(
 
     Raises native.CompilerError without a compiler, or with a ``long double`` that is not wider than double.
     """
-    cases = cases.rounded() if precision == "float" else cases
+    if precision == "float":
+        given = (cases.robots, cases.motions, cases.forces)
+        robots, motions, forces = (each.astype(np.float32).astype(np.float64) for each in given)
+        cases = Cases(robots, motions, forces, cases.distance)
     truth = functools.cache(lambda source: truth_of(cases, source, precision, samples))
     found = {}
     for kernel in kernels:
         values, status = run(cases, kernel, precision)
         if not solvable:
-            found[kernel] = _unsolvable(status)
+            none = np.full(len(status), np.nan)
+            found[kernel] = Verdict(none, none, none, status, np.full_like(status, SINGULAR))
             continue
         source = _TRUTH if kernel in FORCES else kernel
         found[kernel] = judge(kernel, values, status, truth(source), cases, precision, floor)
@@ -221,13 +218,6 @@ def check(
     return found
 
 
-def _unsolvable(status: Codes) -> Verdict:
-    """Return the verdict on answers for singular machines."""
-    none = np.full(len(status), np.nan)
-    truth = np.full_like(status, SINGULAR)
-    return Verdict(none, none, none, status, truth)
-
-
 def truth_of(cases: Cases, kernel: str, precision: str = "double", samples: int = SAMPLES) -> Truth:
     """Compute the outputs in wide arithmetic, and their changes with the inputs.
 
@@ -237,15 +227,13 @@ def truth_of(cases: Cases, kernel: str, precision: str = "double", samples: int 
     values, status = run(cases, kernel, "wide")
     H = values if kernel == _TRUTH else run(cases, _TRUTH, "wide")[0]
     amount = np.longdouble(1e-12 if precision == "float" else 2.0**-53)
-    inputs = [each.astype(np.longdouble) for each in (cases.robots, cases.motions, cases.forces)]
-    whole = np.concatenate(inputs, axis=1)
-    ends = np.cumsum([each.shape[1] for each in inputs])[:-1]
+    whole = np.hstack([cases.robots, cases.motions, cases.forces]).astype(np.longdouble)
     rng = np.random.default_rng(whole.shape[1])
     signs = (rng.choice([-1.0, 1.0], whole.shape) for _ in range(samples))
     change = np.zeros(values.shape)
     for step in np.eye(whole.shape[1]) if samples < 0 else signs:
-        parts = np.split(whole * (1 + amount * step), ends, axis=1)
-        beside, codes = run(Cases(parts[0], parts[1], parts[2], cases.distance), kernel, "wide")
+        robots, motions, forces = np.split(whole * (1 + amount * step), (205, 235), axis=1)
+        beside, codes = run(Cases(robots, motions, forces, cases.distance), kernel, "wide")
         by = np.abs((beside - values) / amount).astype(np.float64)
         by[(codes != OK) & (status == OK)] = np.inf
         change = change + by if samples < 0 else np.fmax(change, by)
@@ -285,15 +273,13 @@ def judge(
 
 def run(cases: Cases, kernel: str, precision: str) -> tuple[NDArray[Any], Codes]:
     """Run a kernel in "double", "float", or "wide" arithmetic; return outputs (n, m) and statuses (n,)."""
-    kind = _TYPES[precision]
-    inputs = (cases.robots, cases.motions, cases.forces)
+    kind, count = _TYPES[precision], len(cases.robots)
     with np.errstate(over="ignore"):
+        inputs = (cases.robots, cases.motions, cases.forces)
         given = [np.ascontiguousarray(each, dtype=kind) for each in inputs]
-    count = len(given[0])
     width = sum(math.prod(shape) for shape in _SHAPES[kernel].values())
     out, status = np.full((count, width), np.nan, dtype=kind), np.zeros(count, dtype=np.int32)
-    arrays = map(address, (*given, out, status))
-    getattr(library(precision), kernel)(ctypes.c_size_t(count), *arrays)
+    getattr(library(precision), kernel)(ctypes.c_size_t(count), *map(address, (*given, out, status)))
     return out, status
 
 
@@ -323,9 +309,8 @@ def _frames(cases: Cases) -> Array:
     t = np.broadcast_to(t[:, None], q.shape)
     S = q + t - b
     with np.errstate(all="ignore"):
-        L = np.sqrt((S * S).sum(axis=-1))
-        normal = np.cross(k, S / L[..., None])
-        sine = np.sqrt((normal * normal).sum(axis=-1))
+        L = np.linalg.norm(S, axis=-1)
+        sine = np.linalg.norm(np.cross(k, S / L[..., None]), axis=-1)
         reach = np.max(np.abs([q, t, b]), axis=(0, -1))
         worst = np.fmax(1 / sine, reach / L).max(axis=1)
     return np.asarray(np.fmax(worst, 1.0).astype(np.float64))

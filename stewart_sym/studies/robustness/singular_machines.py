@@ -1,5 +1,4 @@
-"""Machines that are singular at every pose: families of points with integer coordinates, each with its
-reason.
+"""Machines that are singular at every pose: families of points with integer coordinates.
 
 Coordinates are integers below 2^24 times a power of two, which are exact in double and float. Thus det H is
 exactly 0 for the stored numbers and every matrix R. Every family is closed under affine maps of base and
@@ -40,14 +39,12 @@ def singular_machine(
     The size is approximate within about a factor of two.
     """
     base, platform = FAMILIES[family](rng)
-    fine = 2**_FINE if family in NEARLY else 1
-    order = rng.permutation(6)
+    fine, order = 2**_FINE if family in NEARLY else 1, rng.permutation(6)
     map_b = _map(rng)
-    map_p = map_b if family in ALIKE else _map(rng)
+    map_p = map_b if family in ("similar hexagons", "equal hexagons") else _map(rng)
     b, p = base[order] @ map_b + fine * rng.integers(-_GRID, _GRID, 3), platform[order] @ map_p
     grain = float(2.0 ** np.round(np.log2(size / (32 * _GRID)))) / fine
-    # The reference point is at a random position nearby. The platform is smaller than the base except for
-    # equal hexagons.
+    # The reference point is nearby. The platform is smaller than the base except for equal hexagons.
     b, p = (b, p) if family == "equal hexagons" else (2 * b, p + fine * rng.integers(-_GRID, _GRID, 3))
     machine = random_machine(rng, size, mass, legs)
     points: list[Array] = [grain * each.astype(np.float64) for each in (b, p)]
@@ -102,17 +99,9 @@ def _circle(rng: np.random.Generator) -> Whole:
     return np.asarray(_CIRCLE[6 * np.arange(6) + rng.integers(0, 6, 6)])
 
 
-def _twice(points: Whole) -> Points:
-    return points, points
-
-
 def _point_and_line(rng: np.random.Generator) -> Points:
     pair = _with(rng, _point(rng, 3)), _with(rng, _line(rng, 3))
     return pair if rng.random() < 0.5 else pair[::-1]
-
-
-def _point_and_point(rng: np.random.Generator) -> Points:
-    return _with(rng, _point(rng, 3)), _with(rng, _point(rng, 3))[::-1]
 
 
 def _regulus(rng: np.random.Generator) -> Points:
@@ -165,7 +154,10 @@ FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
     "four legs from one base point": lambda rng: (_with(rng, _point(rng, 4)), _any(rng)),
     "four legs to one platform point": lambda rng: (_any(rng), _with(rng, _point(rng, 4))),
     # All legs meet the line through both points.
-    "three legs from one point, three to one": _point_and_point,
+    "three legs from one point, three to one": lambda rng: (
+        _with(rng, _point(rng, 3)),
+        _with(rng, _point(rng, 3))[::-1],
+    ),
     # A plane pencil has rank 2.
     "three legs between a point and a line": _point_and_line,
     # Lines that join corresponding points of two lines have rank 3, lines that meet two lines rank 4.
@@ -174,15 +166,10 @@ FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
     "two legs alike": lambda rng: (_with(rng, _point(rng, 2)), _with(rng, _point(rng, 2))),
     # Lines that join corresponding points of affine planes are linear in (1, x, y, x^2, x y, y^2), which six
     # points of a conic make dependent (Husty and Karger, 2000).
-    "a conic and its affine image": lambda rng: _twice(_conic(rng)),
-    "similar hexagons": lambda rng: _twice(_circle(rng)),
+    "a conic and its affine image": lambda rng: (_conic(rng),) * 2,
+    "similar hexagons": lambda rng: (_circle(rng),) * 2,
     # Without rotation all legs are parallel.
-    "equal hexagons": lambda rng: _twice(_circle(rng)),
+    "equal hexagons": lambda rng: (_circle(rng),) * 2,
     **NEARLY,
 }
-"""Base and platform points by family, before the affine maps; the comment above each family gives the
-reason.
-"""
-
-ALIKE = ("similar hexagons", "equal hexagons")
-"""Families whose base and platform have the same linear map."""
+"""Base and platform points by family, before the affine maps; comments give the reasons."""

@@ -1,10 +1,14 @@
-"""Stability study: families of failures and random cases times kernels, with report and data."""
+"""Stability study: families of failures and random cases times kernels, with report, data, and plots.
 
+Colors of the plots are the colors of Okabe and Ito, which color-blind readers can distinguish. Every kernel
+also has its own marker.
+"""
+
+import functools
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +16,9 @@ from numpy.typing import NDArray
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...results import OK, STATUS_TEXT
+from ..common.drawing import Figure, legend_below, new_figure
 from ..common.output import Figures, aligned
-from ..common.report import Picture, Report
+from ..common.report import SMALL, Picture, Report
 from .failures import FAMILIES, KINDS, MACHINE, UNLIKE, Family, random_cases
 from .oracle import EPSILON, FORCES, GOOD, Verdict, check
 
@@ -28,22 +33,31 @@ CHUNK = 2_000
 SHARE = 10
 """Number of cases in double for each case in float, and of the forces for each case of the closed form."""
 
+_SUMS = ("cases", "answered", "wrong", "rejected_good")
+_COLUMNS = (
+    *(("cases", "cases", "d"), ("ok", "answered", "d"), ("worst", "worst", ".3g")),
+    *(("at distance", "where", ".1e"), ("digits", "digits", ".1f"), ("wrong", "wrong", "d")),
+    *(("rejected at", "rejected_at", ".1e"), ("good rejected", "rejected_good", "d")),
+)
+"""Columns of the printed tables: title, count, and format."""
+_UNITS = {
+    "worst": "rounding units over the condition number of the problem",
+    "where": "distance from the failure, as of the family's axis",
+    "rejected_at": "condition number",
+    "wrong_above": "rounding units over the condition number of the problem",
+    "good_below": "condition number",
+}
 
-@dataclass(frozen=True, eq=False)
-class Course:
+_COLORS, _MARKERS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"), "os^vDP"
+_FLOOR, _CEILING = 1e-17, 1e4
+
+
+class Course(NamedTuple):
     """Verdicts on all kernels, by name, over the distances of a family, shape (n,)."""
 
     family: Family
     distance: Array
     verdicts: dict[str, Verdict]
-
-    def columns(self) -> dict[str, NDArray[Any]]:
-        """Return the columns (n,) of its CSV file."""
-        found: dict[str, NDArray[Any]] = {"distance": self.distance}
-        for name, each in self.verdicts.items():
-            found |= {f"{name}: error": each.error * EPSILON["double"], f"{name}: status": each.status}
-            found |= {f"{name}: condition": each.condition}
-        return found
 
 
 def courses(progress: Progress = silent) -> list[Course]:
@@ -51,9 +65,7 @@ def courses(progress: Progress = silent) -> list[Course]:
     found = []
     for family in tracked(progress, FAMILIES, lambda family: f"approaching {family.name}"):
         cases = family.make(np.random.default_rng(family.seed))
-        with np.errstate(all="ignore"):
-            verdicts = check(cases, (*FORCES, *CLOSED), floor=True)
-        found.append(Course(family, cases.distance, {_named(k): each for k, each in verdicts.items()}))
+        found.append(Course(family, cases.distance, check(cases, (*FORCES, *CLOSED), floor=True)))
     return found
 
 
@@ -81,39 +93,30 @@ def sweep(
 
 def _counts(kind: str, precision: str, wanted: int, seed: int) -> Iterator[Figures]:
     """Yield the count of each kernel for a kind of cases; chunks are computed in parallel."""
-    starts = range(0, wanted, CHUNK)
 
     def chunk(start: int) -> dict[str, Figures]:
-        rng = np.random.default_rng([seed, start, list(KINDS).index(kind)])
-        return _chunk(kind, precision, min(CHUNK, wanted - start), rng)
+        rng, count = np.random.default_rng([seed, start, list(KINDS).index(kind)]), min(CHUNK, wanted - start)
+        each, decades = min(PER_MACHINE, max(1, count // 20)), 1.0 - np.log10(EPSILON[precision])
+        cases = random_cases(kind, rng, count, each, decades)
+        closed, few = (CLOSED[1:], cases) if kind == MACHINE else (CLOSED, cases[::SHARE])
+        how: Any = {"floor": kind in UNLIKE, "solvable": kind != MACHINE}
+        return {
+            kernel: summary(verdict, given.distance, precision)
+            for kernels, given in ((FORCES, cases), (closed, few))
+            for kernel, verdict in check(given, kernels, precision, **how).items()
+        }
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        chunks = list(pool.map(chunk, starts))
+        chunks = list(pool.map(chunk, range(0, wanted, CHUNK)))
     for kernel in chunks[0]:
         parts = [chunk[kernel] for chunk in chunks]
-        worst = max(parts, key=lambda part: part["worst"])
-        sums = {name: sum(part[name] for part in parts) for name in _SUMS}
-        shown = next((part["shown"] for part in parts if part["shown"]), "")
-        least = min(part["rejected_at"] for part in parts)
-        known = {"kind": kind, "precision": precision, "kernel": kernel}
-        yield {**known, **worst, **sums, "rejected_at": least, "shown": shown}
-
-
-def _chunk(kind: str, precision: str, count: int, rng: np.random.Generator) -> dict[str, Figures]:
-    """Return the summary of each kernel for some random cases."""
-    each = min(PER_MACHINE, max(1, count // 20))
-    cases = random_cases(kind, rng, count, each, 1.0 - np.log10(EPSILON[precision]))
-    closed, few = (CLOSED[1:], cases) if kind == MACHINE else (CLOSED, cases[::SHARE])
-    found = {}
-    for kernels, given in ((FORCES, cases), (closed, few)):
-        with np.errstate(all="ignore"):
-            verdicts = check(given, kernels, precision, floor=kind in UNLIKE, solvable=kind != MACHINE)
-        for kernel, verdict in verdicts.items():
-            found[_named(kernel)] = summary(verdict, given.distance, precision)
-    return found
-
-
-_SUMS = ("cases", "answered", "wrong", "rejected_good")
+        yield {
+            **{"kind": kind, "precision": precision, "kernel": _named(kernel)},
+            **max(parts, key=lambda part: part["worst"]),
+            **{name: sum(part[name] for part in parts) for name in _SUMS},
+            "rejected_at": min(part["rejected_at"] for part in parts),
+            "shown": next((part["shown"] for part in parts if part["shown"]), ""),
+        }
 
 
 def summary(found: Verdict, distance: Array, precision: str = "double", in_range: bool = True) -> Figures:
@@ -151,44 +154,45 @@ def _named(kernel: str) -> str:
     return kernel.replace("_", " ")
 
 
-# --- report and data ------------------------------------------------
+# --- report and plots -----------------------------------------------
 
 
-def full_report(found: Iterable[Course], swept: Figures, figures: Mapping[str, Picture]) -> Report:
-    """Create the report on the families and the random cases, with the given plots."""
-    families, columns = [], {}
+def full_report(found: Iterable[Course], swept: Figures) -> Report:
+    """Create the report on the families and the random cases, with tables and plots of the families."""
+    families, columns, figures = [], {}, {}
+    parts = ["Errors of every kernel along families of poses that approach a failure."]
     for course in found:
-        family, distance = course.family, course.distance
+        table: dict[str, NDArray[Any]] = {"distance": course.distance}
+        family, counts = course.family, []
+        for kernel, each in course.verdicts.items():
+            name = _named(kernel)
+            counts.append({"kernel": name, **summary(each, course.distance, in_range=family.in_range)})
+            table |= {f"{name}: error": each.error * EPSILON["double"], f"{name}: status": each.status}
+            table |= {f"{name}: condition": each.condition}
         named = {name: getattr(family, name) for name in ("name", "title", "fails", "remedy", "axis")}
-        counts = [
-            {"kernel": kernel, **summary(each, distance, in_range=family.in_range)}
-            for kernel, each in course.verdicts.items()
-        ]
         families.append({**named, "counts": counts})
-        columns[family.name] = course.columns()
+        columns[family.name] = table
+        figures[family.name] = Picture(functools.partial(figure_of, course), SMALL, dpi=130)
+        parts.append(f"{family.title}\n({family.axis})\n{_listed(counts)}")
     data = {"families": families, "sweep": swept, "units": _UNITS}
-    head = "Errors of every kernel along families of poses that approach a failure."
-    parts = [f"{each['title']}\n({each['axis']})\n{_listed(each['counts'])}" for each in families]
-    text = "\n\n".join([head, *parts, sweep_report(swept)])
-    return Report(text, columns, data, figures)
+    return Report("\n\n".join([*parts, sweep_report(swept)]), columns, data, figures)
 
 
 def sweep_report(swept: Figures) -> str:
     """Format the counts of the random cases as a table, and each notable case as one line."""
     limits = ", ".join(f"{limit:.0e} in {precision}" for precision, limit in GOOD.items())
-    lines = [
+    return (
         f"{swept['cases']} random cases near failure, each for {len(FORCES)} kernels, a part for "
         f"{len(CLOSED)} more: {swept['wrong']} wrong answers with status ok, "
-        f"{swept['rejected_good']} statuses on good poses.",
-        "worst: error in rounding units over the condition number of the problem.",
-        f"wrong: worst above {WRONG:g}, or any answer for a singular machine.",
-        f"rejected at: least condition number of a case with a status; good: below {limits}.",
-    ]
-    return "\n".join(lines) + "\n\n" + _listed(swept["counts"])
+        f"{swept['rejected_good']} statuses on good poses.\n"
+        "worst: error in rounding units over the condition number of the problem.\n"
+        f"wrong: worst above {WRONG:g}, or any answer for a singular machine.\n"
+        f"rejected at: least condition number of a case with a status; good: below {limits}.\n\n"
+        f"{_listed(swept['counts'])}"
+    )
 
 
 def _listed(counts: list[Figures]) -> str:
-    header = ("kernel", *(name for name, _, _ in _COLUMNS))
     rows = [
         (
             ", ".join(count[name] for name in ("kind", "precision", "kernel") if name in count),
@@ -196,21 +200,32 @@ def _listed(counts: list[Figures]) -> str:
         )
         for count in counts
     ]
-    return "\n".join([aligned(header, rows), *(count["shown"] for count in counts if count["shown"])])
+    table = aligned(("kernel", *(name for name, _, _ in _COLUMNS)), rows)
+    return "\n".join([table, *(count["shown"] for count in counts if count["shown"])])
 
 
-_COLUMNS = (
-    *(("cases", "cases", "d"), ("ok", "answered", "d"), ("worst", "worst", ".3g")),
-    *(("at distance", "where", ".1e"), ("digits", "digits", ".1f"), ("wrong", "wrong", "d")),
-    *(("rejected at", "rejected_at", ".1e"), ("good rejected", "rejected_good", "d")),
-)
-"""Columns of the printed tables: title, count, and format."""
-
-
-_UNITS = {
-    "worst": "rounding units over the condition number of the problem",
-    "where": "distance from the failure, as of the family's axis",
-    "rejected_at": "condition number",
-    "wrong_above": "rounding units over the condition number of the problem",
-    "good_below": "condition number",
-}
+def figure_of(course: Course) -> Figure:
+    """Plot the errors of all kernels over the distance, with marks at the distances with a status."""
+    figure = new_figure(7.0, 5.6)
+    ax, distance, family = figure.subplots(), course.distance, course.family
+    curves = zip(course.verdicts.items(), _COLORS, _MARKERS, strict=True)
+    for number, ((name, found), color, marker) in enumerate(curves):
+        error = np.clip(found.error * EPSILON["double"], _FLOOR, _CEILING)
+        # The markers of the curves are offset, so that overlapping curves are distinguishable.
+        style: Any = {"color": color, "marker": marker, "markersize": 4.0, "markevery": (number % 4, 4)}
+        ax.loglog(distance, error, linewidth=1.1, label=_named(name), **style)
+        limit = WRONG * EPSILON["double"] * found.condition
+        label = "" if number else f"{WRONG:g} units x condition"
+        limit[limit >= _CEILING] = np.nan
+        ax.loglog(distance, limit, color="#555555", linestyle="--", linewidth=0.8, label=label)
+        rejected: NDArray[Any] = distance[found.status != OK]
+        height = np.full(len(rejected), 0.03 + 0.025 * number)
+        label = "" if number else "rejected, by its status"
+        mark: Any = {"markersize": 5.0, "color": color, "transform": ax.get_xaxis_transform(), "label": label}
+        ax.plot(rejected, height, "|", **mark)
+    # The lowest part of the panel is reserved for the statuses.
+    ax.set(ylim=(_FLOOR / 100.0, 3.0 * _CEILING), xlim=(float(distance.max()), float(distance.min())))
+    ax.set(xlabel=family.axis, ylabel=f"error over the size of the output (0 is drawn at {_FLOOR:.0e})")
+    figure.suptitle(family.title, fontsize=10.5)
+    legend_below(figure)
+    return figure

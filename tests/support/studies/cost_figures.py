@@ -1,7 +1,6 @@
 """Figures of cost and accuracy made up for tests, and studies without meaningful times."""
 
 import functools
-import gc
 
 import pytest
 from machines import dasgupta
@@ -32,7 +31,6 @@ def hasty(patch: pytest.MonkeyPatch) -> None:
     """Times without meaning: nothing here depends on them."""
     compile_quickly(patch)
     patch.setattr(timing, "SHORTEST", 1e-7)
-    patch.setattr(gc, "collect", lambda: 0)
     patch.setattr(study, "QUICK_ROUNDS", 1)
     patch.setattr(study, "ROUNDS", 1)
     patch.setattr(study, "MANY", 64)
