@@ -6,11 +6,12 @@ from dataclasses import replace
 import numpy as np
 
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..motion.log_samples import LogSamples
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import MOST_TURNS, Trajectory, angle_range
-from ..motion.trajectory_format import LENGTH_UNITS
+from ..motion.trajectory_format import LENGTH_UNITS, TrajectoryWarning
 from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
 from .mounting import platform_side
@@ -46,24 +47,27 @@ _RANGE = (0.05, 0.95)
 def need_units(robot: Robot, log: LogSamples) -> None:
     """Raise ValueError with the remedy if numbers fit the robot only in another unit.
 
-    Units that an option or the robot file states are not checked.
+    A unit that the options state is used, with a warning.
     """
     some = np.linspace(0, len(log.lines) - 1, min(len(log.lines), _SOME)).astype(np.int64)
     few = replace(log, lines=log.lines[some], vectors={name: x[some] for name, x in log.vectors.items()})
-    given = [kind for kind, place in log.unit_places.items() if place == "the options"]
-    if "length_unit" not in given:
-        _need_length_unit(robot, few)
-    if "angle_unit" not in given and "theta" in log.vectors:
-        _need_angle_unit(robot, log, few)
+    found = [_length_error(robot, few)]
+    found += [_angle_error(robot, log, few)] if "theta" in log.vectors else []
+    for kind, error in filter(None, found):
+        if log.unit_places.get(kind) != "the options":
+            raise ValueError(error)
+        warn(error, TrajectoryWarning)
 
 
-def _need_length_unit(robot: Robot, few: LogSamples) -> None:
+def _length_error(robot: Robot, few: LogSamples) -> tuple[str, str] | None:
+    """Return "length_unit" and an error text if lengths fit the robot only in another unit."""
     unit = few.file_format.length_unit or "m"
     factor = LENGTH_UNITS[unit]
     fits = [name for name, each in LENGTH_UNITS.items() if _fits(robot, few, each / factor)]
-    if fits and unit not in fits:
-        text = _beside_size(robot, _lengths(robot, few, 1.0))[3]
-        raise _other_unit(few, "length_unit", text, fits)
+    if not fits or unit in fits:
+        return None
+    text = _beside_size(robot, _lengths(robot, few, 1.0))[3]
+    return "length_unit", _other_unit(few, "length_unit", text, fits)
 
 
 def _lengths(robot: Robot, few: LogSamples, times: float) -> Array:
@@ -102,26 +106,28 @@ def _fits(robot: Robot, few: LogSamples, times: float) -> bool:
     )
 
 
-def _need_angle_unit(robot: Robot, log: LogSamples, few: LogSamples) -> None:
+def _angle_error(robot: Robot, log: LogSamples, few: LogSamples) -> tuple[str, str] | None:
+    """Return "angle_unit" and an error text if angles fit the robot only in degrees."""
     theta = np.unwrap(log.vectors["theta"], axis=0)
     spans = np.ptp(np.quantile(theta, _RANGE, axis=0), axis=0)
     if spans.max() <= LEAST_TURN or log.file_format.angle_unit != "rad":
-        return
+        return None
     in_degrees = replace(few, vectors=few.vectors | {"theta": np.radians(few.vectors["theta"])})
     wrong = np.any(spans > MOST_TURNS) or impossible(robot, *_poses(robot, few, 1.0)) is not None
-    if wrong and impossible(robot, *_poses(robot, in_degrees, 1.0)) is None:
-        axis = int(np.argmax(spans))
-        finding = f"{angle_range(theta, axis)}, which the legs allow only in degrees"
-        raise _other_unit(few, "angle_unit", finding, ["deg"])
+    if not wrong or impossible(robot, *_poses(robot, in_degrees, 1.0)) is not None:
+        return None
+    axis = int(np.argmax(spans))
+    finding = f"{angle_range(theta, axis)}, which the legs allow only in degrees"
+    return "angle_unit", _other_unit(few, "angle_unit", finding, ["deg"])
 
 
-def _other_unit(log: LogSamples, kind: str, finding: str, units: Sequence[str]) -> ValueError:
-    """Return the error for numbers that fit other units."""
+def _other_unit(log: LogSamples, kind: str, finding: str, units: Sequence[str]) -> str:
+    """Return the error text for numbers that fit other units."""
     unit = getattr(log.file_format, kind)
     remedies = " or ".join(f"{kind}={each}" for each in units)
     place = log.unit_places.get(kind)
     stated = f" ({unit} in {place})" if place else ""
-    return ValueError(f"{log.source}: {finding}{stated}; state {remedies}, or {kind}={unit} if it is right")
+    return f"{log.source}: {finding}{stated}; state {remedies}, or {kind}={unit} if it is right"
 
 
 def length_doubt(robot: Robot, lengths: Array) -> str | None:

@@ -13,7 +13,7 @@ from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges
 from .sample_times import elapsed, time_text
 from .spline import DEGREE, PAIRS, SmoothCurves
-from .trajectory import Replaced, SmoothingOptions, Uncertainty
+from .trajectory import Replaced, SmoothingOptions, Uncertainty, noise_text
 from .trajectory_format import TrajectoryWarning
 
 # Number of rows per period below which accelerations are inaccurate, and range of a moving column in standard
@@ -99,17 +99,11 @@ def as_given(
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0], "L" in log.vectors)
 
 
-def noise_text(noise: Uncertainty) -> str:
-    """Format the noise of a log, such as ``noise of 0.0002 m and 0.0001 rad``."""
-    parts = [(slice(6), "m")] if noise.in_joints else [(slice(3), "m"), (slice(3, 6), "rad")]
-    texts = [f"{noise.sigma[part].max():.2g} {unit}" for part, unit in parts if noise.sigma[part].any()]
-    return f"noise of {' and '.join(texts)} in the log"
-
-
 def _stated(log: LogSamples, options: SmoothingOptions) -> Array:
     """Return the stated standard deviation of each coordinate; NaN if none is stated."""
     names = ("L", "L") if "L" in log.vectors else ("t", "theta")
-    return np.repeat([options.stated(name) for name in names], 3)
+    stated = [options.angle_std if name == "theta" else options.position_std for name in names]
+    return np.repeat([math.nan if each is None else each for each in stated], 3)
 
 
 def breaks(since: Array) -> list[int]:

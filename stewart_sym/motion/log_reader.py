@@ -11,7 +11,6 @@ from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
 from .csv_table import read_table, split_unit
-from .log_rates import as_given, rates_of
 from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, plain_unit, warn_of_dropped
 from .rate_checks import rate_error
 from .rotation import angle_rates, motion_about_axes, rotation_about_axes
@@ -60,6 +59,9 @@ def trajectory_of(
     TrajectoryWarning
         For an implausible unit, noise, rows without use, gaps, and rates that contradict positions.
     """
+    # SciPy is imported only for logs.
+    from .log_rates import as_given, rates_of
+
     progress(f"differentiating {len(samples.lines)} rows")
     in_joints = "L" in samples.vectors
     values, steps, order = _coordinates(samples)

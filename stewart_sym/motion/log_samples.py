@@ -14,7 +14,7 @@ from ..io.error_policy import warn
 from . import rotation
 from .csv_table import CsvTable, Lines, read_table, split_unit
 from .sample_times import time_text
-from .trajectory_format import PLAIN, UNITS, TrajectoryFormat, TrajectoryWarning
+from .trajectory_format import PLAIN, UNITS, TrajectoryFormat, TrajectoryWarning, combined
 
 POSE = ("t", "theta")
 RATES = ("v", "theta_dot", "a", "theta_ddot")
@@ -133,7 +133,7 @@ def read_samples(
     table = read_table(source, form.delimiter, form.decimal)
     if _is_standard(table, defaults):
         defaults = TrajectoryFormat(euler_order=defaults.euler_order)
-    stated, form = form, form.with_defaults(defaults)
+    stated, form = form, combined(form, defaults)
     found = _columns(table, form)
     if stated.row_rate is not None and "time" in found:
         raise ValueError(f"{source}: row_rate: the file has times; omit row_rate")

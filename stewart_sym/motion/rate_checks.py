@@ -11,7 +11,7 @@ from .sample_times import elapsed
 _NEAR_UNIT = 0.2
 # Largest differences of changes and integrals, relative to the changes, in addition to noise: of positions
 # and of rates, whose derivatives may have peaks between the samples.
-_CONTRADICTS, _CONTRADICTS_RATES = 0.05, 0.9
+_CONTRADICTS, _CONTRADICTS_RATES = 0.05, 1.1
 # Number of standard deviations of noise that are no contradiction.
 _SURE = 5.0
 # Order of the differences that contain noise, and median of the magnitude of a standard normal distribution.

@@ -45,11 +45,6 @@ class SmoothingOptions:
             if getattr(self, name) is not None and number(getattr(self, name), name) <= 0.0:
                 raise ValueError(f"{name}: expected a number > 0, got {getattr(self, name):g}")
 
-    def stated(self, name: str) -> float:
-        """Return the stated standard deviation of "t", "theta", or "L" (m or rad); NaN if none is stated."""
-        known = self.angle_std if name == "theta" else self.position_std
-        return math.nan if known is None else known
-
 
 class Replaced(NamedTuple):
     """Span of time (s) in which rows are not used, and a text that names these rows."""
@@ -101,6 +96,13 @@ class Uncertainty:
     def variances(self, time: Array) -> Array:
         """Return the variance of the value of each coordinate at n times, shape (n, 6)."""
         return self.covariances(time)[..., 0]
+
+
+def noise_text(noise: Uncertainty) -> str:
+    """Format the noise of a log, such as ``noise of 0.0002 m and 0.0001 rad``."""
+    parts = [(slice(6), "m")] if noise.in_joints else [(slice(3), "m"), (slice(3, 6), "rad")]
+    texts = [f"{noise.sigma[part].max():.2g} {unit}" for part, unit in parts if noise.sigma[part].any()]
+    return f"noise of {' and '.join(texts)} in the log"
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,7 +165,20 @@ class Trajectory:
     def at(self, index: Index) -> Motion:
         """Return the motion of the reference point at some samples.
 
-        Raises ValueError for leg lengths, whose poses ``motion_from_lengths`` computes.
+        Parameters
+        ----------
+        index : slice or ndarray
+            Samples, as an index of an array.
+
+        Returns
+        -------
+        Motion
+            Motion at these samples.
+
+        Raises
+        ------
+        ValueError
+            If the trajectory contains leg lengths, whose poses ``motion_from_lengths`` computes.
         """
         if self.given_motion is not None:
             return self.given_motion[index]
@@ -181,7 +196,18 @@ class Trajectory:
         return motion if self.tool is None else motion.at_point(-self.tool)
 
     def of_tool(self, tool: Array) -> Self:
-        """Return the trajectory whose poses and loads refer to a point (m, platform frame), shape (3,)."""
+        """Return the trajectory whose poses and loads refer to a point of the platform.
+
+        Parameters
+        ----------
+        tool : ndarray, shape (3,)
+            Point (m), platform frame.
+
+        Returns
+        -------
+        Trajectory
+            The same numbers about this point.
+        """
         if not tool.any():
             return self
         if self.in_joints:

@@ -94,12 +94,13 @@ class TrajectoryFormat:
         """Order of the rotations."""
         return self.euler_order or "zyx"
 
-    def with_defaults(self, other: "TrajectoryFormat") -> "TrajectoryFormat":
-        """Return the format with the values of another one for unspecified attributes and columns."""
-        own = {name: value for name, value in vars(self).items() if value}
-        for name in ("columns", "offsets", "scales"):
-            own[name] = {**getattr(other, name), **getattr(self, name)}
-        return dataclasses.replace(other, **own)
+
+def combined(form: TrajectoryFormat, defaults: TrajectoryFormat) -> TrajectoryFormat:
+    """Return a format with the values of ``defaults`` for unspecified attributes and columns."""
+    own = {name: value for name, value in vars(form).items() if value}
+    for name in ("columns", "offsets", "scales"):
+        own[name] = {**getattr(defaults, name), **getattr(form, name)}
+    return dataclasses.replace(defaults, **own)
 
 
 PLAIN = TrajectoryFormat()

@@ -22,11 +22,10 @@ from ..kinematics.mounting import path_for
 from ..kinematics.pose_search import rates_per_twist
 from ..motion.csv_table import read_table
 from ..motion.interpolation import Path, interpolate
-from ..motion.log_rates import noise_text
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import PAPER_PATHS, StraightLinePath
-from ..motion.trajectory import Replaced, Trajectory
+from ..motion.trajectory import Replaced, Trajectory, noise_text
 from ..results import OK
 from ..robot.robot import Robot
 from ..simulation.state_history import SimulationResult, StateHistory, leg_states

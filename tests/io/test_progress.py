@@ -5,24 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from plain_logs import read_log
 
 import stewart_sym as ss
 from stewart_sym.io.progress import Progress, silent
 
 ROBOT = ss.robots.dasgupta1998()
 Work = Callable[[Path, Progress], list[np.ndarray]]
-
-
-def reading(folder: Path, progress: Progress) -> list[np.ndarray]:
-    path, time = folder / "log.csv", np.arange(10_000) / 1e3
-    waves = np.repeat([np.sin(time), np.cos(time), -np.sin(time)], 6, axis=0).T
-    names = ["t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
-    header = ["time", *names, *(f"{rate}_{axis}" for rate in ("v", "theta_dot") for axis in "xyz")]
-    header += [f"{rate}_{axis}" for rate in ("a", "theta_ddot") for axis in "xyz"]
-    rows = [",".join([f"{t:.3f}", *(f"{x:.9f}" for x in each)]) for t, each in zip(time, waves, strict=True)]
-    path.write_text("\n".join([",".join(header), *rows, ""]))
-    return [read_log(path, smoothing=ss.SmoothingOptions(enabled=False), progress=progress).coordinates]
 
 
 def finding_poses(_: Path, progress: Progress) -> list[np.ndarray]:
@@ -34,7 +22,7 @@ def finding_poses(_: Path, progress: Progress) -> list[np.ndarray]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("work", [reading, finding_poses])
+@pytest.mark.parametrize("work", [finding_poses])
 def test_shares_rise_and_change_nothing(work: Work, tmp_path: Path) -> None:
     shown: list[tuple[str, float]] = []
 

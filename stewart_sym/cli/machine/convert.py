@@ -9,8 +9,7 @@ Example: stewart-sym convert log.csv -o clean.csv --robot hexapod.toml --rate 10
 import numpy as np
 
 from ...kinematics.trajectory_writer import BEGINNINGS, csv_lines_of
-from ...motion.log_rates import noise_text
-from ...motion.trajectory import Trajectory
+from ...motion.trajectory import Trajectory, noise_text
 from ...studies.common.report import Report
 from ..inputs import plain_trajectory, robot_of, trajectory_of
 from ..options import Arguments, Parser

@@ -16,7 +16,7 @@ from ...drives.leg_limits import replaced_rows
 from ...io.atomic_write import must_be_replaceable, write_file
 from ...io.error_policy import warn
 from ...io.extras import need
-from ...motion.log_rates import noise_text
+from ...motion.trajectory import noise_text
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import Picture, Report, draw
 from ...studies.reports.track import NOISE_THRESHOLD, Digest, header_lines, in_parts
