@@ -100,7 +100,8 @@ def stated_noise(
 def log_format(arguments: argparse.Namespace) -> ss.TrajectoryFormat:
     """Return the file format of a trajectory that the options specify."""
     names = [name.replace("-", "_") for name in ("columns", *LOG_FORM, "row-rate", "drop-lines")]
-    return ss.TrajectoryFormat(**{name: getattr(arguments, name) for name in names})
+    stated = {name: getattr(arguments, name) for name in names}
+    return ss.TrajectoryFormat(**{name: value for name, value in stated.items() if value is not None})
 
 
 def poses_of(

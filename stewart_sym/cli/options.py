@@ -87,7 +87,7 @@ def _lines(text: str) -> tuple[int, ...]:
     found: list[int] = []
     for part in text.split(","):
         match = re.fullmatch(r"(\d+)(?:-(\d+))?", part.strip())
-        if match is None:
+        if match is None or int(match[2] or match[1]) < int(match[1]):
             raise argparse.ArgumentTypeError(f"expected line numbers such as 1498,1503-1510, got {text!r}")
         found += range(int(match[1]), int(match[2] or match[1]) + 1)
     return tuple(found)
@@ -210,7 +210,7 @@ class Parser(argparse.ArgumentParser):
         text = "rows per second (Hz) of a file without a column of times"
         self.valued("row-rate", positive, text, metavar="HZ", group=group)
         text = "lines of the file that are not used, as in 1498,1503-1510"
-        self.valued("drop-lines", _lines, text, (), "LINES", group)
+        self.valued("drop-lines", _lines, text, None, "LINES", group)
         return group
 
     def noise(self, text: str, position: str, angle: str, group: Group | None = None) -> None:

@@ -215,7 +215,8 @@ def _numbers(texts: Sequence[str], places: list[int], delimiter: str, decimal: s
             for i, text in enumerate(part, start):
                 cells = _cells(text, delimiter)
                 numbers = [cells[place].replace(decimal, ".") for place in places]
-                found[i] = [float(each) if is_number(each) else np.nan for each in numbers]
+                plain = [is_number(each) and "," not in each for each in numbers]
+                found[i] = [float(x) if good else np.nan for x, good in zip(numbers, plain, strict=True)]
     return found
 
 

@@ -19,6 +19,10 @@ from .trajectory_format import TrajectoryWarning
 # Number of rows per period below which accelerations are inaccurate, and range of a moving column in standard
 # deviations of its noise.
 _FEWEST_PER_PERIOD, _VISIBLE = 6, 50.0
+# Ratio of the noise of columns, and fraction of the range, from which noise may be a fast motion.
+_UNLIKE, _TAKEN_FOR_NOISE = 30.0, 0.05
+# Ratio of removed differences to the scatter of adjacent rows from which a cut-off frequency removes motion.
+_REMOVED = 3.0
 FEWEST_ROWS = 4
 """Number of rows that a spline requires."""
 _FEWEST_SMOOTHED = 12
@@ -60,7 +64,7 @@ def rates_of(
     since = elapsed(log.time)
     if len(since) < FEWEST_ROWS:
         raise ValueError(
-            f"{log.source}: {len(since)} rows are too few for rates; add rows, or columns of all rates"
+            f"{log.source}: too few rows for rates, {len(since)}; add rows, or columns of all rates"
         )
     rounding = steps / math.sqrt(12.0)
     if not options.enabled or len(since) < _FEWEST_SMOOTHED:
@@ -74,10 +78,16 @@ def rates_of(
     clean = _is_clean(since[used], fitted.curves, found[2])
     if options.cutoff_frequency is None and clean.any():
         found[:, :, clean] = _interpolated(since[used], values[used][:, clean], since)
-    _warn_of_sampling(log, since, found, fitted)
-    if clean.all() and used.all() and np.isnan(stated).all():
+    coarse = _coarse_columns(log, since, found, fitted)
+    if clean.all() and used.all() and np.isnan(stated).all() and not coarse.any():
         return found, None
     uncertainty = _of_curve(log, found, fitted.curves, used, clean)
+    # Accelerations of such a column are unknown, so that limits are undecided.
+    fastest = _SECOND_RATE * fitted.curves.noise_std / float(np.median(np.diff(since))) ** 2
+    unknown = np.mean(found[2] ** 2, axis=0) + fastest**2
+    uncertainty.covariance[:, coarse, -1] += unknown[coarse]
+    if options.cutoff_frequency is not None:
+        _warn_of_cutoff(log, values[used], fitted.curves.noise_std)
     if uncertainty.sigma[~clean].any():
         remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
         _warn(log, f"{noise_text(uncertainty)}; the columns are smoothed{remedy}")
@@ -192,17 +202,37 @@ def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
         _warn(log, f"gap from {start} s to {end} s{more}; {advice}")
 
 
-def _warn_of_sampling(log: LogSamples, since: Array, found: Array, fitted: FittedRows) -> None:
-    """Warn of a motion with few rows per period, which is the period of a sine with the same rates."""
+def _coarse_columns(log: LogSamples, since: Array, found: Array, fitted: FittedRows) -> Flags:
+    """Return True for columns with few rows per period of a sine with the same rates, with a warning."""
     rate, second_rate = np.sqrt(np.mean(found[1:] ** 2, axis=1))
     step = float(np.median(np.diff(since)))
     # Differences of noise have less than four rows per period.
     moves = np.ptp(found[0], axis=0) > _VISIBLE * np.maximum(fitted.curves.noise_std, 1e-12)
-    period = 2.0 * math.pi * rate[moves] / np.maximum(second_rate[moves], 1e-300)
-    rows = float(period.min(initial=math.inf)) / step
-    if rows < _FEWEST_PER_PERIOD:
-        finding = f"about {rows:.2g} rows per period of the fastest motion"
-        _warn(log, f"{finding}; accelerations are inaccurate; log {2 * _FEWEST_PER_PERIOD} rows or more")
+    rows = np.where(moves, 2.0 * math.pi * rate / np.maximum(second_rate, 1e-300), math.inf) / step
+    coarse = rows < _FEWEST_PER_PERIOD
+    # The columns of a sensor have similar noise.
+    noise = fitted.curves.noise_std.reshape(2, 3)
+    unlike = (noise > _UNLIKE * noise.min(axis=1, keepdims=True)).ravel()
+    unlike &= fitted.curves.noise_std > _TAKEN_FOR_NOISE * np.ptp(found[0], axis=0)
+    if unlike.any():
+        ratio = float((noise / noise.min(axis=1, keepdims=True)).max())
+        finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
+        _warn(log, f"{finding}; accelerations are unknown; log more rows per second")
+    coarse |= unlike
+    if rows.min() < _FEWEST_PER_PERIOD:
+        finding = f"about {rows.min():.2g} rows per period of the fastest motion"
+        _warn(log, f"{finding}; accelerations are unknown; log {2 * _FEWEST_PER_PERIOD} rows or more")
+    return coarse
+
+
+def _warn_of_cutoff(log: LogSamples, values: Array, removed: Array) -> None:
+    """Warn of a cut-off frequency that removes more than the scatter of adjacent rows."""
+    scatter = np.mean(np.abs(np.diff(values, 4, axis=0)), axis=0) / math.sqrt(2.0 / math.pi * math.comb(8, 4))
+    column = int(np.argmax(removed / np.maximum(scatter, 1e-300)))
+    if removed[column] > _REMOVED * scatter[column] > 0.0:
+        ratio = removed[column] / scatter[column]
+        finding = f"the cut-off frequency removes {ratio:.2g} times the scatter of adjacent rows"
+        _warn(log, f"{finding}; the deviations do not include removed motion; raise the frequency")
 
 
 def _warn(log: LogSamples, text: str) -> None:

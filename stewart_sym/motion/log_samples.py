@@ -147,6 +147,9 @@ def read_samples(
     numbers, good = table.columns(cells, clock)
     warn_of_dropped(table, good)
     place = np.flatnonzero(good)
+    beyond = [line for line in form.drop_lines if line > table.lines[-1]]
+    if beyond:
+        raise ValueError(f"{source}: drop_lines: line {beyond[0]} is beyond the last line {table.lines[-1]}")
     used = ~np.isin(table.lines[place], form.drop_lines)
     numbers, place = {name: column[used] for name, column in numbers.items()}, place[used]
     time = numbers.get(found.get("time", ""))
@@ -265,8 +268,12 @@ def _units(
     units = {kind: unit for kind in UNITS if (unit := getattr(stated, kind)) is not None}
     places = dict.fromkeys(units, "the options")
     header: dict[str, str] = {}
+    contradicted: set[str] = set()
     for name, cell in found.items():
+        ending = cell.rpartition("_")[2]
         text = table.units.get(cell) or _name_and_unit(cell)[1]
+        # A column that the format names may have a unit at its end as well.
+        text = text or (ending if plain_unit(ending, name) else "")
         kind = _quantity(name)[0]
         if not text or not kind:
             continue
@@ -276,7 +283,8 @@ def _units(
             raise ValueError(f"{place}: unknown unit {text!r}; convert it to one of {known}")
         if header.setdefault(kind, unit) != unit:
             raise ValueError(f"{place}: {unit} and {header[kind]} in one file; use one {kind}")
-        if units.get(kind, unit) != unit:
+        if units.get(kind, unit) != unit and kind not in contradicted:
+            contradicted.add(kind)
             finding = f"{place}: unit {unit} contradicts {kind}={units[kind]}"
             warn(f"{finding}, which is used; correct one of them", TrajectoryWarning)
     for kind in UNITS:

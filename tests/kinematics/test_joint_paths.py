@@ -152,7 +152,7 @@ def test_start_chooses_the_assembly_mode(tmp_path: Path, run: Run) -> None:
             [trajectory, "--pose-guess", *start[:5], "nan"],
             "--pose-guess: expected a finite number, got 'nan'",
         ),
-        ([poses, "--pose-guess", *start], "too few for rates"),
+        ([poses, "--pose-guess", *start], "too few rows for rates"),
     ):
         assert expected in run("forces", PAPERS, *arguments, "-o", output, code=2).err
 

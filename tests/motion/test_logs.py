@@ -247,7 +247,7 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
     "empty": ("", Form(), ": the file is empty; write a header line"),
     "no header": ("0,1,2,3\n1,2,3,4\n", Form(), ": line 1: no header line; name the columns"),
     "no rows": (HEAD + "\n", Form(), ": no rows of numbers below the header; add rows"),
-    "few rows": ("\n".join(lines().splitlines()[:4]), Form(), ": 3 rows are too few for rates; add rows"),
+    "few rows": ("\n".join(lines().splitlines()[:4]), Form(), ": too few rows for rates, 3; add rows"),
     "no numbers": (
         HEAD + "\n" + "\n".join(["a,b,c,d,e,f,g12345678901"] * 9),
         Form(),
