@@ -210,12 +210,12 @@ def _coarse_columns(log: LogSamples, since: Array, found: Array, fitted: FittedR
     moves = np.ptp(found[0], axis=0) > _VISIBLE * np.maximum(fitted.curves.noise_std, 1e-12)
     rows = np.where(moves, 2.0 * math.pi * rate / np.maximum(second_rate, 1e-300), math.inf) / step
     coarse = rows < _FEWEST_PER_PERIOD
-    # The columns of a sensor have similar noise.
-    noise = fitted.curves.noise_std.reshape(2, 3)
-    unlike = (noise > _UNLIKE * noise.min(axis=1, keepdims=True)).ravel()
-    unlike &= fitted.curves.noise_std > _TAKEN_FOR_NOISE * np.ptp(found[0], axis=0)
+    # The columns of a sensor have similar noise; columns at rest may be exact.
+    noise = fitted.curves.noise_std
+    least = np.repeat(np.where(moves & (noise > 0.0), noise, math.inf).reshape(2, 3).min(axis=1), 3)
+    unlike = (noise > _UNLIKE * least) & (noise > _TAKEN_FOR_NOISE * np.ptp(found[0], axis=0))
     if unlike.any():
-        ratio = float((noise / noise.min(axis=1, keepdims=True)).max())
+        ratio = float((noise / least).max())
         finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
         _warn(log, f"{finding}; accelerations are unknown; log more rows per second")
     coarse |= unlike
