@@ -8,13 +8,11 @@ import numpy as np
 from scipy.interpolate import make_interp_spline
 
 from ..io.array_types import Array, Flags
-from ..io.error_policy import warn
 from .bad_rows import FittedRows, fit_good_rows, flagged_spans
-from .log_samples import LogSamples, line_ranges
+from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
 from .spline import DEGREE, PAIRS, SmoothCurves
 from .trajectory import Replaced, SmoothingOptions, Uncertainty, noise_text
-from .trajectory_format import TrajectoryWarning
 
 # Number of rows per period below which accelerations are inaccurate, and range of a moving column in standard
 # deviations of its noise.
@@ -90,7 +88,7 @@ def rates_of(
         _warn_of_cutoff(log, values[used], fitted.curves.noise_std)
     if uncertainty.sigma[~clean].any():
         remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
-        _warn(log, f"{noise_text(uncertainty)}; the columns are smoothed{remedy}")
+        warn_of(log, f"{noise_text(uncertainty)}; the columns are smoothed{remedy}")
     return found, uncertainty
 
 
@@ -191,7 +189,7 @@ def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
     texts = [f"{name} ({line_ranges(log.lines[rows])})" for name, rows in kinds.items() if rows.any()]
     if texts:
         advice = "check the deviations there, or leave out more with drop_lines"
-        _warn(log, f"{' and '.join(texts)}; they are not used; {advice}")
+        warn_of(log, f"{' and '.join(texts)}; they are not used; {advice}")
     step = np.diff(log.time[used])
     gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9))
     if gaps.size:
@@ -199,7 +197,7 @@ def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
         start, end = (time_text(each, float(np.median(step))) for each in log.time[used][i : i + 2])
         more = f" and {gaps.size - 1} more" if gaps.size > 1 else ""
         advice = "the motion in it is uncertain; add rows, or cut the log"
-        _warn(log, f"gap from {start} s to {end} s{more}; {advice}")
+        warn_of(log, f"gap from {start} s to {end} s{more}; {advice}")
 
 
 def _coarse_columns(log: LogSamples, since: Array, found: Array, fitted: FittedRows) -> Flags:
@@ -217,11 +215,11 @@ def _coarse_columns(log: LogSamples, since: Array, found: Array, fitted: FittedR
     if unlike.any():
         ratio = float((noise / least).max())
         finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
-        _warn(log, f"{finding}; accelerations are unknown; log more rows per second")
+        warn_of(log, f"{finding}; accelerations are unknown; log more rows per second")
     coarse |= unlike
     if rows.min() < _FEWEST_PER_PERIOD:
         finding = f"about {rows.min():.2g} rows per period of the fastest motion"
-        _warn(log, f"{finding}; accelerations are unknown; log {2 * _FEWEST_PER_PERIOD} rows or more")
+        warn_of(log, f"{finding}; accelerations are unknown; log {2 * _FEWEST_PER_PERIOD} rows or more")
     return coarse
 
 
@@ -232,8 +230,4 @@ def _warn_of_cutoff(log: LogSamples, values: Array, removed: Array) -> None:
     if removed[column] > _REMOVED * scatter[column] > 0.0:
         ratio = removed[column] / scatter[column]
         finding = f"the cut-off frequency removes {ratio:.2g} times the scatter of adjacent rows"
-        _warn(log, f"{finding}; the deviations do not include removed motion; raise the frequency")
-
-
-def _warn(log: LogSamples, text: str) -> None:
-    warn(f"{log.source}: {text}", TrajectoryWarning)
+        warn_of(log, f"{finding}; the deviations do not include removed motion; raise the frequency")

@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 
 from ..io.array_types import Array
-from ..io.error_policy import warn
 from ..io.progress import Progress, silent
 from .csv_table import read_table, split_unit
-from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, plain_unit, warn_of_dropped
+from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, plain_unit, warn_of, warn_of_dropped
 from .rate_checks import rate_error
 from .rotation import angle_rates, motion_about_axes, rotation_about_axes
 from .trajectory import SmoothingOptions, Trajectory, turn_doubt
-from .trajectory_format import TIME_UNITS, TrajectoryFormat, TrajectoryWarning
+from .trajectory_format import TIME_UNITS, TrajectoryFormat
 
 AS_SHOWN = SmoothingOptions()
 FORCES = tuple(f"F_{leg}" for leg in range(1, 7))
@@ -140,7 +139,7 @@ def _coordinates(samples: LogSamples) -> tuple[Array, Array, str]:
     doubt = turn_doubt(theta)
     if doubt is not None:
         unit = "deg" if samples.file_format.angle_unit == "rad" else "rad"
-        _warn(samples, f"{doubt}; no platform turns so far; check angle_unit ({unit}?)")
+        warn_of(samples, f"{doubt}; no platform turns so far; check angle_unit ({unit}?)")
     return np.hstack([vectors["t"], theta]), np.concatenate([samples.steps["t"], step]), order
 
 
@@ -166,7 +165,7 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
     if fits and "time_unit" not in samples.unit_places:
         raise ValueError(f"{samples.source}: {finding}; state time_unit={' or '.join(fits)}")
     if largest > high * size:
-        _warn(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
+        warn_of(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
 
 
 def _check_rates(samples: LogSamples, found: Array) -> None:
@@ -176,8 +175,4 @@ def _check_rates(samples: LogSamples, found: Array) -> None:
     if unit is not None and "time_unit" not in samples.unit_places:
         raise ValueError(f"{samples.source}: {text}; state time_unit={unit}")
     if text:
-        _warn(samples, f"{text}; forces are wrong; correct the rates, or remove their columns")
-
-
-def _warn(samples: LogSamples, text: str) -> None:
-    warn(f"{samples.source}: {text}", TrajectoryWarning)
+        warn_of(samples, f"{text}; forces are wrong; correct the rates, or remove their columns")

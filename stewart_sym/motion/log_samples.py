@@ -183,6 +183,11 @@ def read_samples(
     )
 
 
+def warn_of(samples: LogSamples, text: str) -> None:
+    """Warn of a finding about a log."""
+    warn(f"{samples.source}: {text}", TrajectoryWarning)
+
+
 def components_of(name: str) -> tuple[str, ...]:
     """Return the names of the columns of a vector."""
     return tuple(f"{name}_{each}" for each in _SUFFIXES.get(name, "xyz"))

@@ -156,7 +156,7 @@ def smooth_columns(
     noise_std : ndarray, shape (c,), optional
         Standard deviation of the noise of each column; NaN or None: estimated.
     least_std : ndarray, shape (c,), or float
-        Smallest standard deviation, such as that of rounding.
+        Smallest standard deviation, for example of rounding.
     cutoff : float, optional
         Frequency (Hz) at which the amplitude is halved; None: estimated.
     smoothness : sequence of Smoothness, length c, optional

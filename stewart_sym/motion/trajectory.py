@@ -98,10 +98,18 @@ class Uncertainty:
         return self.covariances(time)[..., 0]
 
 
+_LEAST_NOISE = 1e-15
+"""Noise (m, rad) below which a column is exact in messages."""
+
+
 def noise_text(noise: Uncertainty) -> str:
     """Format the noise of a log, such as ``noise of 0.0002 m and 0.0001 rad``."""
     parts = [(slice(6), "m")] if noise.in_joints else [(slice(3), "m"), (slice(3, 6), "rad")]
-    texts = [f"{noise.sigma[part].max():.2g} {unit}" for part, unit in parts if noise.sigma[part].any()]
+    texts = [
+        f"{noise.sigma[part].max():.2g} {unit}"
+        for part, unit in parts
+        if noise.sigma[part].max() > _LEAST_NOISE
+    ]
     return f"noise of {' and '.join(texts)} in the log"
 
 

@@ -38,7 +38,7 @@ class TrajectoryFormat:
     offsets, scales : dict of str to float
         A column is multiplied by its scale, such as -1, then its offset is added, in units of the column.
     length_unit, angle_unit, time_unit : str, optional
-        Units of ``UNITS``; by default those of the header or of a row of units, otherwise m, rad, and s.
+        Units of ``UNITS``; by default as in the header or in a row of units, otherwise m, rad, and s.
     delimiter : {"comma", "semicolon", "tab"}, optional
         Mark between columns.
     decimal : {"point", "comma"}, optional
