@@ -114,6 +114,8 @@ from .simulation.state_history import SimulationResult as SimulationResult
 from .simulation.state_history import StateHistory as StateHistory
 from .simulation.state_history import StopEvent as StopEvent
 from .simulation.stop_conditions import StopConditions as StopConditions
+from .simulation.tracking import TrackingError as TrackingError
+from .simulation.tracking import tracking_error as tracking_error
 from .singularities.joint_space import motion_from_lengths as motion_from_lengths
 from .singularities.joint_space import read_trajectory as read_trajectory
 from .singularities.path_singularities import LegExtreme as LegExtreme

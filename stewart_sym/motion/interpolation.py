@@ -10,7 +10,7 @@ from ..io.arguments import instance, real_array
 from ..io.array_types import Array, Indices
 from ..io.toml_reader import positive
 from . import rotation
-from .motion import Motion, at_rest
+from .motion import Motion
 from .sample_times import elapsed, time_text
 from .straight_line import MOST_STEPS
 from .trajectory import Trajectory
@@ -73,13 +73,27 @@ def interpolate(trajectory: Trajectory) -> Path:
     return at
 
 
-def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
-    """Return ``interpolate`` for a time (s) after the first sample; at rest after the last sample."""
+def followed(trajectory: Trajectory) -> Callable[[ArrayLike], Motion]:
+    """Return ``interpolate`` for times (s) after the first sample; at rest after the last sample."""
     instance(trajectory, Trajectory, "trajectory")
     since = elapsed(trajectory.time)
-    path, last = interpolate(replace(trajectory, time=since)), trajectory.motion[-1]
-    rest = at_rest(last.R, last.t, last.F_ext, last.M_ext)
-    return lambda when: path(np.array(max(when, 0.0))) if when < since[-1] else rest
+    return with_rest(interpolate(replace(trajectory, time=since)), float(since[-1]))
+
+
+def with_rest(path: Callable[[Array], Motion], end: float) -> Callable[[ArrayLike], Motion]:
+    """Extend a motion over times from 0 to ``end`` (s): at rest in its last pose after its end."""
+
+    def at(times: ArrayLike) -> Motion:
+        when = np.asarray(times, dtype=np.float64)
+        motion = path(np.clip(when, 0.0, end))
+        if np.all(when < end):
+            return motion
+        moving = np.expand_dims(when < end, -1)
+        rates = (motion.omega, motion.v, motion.alpha, motion.a)
+        rates = [None if rate is None else np.where(moving, rate, 0.0) for rate in rates]
+        return Motion._unchecked(motion.R, motion.t, *rates, motion.F_ext, motion.M_ext)
+
+    return at
 
 
 def resample(trajectory: Trajectory, rate: float) -> Trajectory:

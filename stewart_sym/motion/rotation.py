@@ -291,3 +291,15 @@ def one_vector_rate(phi: Array, omega: Array) -> tuple[float, float, float]:
         factor * v - 0.5 * (z * u - x * w) + along * y,
         factor * w - 0.5 * (x * v - y * u) + along * z,
     )
+
+
+def one_rotation_vector(R: Array) -> Array:
+    """Return ``vector_from_rotation`` of one rotation, (3, 3)."""
+    (a, b, c), (d, e, f), (g, h, i) = R.tolist()
+    twice_sine = math.hypot(h - f, c - g, d - b)
+    twice_cosine = a + e + i - 1.0
+    if twice_cosine < -1.0 or not twice_sine > 0.0:
+        # Near a half turn, the differences lose digits.
+        return vector_from_rotation(R)
+    factor = math.atan2(twice_sine, twice_cosine) / twice_sine
+    return np.array([factor * (h - f), factor * (c - g), factor * (d - b)])

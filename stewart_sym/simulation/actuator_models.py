@@ -6,6 +6,7 @@ accelerations.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
@@ -13,21 +14,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..backend.c_kernel import CKernel
+from ..backend.kernel import MOTION
+from ..dynamics.forces import ForceKernel
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
 from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..kinematics.inverse_kinematics import inverse_kinematics, leg_vectors, tip_velocities
+from ..motion.interpolation import with_rest
 from ..motion.motion import Motion, at_rest
-from ..motion.rotation import vector_from_rotation
+from ..motion.rotation import one_rotation_vector, vector_from_rotation
 from ..motion.straight_line import StraightLinePath
 from ..robot.offset_chains import SLIDING, joint_motion
 from ..robot.robot import Robot
 
 ForceLaw = Callable[[float, Motion], ArrayLike]
 """Function (time in s, state) -> actuator forces (N), shape (6,)."""
-Reference = Callable[[float], Motion]
-"""Function time (s) -> reference motion of shape ()."""
+Reference = Callable[[Any], Motion]
+"""Function time (s) -> reference motion of shape (); references of this package accept arrays of times."""
 Model = Callable[[Motion], Array]
 """Function Motion of shape () -> actuator forces of the model (N), shape (6,)."""
 
@@ -215,8 +220,8 @@ class ComputedTorque:
         """Check the gains and prepare the kernel of the model."""
         instance(self.robot, Robot, "robot")
         _gains(self.k_p, self.k_d)
-        kernel = prepared_kernel(self.robot, self.formulation, self.backend)
-        law = ModelTorque(lambda motion: kernel.forces(motion).F, self.reference, self.k_p, self.k_d)
+        model = _model(self.robot, self.formulation, self.backend)
+        law = ModelTorque(model, self.reference, self.k_p, self.k_d)
         object.__setattr__(self, "_law", law)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -281,19 +286,40 @@ class GravityCompensation(Frozen):
 
 def feedback(reference: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:
     """Return the feedback accelerations (m/s^2 and rad/s^2) of a state, shape (..., 3) each."""
-    turn = vector_from_rotation(reference.R @ np.swapaxes(state.R, -1, -2))
+    vector = one_rotation_vector if state.R.ndim == reference.R.ndim == 2 else vector_from_rotation
+    turn = vector(reference.R @ np.swapaxes(state.R, -1, -2))
     a = k_d * (reference.v - state.v) + k_p * (reference.t - state.t)
     return a, k_d * (reference.omega - state.omega) + k_p * turn
 
 
+def _model(robot: Robot, formulation: Formulation, backend: Backend) -> Model:
+    """Return the inverse dynamics of single poses: F (N), shape (6,), NaN in poses without a solution."""
+    kernel = prepared_kernel(robot, formulation, backend)
+    if not isinstance(kernel, CKernel):
+        return lambda motion: kernel.forces(motion).F
+    pose, zero = ForceKernel(robot, formulation).single_pose(), np.zeros(3)
+
+    def forces(motion: Motion) -> Array:
+        values = (getattr(motion, name) for name in MOTION)
+        np.concatenate([zero if value is None else value.ravel() for value in values], out=pose.numbers)
+        return np.full(6, np.nan) if pose.solve() else pose.F.copy()
+
+    return forces
+
+
 def along(path: StraightLinePath) -> Reference:
     """Return a path as a reference motion that remains at rest at its end."""
+    return with_rest(path.sample, path.tau_f)
 
-    def reference(time: float) -> Motion:
-        motion = path.sample(min(time, path.tau_f))
-        return motion if time < path.tau_f else at_rest(motion.R, motion.t)
 
-    return reference
+def at_samples(reference: Reference, rate: float, duration: float) -> Reference:
+    """Evaluate a reference motion at all samples of a law at once; ``rate`` is in Hz, ``duration`` in s.
+
+    The reference must accept arrays of times. Other times get the motion at the nearest sample.
+    """
+    last = math.ceil(duration * rate)
+    motion = reference(np.arange(last + 1) / rate)
+    return lambda time: motion[min(round(time * rate), last)]
 
 
 def _gains(k_p: float, k_d: float) -> None:

@@ -23,7 +23,7 @@ from ..motion.sample_times import elapsed
 from ..motion.straight_line import PAPER_PATHS
 from ..motion.trajectory_format import TrajectoryWarning
 from ..robot.robot import Robot
-from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Reference, along
+from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Reference, along, at_samples
 from .simulation import (
     METHODS,
     ON_FORCE_LIMIT,
@@ -58,6 +58,8 @@ _OPTIONS = (
 """Fields of a scene that are passed to ``simulate`` under the same name."""
 # Speeds (m/s and rad/s) up to which the platform counts as being at rest at the end of a path.
 _RESTS = 1e-4
+# Number of samples up to which a reference is evaluated for all samples at once, 200 MB.
+_MOST_TABULATED = 1_000_000
 _STATE_KEYS = ("t", "theta", "v", "omega")
 _LOAD_KEYS = ("F_ext", "M_ext")
 _THRESHOLD_KEYS = ("max_condition", "min_length", "min_joint_sine")
@@ -76,6 +78,8 @@ class Scene:
     ----------
     law : callable
         Force law. With ``control_rate`` (Hz) its forces are constant between samples.
+    reference : callable, optional
+        Reference motion of a tracking law: function of times (s), of any shape.
     load : callable, optional
         Load in the file of a tracked path; None for the load of ``state``.
     files : tuple of Path
@@ -91,10 +95,11 @@ class Scene:
     formulation: Formulation
     duration: float
     output_step: float | None
-    method: Method
+    method: Method | None
     rtol: float
     stop_conditions: StopConditions
     on_force_limit: OnForceLimit = "stop"
+    reference: Reference | None = None
     load: Load | None = None
     files: tuple[Path, ...] = ()
     stated: Mapping[str, Any] = field(default_factory=dict)
@@ -145,7 +150,8 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         check_duration(options["duration"])
         check_rtol(options["rtol"])
         check_output_step(options["output_step"], options["duration"])
-    choices = {"method": METHODS, "formulation": FORMULATIONS, "on_force_limit": ON_FORCE_LIMIT}
+    options["method"] = option(top["method"], METHODS, f"{file}method") if "method" in top else None
+    choices = {"formulation": FORMULATIONS, "on_force_limit": ON_FORCE_LIMIT}
     for key, known in choices.items():
         options[key] = option(top.get(key, known[0]), known, file + key)
     thresholds = _thresholds(top.get("stop_conditions", {}), f"{file}stop_conditions.")
@@ -159,10 +165,12 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         read.append(toml_reader.file_beside(tracked, source, "actuation.path"))
     reference = None if tracked is None else _reference(robot, tracked, read[-1], options["duration"])
     state = _state(given, reference, load)
+    rate, followed = legs.get("rate"), reference
+    if reference is not None and rate is not None and options["duration"] * rate <= _MOST_TABULATED:
+        followed = at_samples(reference, rate, options["duration"])
     with errors_of(f"{file}actuation: "):
-        law = _law(robot, legs, state, reference)
-    rate = legs.get("rate")
-    options |= {"stop_conditions": thresholds, "files": tuple(read)}
+        law = _law(robot, legs, state, followed)
+    options |= {"stop_conditions": thresholds, "files": tuple(read), "reference": reference}
     if reference is not None and "load" not in top and _load_of(reference(0.0)) is not None:
         options["load"] = lambda time, state: _load_of(reference(time))
     stated = {f"state.{key}": value for key, value in (given or {}).items()}

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..io.arguments import number_in
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
 from ..kinematics.clearance import angles_from, neutral_directions
 from ..kinematics.conditioning import condition_number
 from ..kinematics.inverse_kinematics import joint_sines
@@ -82,13 +83,18 @@ class Watch:
     force_limit: Array
     side: float
 
-    def first(self, piece: Piece, actuators: Actuators) -> StopEvent | None:
-        """Return the first stop event in a piece, or None."""
-        when = np.linspace(piece.start, piece.end, WATCHED + 1)
-        margins = self._margins(when, piece, actuators)
-        below = margins <= 0.0
+    def first(self, pieces: Sequence[Piece], actuators: Actuators) -> tuple[int, StopEvent] | None:
+        """Return the first stop event in consecutive pieces with the index of its piece, or None."""
+        ends = np.array([(piece.start, piece.end) for piece in pieces])
+        when = np.linspace(*ends.T, WATCHED + 1, axis=-1)
+        below = self._margins(when, pieces, actuators) <= 0.0
         if not below.any():
             return None
+        i = int(np.argmax(below.any(axis=(1, 2))))
+        return i, self._first_in(pieces[i], when[i], below[i], actuators)
+
+    def _first_in(self, piece: Piece, when: Array, below: Flags, actuators: Actuators) -> StopEvent:
+        """Return the first stop event in a piece; ``below`` marks its margins at some times (s)."""
         roots = []
         for row in np.flatnonzero(below.any(axis=0)).tolist():
             i = int(np.argmax(below[:, row]))
@@ -105,7 +111,7 @@ class Watch:
         from scipy.optimize import brentq
 
         def margin(time: float) -> float:
-            return float(self._margins(np.array([time]), piece, actuators)[0, row])
+            return float(self._margins(np.array([[time]]), [piece], actuators)[0, 0, row])
 
         if not margin(start) > 0.0:
             return start
@@ -113,18 +119,22 @@ class Watch:
             return end
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
-    def _margins(self, when: Array, piece: Piece, actuators: Actuators) -> Array:
-        """Compute the margins at n times (s), shape (n, 50).
+    def _margins(self, when: Array, pieces: Sequence[Piece], actuators: Actuators) -> Array:
+        """Compute the margins at k times (s), (n, k), in each of n pieces, shape (n, k, 50).
 
         Six columns each: minimum length, maximum length, speed, force, zero length, joint sine, base joint
         angle, and platform joint angle. The last two columns: condition number and sign of det H.
         """
         robot = self.robot
-        state = motion_of(piece.interpolant(when).T, piece.center)
+        k = when.shape[1]
+        y = np.concatenate([piece.interpolant(at).T for piece, at in zip(pieces, when, strict=True)])
+        state = motion_of(y, np.repeat([piece.center for piece in pieces], k, axis=0))
         legs = leg_states(robot, state)
-        F = np.zeros((len(when), 6))
+        F = np.zeros((when.size, 6))
         if np.isfinite(self.force_limit).any():
-            F = actuators.forces(when, state, piece.sampled)
+            parts = (state[i : i + k] for i in range(0, when.size, k))
+            each = zip(when, parts, (piece.sampled for piece in pieces), strict=True)
+            F = np.concatenate([actuators.forces(*given) for given in each])
         shortest = self.thresholds.min_length or 1e-3 * platform_size(robot)
         margins = [
             legs.L - np.where(robot.length_limits[:, 0] > 0.0, robot.length_limits[:, 0], -math.inf),
@@ -136,7 +146,7 @@ class Watch:
             *(robot.joint_angle_limit.T[:, None] - self._angles(legs, state)),
             *self._singular_margins(legs),
         ]
-        return np.concatenate(margins, axis=-1)
+        return np.concatenate(margins, axis=-1).reshape(*when.shape, -1)
 
     def _angles(self, legs: LegStates, state: Motion) -> Array:
         """Return joint angles at base and platform (rad), shape (2, n, 6); 0 without angle limits."""

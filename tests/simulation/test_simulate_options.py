@@ -1,6 +1,7 @@
 """Runs that saturate, start on their path, tell how far they are, and draw only what there is."""
 
 import dataclasses
+import json
 import pickle
 import shutil
 from pathlib import Path
@@ -139,7 +140,12 @@ def test_a_scene_starts_on_its_path_and_saturates(scene: Path, run: Run) -> None
     done = read_scene(scene)
     assert done.on_force_limit == "saturate"
     np.testing.assert_array_equal(done.state.t, ss.PAPER_PATHS["I"].path.sample(0.0).t)
-    assert "N beyond its limit" in run("simulate", scene, "-o", scene.parent / "out", "--no-plots").out
+    out = run("simulate", scene, "-o", scene.parent / "out", "--no-plots").out
+    assert "N beyond its limit" in out
+    error = ss.tracking_error(done.run().dense_history, done.reference)
+    written = json.loads((scene.parent / "out/summary.json").read_text())["tracking_error"]
+    assert [row.get("peak_m", row.get("peak_rad")) for row in written] == pytest.approx(error.peak.tolist())
+    assert f"{error.rms[0]:.3g} m" in out
 
 
 @pytest.mark.parametrize(

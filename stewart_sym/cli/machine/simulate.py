@@ -41,6 +41,6 @@ def run(arguments: Arguments) -> None:
             why = f"the run stops at its start, nothing was written: {done.stop.message}"
             raise ValueError(f"{arguments.scene}: {why}; start within the limits")
         drifts = runs.energy_drift(scene) if arguments.energy_drift else None
-        report = runs.report(scene.robot, done, scene.law, drifts)
+        report = runs.report(scene.robot, done, scene.law, drifts, scene.reference)
         views = {"run": lambda: ss.view(scene.robot, done)}
         take(dataclasses.replace(report, views=views))

@@ -15,11 +15,12 @@ from ...motion.motion import Motion
 from ...motion.rotation import rpy_from_rotation
 from ...motion.sample_times import least_step, time_text
 from ...robot.robot import Robot
-from ...simulation.actuator_models import ForceLaw, LegSprings
+from ...simulation.actuator_models import ForceLaw, LegSprings, Reference
 from ...simulation.scene import Scene
 from ...simulation.state_history import SimulationResult, StateHistory, leg_states
+from ...simulation.tracking import TrackingError, tracking_error
 from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
-from ..common.output import Columns, by_leg, of_axes, of_legs
+from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
 from ..paper.reproduce import without_friction
 from .drives import DriveDigest
@@ -28,6 +29,8 @@ _EVEN = 1001
 """Number of evenly spaced samples for the mean kinetic energy."""
 _STILL = 1e-12
 """Fraction of the compared energies below which rounding errors dominate the drift."""
+_AXES = (*((axis, "m") for axis in "xyz"), *((f"about {axis}", "rad") for axis in "xyz"))
+"""Axes of a tracking error with their units."""
 
 
 def run_columns(run: SimulationResult) -> Columns:
@@ -41,11 +44,22 @@ def run_columns(run: SimulationResult) -> Columns:
 
 
 def report(
-    robot: Robot, run: SimulationResult, law: ForceLaw, drifts: Mapping[str, Columns] | None = None
+    robot: Robot,
+    run: SimulationResult,
+    law: ForceLaw,
+    drifts: Mapping[str, Columns] | None = None,
+    reference: Reference | None = None,
 ) -> Report:
-    """Create the report of a run; ``drifts`` is the result of ``energy_drift``, if any."""
+    """Create the report of a run, with the tracking error of a reference motion, if any.
+
+    ``drifts`` is the result of ``energy_drift``, if any.
+    """
     drifts, fine = drifts or {}, run.dense_history
     text, figures = summary(run, fine, law), {}
+    error = None if reference is None else tracking_error(fine, reference)
+    if error is not None:
+        text = "\n".join([text, "", tracking_table(error)])
+        figures["tracking"] = Picture(lambda: tracking_figure(fine, error))
     motors = motors_of(robot, fine, run.dense_weights)
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
@@ -54,6 +68,8 @@ def report(
     for name, drift in drifts.items():
         text += f"\n{name:<10} without friction, in {drift['time'][-1]:.6g} s: {_drift_text(drift['drift'])}"
     data = _data(run, fine, law, motors)
+    if error is not None:
+        data["tracking_error"] = _tracking_data(error)
     if drifts:
         if all(len(drift["time"]) > 1 for drift in drifts.values()):
             figures["energy_drift"] = Picture(lambda: drift_figure(drifts))
@@ -227,6 +243,51 @@ def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...
         parts["springs"] = law.energy(run.L)
     gained = np.stack([energy - energy[0] for energy in parts.values()], axis=-1)
     return np.column_stack([gained, gained.sum(axis=-1)]), (*parts, "sum")
+
+
+def tracking_table(error: TrackingError) -> str:
+    """Format the RMS and the peak of the tracking error of each axis."""
+    step = least_step(error.time)
+    rows = [
+        (name, f"{rms:.3g} {unit}", f"{peak:.3g} {unit}", f"{time_text(when, step)} s")
+        for (name, unit), rms, peak, when in zip(_AXES, error.rms, error.peak, error.peak_time, strict=True)
+    ]
+    return aligned(("tracking error", "RMS", "peak", "time of the peak"), rows)
+
+
+def _tracking_data(error: TrackingError) -> list[dict[str, Any]]:
+    """Return the tracking error of each axis with units in the keys."""
+    return [
+        {"axis": name, f"rms_{unit}": rms, f"peak_{unit}": peak, "peak_time_s": when}
+        for (name, unit), rms, peak, when in zip(_AXES, error.rms, error.peak, error.peak_time, strict=True)
+    ]
+
+
+def tracking_figure(run: StateHistory, error: TrackingError) -> Figure:
+    """Plot reference and simulated motion since the start, and their differences over time."""
+    start, angles, wanted = error.reference.t[0], ("roll", "pitch", "yaw"), error.reference.t
+    planned = np.degrees(np.unwrap(rpy_from_rotation(error.reference.R), axis=0))
+    actual = np.degrees(np.unwrap(rpy_from_rotation(run.R), axis=0))
+    panels = (
+        (1e3 * (run.t - start), 1e3 * (wanted - start), tuple("xyz"), "position since start, mm"),
+        (actual - planned[0], planned - planned[0], angles, "attitude since start, degrees"),
+        (1e3 * error.position, None, tuple("xyz"), "position error, mm"),
+        (np.degrees(error.rotation), None, ("about x", "about y", "about z"), "rotation error, degrees"),
+    )
+    picture = new_figure(10.0, 6.0)
+    grid = picture.subplots(2, 2, sharex=True)
+    for axes, (values, reference, names, label) in zip(grid.flat, panels, strict=True):
+        for i, name in enumerate(names):
+            (line,) = axes.plot(error.time, values[:, i], linewidth=1.1, label=name)
+            if reference is not None:
+                axes.plot(error.time, reference[:, i], linewidth=2.5, alpha=0.35, color=line.get_color())
+        axes.set_ylabel(label)
+        axes.margins(x=0.0)
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
+    for axes in grid[-1]:
+        axes.set_xlabel("time, s")
+    picture.suptitle("simulated motion (thin) and reference motion (wide, pale)", fontsize=10.0)
+    return picture
 
 
 def drift_figure(drifts: Mapping[str, Columns]) -> Figure:
