@@ -94,6 +94,8 @@ def tracking_error(history: StateHistory, reference: Callable[[Array], Motion]) 
     True
     """
     instance(history, StateHistory, "history")
+    if not callable(reference):
+        raise ValueError(f"reference: expected a function of times, got {type(reference).__name__}")
     planned = reference(history.time)
     instance(planned, Motion, "reference")
     if planned.shape != history.time.shape:

@@ -25,7 +25,8 @@ PoseCertificate SingularityCrossing ForceErrorBoundsResult LegExtreme PathSingul
 SingularityResult Polytope JointAnglesResult ActuatorRequirementsResult WorkspaceResult WorkspaceWarning
 DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
 ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult PlanCertificate PlannedPath PosePath
-TimedPath Trajectory Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning results robots
+TimedPath TrackingError Trajectory Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning
+results robots
 """
 RECORDS = frozenset(_RECORDS.split())
 
@@ -155,6 +156,12 @@ def calls() -> dict[str, Call]:
         "output_step": 1e-3,
     }
     add(ss.simulate, **start, **steps, formulation="exact", backend="c", stop_conditions=ss.StopConditions())
+    sampled, none = path.sample(np.arange(3.0)), np.zeros(3)
+    run = ss.StateHistory(
+        *(np.arange(3.0), sampled.R, sampled.t, sampled.v, sampled.omega),
+        *(np.zeros((3, 6)), np.zeros((3, 6)), none, none),
+    )
+    add(ss.tracking_error, history=run, reference=path.sample)
     add(ss.force_error_bounds, **both, precision="double", on_singular="raise")
     add(ss.singularity, robot=robot, pose=motion)
     add(ss.singularity_crossings, robot=robot, path=path.sample, time=[0.0, 1.0])
