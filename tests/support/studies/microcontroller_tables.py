@@ -1,9 +1,5 @@
 """Tables of the documentation from the figures of ``microcontroller``."""
 
-from collections.abc import Sequence
-
-from kinematics_counts import FUNCTIONS
-
 from stewart_sym.derive.emit.torque import torque_operations
 from stewart_sym.studies.common.output import Figures, paragraph, table
 
@@ -25,36 +21,7 @@ def tables(found: Figures) -> dict[str, str]:
         "no static data. The object files need only the square root and memory copies from libraries. The "
         "`float` object files contain no double-precision instruction."
     )
-    return {
-        "controller": _conditions(found) + table(header, [_published(row) for row in rows]) + remarks,
-        "controller_kinematics": _kinematics(found["kinematics"]),
-    }
-
-
-def _kinematics(rows: Sequence[Figures]) -> str:
-    """Return the table of inverse and forward kinematics."""
-    assert not any(row["failed"] for row in rows)
-    header = (
-        *("kit", "processor", "inverse kinematics", "forward kinematics", "forward velocity"),
-        *("flash", "stack, inverse", "stack, forward", "stack, velocity"),
-    )
-    said = paragraph(
-        "The next table lists the instructions of the functions of `stewart_kinematics.h`: leg lengths with "
-        "rates, the pose from lengths, and the twist from rates. The guess of the pose is 0.001 rad and "
-        "0.001 of the distance from the base away. The numbers are the largest over "
-        f"{rows[0]['poses']} poses."
-    )
-    cells = [
-        (
-            f"`{row['precision']}`",
-            row["core"],
-            *(_number(row["instructions"][name]) for name in FUNCTIONS),
-            _number(row["flash"]),
-            *(_number(row["stack"][name]) for name in FUNCTIONS),
-        )
-        for row in rows
-    ]
-    return said + table(header, cells)
+    return {"controller": _conditions(found) + table(header, [_published(row) for row in rows]) + remarks}
 
 
 def _conditions(found: Figures) -> str:
