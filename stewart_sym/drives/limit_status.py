@@ -64,7 +64,7 @@ def _sides(sd: Array | Sides | None) -> Sides:
 
 
 def counts_text(verdicts: Sequence[Sequence[str]]) -> str:
-    """Format the numbers of limits that are not exceeded, exceeded, and inconclusive, from the status of each leg."""
+    """Count the limits that are not exceeded, exceeded, and inconclusive, from the status of each leg."""
     worst = [max(legs, key=VERDICTS.index) for legs in verdicts]
     if not worst:
         return "limits: none stated"
