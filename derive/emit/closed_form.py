@@ -1,8 +1,8 @@
 """C99 files of the closed form: equations of motion, bias, forward dynamics, derivatives, linearization.
 
-The trees of ``kernel.outputs`` are printed with the legs in lanes (``kernel.legs_in_lanes``) and with the
-prepared model of the force kernel. ``written.motion`` contains the parts that exist only in C.
-``closed_form_blocks`` defines the batches.
+The trees of ``kernel.outputs`` are printed with the legs in lanes (``kernel.tree.legs_in_lanes``), and use
+the prepared model of the force kernel. Parts that exist only in C are in ``kernel.written.motion``, and
+batches in ``closed_form_blocks``.
 """
 
 from collections.abc import Collection, Iterator

@@ -1,4 +1,4 @@
-"""Results of the closed form in C, for one pose and for eight poses in lanes: words of their texts."""
+"""C functions of the closed form that compute results from sums, for one pose and for eight poses."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace

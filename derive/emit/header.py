@@ -1,4 +1,4 @@
-"""Interface table as C, ``stewart.h`` for all kernels, and as Python, ``interface.py``."""
+"""Interface table in C, ``stewart.h`` of all kernels, and in Python, ``interface.py``."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""C99 files for speed: the regrouped force kernel with legs or poses in vector lanes.
+"""C99 files of the force kernels for speed, with legs or poses in vector lanes.
 
 A single pose uses six of eight lanes for its legs. A batch uses eight lanes for poses, or sixteen in float.
 In both cases a block is the body of a loop over lanes. Compilers vectorize this loop; otherwise it is

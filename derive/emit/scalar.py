@@ -1,7 +1,6 @@
-"""C99 files for controllers: one pose, one leg after the other, with little code and stack.
+"""C99 files of the force kernels for controllers, one leg after the other, with small code and stack.
 
-The blocks of ``lanes`` are printed for processors without vector registers. The model is prepared once, or
-its constants are baked.
+The blocks are the same as in ``lanes``. The model is prepared once, or its constants are baked.
 """
 
 from collections.abc import Iterable

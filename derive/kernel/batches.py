@@ -1,4 +1,4 @@
-"""Batches: motions of many poses in arrays, and where their results go."""
+"""Batches as trees: the arrays of motions and results of many poses."""
 
 from collections.abc import Collection, Iterable, Mapping
 from functools import partial, reduce

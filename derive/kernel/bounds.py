@@ -1,8 +1,9 @@
-"""Actuator forces with a bound of their rounding error: the force kernel's blocks, run with their errors.
+"""Actuator forces with a bound of their rounding error, as a tree.
 
-The blocks of the force kernel stand here three times: plain, in the order of operations of the forces
-alone, so that both agree to the last bit; with the error of every step (``rounding``); and backward, with
-the slope of a force along every step (``adjoint``), which tells what that error does.
+The function contains the blocks of the force kernel three times. The first copy computes the forces in the
+order of operations of the force kernel, so that both agree to the last bit. The second adds the error of
+every step (``rounding``). The third computes, backward, the derivative of a force with respect to every step
+(``adjoint``), which propagates the error of the step to the force.
 """
 
 import operator

@@ -1,7 +1,7 @@
-"""Shapes of the elimination: where its entries are and how rows change places.
+"""Layouts of the elimination: location of the matrix entries, and exchange of rows.
 
-``written.elimination`` is the text. A shape is what ``read.function`` is given with a function that calls
-it.
+``written.elimination`` is the text of the elimination. A layout consists of the arguments with which
+``read.function`` reads this text.
 """
 
 from collections.abc import Callable, Mapping

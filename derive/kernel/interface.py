@@ -1,7 +1,7 @@
-"""The C interface in one table: structs with their members in order, functions and their arguments.
+"""Interface of the C code in one table: structures with ordered members, and functions with arguments.
 
-The C++ wrapper, self-test, example and README of a kit, the FMI unit and, by ``generated/interface.py``,
-the ctypes layer and the sweep read it; headers are tested to agree.
+The C++ wrapper, the self-test, the example, and the README of a kit read the table, and so does the FMI unit.
+The ctypes layer and the tests read it from ``generated/interface.py``. Tests compare the headers with it.
 """
 
 import math

@@ -1,6 +1,6 @@
-"""Every output of the inverse dynamics, and the regressor, as trees of one pose or of many side by side.
+"""Inverse dynamics with all terms, joint reactions, and the regressor, as trees.
 
-Numbers of the six legs are one after the other, for interpreters, or side by side, for arrays.
+The numbers of the six legs are consecutive for interpreters, and side by side for arrays.
 """
 
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Kinematics as trees: legs of a pose, the search of a pose from leg lengths, orientations and rates."""
+"""Kinematics as trees: inverse kinematics, search for the pose of leg lengths, orientations and rates."""
 
 import itertools
 import random

@@ -1,7 +1,7 @@
-"""Where quantities live: structures of them, loads and stores of blocks, what is checked of a leg.
+"""Memory layouts: structures of quantities, loads and stores of blocks, and checks of legs.
 
-A layout says where a quantity is: in a structure's member, in an array, in one of the lanes of either, or
-in a constant. The lanes are the legs of a pose or the poses of a block.
+A layout gives the location of each quantity: a member of a structure, an element of an array, a lane of
+either, or a constant. The lanes are the legs of one pose or the poses of a block.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence

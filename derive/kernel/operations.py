@@ -1,7 +1,7 @@
-"""Operation counts of a whole kernel: six legs, platform, sum of c, solve, F = D - x.
+"""Operation counts of a complete kernel: six legs, platform, sum of c, solve, and F = D - x.
 
-Counts +, -, *, / and sqrt one each; negation, copies, comparisons and absolute values are free. Blocks are
-counted by their expressions, the solves by running their texts.
++, -, *, /, and sqrt count one each; negations, copies, comparisons, and absolute values are not counted. The
+expressions of blocks are counted directly. The linear solves are run on a type that counts.
 """
 
 import random

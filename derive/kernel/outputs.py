@@ -1,4 +1,4 @@
-"""Every output that kernels have as trees: the structures, blocks and written functions that each needs."""
+"""Outputs of the kernels: the structure, blocks, and written functions of each, and their programs."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace

@@ -1,9 +1,9 @@
-"""Preparation: the blocks that make a robot's constants, as functions, and by what the solve scales moments.
+"""Preparation of a robot: the blocks of its constants as functions, and the length that scales moments.
 
-Every operation of a kernel but one is homogeneous in the units of length, mass and time, so that units that
-are powers of two change no bit of it: the choice of a pivot compares force rows, without unit, with moment
-rows, in meters. The length is a power of two as well, so that it changes no bit but through that choice. On
-platforms of about a meter it is 1, and no solve multiplies by it.
+All operations of a kernel except one are homogeneous in the units of length, mass, and time. Therefore units
+that differ by powers of two give identical bits. The exception is the choice of a pivot, which compares force
+rows, without unit, with moment rows, in meters. The length that scales moments is a power of two, so that it
+influences only this choice. For platforms of about a meter it is 1, and no solve multiplies by it.
 """
 
 import math

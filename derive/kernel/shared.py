@@ -1,4 +1,4 @@
-"""Functions that the sources of kernels share: each stands once, in a header that they include."""
+"""Functions that several C sources use, each in one header."""
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass

@@ -1,6 +1,6 @@
-"""Runs a kernel tree on SymPy's symbols and keeps the steps: what a function computes, as formulas.
+"""Formulas of a kernel tree: the steps of a run on SymPy symbols.
 
-Of a comparison that symbols leave undecided the regular branch is taken: no fault, no leg near its joint
+If symbols do not decide a comparison, the run takes the regular branch: no error, no leg near its joint
 singularity, no exchange of rows.
 """
 

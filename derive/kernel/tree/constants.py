@@ -1,4 +1,4 @@
-"""Status codes and constants of the arithmetic: one table for reader, interpreter and every language."""
+"""Status codes and arithmetic constants, in one table for the reader, the interpreter, and all languages."""
 
 from math import sqrt
 

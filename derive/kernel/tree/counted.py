@@ -1,6 +1,6 @@
-"""Counts the operations of functions of kernel trees: runs them on numbers that count what is done with them.
+"""Operation counter: a type of numbers that counts operations when a kernel tree runs on it.
 
-Products with thresholds, constants of the arithmetic, are no part of the equations and not counted.
+Products with thresholds and arithmetic constants are not counted, because they are not part of the equations.
 """
 
 import math

@@ -1,8 +1,8 @@
-"""Products that feed a sum as fused multiply-adds: ``fma(a, b, c)`` is a b + c, rounded once or twice.
+"""Fused multiply-adds: a product in a sum becomes ``fma(a, b, c)``, which is a b + c rounded once or twice.
 
-Rounded twice it is the sum as it stood, to the last bit: a sum does not depend on the order of its two terms.
-The sign of a product that is subtracted goes to a factor that differs from lane to lane, where compilers have
-an instruction for it; a constant of all lanes they would negate by itself, before it is spread.
+Rounded twice, the result equals the original sum to the last bit, because a sum does not depend on the order
+of its two terms. The sign of a subtracted product is applied to a factor that differs between lanes, because
+processors have an instruction for it. Compilers would negate a constant of all lanes separately.
 """
 
 from collections import Counter

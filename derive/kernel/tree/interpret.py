@@ -1,4 +1,4 @@
-"""Runs a kernel tree on values of any kind: floats, arrays, multiprecision numbers, symbols."""
+"""Interpreter of kernel trees for values of any type: floats, arrays, multiprecision numbers, symbols."""
 
 import operator
 from collections.abc import Callable, Mapping, Sequence

@@ -1,7 +1,7 @@
-"""Legs in lanes: a program of one pose as C runs it.
+"""Transformation of a program for one pose to C with the legs in vector lanes.
 
-What the legs have stands in lanes of eight, the last two of which repeat leg 6, so that one loop computes
-all; their sums are one array, and so is every table that functions hand on, row after row.
+The quantities of the legs are arrays of eight lanes, whose last two repeat leg 6, so that one loop computes
+all legs. Sums over the legs, and tables that functions pass on, are single arrays, row by row.
 """
 
 from collections.abc import Mapping

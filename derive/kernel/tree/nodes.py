@@ -1,9 +1,7 @@
-"""The nodes of a kernel tree: types, expressions, statements, functions and programs.
+"""Nodes of a kernel tree: types, expressions, statements, functions, and programs.
 
-A tree says what is computed and in which order. How that is spelled is a printer's business, which values
-pass through it an interpreter's; neither changes the order of an operation.
-
-Other modules import this one as ``t``.
+A tree defines the computation and the order of its operations. A printer determines the notation, and an
+interpreter the type of the values; neither changes the order. Other modules import this one as ``t``.
 """
 
 import re

@@ -1,27 +1,27 @@
-"""Functions written in a part of Python, read as trees: what a kernel does around its blocks.
+"""Reader of written functions: conversion of a subset of Python to kernel trees.
 
-Allowed are assignments, ``for`` over ``range``, ``reversed(range)`` and ``columns``, a range over the
-columns of a row that compilers make vectors of, ``if``, ``else``, ``break``, ``return``, ``+ - * /``,
-comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects,
-``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name
-of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
+The subset contains assignments, ``for`` over ``range``, ``reversed(range)``, and ``columns``, ``if``,
+``else``, ``break``, ``return``, ``+ - * /``, comparisons, ``&``, ``|``, members, elements, and calls.
+``columns`` is a range over the columns of a row, which compilers vectorize. ``where(test, yes, no)`` selects
+a value. ``anywhere(test)`` is true if the test is true for one or more poses. ``array(6, 7)`` and the name
+of a structure create zeros. The annotation of an argument is its structure, ``"array(6, 7)"``, or ``"Real"``.
 
-For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
-``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a
-first value, and ``alone(...)`` around the type of an argument that no other one overlaps.
+Languages with addresses also have ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
+``"Count"``, and ``"Pointer(Real)"``. ``blank(...)`` is an array, a structure, or a type without initial
+values. ``alone(...)`` around the type of an argument means that no other argument overlaps it.
 
-What is known when a text is read is settled there: an ``if`` or ``a if b else c`` by the constants given,
-``for i in each(6)`` once for each ``i``, and with these ``a[i, k]`` is a variable ``a_0_1`` of its own. A
-name that stands alone in a line stands for statements that are given, a string for a comment. An argument
-that is given as ``False`` is left out, in calls as well.
+Values that are known to the reader are inserted. An ``if`` or ``a if b else c`` that depends on given
+constants is decided. ``for i in each(6)`` is unrolled, and ``a[i, k]`` in it becomes a variable ``a_0_1``. A
+line with a single name is replaced by given statements, and a line with a string becomes a comment. Arguments
+that are given as ``False`` are omitted, also in calls.
 
-``for number in numbers(x)`` goes through the numbers of a structure, each of which is ``x[number]``, and so
-is that of another structure with such a member; ``for number in entries(SOME)``, once for each, through
-those that are given, of a lane ``x[number, i]``; where expressions are given, each is ``number``.
+``for number in numbers(x)`` visits the numbers of a structure: ``x[number]``, and the same member of other
+structures. ``for number in entries(SOME)`` visits given entries, in a lane as ``x[number, i]``, or given
+expressions as ``number``.
 
-One text serves several shapes: a call that stands alone in a line, of a text that is given, is replaced by
-the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of the indices; and where
-``ROLLED`` is given, ``for i in each(6)`` is a loop.
+One text can have several layouts. A line that only calls a given text is replaced by the lines of this text.
+A function that is given as ``a`` replaces ``a[i, k]``. If ``ROLLED`` is given, ``for i in each(6)`` remains a
+loop.
 """
 
 import ast

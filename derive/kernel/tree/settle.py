@@ -1,7 +1,7 @@
-"""Selections whose test an enclosing condition has decided, in functions of one pose.
+"""Removal of selections that an enclosing condition has decided, in functions of one pose.
 
-One text serves one pose and many side by side: where ``anywhere(test)`` opens a branch, it selects by
-``test`` again. Of one pose the selection is its first value.
+The same text computes one pose or many poses side by side. If ``anywhere(test)`` opens a branch, the branch
+selects by ``test`` again. For one pose, this selection always returns its first value.
 """
 
 from collections.abc import Iterable, Mapping

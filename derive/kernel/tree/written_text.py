@@ -1,4 +1,4 @@
-"""Texts of written functions: names put in, what is changed in them, roots of places."""
+"""Texts of written functions: replacement of names, changed variables, and roots of element expressions."""
 
 import ast
 import inspect

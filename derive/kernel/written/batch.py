@@ -1,6 +1,6 @@
-"""Poses of a batch one after the other, and one pose that is handed over, for ``read``.
+"""Batches of poses as written functions: a loop over the poses, and the call for one pose.
 
-Each kernel has its functions with these lines; ``one_pose`` stands for what it does with a pose.
+Every kernel has functions with this text; ``one_pose`` is its computation of one pose.
 """
 
 

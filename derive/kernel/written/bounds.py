@@ -1,6 +1,6 @@
-"""Forces with a bound of their rounding error, in the part of Python that ``read`` reads.
+"""Actuator forces with a bound of their rounding error as a written function.
 
-Names in capitals stand for what blocks say: their values, their errors, the slopes of a force along these.
+Names in capitals are placeholders for the blocks: values, errors, and derivatives of a force.
 """
 
 

@@ -1,7 +1,8 @@
-"""The closed form around its blocks, in the part of Python that ``read`` reads.
+"""Closed form as written functions.
 
-``sums``, ``sums_of_two_forms`` and ``legs_of`` serve each of its kernels: ``Sums``, ``Legs`` and the blocks
-stand for those of one. The names of functions with a width, as ``solve_definite_24``, end in it.
+All kernels of the closed form use ``sums``, ``sums_of_two_forms``, and ``legs_of``: ``Sums``, ``Legs``, and
+the blocks are placeholders for the parts of a kernel. The number at the end of a function name, as in
+``solve_definite_24``, is its width.
 """
 
 

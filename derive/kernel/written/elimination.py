@@ -1,8 +1,8 @@
-"""The elimination with partial pivoting of six equations, (36), in the part of Python that ``read`` reads.
+"""Elimination with partial pivoting of six equations, (36), as a written function.
 
-One text for all kernels. ``a[i, k]`` is an entry of the matrix, ``upper[k, j]`` one of the row of a pivot;
-where they are, and what the calls that stand alone in a line do, is in ``kernel.elimination``. In column 0
-the rows from ``FIRST`` on are zero where moments are about platform point 1.
+All kernels use this text. ``a[i, k]`` is an entry of the matrix, and ``upper[k, j]`` an entry of the row of a
+pivot. ``kernel.elimination`` defines their location, and the lines that consist of a call. If moments are
+about platform point 1, the rows from ``FIRST`` on are zero in column 0.
 """
 
 

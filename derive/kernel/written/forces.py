@@ -1,4 +1,4 @@
-"""Preparation of a robot's constants, and the actuator forces."""
+"""Preparation of a robot's constants, and actuator forces, as written functions."""
 
 
 def forces(model: "Model", motion: "Motion") -> "Forces":

@@ -1,9 +1,9 @@
-"""Forward dynamics and linearization where M's factors lose digits, for ``read``.
+"""Forward dynamics and linearization as written functions, if the factors of M lose digits.
 
-Near a joint singularity, or with a very short or very heavy leg, the legs' inertia stays in their joint
-coordinates: M = A^T W A with three rows of A for each leg and six of the platform, and weights W of about
-one in blocks of three. Elimination with complete pivoting picks the six stiffest rows, and their
-accelerations become the unknowns: no large number is added to a small one.
+This occurs near a joint singularity, or with a very short or very heavy leg. The inertia of the legs then
+remains in joint coordinates: M = A^T W A. A has three rows for each leg and six for the platform, and W has
+weights of about one in 3 x 3 blocks. Elimination with complete pivoting selects the six stiffest rows, whose
+accelerations become the unknowns. Therefore no large number is added to a small one.
 """
 
 

@@ -1,4 +1,4 @@
-"""What can be wrong with a leg, what it adds to the platform's equations, and the torque of its motor."""
+"""Checks of a leg, its contributions to the equations of the platform, and its motor torque, as functions."""
 
 
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":

@@ -1,4 +1,4 @@
-"""Linear systems of six equations, whether H is singular to rounding, and by what moments are scaled."""
+"""Linear systems of six equations, the test for singular H, and the scaling of moments, as functions."""
 
 
 def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":

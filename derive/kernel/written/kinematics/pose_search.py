@@ -1,9 +1,9 @@
-"""Kinematics of the legs, forward and inverse, in the part of Python that ``read`` reads.
+"""Inverse kinematics, and the search for the pose of leg lengths, as written functions.
 
-The search of a pose is Newton's on (2). Each step solves J d = miss by Householder's reflections, which
-leave the singular values of J as they are, so that its triangle also says how near to singular H is. If the
-steps do not shrink, or differ from the way between guess and result, a damped search follows. If the next
-singular pose is near the way, a search from behind this pose follows. The nearest result counts.
+The search applies Newton's method to (2). Each step solves J d = miss by Householder reflections. They do not
+change the singular values of J, so that the triangular factor also indicates the distance from a singular
+pose. If the steps do not shrink, or do not lead from the guess to the result, a damped search follows. If a
+singular pose is near the way, another search starts beyond it. The result nearest to the guess is returned.
 """
 
 

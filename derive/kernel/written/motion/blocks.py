@@ -1,7 +1,7 @@
-"""Closed form of eight poses side by side, and batches of them, in the part of Python that ``read`` reads.
+"""Closed form of eight poses side by side, and batches of such blocks, as written functions.
 
-The blocks are those of one pose, in the same functions: lanes are legs there, and poses here. So are the
-functions that make a result of the sums: each pose takes its own from the lanes.
+The blocks and functions are the same as for one pose: lanes are legs there, and poses here. The functions
+that compute a result from the sums read the numbers of each pose from its lane.
 """
 
 

@@ -1,7 +1,7 @@
-"""What C makes of the closed form's sums, of one pose or of eight, in the part of Python that ``read`` reads.
+"""Results of the closed form in C from its sums, for one pose or eight poses, as written functions.
 
-With ``lanes`` of 1 an array holds one number after the other, with eight a number of eight poses after the
-other: one text rounds one pose and a block alike.
+``lanes`` is the number of poses whose values of a number are consecutive in an array: 1 or 8. One text for
+both gives identical rounding.
 """
 
 
