@@ -14,11 +14,11 @@ from ..kernel import layouts as lay
 from ..kernel import outputs as o
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
+from ..kernel.tree.decided_selections import settled
 from ..kernel.tree.legs_in_lanes import Layout
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.settle import settled
+from ..kernel.written.motion import closed_form_results as results
 from ..kernel.written.motion import lanes as written
-from ..kernel.written.motion import results
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.closed_form import GIVEN

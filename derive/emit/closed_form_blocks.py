@@ -14,7 +14,7 @@ from ..kernel.tree import nodes as t
 from ..kernel.tree import read
 from ..kernel.tree.read import LANES
 from ..kernel.written.motion import blocks as texts
-from ..kernel.written.motion import results
+from ..kernel.written.motion import closed_form_results as results
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.closed_form import GIVEN

@@ -27,7 +27,7 @@ from ..mechanics.lumped_constants import arm_c
 from ..print.template import filled
 from ..program.block import Block, Quantity
 from ..program.order import ready_in
-from .c import operations_table
+from .inverse_dynamics import operations_table
 from .shared import LANES as HEADER
 from .shared import Part, Source, header, top
 

@@ -23,7 +23,7 @@ from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity, part_of
 from ..program.order import AS_DERIVED
-from .c import operations_table
+from .inverse_dynamics import operations_table
 from .shared import SOLVE, Part, Source, header, top
 
 _LEAST_PIVOTS = t.signature("STEWART_LEAST_PIVOTS", t.Real(), size=t.Real())

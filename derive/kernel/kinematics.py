@@ -17,7 +17,7 @@ from .layouts import Arguments, Written, block_function, structure
 from .prepare import machine_structures, result
 from .tree import nodes as t
 from .tree import read
-from .tree.counted import counted
+from .tree.operation_counter import counted
 from .written import batch, legs
 from .written.kinematics import nearest_pose
 from .written.kinematics import pose_search as written

@@ -19,8 +19,8 @@ from ..program.block import Block, Output, Quantity, Step
 from ..program.order import Ready
 from .tree import nodes as t
 from .tree import read
+from .tree.function_text import Names
 from .tree.lower import expression, steps_of
-from .tree.written_text import Names
 from .written import legs
 
 LANE = t.Name("l")

@@ -19,10 +19,10 @@ from .elimination import BY_POINTERS, ONCE, blocks_in_lanes, in_lanes
 from .prepare import is_scaled
 from .shared import FORCE
 from .tree import read
-from .tree.counted import counted
 from .tree.fused import fused, with_products_in_sums
 from .tree.lower import expression, steps_of
 from .tree.nodes import Binary, Function, Name, Node, Program, Return, calls_in, parts_of
+from .tree.operation_counter import counted
 from .tree.read import POSES, Given
 from .written import lanes, scalar, solve
 

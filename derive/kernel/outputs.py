@@ -20,8 +20,8 @@ from .prepare import result as _result
 from .shared import legs_in_turn, shared
 from .tree import nodes as t
 from .tree import read
+from .tree.function_text import Names
 from .tree.nodes import Field, Record, Structure
-from .tree.written_text import Names
 from .written import closed_form, elimination, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"

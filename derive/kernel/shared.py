@@ -16,9 +16,9 @@ from .elimination import BLOCKS_OF_POSE, INVERSE, ONCE, RETURNED, blocks_in_lane
 from .prepare import LUMPED, MOTION
 from .tree import nodes as t
 from .tree.constants import LARGEST
+from .tree.decided_selections import settled
 from .tree.lower import expression
 from .tree.read import POSES, Given
-from .tree.settle import settled
 from .written import batch, lanes, legs, moments, solve
 
 _ADDED: dict[str, Given] = {

@@ -23,7 +23,7 @@ from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, ON_SINGULAR, SINGULAR, UNREACHABLE, OnSingular
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
-from .columns import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
+from .array_layouts import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
 from .inverse_dynamics import Formulation, damped_terms, need_motion, report_faults
 from .left_out import left_out
 

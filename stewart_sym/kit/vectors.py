@@ -30,7 +30,7 @@ from ..robot.robot import LEGS, Robot, of_symbol
 from .extreme_motions import extreme_motions
 from .interpreter import FLOATS, KitInterpreter, Numbers
 from .kit_options import PRECISIONS, STEMS
-from .parts import fields as fields_of
+from .required_kernels import fields as fields_of
 
 CLOSED_FORM = (*STEMS["motion"], *STEMS["derivatives"])
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")

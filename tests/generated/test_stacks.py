@@ -26,7 +26,7 @@ from stewart_sym.io.progress import Progress, silent
 from stewart_sym.kit import Choice
 from stewart_sym.kit.files import stack_key
 from stewart_sym.kit.kit_options import check
-from stewart_sym.kit.parts import Parts, parts
+from stewart_sym.kit.required_kernels import Parts, parts
 from stewart_sym.robot.robot import Robot
 
 TABLE = Path(__file__).parents[2] / "stewart_sym" / "kit" / "stack.json"

@@ -34,7 +34,7 @@ from typing import Any, cast
 
 from . import nodes as t
 from .constants import INTEGERS, NAMES
-from .written_text import Filled, Names, base_of, called_name, changed_names, parsed, with_variables
+from .function_text import Filled, Names, base_of, called_name, changed_names, parsed, with_variables
 
 _OPERATORS: Mapping[type[ast.AST], str] = {
     **{ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"},

@@ -14,7 +14,7 @@ from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.kit import Choice
-from stewart_sym.kit.parts import parts
+from stewart_sym.kit.required_kernels import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot

@@ -16,8 +16,9 @@ from time import perf_counter
 
 import sympy as sp
 
-from .emit import arrays, bounds, c, lanes
+from .emit import arrays, bounds, lanes
 from .emit import closed_form as motion
+from .emit import inverse_dynamics as inverse_dynamics_text
 from .emit import kinematics as kinematics_text
 from .emit import regressor as regressor_text
 from .emit import torque as torque_text
@@ -31,7 +32,7 @@ from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.axial_forces import axial_block
-from .mechanics.closed_form.parts import PREPARED
+from .mechanics.closed_form.common_steps import PREPARED
 from .mechanics.closed_form.terms import SumKernel
 from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
@@ -197,7 +198,9 @@ def _formulation(form: Formulation, version: str) -> Made:
         counts["frictionless"] = kernel_operations(reduced(form, friction=False))
         force_counts["frictionless"] = force_operations(smooth)
     found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
-    files = _of_c(c.files(built, counts, version) | lanes.files(forces, version, smooth)) | {
+    files = _of_c(
+        inverse_dynamics_text.files(built, counts, version) | lanes.files(forces, version, smooth)
+    ) | {
         f"{form.kernel_name}.py": arrays.every_output(built, counts, force_counts, version),
     }
     if form in WHOLE:

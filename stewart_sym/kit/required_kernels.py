@@ -15,7 +15,7 @@ from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
 from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE
 from ..derive.emit.torque import axial_files, axial_name, axial_operations, torque_operations
-from ..derive.generate import (
+from ..derive.generated_files import (
     generator_version,
     motion_files,
     reduced_axial,
