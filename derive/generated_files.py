@@ -1,8 +1,8 @@
-"""Generation of all files of ``generated/``.
+"""Generation of all files of ``generated/``, the last step of ``derive``.
 
-For each formulation: derive the blocks, eliminate common subexpressions, and emit the files. This is the last
-step of ``derive``. The texts depend only on this package and on SymPy's minor version, and contain no date,
-path, or set order. This module does not depend on the runtime package. A process derives each kernel once.
+For each formulation: derive the blocks, eliminate common subexpressions, and emit the files. The files depend
+only on this package and on SymPy's minor version, and contain no date, path, or set order. This module does
+not depend on the runtime package. Each process derives a kernel at most once.
 """
 
 import gc
@@ -47,7 +47,7 @@ from .program.block import Block
 from .program.cse import share, shared_blocks
 
 WHOLE = (EXACT, EXACT_DRIVE)
-"""Formulations with a closed form and error bounds."""
+"""Formulations that have a closed form and error bounds."""
 COMPARED = (EXACT, PAPER)
 """Formulations whose operations are also counted without friction, because the paper's program has none."""
 
@@ -59,7 +59,7 @@ def generator_version() -> str:
 
 @cache
 def reduced(form: Formulation, friction: bool = True) -> Kernel:
-    """Derive a kernel and eliminate its common subexpressions."""
+    """Derive the inverse dynamics with all terms, and eliminate common subexpressions."""
     return shared_blocks(kernel(form, friction))
 
 
@@ -101,8 +101,8 @@ def reduced_rotation() -> dict[str, Block]:
 
 
 @dataclass(frozen=True)
-class Made:
-    """Results of one unit of the derivation.
+class UnitResult:
+    """Files and kernels of one unit of the derivation.
 
     Attributes
     ----------
@@ -111,7 +111,7 @@ class Made:
     models : mapping
         Count of numbers in the prepared model of each kernel.
     programs : mapping
-        Programs of the kernels on arrays.
+        Kernel trees of the array modules by kernel.
     """
 
     files: Mapping[str, str]
@@ -123,7 +123,7 @@ _BASES = {
     **dict.fromkeys(("paper", "exact_drive", "exact_spherical", "exact_offset"), ("exact",)),
     **dict.fromkeys(("paper_spherical", "exact_spherical_drive"), ("exact", "exact_spherical")),
 }
-"""Kernels whose array modules contain the common parts, by kernel."""
+"""Kernels whose array modules an array module imports, because they contain common parts, by kernel."""
 
 
 Progress = Callable[[str, float, float], None]
@@ -142,7 +142,7 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
         new processes are spawned, so a script must call this function under ``if __name__ == "__main__"``.
     """
     version = generator_version()
-    found: dict[str, Made] = {}
+    found: dict[str, UnitResult] = {}
     for name, (made, seconds) in zip(UNITS, derived(UNITS, processes), strict=True):
         found[name] = made
         progress(name, seconds, len(found) / len(UNITS))
@@ -161,7 +161,7 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
 
 
 def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
-    """Return the array modules."""
+    """Print the array modules, text by file name."""
     version = generator_version()
     files = {}
     for name, made in programs.items():
@@ -173,7 +173,7 @@ def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
     return files
 
 
-def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, float]]:
+def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[UnitResult, float]]:
     """Yield the results of some of ``UNITS`` in their order, and the time of each (s)."""
     if processes == 1:
         yield from map(_timed, names)
@@ -183,13 +183,13 @@ def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, 
             yield from pool.map(_timed, names)
 
 
-def _timed(name: str) -> tuple[Made, float]:
+def _timed(name: str) -> tuple[UnitResult, float]:
     """Derive one of ``UNITS`` and measure the time (s)."""
     start = perf_counter()
     return UNITS[name](generator_version()), perf_counter() - start
 
 
-def _formulation(form: Formulation, version: str) -> Made:
+def _formulation(form: Formulation, version: str) -> UnitResult:
     """Derive all outputs and the forces of one formulation, its closed form, and its axial forces."""
     built, forces, smooth = reduced(form), prepared_model(form), None
     counts, force_counts = {"friction": kernel_operations(built)}, {"friction": force_operations(forces)}
@@ -207,17 +207,17 @@ def _formulation(form: Formulation, version: str) -> Made:
         files |= _closed_form(form, version)
     if form.drive:
         files |= _of_c(torque_text.axial_files(form, reduced_axial(form), version))
-    return Made(files, {form.kernel_name: lanes.model_numbers(forces)}, {form.kernel_name: found})
+    return UnitResult(files, {form.kernel_name: lanes.model_numbers(forces)}, {form.kernel_name: found})
 
 
-def _bounds(form: Formulation, version: str) -> Made:
+def _bounds(form: Formulation, version: str) -> UnitResult:
     """Derive the forces of one of ``WHOLE`` with bounds of their rounding errors."""
     bounded = BoundedForces(reduced_forces(form))
     models = {f"{form.kernel_name}_bounds": bounded.model_numbers()}
-    return Made(_of_c(bounds.files(bounded, version)), models)
+    return UnitResult(_of_c(bounds.files(bounded, version)), models)
 
 
-def _others(version: str) -> Made:
+def _others(version: str) -> UnitResult:
     """Derive the regressors, the kinematics, and the motor torques."""
     columns, blocks = shared_blocks(regressor()), reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
@@ -227,17 +227,17 @@ def _others(version: str) -> Made:
         "rotor_regressor.py": arrays.rotor_regressor(share(rotor_columns()), version),
     }
     made |= regressor_text.files(columns, version) | torque_text.torque_files(version)
-    return Made(files | _of_c(made))
+    return UnitResult(files | _of_c(made))
 
 
-def _offset_joints(version: str) -> Made:
+def _offset_joints(version: str) -> UnitResult:
     """Derive the forces of legs with offset joints."""
     built = shared_blocks(offset_kernel())
     row = f'    "forces": {force_operations(built).total.total},'
     files = _of_c(lanes.files(built, version)) | {
         f"{built.name}_operations.py": filled("operations.py", version=version, rows=row),
     }
-    return Made(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
+    return UnitResult(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
 
 
 def _of_c(files: dict[str, str]) -> dict[str, str]:
@@ -251,7 +251,7 @@ def reduced_fidelity(form: Formulation, level: Fidelity) -> ForceKernel:
     return shared_blocks(fidelity_kernel(form, level))
 
 
-def _fidelities(version: str) -> Made:
+def _fidelities(version: str) -> UnitResult:
     """Derive the forces of all fidelity levels, and the table of levels."""
     files: dict[str, str] = {}
     models: dict[str, int] = {}
@@ -263,7 +263,7 @@ def _fidelities(version: str) -> Made:
             models[built.name] = lanes.model_numbers(built)
             files |= _of_c(lanes.files(built, version))
     files["fidelities.py"] = arrays.fidelities(kernels, version)
-    return Made(files, models)
+    return UnitResult(files, models)
 
 
 def reduced_motion(
@@ -335,7 +335,7 @@ def _closed_form(form: Formulation, version: str) -> dict[str, str]:
     }
 
 
-UNITS: Mapping[str, Callable[[str], Made]] = {
+UNITS: Mapping[str, Callable[[str], UnitResult]] = {
     **{form.kernel_name: partial(_formulation, form) for form in WHOLE},
     "fidelities": _fidelities,
     **{f"{form.kernel_name}_bounds": partial(_bounds, form) for form in WHOLE},

@@ -104,7 +104,7 @@ def _left_out(robot: Robot, choice: Choice) -> str:
     """Return a clause about the physics that the forces of a kit omit, or an empty text."""
     if "forces" not in choice.functions:
         return ""
-    level = fidelity.resolved(robot, choice.formulation, choice.level)
+    level = fidelity.resolve_level(robot, choice.formulation, choice.level)
     # The reference in 50-digit arithmetic requires no compiler.
     reduced = Truth(robot, choice.formulation, level).forces
     return left_out(robot, cast("Formulation", choice.formulation), choice.level, reduced)

@@ -1,6 +1,6 @@
 """Kits in languages other than C: available functions and test vectors."""
 
-from ..backend.fidelity import resolved
+from ..backend.fidelity import resolve_level
 from ..derive.generated_files import output_program
 from ..derive.mechanics import quantities as n
 from ..derive.package import kit_license
@@ -44,7 +44,7 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     """Generate the files of a kit except its manifest."""
     language = LANGUAGES[choice.language]
     outputs = tuple(output for group in choice.groups for output in GROUPS[group])
-    fidelity = resolved(robot, choice.formulation, choice.level)
+    fidelity = resolve_level(robot, choice.formulation, choice.level)
     form, level = form_and_level(robot.base_joint, choice.formulation, fidelity, robot.has_rotors)
     program = output_program(form, outputs, level.name)
     found = vectors(

@@ -126,7 +126,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
 
 
 def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
-    level = fidelity.resolved(robot, choice.formulation, choice.level)
+    level = fidelity.resolve_level(robot, choice.formulation, choice.level)
     if choice.bake or choice.scalar:
         return _derived(robot, choice, level)
     name = fidelity.force_kernel_name(robot, choice.formulation, level)

@@ -120,7 +120,7 @@ def _joined(core: Core, objects: Iterable[Path], target: Path) -> Path:
     """All of some objects with their calls of each other resolved; not to be run."""
     flags = (*core.flags, *toolchain.FLAGS, "-nostartfiles", "--specs=nosys.specs", "-Wl,-e,0")
     names = (path.name for path in objects)
-    native.ran((toolchain.GCC, *flags, *names, "-lm", "-o", target.name), target.parent)
+    native.run_compiler((toolchain.GCC, *flags, *names, "-lm", "-o", target.name), target.parent)
     return target
 
 

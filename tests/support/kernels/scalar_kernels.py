@@ -76,7 +76,7 @@ def library(formulation: str, joint: str, level: str, precision: str) -> tuple[c
 def prepared(
     robot: Robot, formulation: str = "exact", level: str = "general", precision: str = "double"
 ) -> Kernel:
-    level = fidelity.resolved(robot, formulation, level)
+    level = fidelity.resolve_level(robot, formulation, level)
     joint = robot.base_joint if level == "general" else "universal"
     found, prefix = library(formulation, joint, level, precision)
     dtype = np.float32 if precision == "float" else np.float64
