@@ -410,7 +410,7 @@ class ForceKernel(Frozen):
 class OnePose:
     """Buffers of one pose: set the inputs R, t, omega, ..., M_ext in place, call ``solve``, and read ``F``.
 
-    The inputs are views of ``numbers``, (30,), which has the order of ``stewart_motion``. ``solve`` returns the
+    The inputs are views of ``numbers``, (30,), with the order of ``stewart_motion``. ``solve`` returns the
     status; F does not change if the status is not 0.
     """
 
