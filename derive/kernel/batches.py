@@ -30,7 +30,7 @@ def missing(
 
 
 def is_null(address: t.Expression) -> t.Expression:
-    """Whether nothing is handed over."""
+    """Expression that is true if a pointer is null."""
     return t.Binary("==", address, t.Constant("NULL"))
 
 
@@ -83,7 +83,7 @@ def loaded_block(q: Quantity, stride: t.Expression) -> t.Statement:
 
 
 def copies(to: str, counts: Mapping[str, int], rows: Collection[str] = ()) -> tuple[t.Statement, ...]:
-    """What was found of a pose into arrays; counts: numbers of each; rows: those that are arrays of rows."""
+    """Statements that store the results of a pose; ``counts``: numbers of each; ``rows``: arrays of rows."""
     found = []
     for name, count in counts.items():
         values: t.Expression = t.of("found", name)

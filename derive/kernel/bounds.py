@@ -159,7 +159,7 @@ class BoundedForces:
         return {key: t.Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
 
     def model_numbers(self) -> int:
-        """How many numbers the prepared model holds."""
+        """Count the numbers of the prepared model."""
         types = {name: [each.type for each in self.structures[name].members] for name in ("Leg", "Platform")}
         leg, platform = (
             sum(prod(kind.dims) if isinstance(kind, t.Array) else 1 for kind in kinds)
@@ -245,7 +245,7 @@ class BoundedForces:
         }
 
     def _leg_errors(self, leg: RoundedBlock) -> dict[str, Given]:
-        """A leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
+        """Return the function of a leg with errors and their effects on D - Y (c - H x)."""
         force, moment, x, D = _Y_FORCE.value, _Y_MOMENT.value, n.x.value, _D_WEIGHT.value
         by_arm = _Y_ARM.value
         weights = {
@@ -266,7 +266,7 @@ class BoundedForces:
         return self._weighed(leg, found, {}, outside, handed)
 
     def _shared_errors(self) -> dict[str, Given]:
-        """What ``written.shared_errors`` is given; slopes along R are added to those of the legs."""
+        """Return the arguments of ``written.shared_errors``, which adds derivatives by R."""
         given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
         weights = {n.c_force: -_Y_FORCE.value, c_tip: -_Y_MOMENT.value}
         weights |= {q: _LEGS_SLOPES[q].value for q in (B, q_1)}
@@ -321,7 +321,7 @@ _Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
 _Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exactly zero")
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
 _LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
-"""What the legs add to the slope of a force along what the pose has for all of them."""
+"""Contributions of the legs to the derivatives of a force with respect to the common terms of the pose."""
 _ROW = (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)
 _FORCE = t.Name("i")
 """The lane of a force."""
@@ -369,7 +369,7 @@ def _kept_outputs(block: RoundedBlock) -> tuple[Output, ...]:
 
 
 def _erring_outputs(block: RoundedBlock) -> tuple[Output, ...]:
-    """Outputs whose errors are handed out; that of D is weighed at once."""
+    """Outputs whose errors are returned; the effect of the error of D is added directly."""
     return tuple(out for out in _kept_outputs(block) if out.quantity != n.D)
 
 
@@ -453,7 +453,7 @@ def _step_statements(
 
 
 def _own_error(each: RoundedStep) -> t.Expression:
-    """What the step's own operations round away."""
+    """Return the rounding error of the operations of a step itself."""
     value = t.Name(each.step.name)
     sizes = [expression(each.rounded)] if each.rounded != 0 else []
     if each.kind == ROOT:

@@ -29,7 +29,7 @@ class Member:
 
     @property
     def count(self) -> int:
-        """How many numbers C stores."""
+        """Count of numbers that C stores."""
         return math.prod(self.stored)
 
     @property
@@ -162,12 +162,12 @@ class Argument:
 
     @property
     def is_motion(self) -> bool:
-        """Whether a motion is read."""
+        """True if the function reads a motion."""
         return self.struct == "motion" and not self.written
 
     @property
     def whole(self) -> bool:
-        """Whether a struct is written with all its members."""
+        """True if the function writes all members of a structure."""
         return bool(self.struct) and self.gives == STRUCTS[self.struct]
 
     def declared(self) -> str:
@@ -204,27 +204,27 @@ class Call:
 
     @property
     def motion(self) -> bool:
-        """Whether a ``stewart_motion`` is read."""
+        """True if the function reads a ``stewart_motion``."""
         return any(each.is_motion for each in self.arguments)
 
     @property
     def inputs(self) -> tuple[Member, ...]:
-        """What is read besides motion, robot and model."""
+        """Inputs except motion, robot, and model."""
         return tuple(member for each in self.arguments for member in each.takes)
 
     @property
     def outputs(self) -> tuple[Member, ...]:
-        """What is handed out, in order."""
+        """Outputs in order."""
         return tuple(member for each in self.arguments for member in each.gives)
 
     @property
     def taken(self) -> int:
-        """How many numbers are read besides motion, robot and model."""
+        """Count of numbers in the inputs except motion, robot, and model."""
         return sum(member.count for member in self.inputs)
 
     @property
     def count(self) -> int:
-        """How many numbers are handed out."""
+        """Count of numbers in the outputs."""
         return sum(member.count for member in self.outputs)
 
     def prototypes(self, symbol: str, subject: str, batch: bool) -> list[str]:
@@ -420,7 +420,7 @@ CALLS: dict[str, Call] = {
 
 
 def _of_result(of: str) -> Call:
-    """How an output of one array is called, by its entry in ``RESULTS``; ValueError for one of several."""
+    """Return the call of an output with one array, by its entry in ``RESULTS``; ValueError for several."""
     found = arrays(RESULTS[of])
     if len(found) != 1:
         tables = "STRUCTS and CALLS in kernel/interface.py, STRUCTS in emit/closed_form_interface.py"

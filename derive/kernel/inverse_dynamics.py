@@ -68,9 +68,9 @@ _ELIMINATION: Mapping[str, read.Given] = {
 def terms_program(kernel: Kernel) -> t.Program:
     """A kernel's leg and platform with their sums, and a leg's reactions, the legs one after the other;
     nothing is solved or checked."""
-    of_leg = structure("LegDynamics", "What a leg has.", kernel.leg.made)
+    of_leg = structure("LegDynamics", "Terms of one leg.", kernel.leg.made)
     held = t.Field("leg", t.Array(t.Record(of_leg.name), (6,)), "each of them")
-    of_legs = t.Structure("Legs", "What the legs have.", (held,))
+    of_legs = t.Structure("Legs", "Terms of the legs.", (held,))
     structures = [*machine_structures(kernel.formulation.drive), of_leg, of_legs, *_results(kernel), _TERMS]
     texts = Written.of(structures, _blocks(kernel, kernel.leg, of_leg.name))
     texts.function(written.legs_in_turn, "legs_of")
@@ -85,7 +85,7 @@ def arrays_program(kernel: Kernel) -> t.Program:
     leg = kernel.leg
     if n.k3 not in leg.made:
         leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
-    of_legs = structure("Legs", "What the legs have.", leg.made)
+    of_legs = structure("Legs", "Terms of the legs.", leg.made)
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
     _, *own = _blocks(kernel, leg, of_legs.name)
     texts = Written.of(structures, [*shared_program().functions, *own])

@@ -159,7 +159,7 @@ _SEARCHED = (
             t.Field("straight", t.Integer(), "1 if each step is at most half as long as the one before"),
         ),
     ),
-    result("FoundPose", "What the search of a pose finds.", t.Field("pose", t.Record("Pose"), "the pose")),
+    result("FoundPose", "Result of the search for a pose.", t.Field("pose", t.Record("Pose"), "the pose")),
     result(
         "Twist",
         "Velocity of the platform.",
@@ -178,4 +178,4 @@ _SEARCH = tuple(
     for each in (*vars(written).values(), *vars(nearest_pose).values())
     if callable(each) and each not in (*PUBLIC.values(), *_OTHERS)
 )
-"""What the search of a pose is made of, each after what it calls, as in the files."""
+"""Functions of the search for a pose, each after the functions that it calls."""

@@ -95,7 +95,7 @@ def where_read(
 
 
 def varies(statement: t.Statement) -> bool:
-    """Whether a load is from a place with lanes."""
+    """Return True if a load reads an array with lanes."""
     return (
         isinstance(statement, t.Let)
         and isinstance(statement.value, t.Element)
@@ -196,12 +196,12 @@ def parted_steps(block: Block, wanted: Iterable[sp.Expr]) -> tuple[tuple[Step, .
 
 
 def largest(terms: Iterable[sp.Expr]) -> dict[str, read.Given]:
-    """What ``written.legs.largest_term`` goes through."""
+    """Terms that ``written.legs.largest_term`` compares."""
     return {"largest_term": legs.largest_term, "TERMS": read.Entries(tuple(map(expression, terms)))}
 
 
 def checks(leg: Block, least_length: t.Expression, least_sine: str) -> dict[str, read.Given]:
-    """How ``written.legs.checked`` and ``mark`` decide on a leg."""
+    """Conditions with which ``written.legs.checked`` and ``mark`` check a leg."""
     given = leg.exprs
     return {
         **{"checked": legs.checked, "mark": legs.mark, "HAS_SINE": int(n.k3 in given)},

@@ -84,7 +84,7 @@ def solve_operations(name: str) -> Operations:
 
 @cache
 def _solve(name: str) -> tuple[Function, Function, int]:
-    """What stands for F = D - x, which is counted apart; a solve; and how many systems it solves."""
+    """Function with a solve, statement that replaces F = D - x in it, and the number of systems it solves."""
     text, given, count = _SOLVES[name]
     force = replace(FORCE, body=(Return(Name("x")),))
     return force, read.function(text, {}, {force.name: force}, given=given), count

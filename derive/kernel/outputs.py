@@ -39,7 +39,7 @@ class Text:
 
 
 Definition = Structure | Text | Callable[[], t.Function]
-"""What a name stands for; blocks are lowered where they are needed."""
+"""Content of a placeholder; blocks are converted when they are needed."""
 
 
 def program(
@@ -99,7 +99,7 @@ def sums_used(outputs: Collection[str], deep: bool = True) -> set[str]:
 
 
 def solves(output: str) -> bool:
-    """Whether an output solves linear equations."""
+    """Return True if an output solves linear equations."""
     return any(each.startswith(("solve", "definite_six")) for each in _called((output,), deep=True))
 
 
@@ -132,7 +132,7 @@ class _Needed:
         return t.Program(name, tuple(self.structures.values()), tuple(self.functions.values()))
 
     def add(self, name: str) -> None:
-        """What a name stands for, with what that needs; nothing where it stands for nothing."""
+        """Return the functions of a name and their dependencies; nothing for a name without functions."""
         found = self._found(name)
         if found is None or name in self.structures or name in self.functions:
             return
@@ -194,7 +194,7 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
 
 
 SIX: Mapping[str, read.Given] = {"definite_six": elimination.definite_six}
-"""How six equations with M are solved."""
+"""Functions that solve six equations with M."""
 
 
 def inertia_at(place: Callable[[Quantity, int, int], t.Expression]) -> Callable[..., t.Expression]:
@@ -241,8 +241,8 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
     tip: Arguments = {"sums": ("Sums", (p.q_1,))}
     right: Arguments = {"shared": ("SharedTerms", (n.c_force, n.c_moment))}
     structures = (
-        structure("SharedTerms", "What a pose has for all legs.", shared),
-        structure("LegTerms", "What a leg has.", _LEG_OUTPUTS),
+        structure("SharedTerms", "Terms of a pose that are common to all legs.", shared),
+        structure("LegTerms", "Terms of one leg.", _LEG_OUTPUTS),
         structure("ShiftTerms", "The platform's part of c about platform point 1.", [p.c_tip]),
         structure("MomentTerms", "A leg's moments about platform point 1.", moments.made),
         structure(
@@ -382,7 +382,7 @@ RESULTS = {
 
 
 def arrays(result: Structure) -> list[Field]:
-    """What an output hands out: its members but the status."""
+    """Return the result arrays of an output: its members except the status."""
     return [each for each in result.members if each.name != "status"]
 
 
@@ -401,12 +401,12 @@ FORCED = ("forward_dynamics", "linearization")
 """Outputs that take the actuator forces."""
 
 _STRUCTURES = (
-    structure("LegInputs", "What a leg's blocks are given.", m.GIVEN),
+    structure("LegInputs", "Inputs of the blocks of a leg.", m.GIVEN),
     Structure(
         "Rows",
         "M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform.",
         (
-            Field("given", t.Array(Record("LegInputs"), (6,)), "what the derivatives are given of the legs"),
+            Field("given", t.Array(Record("LegInputs"), (6,)), "inputs of the derivatives, one for each leg"),
             Field("extent", _numbers(24), "root of the inertia in each row"),
             Field("weight", _numbers(24, 3), "1: W in blocks of three rows"),
             Field("row", _numbers(24, 6), "A, each row times the root of its inertia; then L and U"),
@@ -417,10 +417,10 @@ _STRUCTURES = (
             Field("length", t.Real(), "m: moments and rotations are measured by it"),
         ),
     ),
-    _result("Apart", "What the rows give.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),
+    _result("Apart", "Result of the rows.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),
     _result(
         "SlopesApart",
-        "What the rows give of a linearization.",
+        "Result of the rows for a linearization.",
         Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha"),
         Field("A", _numbers(6, 24), "the rows solved"),
     ),

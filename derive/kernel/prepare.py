@@ -84,7 +84,7 @@ def motion_words(kernel: ForceKernel) -> dict[str, Any]:
 
 
 def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
-    """The robot and its leg that a kernel is prepared from: those of ``stewart.h``, or its own."""
+    """Structures of robot and leg for the preparation: from ``stewart.h``, or defined by the kernel."""
     more = kernel.more_of_legs()
     if not more:
         return ROBOT, LEG
@@ -98,11 +98,11 @@ def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
 
 
 HANDED_OVER: dict[str, Given] = {"hand_over": solve.handed_over}
-"""How the texts of preparation end."""
+"""Last statements of the functions of the preparation."""
 
 
 def per_length(size: float) -> float:
-    """What ``written.solve.per_length_of`` returns."""
+    """Structure that ``written.solve.per_length_of`` returns."""
     if SMALLEST <= size <= LARGEST or size == 0.0:
         return 1.0
     fraction, exponent = math.frexp(size)
@@ -110,12 +110,12 @@ def per_length(size: float) -> float:
 
 
 def is_scaled(kernel: ForceKernel) -> bool:
-    """Whether moments are multiplied by a length at all: a prepared model decides when it is prepared."""
+    """Return True if moments may be scaled; for a prepared model this is decided when it is prepared."""
     return kernel.constants is None or per_length(kernel.size) != 1.0
 
 
 def flags(kernel: ForceKernel) -> dict[str, Given]:
-    """What texts of the forces ask of a kernel."""
+    """Properties of a kernel that the texts of the forces depend on."""
     given, baked = kernel.leg.exprs, kernel.constants is not None
     unit = per_length(kernel.size)
     return {
@@ -207,8 +207,10 @@ def literals(kernel: ForceKernel) -> str:
 
 
 def result(name: str, meaning: str, *members: t.Field) -> t.Structure:
-    """What a function returns: members, and a status."""
-    return t.Structure(name, meaning, (*members, t.Field("status", t.Integer(), "0, or what is wrong")))
+    """Structure that a function returns: members, and a status."""
+    return t.Structure(
+        name, meaning, (*members, t.Field("status", t.Integer(), "0, or the code of an error"))
+    )
 
 
 def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> list[t.Structure]:
@@ -226,7 +228,7 @@ def model_structures(kernel: ForceKernel) -> list[t.Structure]:
     return [
         *machine_structures(n.m_r in kernel.prepare_leg.inputs, kernel.more_of_legs()),
         lay.structure("LegConstants", "Prepared constants of one leg.", kernel.prepare_leg.made),
-        lay.structure("Added", "What the legs add to the platform's constants.", ADDED),
+        lay.structure("Added", "Contributions of the legs to the constants of the platform.", ADDED),
         lay.structure("Platform", "Constants of the platform.", kernel.platform_constants()),
         result(
             "Model",
@@ -240,7 +242,7 @@ def model_structures(kernel: ForceKernel) -> list[t.Structure]:
 
 
 def model_functions(kernel: ForceKernel, structures: dict[str, t.Structure]) -> list[t.Function]:
-    """What ``written.forces.prepare`` calls."""
+    """Return the functions that ``written.forces.prepare`` calls."""
     robot: lay.Arguments = {"robot": ("Robot", n.PLATFORM), "p_1": ("", (n.p_1,))}
     leg: lay.Arguments = {"leg": ("Leg", (*n.OF_LEG, *kernel.more_of_legs()))}
     return [

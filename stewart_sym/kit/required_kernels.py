@@ -1,4 +1,4 @@
-"""Parts of a kit: kernels that a choice requires, committed or derived for one robot."""
+"""Kernels that a kit requires: files of ``generated/``, or derived for one robot."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

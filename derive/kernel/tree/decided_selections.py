@@ -11,7 +11,7 @@ from typing import Any
 from . import nodes as t
 
 Known = Mapping[t.Expression, bool]
-"""Tests of variables that are no addresses, and whether they hold."""
+"""Tests of variables that are not addresses, with their results."""
 
 _PLAIN = (t.Name, t.Number, t.Constant, t.Binary, t.Not)
 
@@ -57,7 +57,7 @@ def _in(node: Any, known: Known) -> Any:
 
 
 def _decided(test: t.Expression, holds: bool) -> dict[t.Expression, bool]:
-    """What a test says that holds, or does not."""
+    """Return the tests that are decided if a test is true, or false."""
     if isinstance(test, t.Call) and test.function == "anywhere":
         return _decided(test.arguments[0], holds)
     if not all(isinstance(each, _PLAIN) for each in t.parts_of(test)):
@@ -69,7 +69,7 @@ def _decided(test: t.Expression, holds: bool) -> dict[t.Expression, bool]:
 
 
 def _kept(known: Known, body: Iterable[t.Statement]) -> Known:
-    """What is known yet where these statements may have changed variables."""
+    """Return the decided tests that are still valid after statements that may change variables."""
     written = _written(body) if known else set()
     return {test: holds for test, holds in known.items() if not written & {n.name for n in t.names_in(test)}}
 

@@ -10,7 +10,7 @@ from typing import Any, cast
 from . import nodes as t
 
 Names = Mapping[str, str | int]
-"""What names of a text stand for, other names or numbers: the text then serves for several functions."""
+"""Replacements of names in a text by other names or numbers, so that several functions use one text."""
 
 
 def parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:

@@ -104,7 +104,7 @@ class _Fused:
         return t.mapped(node, self.node) if isinstance(node, t.Node) else node
 
     def is_real(self, node: Any) -> bool:
-        """Whether an expression is a number of the kernel's arithmetic."""
+        """Return True if an expression is a number of the kernel's arithmetic."""
         match node:
             case t.Element() | t.Member() | t.Call():
                 return True

@@ -13,7 +13,7 @@ from .constants import INTEGERS
 
 @dataclass(frozen=True)
 class Arithmetic:
-    """What an interpreter needs of a kind of number besides its operators.
+    """Functions of a type of numbers, in addition to its operators, that an interpreter requires.
 
     number: from a literal; constants: EPSILON, MAX and others by name; both, either: of tests. where: the
     selection by a test that is no ``bool``, of which both sides are evaluated; None where every test is true
@@ -144,12 +144,12 @@ class Interpreter:
         return lambda known: make()
 
     def _zeros(self, kind: t.Type) -> Callable[[], Any]:
-        """What makes values of this type with zeros."""
+        """Return a function that creates zeros of this type."""
         zero = self.arithmetic.number(0)
         return lambda: filled(self.program, kind, lambda *_: zero)
 
     def _kept(self, statement: t.Let | t.Variable | t.Assign, value: Any, known: Known) -> Any:
-        """What a statement stores."""
+        """Return the value that a statement stores."""
         return value
 
     def _loop(self, loop: t.For) -> _Action:

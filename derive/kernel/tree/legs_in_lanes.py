@@ -14,7 +14,7 @@ _TABLE = 6
 """Local tables with so few columns stay as they are."""
 
 _WRITTEN_OUT = 16
-"""Longer loops stay loops as they are: GCC writes out those of so few turns before it looks for vectors."""
+"""Longest loop that is unrolled: GCC unrolls such short loops before it vectorizes."""
 
 Step = str | t.Expression
 """A member, by its name, or an element, by its index."""

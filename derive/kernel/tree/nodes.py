@@ -21,7 +21,7 @@ class Node:
 
 
 class Type(Node):
-    """What kind of value."""
+    """Type of a value."""
 
 
 def _of_two(operator: str) -> Callable[["Expression", "Expression"], "Binary"]:
@@ -29,13 +29,13 @@ def _of_two(operator: str) -> Callable[["Expression", "Expression"], "Binary"]:
 
 
 class Expression(Node):
-    """What has a value; + - * / make others of two."""
+    """Expression with a value; + - * / combine two expressions."""
 
     __add__, __sub__, __mul__, __truediv__ = map(_of_two, "+-*/")
 
 
 class Statement(Node):
-    """What is done."""
+    """Statement."""
 
 
 # ---------------------------------------------------------------- types
@@ -50,7 +50,7 @@ class Integer(Type):
 
 
 class Count(Type):
-    """How many, or which of many: never negative, and as large as the machine's memory."""
+    """Count or index: never negative, and as large as an address."""
 
 
 class Truth(Type):
@@ -258,7 +258,7 @@ class Do(Statement):
 
 
 class Comment(Statement):
-    """What the statements that follow are about."""
+    """Comment about the statements that follow."""
 
     text: str
 
@@ -370,12 +370,12 @@ def joined(one: Program, other: Program) -> Program:
 
 
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
-    """Every statement of a body, those of loops and conditions as well."""
+    """Yield every statement of a body, including the statements of loops and conditions."""
     return parts_of(body, Statement)
 
 
 def names_in(node: Any) -> Iterator[Name]:
-    """Names that a node reads or writes, those of its parts as well."""
+    """Return the names that a node and its parts read or write."""
     return (each for each in parts_of(node) if isinstance(each, Name))
 
 

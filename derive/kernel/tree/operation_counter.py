@@ -54,11 +54,11 @@ class Counting:
         return Counting(abs(self.value), self.done)
 
     def __eq__(self, other: object) -> bool:
-        """Whether the value is equal."""
+        """Return True if the values are equal."""
         return isinstance(other, Counting) and self.value == other.value
 
     def __lt__(self, other: "Counting") -> bool:
-        """Whether the value is less."""
+        """Return True if the value is less."""
         return self.value < other.value
 
     __hash__ = None  # type: ignore[assignment]

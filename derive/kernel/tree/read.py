@@ -43,7 +43,7 @@ _OPERATORS: Mapping[type[ast.AST], str] = {
 }
 
 _SETTLED = (ast.Constant, ast.Name, ast.BoolOp, ast.UnaryOp, ast.BinOp, ast.Compare, ast.IfExp)
-"""What an expression that is settled is made of."""
+"""Nodes that a decided expression may contain."""
 
 LANES = 8
 POSES = 16
@@ -449,7 +449,7 @@ class _Reader:
         return next(each.members for each in self.structures.values() if each.name == record.name)
 
     def is_address(self, node: t.Expression) -> bool:
-        """Whether a member of an argument is an address: what is there is no part of the argument."""
+        """Return True if a member of an argument is an address, whose target is not part of the argument."""
         node = node.array if isinstance(node, t.From) else node
         if not isinstance(node, t.Member) or not isinstance(node.owner, t.Name):
             return False

@@ -93,7 +93,7 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
 
 
 def shared_of_pose(platform: "Platform", at: "Motions", out: "Shared") -> None:
-    """What one pose has for all legs."""
+    """Terms of one pose that are common to all legs."""
     BODY
 
 
@@ -114,9 +114,9 @@ def shared_errors(
     error: "alone(array(LANES))",
     out: "Shared",
 ) -> None:
-    """What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where `weighed` is
-    not 0, adds to the error of each force what these errors do to it, each by the slope of the force along
-    it, at its largest; and adds to the slopes along R."""
+    """Terms of one pose that are common to all legs, with their errors. R_err is the deviation of R from a
+    rotation. If `weighed` is not 0, adds the effects of the errors to the error of each force: largest error
+    times the derivative of the force. Also adds to the derivatives with respect to R."""
     BODY
     if weighed != 0:
         for i in range(LANES):
@@ -134,8 +134,8 @@ def leg_errors(
     error: "alone(array(LANES))",
     out: "LegTerms",
 ) -> None:
-    """One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along
-    what the pose has for all legs."""
+    """Terms of one leg with their errors. Adds the effects of the errors to the error of each force, and to
+    the derivatives of each force with respect to the common terms of the pose."""
     BODY
     for i in range(LANES):
         EACH
@@ -144,9 +144,9 @@ def leg_errors(
 def stretch_error(
     R: "array(9)", stretch: "array(9)", R_err: "Real", of: "Slopes", force: "Integer"
 ) -> "Real":
-    """Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 +
-    ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part
-    of R^T times them counts; turning R as a whole is no error."""
+    """Bounds the effect on a force if R is not exactly a rotation. The difference between R and the nearest
+    rotation is R (E / 2 - 3 E^2 / 8 + ...) with the symmetric matrix E = R^T R - 1. Therefore only the
+    symmetric part of R^T times the derivatives of the force has an effect. A rotation of R is no error."""
     total = 0.0
     slopes = 0.0
     for i in range(3):
@@ -275,7 +275,7 @@ def equations_of_pose(
 
 
 def pose_status(of: "Equations", shared: "Shared", suspect: "Integer") -> "Integer":
-    """Status of the platform's equations; suspect: whether a pivot is small."""
+    """Status of the platform's equations; `suspect` is 1 if a pivot is small."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
     if of.close == 0 and suspect == 0:
@@ -321,8 +321,8 @@ def bound_of_pose(
     of: "Equations",
     bound: "array(6)",
 ) -> None:
-    """Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the
-    solution, and that of the difference. Completes the errors of the platform's equations."""
+    """Bounds the errors of the forces D - x: the effects of the errors of D, c, and H, the error of the
+    solution, and the error of the difference. Completes the errors of the platform's equations."""
     shared = blank(Shared)
     leg = blank(LegTerms)
     rows = blank(Rows)

@@ -7,7 +7,7 @@ the blocks are placeholders for the parts of a kernel. The number at the end of 
 
 
 def legs_of(model: "Model", motion: "Motion", pose: "Pose", legs: "Legs") -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -162,7 +162,7 @@ def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
 
 
 def columns_status(model: "Model", motion: "Motion", legs: "EquationsLegs") -> "Integer":
-    """Whether H is singular to rounding."""
+    """Returns the status of H: STEWART_SINGULAR if H is singular to rounding."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
     L = blank(array(6))

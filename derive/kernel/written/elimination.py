@@ -57,7 +57,7 @@ def by_long_rows(k) -> None:
 
 
 def above_as_well(k) -> None:
-    """All rows but that of the pivot, those of the inverse beside them."""
+    """Eliminate column k from all rows except the row of the pivot, and from the rows of the inverse."""
     for i in each(6):
         if i != k:
             factor[i, k] = a[i, k] / a[k, k]
@@ -108,8 +108,7 @@ def exchange_in_lanes(k, i) -> None:
 
 
 def exchange_whole(k, i) -> None:
-    """Rows of one pose; those of equal entries are exchanged in the order of a block's lanes, and round
-    alike."""
+    """Exchange rows k and i of one pose if row i has the larger entry, in the same order as for a block."""
     if size(a[i,]) > size(a[k,]):
         moved = a[k,]
         exchange_rows(A[k], A[i])
@@ -141,14 +140,14 @@ def first_pivot(k) -> None:
 
 
 def look_below(k, i) -> None:
-    """Whether this row has a larger entry."""
+    """Return 1 if this row has a larger entry."""
     entry = size(a[i, k])
     pivot = where(entry > most, i, pivot)
     most = where(entry > most, entry, most)
 
 
 def exchange_once(k) -> None:
-    """The row of the pivot comes to its place, and that of the inverse beside it."""
+    """Move the row of the pivot, and the corresponding row of the inverse, to row k."""
     if anywhere(pivot != k):
         for j in columns(WIDTH):
             moved = a[k, j]
@@ -161,12 +160,12 @@ def exchange_once(k) -> None:
 
 
 def suspicion(k) -> None:
-    """Whether a pivot is small."""
+    """Mark the pose if a pivot is small."""
     suspect = where(size(a[k, k]) > SUSPECT, suspect, 1)
 
 
 def fault_in_lanes(k) -> None:
-    """Whether a pivot is small, in lanes."""
+    """Mark the lanes in which a pivot is small."""
     fault = where(size(a[k, k]) > SUSPECT, fault, 1.0)
 
 
@@ -181,7 +180,7 @@ def regular(k) -> None:
 
 
 def definite(k) -> None:
-    """Whether enough remains of a diagonal number of a symmetric matrix, whose rows stay in place."""
+    """Check that the pivot of a symmetric matrix, whose rows are not exchanged, retains enough digits."""
     fault = where(size(a[k, k]) <= MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = where(a[k, k] > kept * scale[k,], OK, fault)
     status = where(status == OK, fault, status)

@@ -80,7 +80,7 @@ def prepare(robot: "Robot") -> "Model":
 
 
 def add_up(total: "Added", more: "LegConstants") -> "Added":
-    """What the legs add to the platform, with one leg more."""
+    """Add one leg to the contributions of the legs to the platform."""
     out = Added()
     for number in numbers(out):
         out[number] = total[number] + more[number]

@@ -35,7 +35,7 @@ def largest_term() -> None:
 
 
 def checked(out) -> None:
-    """What decides on a leg, and a mark where it needs a closer look."""
+    """Store the quantities that determine the status of a leg, and mark a leg that must be checked."""
     largest_term()
     out.reach[l] = reach
     out.L[l] = LENGTH
@@ -82,7 +82,7 @@ def plus(row, term) -> None:
 
 
 def plus_error(row, term) -> None:
-    """Adds a term to a sum, and its rounding error to that of the sum."""
+    """Adds a term to a sum, and its rounding error to the error of the sum."""
     add(c[row,], c_own[row,], term, 0.0)
 
 
@@ -138,7 +138,7 @@ def motor_torques(drives: "Drives", F: "array(6)", axial: "array(6)", L_dot: "ar
 
 
 def axial_forces(robot: "Robot", motion: "Motion", F: "array(6)") -> "AxialLoads":
-    """Actuator forces less what turns the rotors, rates of the legs, and a status."""
+    """Actuator forces minus the forces that accelerate the rotors, rates of the legs, and a status."""
     out = AxialLoads()
     status = OK
     for i in range(6):

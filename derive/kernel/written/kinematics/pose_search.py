@@ -218,7 +218,7 @@ def square_of(vector: "array(3)") -> "Real":
 
 
 def compare(L: "array(6)", legs: "LegsAtPose") -> "Real":
-    """Puts lengths asked for less those of a pose, m, beside J; returns the largest of them in size."""
+    """Stores the given lengths minus the lengths of a pose (m) next to J; returns the largest magnitude."""
     worst = 0.0
     for i in range(6):
         miss = L[i] - legs.L[i]
@@ -336,7 +336,7 @@ def search(
 
 
 def first_fault(L: "array(6)", guess: "Pose") -> "Integer":
-    """What of a search's inputs is not finite, or no length."""
+    """Returns the status of the inputs of a search: not finite, or not a length."""
     status = OK
     for i in range(6):
         status = where(size(L[i]) <= MAX, status, NOT_FINITE)

@@ -18,7 +18,7 @@ def load_motions(motions: "Motions", first: "Count", count: "Count", at: "Motion
 
 
 def load_forces(F: "Pointer(Real)", first: "Count", count: "Count", acting: "array(6, LANES)") -> None:
-    """Actuator forces of eight poses, leg by leg; past the end those of the last pose again."""
+    """Actuator forces of eight poses, leg by leg; lanes after the last pose repeat it."""
     for l in range(LANES):
         pose = where(first + l < count, first + l, count - 1)
         for i in range(6):
@@ -141,7 +141,7 @@ def batch_of_blocks(
 
 
 def any_of(bad: "array(LANES)") -> "Integer":
-    """Whether a lane is marked."""
+    """Returns 1 if a lane is marked, else 0."""
     found = 0.0
     for l in range(LANES):
         found = larger(bad[l], found)
@@ -210,5 +210,5 @@ def finished_forces() -> None:
 
 
 def stored_pivot(k) -> None:
-    """What remains of a diagonal number, one pose or eight."""
+    """Store the pivot of one pose or eight."""
     pivot[lanes * k + l] = a[k, k]

@@ -124,7 +124,7 @@ def derivatives(model: "Model", motion: "Motion", out: "Result") -> "Integer":
 
 
 def slopes(per_length: "Real", number: "Pointer(Real)", F: "Pointer(Real)", out: "Result") -> "Integer":
-    """Derivatives from H and those of the wrench: rows [H | by pose | by twist | M], eight columns each."""
+    """Derivatives of F from H and the derivatives of the wrench: rows [H | by pose | by twist | M]."""
     row = blank(pointers(6))
     table = blank(array(TABLE))
     inverse = blank(array(6))
