@@ -104,7 +104,7 @@ class Model:
         self.platform: Any = Platform()  # the platform
         self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
         self.arm_cube: Any = 0.0  # cube of the largest arm over that length
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
@@ -920,7 +920,7 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
 
 
 def equations_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -1444,7 +1444,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
 
 
 def bias_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -1689,7 +1689,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
 
 
 def forward_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -1897,7 +1897,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
 
 
 def joint_rows_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -2548,7 +2548,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
 
 
 def derivatives_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -3975,7 +3975,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
 
 
 def joint_slopes_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):

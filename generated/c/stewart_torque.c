@@ -11,7 +11,7 @@
 typedef struct {
     stewart_real torque[6]; /* N m: torques */
     stewart_real current[6]; /* A: currents */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } torques;
 
 /* exp(-ratio^2), 0 beyond a ratio of 8: of 1/256 of the exponent by its series, then squared eight
