@@ -150,17 +150,17 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
     headers = {"stewart.h": common_header(version), **shared_headers(version)}
     files = {name: text for made in found.values() for name, text in made.files.items()}
     return {
-        **_of_c(headers),
+        **_in_c_folder(headers),
         "every_output.py": arrays.shared_module(version),
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
         "__init__.py": filled("package.py", version=version),
         **files,
-        **_on_arrays({name: each for made in found.values() for name, each in made.programs.items()}),
+        **_array_modules({name: each for made in found.values() for name, each in made.programs.items()}),
         "interface.py": layout(models, headers, version),
     }
 
 
-def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
+def _array_modules(programs: Mapping[str, Program]) -> dict[str, str]:
     """Print the array modules, text by file name."""
     version = generator_version()
     files = {}
@@ -198,7 +198,7 @@ def _formulation(form: Formulation, version: str) -> UnitResult:
         counts["frictionless"] = kernel_operations(reduced(form, friction=False))
         force_counts["frictionless"] = force_operations(smooth)
     found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
-    files = _of_c(
+    files = _in_c_folder(
         inverse_dynamics_text.files(built, counts, version) | lanes.files(forces, version, smooth)
     ) | {
         f"{form.kernel_name}.py": arrays.every_output(built, counts, force_counts, version),
@@ -206,7 +206,7 @@ def _formulation(form: Formulation, version: str) -> UnitResult:
     if form in WHOLE:
         files |= _closed_form(form, version)
     if form.drive:
-        files |= _of_c(torque_text.axial_files(form, reduced_axial(form), version))
+        files |= _in_c_folder(torque_text.axial_files(form, reduced_axial(form), version))
     return UnitResult(files, {form.kernel_name: lanes.model_numbers(forces)}, {form.kernel_name: found})
 
 
@@ -214,10 +214,10 @@ def _bounds(form: Formulation, version: str) -> UnitResult:
     """Derive the forces of one of ``WHOLE`` with bounds of their rounding errors."""
     bounded = BoundedForces(reduced_forces(form))
     models = {f"{form.kernel_name}_bounds": bounded.model_numbers()}
-    return UnitResult(_of_c(bounds.files(bounded, version)), models)
+    return UnitResult(_in_c_folder(bounds.files(bounded, version)), models)
 
 
-def _others(version: str) -> UnitResult:
+def _regressors_kinematics_torques(version: str) -> UnitResult:
     """Derive the regressors, the kinematics, and the motor torques."""
     columns, blocks = shared_blocks(regressor()), reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
@@ -227,20 +227,20 @@ def _others(version: str) -> UnitResult:
         "rotor_regressor.py": arrays.rotor_regressor(share(rotor_columns()), version),
     }
     made |= regressor_text.files(columns, version) | torque_text.torque_files(version)
-    return UnitResult(files | _of_c(made))
+    return UnitResult(files | _in_c_folder(made))
 
 
 def _offset_joints(version: str) -> UnitResult:
     """Derive the forces of legs with offset joints."""
     built = shared_blocks(offset_kernel())
     row = f'    "forces": {force_operations(built).total.total},'
-    files = _of_c(lanes.files(built, version)) | {
+    files = _in_c_folder(lanes.files(built, version)) | {
         f"{built.name}_operations.py": filled("operations.py", version=version, rows=row),
     }
     return UnitResult(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
 
 
-def _of_c(files: dict[str, str]) -> dict[str, str]:
+def _in_c_folder(files: dict[str, str]) -> dict[str, str]:
     """Prefix the names of C files with their folder."""
     return {f"c/{name}": text for name, text in files.items()}
 
@@ -261,7 +261,7 @@ def _fidelities(version: str) -> UnitResult:
         kernels[level] = built if built.fidelity != "general" else prepared_model(built.formulation)
         if built.fidelity != "general":
             models[built.name] = lanes.model_numbers(built)
-            files |= _of_c(lanes.files(built, version))
+            files |= _in_c_folder(lanes.files(built, version))
     files["fidelities.py"] = arrays.fidelities(kernels, version)
     return UnitResult(files, models)
 
@@ -331,7 +331,7 @@ def _closed_form(form: Formulation, version: str) -> dict[str, str]:
     rows = [f'    "{each.name}": {motion.sum_operations(each).total},' for each in reduced_motion(form=form)]
     return {
         f"{form.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
-        **_of_c(motion_files(motion.FUNCTIONS, form)),
+        **_in_c_folder(motion_files(motion.FUNCTIONS, form)),
     }
 
 
@@ -341,6 +341,6 @@ UNITS: Mapping[str, Callable[[str], UnitResult]] = {
     **{f"{form.kernel_name}_bounds": partial(_bounds, form) for form in WHOLE},
     **{form.kernel_name: partial(_formulation, form) for form in FORMULATIONS if form not in WHOLE},
     "exact_offset": _offset_joints,
-    "regressors, kinematics and torques": _others,
+    "regressors, kinematics and torques": _regressors_kinematics_torques,
 }
 """Units of the derivation by name, each a function of the version; the slowest units are first."""
