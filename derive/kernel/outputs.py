@@ -31,7 +31,7 @@ Written = Callable[..., Any]
 
 @dataclass(frozen=True)
 class Text:
-    """A written function, and what some of its names stand for; given: as ``read.function`` has it."""
+    """Written function with the content of its placeholders, ``given`` as for ``read.function``."""
 
     written: Written
     names: Names = field(default_factory=dict)
@@ -48,10 +48,10 @@ def program(
     outputs: Collection[str] = (FORCES,),
     by_pivots: bool = False,
 ) -> t.Program:
-    """Preparation and some of ``OUTPUTS``, of one pose or of many side by side.
+    """Return the program of the preparation and of some of ``OUTPUTS``.
 
-    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. by_pivots:
-    one solve alone.
+    ``kernel`` contains the blocks of the forces, whose prepared model all outputs use, and ``sums`` the
+    kernels of the closed form. ``by_pivots`` omits the linear solver in two blocks.
     """
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _of_forces(kernel) | _NAMED
@@ -67,8 +67,10 @@ def program(
 def program_in_lanes(
     kernel: ForceKernel, sums: Collection[terms.SumKernel], outputs: Collection[str]
 ) -> t.Program:
-    """The closed form's outputs without what lanes do in another way: sums, forces, ``singular_status`` and
-    the checks of results, which have no bodies."""
+    """Return the program of the closed form without the functions that differ with lanes.
+
+    Sums, forces, ``singular_status``, and the checks of results have no bodies.
+    """
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _NAMED
     of_pose: dict[str, Any] = {"model": Record("Model"), "motion": Record("Motion")}
@@ -93,7 +95,7 @@ def program_in_lanes(
 
 
 def sums_used(outputs: Collection[str], deep: bool = True) -> set[str]:
-    """Names of the kernels whose sums outputs need; deep: those where digits are lost as well."""
+    """Return the names of the kernels whose sums outputs need; ``deep`` includes paths with lost digits."""
     called = _called(outputs, deep)
     return {each for each in m.NAMES if f"{PREFIX.get(each, each)}_sums" in called}
 
@@ -104,7 +106,7 @@ def solves(output: str) -> bool:
 
 
 def _called(outputs: Collection[str], deep: bool) -> set[str]:
-    """Names of all that outputs call, themselves and through others."""
+    """Return the names of all functions that outputs call, directly or indirectly."""
     texts = {name: each for module in _MODULES for name, each in vars(module).items() if callable(each)}
     found: set[str] = set()
     waiting = list(outputs)
@@ -118,7 +120,7 @@ def _called(outputs: Collection[str], deep: bool) -> set[str]:
 
 @dataclass(frozen=True)
 class _Needed:
-    """Structures and functions that are needed, each after those that it needs."""
+    """Required structures and functions, each after its dependencies."""
 
     known: Mapping[str, Definition]
     public: tuple[str, ...]
@@ -126,7 +128,7 @@ class _Needed:
     functions: dict[str, t.Function]
 
     def program(self, name: str) -> t.Program:
-        """The public functions with all that they need."""
+        """Return the program of the public functions with their dependencies."""
         for each in self.public:
             self.add(each)
         return t.Program(name, tuple(self.structures.values()), tuple(self.functions.values()))
@@ -160,7 +162,7 @@ class _Needed:
                 self.add(kind.name)
 
     def _found(self, name: str) -> Definition | None:
-        """The definition of a name, or of what ends in a width."""
+        """Return the definition of a name, or of a name that ends in a width."""
         text, _, width = name.rpartition("_")
         found = self.known.get(text)
         if name not in self.known and width.isdigit() and isinstance(found, Text):
@@ -172,7 +174,7 @@ _MODULES = (legs, solve, forces, closed_form, joint_rows)
 
 
 def _texts(kernel: ForceKernel) -> dict[str, Definition]:
-    """Every written function by its name."""
+    """Return every written function by its name."""
     found: dict[str, Definition] = {
         name: Text(text) for module in _MODULES for name, text in vars(module).items() if callable(text)
     }
@@ -198,9 +200,9 @@ SIX: Mapping[str, read.Given] = {"definite_six": elimination.definite_six}
 
 
 def inertia_at(place: Callable[[Quantity, int, int], t.Expression]) -> Callable[..., t.Expression]:
-    """A number of M, in its upper triangle, from its parts.
+    """Return an element of the upper triangle of M from its parts.
 
-    place: takes the part, the number's index in it, and its index in all three, one after the other.
+    ``place`` takes the part, the index of the element in it, and the index in all three consecutive parts.
     """
     vv, vw, ww = terms.INERTIA
 
@@ -214,7 +216,7 @@ def inertia_at(place: Callable[[Quantity, int, int], t.Expression]) -> Callable[
 
 
 def _right(row: t.Number) -> t.Expression:
-    """A number of the right side."""
+    """Return an element of the right side."""
     force, moment = terms.RIGHT
     return t.at(t.of("summed", (force if row.value < 3 else moment).name), int(row.value) % 3)
 
@@ -230,7 +232,7 @@ def _numbers(*dims: int) -> t.Type:
 
 
 def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
-    """Blocks of the actuator forces; moments about platform point 1."""
+    """Return the blocks of the actuator forces, with moments about platform point 1."""
     blocks = [kernel.leg] if kernel.leg_near_singular is None else [kernel.leg, kernel.leg_near_singular]
     of_legs = [_complete(block, _LEG_OUTPUTS) for block in blocks]
     moments = _complete(kernel.moments, (n.H_moment, p.arm_c))
@@ -266,7 +268,7 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
 
 
 def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
-    """The block with all of these outputs: zero where it has none, and a sine of one."""
+    """Return the block with all of these outputs: missing outputs are zero, and a missing sine is one."""
     given = {out.quantity: out for out in block.outputs}
     absent = {n.k3: sp.S.One}
     outputs = [given.get(q, Output(q, (absent.get(q, sp.S.Zero),) * len(q.keys))) for q in quantities]
@@ -281,17 +283,17 @@ PREFIX = {"forward_dynamics": "forward", "bias_and_friction": "bias"}
 
 
 def prefix_of(sums: terms.SumKernel) -> str:
-    """Prefix of the names of a kernel's functions."""
+    """Return the prefix of the function names of a kernel."""
     return PREFIX.get(sums.name, sums.name)
 
 
 def camel(name: str) -> str:
-    """``JointRows`` of ``joint_rows``."""
+    """Return ``JointRows`` for ``joint_rows``."""
     return "".join(word.capitalize() for word in name.split("_"))
 
 
 def _of_sums(kernel: ForceKernel, sums: terms.SumKernel) -> dict[str, Definition]:
-    """One kernel of the closed form: blocks and sums, by their names."""
+    """Return blocks and sums of one kernel of the closed form by name."""
     prefix = prefix_of(sums)
     name = camel(prefix)
     of_pose, of_leg, of_sums, of_legs = (f"{name}{part}" for part in ("Pose", "Leg", "Sums", "Legs"))
@@ -387,7 +389,7 @@ def arrays(result: Structure) -> list[Field]:
 
 
 def check_arrays(results: Mapping[str, Structure]) -> None:
-    """Raise ValueError, of one line, for a member of an output that is no array of numbers."""
+    """Raise ValueError, in one line, if a member of an output is not an array of numbers."""
     for of, result in results.items():
         for each in arrays(result):
             if not isinstance(each.type, t.Array) or each.type.item != t.Real():

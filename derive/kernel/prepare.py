@@ -132,12 +132,12 @@ def flags(kernel: ForceKernel) -> dict[str, Given]:
 
 
 def size_of(texts: lay.Written, by_legs: bool) -> t.Function:
-    """The largest arm of a prepared model; by_legs: one leg stands after the other in it."""
+    """Return the largest arm of a prepared model; with ``by_legs``, its legs are consecutive."""
     return texts.function(solve.size_of, given={"BY_LEGS": int(by_legs)})
 
 
 def preparation(texts: lay.Written, kernel: ForceKernel, *lane: t.Name) -> list[t.Function]:
-    """The two blocks of preparation; lane: which of the model's a leg is, if the legs are in its lanes."""
+    """Return both blocks of the preparation; ``lane`` is the index of a leg if the legs are in lanes."""
     given = dict(zip(("robot", "leg"), raw_structures(kernel), strict=True)) | {"sum": LUMPED}
     first, second, third = (t.Argument(name, t.Record(each.name)) for name, each in given.items())
     leg, platform = (
@@ -153,7 +153,7 @@ def preparation(texts: lay.Written, kernel: ForceKernel, *lane: t.Name) -> list[
 
 
 def _prepared(block: Block, arguments: tuple[t.Argument, ...], *lane: t.Expression) -> t.Function:
-    """One of them; ``added`` takes what is lumped with the platform."""
+    """Return one of the blocks; ``added`` receives the contributions to the platform."""
 
     def out(q: Quantity) -> lay.Place:
         return lay.member("added", q) if q in ADDED else lay.member("out", q, *lane)
@@ -164,7 +164,7 @@ def _prepared(block: Block, arguments: tuple[t.Argument, ...], *lane: t.Expressi
 
 
 def axis(block: Block) -> Iterable[t.Statement]:
-    """The fixed axis, which may have any length, as ``raw`` reads it."""
+    """Return the fixed axis, which may have any length, as read by ``raw``."""
     if n.k in block.inputs and lay.names_used(block) & set(n.k.names):
         k = t.Member(t.Name("leg"), "k")
         yield t.Variable("axis", t.Array(t.Real(), (3,)), blank=True)
@@ -172,7 +172,7 @@ def axis(block: Block) -> Iterable[t.Statement]:
 
 
 def raw(quantity: Quantity) -> lay.Place:
-    """Where an input of preparation is; of leg 1 alone, in the robot's first leg."""
+    """Return the location of an input of the preparation; inputs of leg 1 are in the robot's first leg."""
     if quantity == n.k:
         return lay.Place(t.Name("axis"))
     if quantity == n.p_1:
@@ -182,13 +182,13 @@ def raw(quantity: Quantity) -> lay.Place:
 
 
 def structures(kernel: ForceKernel) -> dict[str, t.Structure]:
-    """Structures that preparation reads and makes, by the names that the written functions give them."""
+    """Return the structures that the preparation reads and creates, by their names in the texts."""
     robot, leg = raw_structures(kernel)
     return {"Robot": robot, "RawLeg": leg, "Motion": MOTION, "Lumped": LUMPED}
 
 
 def literal(quantity: Quantity) -> str:
-    """Name of a constant that a baked kernel has once, whichever of its functions read it."""
+    """Return the name of a constant of a baked kernel, which all of its functions use."""
     return f"BAKED_{quantity.name}"
 
 
@@ -214,7 +214,7 @@ def result(name: str, meaning: str, *members: t.Field) -> t.Structure:
 
 
 def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> list[t.Structure]:
-    """The robot and the motion; drive: the robot's legs have rotors; more: what else they have."""
+    """Return the structures of robot and motion; with ``drive``, legs have rotors. ``more``: members."""
     legs = t.Field("leg", t.Array(t.Record("Leg"), (6,)), "the legs")
     return [
         lay.structure("Leg", "One leg.", (*(n.OF_LEG if drive else n.LEG), *more)),
@@ -224,7 +224,7 @@ def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> 
 
 
 def model_structures(kernel: ForceKernel) -> list[t.Structure]:
-    """The robot, the motion, and the constants that a kernel prepares."""
+    """Return the structures of robot and motion, and of the constants that a kernel prepares."""
     return [
         *machine_structures(n.m_r in kernel.prepare_leg.inputs, kernel.more_of_legs()),
         lay.structure("LegConstants", "Prepared constants of one leg.", kernel.prepare_leg.made),
@@ -255,7 +255,7 @@ def model_functions(kernel: ForceKernel, structures: dict[str, t.Structure]) -> 
 
 
 def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]) -> lay.Arguments:
-    """Arguments of a leg's block: constants, the motion, and ``more``: name, structure, what it holds."""
+    """Return the arguments of a leg's block: constants, motion, and ``more`` (name, structure, content)."""
     return {
         "leg": ("LegConstants", kernel.leg_constants()),
         "platform": ("Platform", kernel.platform_constants()),

@@ -17,12 +17,12 @@ _PLAIN = (t.Name, t.Number, t.Constant, t.Binary, t.Not)
 
 
 def of_one_pose(program: t.Program) -> t.Program:
-    """The program for one pose, without selections that are decided."""
+    """Return the program for one pose, without decided selections."""
     return replace(program, functions=tuple(map(settled, program.functions)))
 
 
 def settled(function: t.Function) -> t.Function:
-    """The function without selections that a condition around them decides."""
+    """Return the function without selections that an enclosing condition decides."""
     return replace(function, body=_body(function.body, {}))
 
 
@@ -48,7 +48,7 @@ def _statement(node: t.Statement, known: Known) -> t.Statement:
 
 
 def _in(node: Any, known: Known) -> Any:
-    """An expression or statement with what is known put in place of selections."""
+    """Return an expression or statement with decided selections replaced."""
     if isinstance(node, tuple):
         return tuple(_in(each, known) for each in node)
     if isinstance(node, t.Select) and node.test in known:
@@ -75,7 +75,7 @@ def _kept(known: Known, body: Iterable[t.Statement]) -> Known:
 
 
 def _written(body: Iterable[t.Statement]) -> set[str]:
-    """Variables that statements may change: what they assign to or define, or hand to a function."""
+    """Return the variables that statements may change: assigned, defined, or passed to a function."""
     found: set[str] = set()
     for node in t.parts_of(tuple(body)):
         if isinstance(node, t.Let | t.Variable):

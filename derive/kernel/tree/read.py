@@ -53,8 +53,7 @@ _COUNTS = {"LANES": LANES, "POSES": POSES}
 
 @dataclass(frozen=True)
 class Entries:
-    """What a text goes through: expressions, or numbers of structures, each made of a structure, and of a
-    lane where it has lanes."""
+    """Values of a loop over placeholders: expressions, or numbers of structures, optionally in a lane."""
 
     places: tuple[t.Expression | Callable[..., t.Expression], ...]
 
@@ -73,11 +72,11 @@ def function(
     given: Mapping[str, Given] | None = None,
     names: Names = MappingProxyType({}),
 ) -> t.Function:
-    """A Python function as a tree.
+    """Read a Python function as a tree.
 
-    structures, functions: those it may name, by name. name: of the tree, if another. given: constants, and
-    statements by the names that stand for them. names: what other names of the text stand for. Raises
-    ValueError for what is not allowed.
+    ``structures`` and ``functions`` are available by name. ``name`` is the name in the tree, by default the
+    name of the function. ``given`` are constants, and statements by the names of their placeholders.
+    ``names`` are replacements of other names. Raises ValueError for Python outside of the subset.
     """
     tree = parsed(written, names)
     return _Reader(structures, functions, tree, dict(given or {}), names).function(name or tree.name, public)
@@ -88,7 +87,7 @@ def used(
     names: Names = MappingProxyType({}),
     given: Mapping[str, Given] = MappingProxyType({}),
 ) -> list[str]:
-    """Names of the structures and functions that a text and those read in its place use, in their order."""
+    """Return the names of the structures and functions that a text and its given texts use, in order."""
     tree = parsed(written, names)
     typed = [*(each.annotation for each in tree.args.args), tree.returns]
     named = [node.id for node in typed if isinstance(node, ast.Name)]
@@ -156,14 +155,14 @@ class _Reader:
         return tuple(found for node in nodes for found in self.statements(node))
 
     def inner(self, nodes: list[ast.stmt]) -> tuple[t.Statement, ...]:
-        """A body whose names end with it."""
+        """Read a body whose names are local to it."""
         outside = dict(self.types)
         found = self.body(nodes)
         self.types = outside
         return found
 
     def statements(self, node: ast.stmt) -> Iterable[t.Statement]:
-        """A statement, or what remains of it where it is settled already."""
+        """Read a statement; return the remaining statements if it is decided."""
         match node:
             case ast.If() if (holds := self.settled(node.test)) is not None:
                 return self.body(node.body if holds else node.orelse)
@@ -194,14 +193,14 @@ class _Reader:
         return found
 
     def of_entries(self, node: ast.For, entries: Entries) -> Iterable[t.Statement]:
-        """The body for each of some numbers of structures."""
+        """Return the body for each of some numbers of structures."""
         assert isinstance(node.target, ast.Name)
         for each in entries.places:
             self.given[node.target.id] = each
             yield from self.body(node.body)
 
     def of_numbers(self, node: ast.For, index: str) -> Iterable[t.Statement]:
-        """The body for each real number of a structure, in loops over arrays."""
+        """Return the body for each real number of a structure, in loops over arrays."""
         assert isinstance(node.iter, ast.Call)
         for each in self.members(self.type(self.expression(node.iter.args[0]))):
             dims = each.type.dims if isinstance(each.type, t.Array) else ()
@@ -213,7 +212,7 @@ class _Reader:
                 yield from found
 
     def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[t.Statement, ...]:
-        """The lines of another text with what it is called with in place of its arguments."""
+        """Return the lines of another text with its arguments replaced."""
         tree = parsed(text, self.names)
         names = (each.arg for each in tree.args.args)
         settled = (self.settled(arg) for arg in call.args)
@@ -223,7 +222,7 @@ class _Reader:
         return self.body([filled.visit(each) for each in lines])
 
     def settled(self, node: ast.expr, counts: Mapping[str, int] = MappingProxyType({})) -> int | None:
-        """A value that is known now, None where it is not; counts: names of dimensions and their values."""
+        """Return a value that is known to the reader, else None; ``counts`` are dimensions by name."""
         if isinstance(node, ast.Constant):
             return node.value if isinstance(node.value, int) else None
         if not isinstance(node, _SETTLED):
@@ -274,7 +273,7 @@ class _Reader:
         return t.Let(name, found, self.types[name])
 
     def made(self, name: str, node: ast.expr) -> t.Variable | t.Let | None:
-        """A variable of zeros, a blank one, or the address of a table."""
+        """Create a variable of zeros, a blank one, or the address of a table."""
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
             return None
         if node.func.id == "address":
@@ -290,7 +289,7 @@ class _Reader:
         return None
 
     def loop(self, node: ast.For, index: str) -> list[t.Statement]:
-        """A loop, unless nothing is left in it."""
+        """Create a loop, unless its body is empty."""
         call = node.iter
         is_reversed = called_name(call) == "reversed"
         if isinstance(call, ast.Call) and is_reversed:
@@ -366,7 +365,7 @@ class _Reader:
         raise self.error(node, "an expression that every language has")
 
     def alike(self, *nodes: ast.expr) -> tuple[t.Expression, ...]:
-        """Operands; where one is a count, so are all."""
+        """Return operands of one type: if one is a count, all are."""
         found = tuple(map(self.expression, nodes))
         kinds = [self.type(each) for each in found]
         if t.Count() not in kinds:
@@ -440,7 +439,7 @@ class _Reader:
         raise AssertionError(value)
 
     def member(self, owner: t.Type, name: str) -> t.Type:
-        """The type of a structure's member."""
+        """Return the type of a structure's member."""
         return next(each.type for each in self.members(owner) if each.name == name)
 
     def members(self, owner: t.Type) -> tuple[t.Field, ...]:
@@ -458,7 +457,7 @@ class _Reader:
 
 
 def _number(member: str, index: tuple[t.Name, ...], owner: t.Expression) -> t.Expression:
-    """One of a structure's numbers."""
+    """Return one of the numbers of a structure."""
     found = t.of(owner, member)
     return t.Element(found, index) if index else found
 
