@@ -912,7 +912,7 @@ def cube_of(on: Arithmetic, arm: Any) -> Any:
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
-    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    """Constants of a robot, prepared once; the status is not OK if a number of the robot is not finite."""
     robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
@@ -1042,8 +1042,10 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
 
 
 def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
-    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by
-    pivots; returns 1 where one of these is small.
+    """Solves [H | c] for x, (36), in two blocks of three legs, or by pivots if their determinants are
+    small.
+
+    Returns 1 if a pivot is small.
     """
     suspect = 0
     r_0_0 = A[1][3] * A[2][5] - A[2][3] * A[1][5]
@@ -1541,7 +1543,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
 
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    """Actuator forces F, N, (37), and a status; F is NaN if the status is not OK."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
@@ -2307,7 +2309,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
 
 
 def equations_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = equations_pose(on, model.platform, motion)
     equations_legs(on, model, motion, pose, legs)
     if on.anywhere(legs.leaning == 1):
@@ -2351,7 +2353,7 @@ def place_blocks_6(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: An
 
 
 def check_equations(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(6):
         for j in range(6):
@@ -2678,7 +2680,7 @@ def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -
 
 
 def check_bias_and_friction(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(6):
         lost = lost + 0.0 * out.bias_and_friction[i]
@@ -3016,7 +3018,7 @@ def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any
 
 
 def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
-    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE if elimination loses too many digits of M."""
     status = OK
     y_0 = summed.right_force[0]
     a_0_0, a_0_1, a_0_2 = summed.M_vv[0], summed.M_vv[1], summed.M_vv[2]
@@ -3161,7 +3163,7 @@ def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
 
 
 def check_forward_dynamics(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(3):
         lost = lost + 0.0 * out.a[i]
@@ -3947,7 +3949,7 @@ def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
 
 
 def check_joint_inertia(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(6):
         for j in range(6):
@@ -3974,7 +3976,7 @@ def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
 
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Inertia that the actuators feel, H^-1 M H^-T."""
+    """Mass matrix for leg lengths as coordinates, H^-1 M H^-T."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
@@ -5408,7 +5410,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
 
 
 def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = derivatives_pose(on, model.platform, motion)
     derivatives_legs(on, model, motion, pose, legs)
     if on.anywhere(legs.leaning == 1):
@@ -5513,7 +5515,7 @@ def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
 
 
 def check_derivatives(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(6):
         lost = lost + 0.0 * out.F[i]
@@ -5610,7 +5612,7 @@ def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
 
 
 def check_linearization(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(3):
         lost = lost + 0.0 * out.a[i]

@@ -257,7 +257,7 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
-    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    """Constants of a robot, prepared once; the status is not OK if a number of the robot is not finite."""
     robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
@@ -567,7 +567,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
 
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    """Actuator forces F, N, (37), and a status; F is NaN if the status is not OK."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
@@ -1239,7 +1239,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
 
 
 def equations_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = equations_pose(on, model.platform, motion)
     equations_legs(on, model, motion, pose, legs)
     if on.anywhere(legs.leaning == 1):
@@ -1986,7 +1986,7 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
 
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Inertia that the actuators feel, H^-1 M H^-T."""
+    """Mass matrix for leg lengths as coordinates, H^-1 M H^-T."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
@@ -3269,7 +3269,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
 
 
 def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = derivatives_pose(on, model.platform, motion)
     derivatives_legs(on, model, motion, pose, legs)
     if on.anywhere(legs.leaning == 1):

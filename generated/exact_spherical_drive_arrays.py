@@ -164,7 +164,7 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
-    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    """Constants of a robot, prepared once; the status is not OK if a number of the robot is not finite."""
     robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
@@ -300,7 +300,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
 
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    """Actuator forces F, N, (37), and a status; F is NaN if the status is not OK."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)

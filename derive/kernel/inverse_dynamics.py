@@ -53,7 +53,7 @@ _FORCES = result(
 
 
 def _column(row: t.Expression, column: t.Expression) -> t.Expression:
-    """An entry of [H | c]: columns of H are side by side in its rows."""
+    """Return an entry of [H | c]; columns of H are side by side in its rows."""
     return t.Element(t.Name("c"), (row,)) if column == t.Number(6) else t.Element(t.Name("H"), (row, column))
 
 
@@ -66,8 +66,7 @@ _ELIMINATION: Mapping[str, read.Given] = {
 
 
 def terms_program(kernel: Kernel) -> t.Program:
-    """A kernel's leg and platform with their sums, and a leg's reactions, the legs one after the other;
-    nothing is solved or checked."""
+    """Return the program of the terms and reactions, leg by leg, without solution and checks."""
     of_leg = structure("LegDynamics", "Terms of one leg.", kernel.leg.made)
     held = t.Field("leg", t.Array(t.Record(of_leg.name), (6,)), "each of them")
     of_legs = t.Structure("Legs", "Terms of the legs.", (held,))
@@ -81,7 +80,7 @@ def terms_program(kernel: Kernel) -> t.Program:
 
 
 def arrays_program(kernel: Kernel) -> t.Program:
-    """Inverse dynamics and joint reactions with legs side by side."""
+    """Return the inverse dynamics and joint reactions with legs side by side."""
     leg = kernel.leg
     if n.k3 not in leg.made:
         leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
@@ -99,8 +98,7 @@ def arrays_program(kernel: Kernel) -> t.Program:
 
 @cache
 def shared_program() -> t.Program:
-    """What the programs with legs side by side have in common: robot and motion, the platform, checks, the
-    solve."""
+    """Return the common part of programs with legs side by side: structures, platform, checks, and solve."""
     block = share(platform()[0])
     structures = [*_machine(), _wrench(block), _TERMS]
     texts = Written.of(structures, [block_function(block, block.name, "PlatformWrench", _OF_POSE)])
@@ -113,7 +111,7 @@ def shared_program() -> t.Program:
 
 
 def regressor_program(blocks: Regressor) -> t.Program:
-    """Columns of the regressor with legs side by side."""
+    """Return the columns of the regressor with legs side by side."""
     of_legs = structure("RegressorOfLegs", "Columns of the legs.", blocks.leg.made)
     of_platform = structure("RegressorOfPlatform", "Columns of the platform.", blocks.platform.made)
     legs = t.Field("legs", t.Record(of_legs.name), "of the legs")
@@ -127,14 +125,14 @@ def regressor_program(blocks: Regressor) -> t.Program:
 
 
 def rotor_program(columns: Block) -> t.Program:
-    """Columns of the legs' rotors with legs side by side."""
+    """Return the columns of the rotors with legs side by side."""
     of_legs = structure("RotorColumns", "Columns of the legs' rotors.", columns.made)
     made = block_function(columns, "rotor_columns", of_legs.name, _OF_LEG | _OF_POSE)
     return Written.of([*_machine(), of_legs], [made]).program("rotor")
 
 
 def _machine() -> list[t.Structure]:
-    """The robot with its legs side by side, and the motion."""
+    """Return the structures of the robot, with its legs side by side, and of the motion."""
     leg, robot, motion = machine_structures()
     side_by_side = t.Field("leg", t.Record("Leg"), "the legs, in each number one value for each leg")
     return [leg, replace(robot, members=(*robot.members[:-1], side_by_side)), motion]

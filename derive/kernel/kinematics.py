@@ -29,8 +29,7 @@ _VECTORS = (n.q, k.S, n.L)
 
 
 def legs_batch(blocks: k.Kinematics) -> t.Program:
-    """``motions_of``: lengths of the legs, their rates and second rates, and their vectors; and
-    ``stewart_legs_batch``, of many poses, for C."""
+    """Return the program of the legs: lengths, rates, second rates, and vectors, and its batch in C."""
     dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, t.Array)}
     arrays = t.Structure("LegsArrays", "", tuple(t.Field(name, NUMBERS) for name in dims))
     held = [structure("LegMotion", "A leg.", blocks.second.made), _LEG_MOTIONS, arrays]
@@ -52,10 +51,10 @@ def legs_batch(blocks: k.Kinematics) -> t.Program:
 def search_program(
     blocks: k.Kinematics, public: Collection[str] = (), check: Mapping[str, read.Given] = CARRIED
 ) -> t.Program:
-    """``rates_of``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
+    """Return the program of ``rates_of``, ``pose_of``, and ``twist_of``: from a pose to lengths and back.
 
-    public: some of ``PUBLIC`` as well, whose numbers are NaN where the status is not OK. check: of legs,
-    ``RETURNED`` for one pose.
+    ``public`` adds some of ``PUBLIC``, whose results are NaN if the status is not OK. ``check`` is the check
+    of the legs, ``RETURNED`` for one pose.
     """
     of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [
@@ -83,7 +82,7 @@ def search_program(
 
 
 def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
-    """Operations of "lengths", "lengths, rates", a "search" without its steps, a "step", and "velocity"."""
+    """Count the operations of lengths, rates, a search without its steps, a step, and the velocity."""
     program = search_program(blocks)
     draw = random.Random(1)
 
@@ -109,7 +108,7 @@ def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
 
 
 def rotation_program(blocks: Iterable[Block]) -> t.Program:
-    """Orientation and its rates, from angles or a quaternion: a function for each of the blocks."""
+    """Return a function for each block of an orientation and its rates."""
     made = []
     for block in blocks:
         # A quaternion's numbers stand in one array, scalar first.

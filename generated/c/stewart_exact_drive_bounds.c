@@ -105,28 +105,27 @@ typedef struct {
     stewart_real q_1_legs_err[3][LANES];
 } force_slopes;
 
-/* A lower limit of the size of what `value` stands for; 0, and so no bound, where half of it may be
- * wrong. */
+/* A lower limit of the magnitude of the exact value; 0 if the error may exceed half of `value`. */
 static stewart_real least(stewart_real value, stewart_real error)
 {
     const stewart_real positive = STEWART_FABS(value);
     return error <= STEWART_HALF*positive ? positive - error : REAL(0);
 }
 
-/* Of a square root r whose argument errs by `error`: |sqrt(a) - r| <= error / (2 r - error / r). */
+/* Error of a square root r of an argument with `error`: |sqrt(a) - r| <= error / (2 r - error / r). */
 static stewart_real root_error(stewart_real root, stewart_real error)
 {
     return error/least(REAL(2)*root, error/root) + STEWART_UNIT*root;
 }
 
-/* Of inverse = 1 / of, where `of` errs by `error`. */
+/* Error of inverse = 1 / of, if `of` has the error `error`. */
 static stewart_real reciprocal_error(stewart_real inverse, stewart_real of, stewart_real error)
 {
     const stewart_real positive = STEWART_FABS(inverse);
     return positive*(error/least(of, error)) + STEWART_UNIT*positive;
 }
 
-/* Adds a term that errs to a sum that errs. */
+/* Adds a term with an error to a sum with an error. */
 static void add(stewart_real *total, stewart_real *total_err, stewart_real term, stewart_real term_err)
 {
     *total = *total + term;

@@ -165,7 +165,7 @@ static int is_near(const leg_checks *checked)
     return found;
 }
 
-/* Zeros, but where one of ``count`` numbers of a lane is not finite. */
+/* Zero for each lane; not zero if one of ``count`` numbers of a lane is not finite. */
 static void not_finite(
     const stewart_real *STEWART_RESTRICT number, int count, stewart_real *STEWART_RESTRICT none)
 {
@@ -739,7 +739,7 @@ static STEWART_INLINE void solve_inertia(
     }
 }
 
-/* The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M. */
+/* The accelerations of a pose; MASS_MATRIX_INDEFINITE if elimination loses too many digits of M. */
 static void accelerations_of(
     const forward_legs *legs, const stewart_real summed[27], forward_dynamics_found *out)
 {
@@ -2837,7 +2837,7 @@ static int columns_status(
     return singular_status(H, arm, L, legs->checked.reach, REAL(0));
 }
 
-/* Inertia that the actuators feel, H^-1 M H^-T. */
+/* Mass matrix for leg lengths as coordinates, H^-1 M H^-T. */
 static void find_joint_inertia(
     const stewart_exact_drive_model *model, const stewart_motion *motion, joint_inertia_found *out)
 {
@@ -6855,8 +6855,7 @@ int stewart_exact_drive_bias_and_friction(
     return STEWART_OK;
 }
 
-/* Elimination with partial pivoting, (36), of the first columns; rows change places by addresses, and
- * the factors come after all columns. */
+/* Elimination with partial pivoting, (36), of the first columns; rows are exchanged by addresses. */
 STEWART_APART static void factored(stewart_real *row[6], stewart_real inverse[6])
 {
     int i, j, k;
@@ -7148,7 +7147,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED equations_block;
 
-/* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
+/* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void equations_leg_of_block(
     const stewart_exact_drive_model *model, int leg, const motion_in_lanes *at, const equations_pose *pose,
     stewart_exact_drive_model *one, equations_legs *STEWART_RESTRICT legs,
@@ -7304,7 +7303,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED derivatives_block;
 
-/* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
+/* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void derivatives_leg_of_block(
     const stewart_exact_drive_model *model, int leg, const motion_in_lanes *at,
     stewart_real (*STEWART_RESTRICT acting)[LANES], const derivatives_pose *pose,
@@ -7463,7 +7462,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED bias_block;
 
-/* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
+/* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void bias_leg_of_block(
     const stewart_exact_drive_model *model, int leg, const motion_in_lanes *at, const bias_pose *pose,
     stewart_exact_drive_model *one, bias_legs *STEWART_RESTRICT legs, bias_block *STEWART_RESTRICT out)
@@ -7567,7 +7566,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED forward_block;
 
-/* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
+/* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void forward_leg_of_block(
     const stewart_exact_drive_model *model, int leg, const motion_in_lanes *at,
     stewart_real (*STEWART_RESTRICT acting)[LANES], const forward_pose *pose,

@@ -5,25 +5,24 @@ Names in capitals are placeholders for the blocks: values, errors, and derivativ
 
 
 def least(value: "Real", error: "Real") -> "Real":
-    """A lower limit of the size of what `value` stands for; 0, and so no bound, where half of it may be
-    wrong."""
+    """A lower limit of the magnitude of the exact value; 0 if the error may exceed half of `value`."""
     positive = size(value)
     return where(error <= 0.5 * positive, positive - error, 0.0)
 
 
 def root_error(root: "Real", error: "Real") -> "Real":
-    """Of a square root r whose argument errs by `error`: |sqrt(a) - r| <= error / (2 r - error / r)."""
+    """Error of a square root r of an argument with `error`: |sqrt(a) - r| <= error / (2 r - error / r)."""
     return error / least(2.0 * root, error / root) + UNIT * root
 
 
 def reciprocal_error(inverse: "Real", of: "Real", error: "Real") -> "Real":
-    """Of inverse = 1 / of, where `of` errs by `error`."""
+    """Error of inverse = 1 / of, if `of` has the error `error`."""
     positive = size(inverse)
     return positive * (error / least(of, error)) + UNIT * positive
 
 
 def add(total: "Real", total_err: "Real", term: "Real", term_err: "Real") -> None:
-    """Adds a term that errs to a sum that errs."""
+    """Adds a term with an error to a sum with an error."""
     total = total + term
     total_err = total_err + term_err + UNIT * size(total)
 

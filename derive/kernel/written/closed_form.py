@@ -28,7 +28,7 @@ def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "Sums") -> None
 
 
 def sums_of_two_forms(model: "Model", motion: "Motion", legs: "Legs", summed: "Sums") -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = pose_terms(model.platform, motion)
     legs_of(model, motion, pose, legs)
     if anywhere(legs.leaning == 1):
@@ -113,7 +113,7 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
 
 
 def accelerations_of(legs: "ForwardLegs", summed: "ForwardSums", out: "Accelerations") -> None:
-    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE if elimination loses too many digits of M."""
     status = OK
     definite_six()
     for i in each(3):
@@ -123,7 +123,7 @@ def accelerations_of(legs: "ForwardLegs", summed: "ForwardSums", out: "Accelerat
 
 
 def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
-    """Inertia that the actuators feel, H^-1 M H^-T."""
+    """Mass matrix for leg lengths as coordinates, H^-1 M H^-T."""
     out = blank(JointInertia)
     legs = blank(EquationsLegs)
     summed = blank(EquationsSums)

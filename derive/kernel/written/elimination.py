@@ -7,7 +7,7 @@ about platform point 1, the rows from ``FIRST`` on are zero in column 0.
 
 
 def elimination() -> None:
-    """The row with the largest entry of each column comes to its place, then others lose the column."""
+    """Move the row with the largest entry of each column to the pivot, and clear the column below it."""
     for k in each(6):
         begin(k)
         for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
@@ -42,7 +42,7 @@ def by_entries(k) -> None:
 
 
 def by_rows(k) -> None:
-    """Row after row, each one vector; the next column is known before the rows that hold it are stored."""
+    """Clear row by row as vectors; the next column is computed before its rows are stored."""
     for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
         factor[i, k] = a[i,] * inverse[k,]
     for i in each(k + 1, 6):
@@ -90,7 +90,7 @@ def row_by_row() -> None:
 
 
 def exchange_selected(k, i) -> None:
-    """Poses side by side in arrays: each makes or leaves the exchange."""
+    """Exchange rows of poses side by side by selection."""
     larger_below = size(a[i, k]) > size(a[k, k])
     for j in each(k, 7):
         above = a[k, j]
@@ -99,7 +99,7 @@ def exchange_selected(k, i) -> None:
 
 
 def exchange_in_lanes(k, i) -> None:
-    """Exchange of rows in lanes, where a number that holds the test makes vectors of one width."""
+    """Exchange rows in lanes; the test is a number, so that all vectors have the same width."""
     below[i, k] = where(size(a[i, k]) > size(a[k, k]), 1.0, 0.0)
     for j in each(k, 7):
         above[k, j, i] = where(below[i, k] > 0.0, a[i, j], a[k, j])
@@ -117,13 +117,13 @@ def exchange_whole(k, i) -> None:
 
 
 def largest_of_column(k) -> None:
-    """The largest entry so far."""
+    """Return the largest entry of the column."""
     if k < 5:
         largest[k,] = size(a[k, k])
 
 
 def exchange_pointers(k, i) -> None:
-    """Rows by their addresses."""
+    """Exchange rows by their addresses."""
     other[k, i] = size(a[i, k])
     if other[k, i] > largest[k,]:
         if i < (FIRST if FIRST < 6 and k == 0 else 6) - 1:
@@ -134,7 +134,7 @@ def exchange_pointers(k, i) -> None:
 
 
 def first_pivot(k) -> None:
-    """The pivot is looked for, and exchanged when it is found."""
+    """Find the pivot, and exchange its row afterward."""
     pivot = k
     most = size(a[k, k])
 
@@ -170,12 +170,12 @@ def fault_in_lanes(k) -> None:
 
 
 def product(k) -> None:
-    """Product of the pivots: without vector registers it takes fewer instructions than a look at each."""
+    """Multiply the pivots; without vector registers this takes fewer instructions than a check of each."""
     pivots = a[k, k] if k == 0 else pivots * a[k, k]
 
 
 def regular(k) -> None:
-    """Without a pivot there is no inverse."""
+    """Reject a zero pivot."""
     reject(size(a[k, k]) > 0.0, SINGULAR)
 
 
@@ -187,13 +187,13 @@ def definite(k) -> None:
 
 
 def returned(holds, code) -> None:
-    """The function ends."""
+    """Return from the function with a status."""
     if not holds:
         return code
 
 
 def carried(holds, code) -> None:
-    """The first fault stays."""
+    """Keep the first status other than OK."""
     status = where((status != OK) | (holds), status, code)
 
 
@@ -201,7 +201,7 @@ def carried(holds, code) -> None:
 
 
 def definite_six() -> None:
-    """``inertia`` x = ``right``; only what is on the diagonal and above it is read."""
+    """Solve ``inertia`` x = ``right``; only the diagonal of ``inertia`` and the entries above it are read."""
     for i in each(6):
         y[i,] = right[i,]
         for j in each(i, 6):
@@ -224,12 +224,11 @@ def definite_six() -> None:
 
 
 def two_blocks() -> None:
-    """The unknowns x, and ``weak``, 1 where another solve is wanted: where the first block or its Schur
-    complement is nearly singular, pivots lose fewer digits.
+    """Solve for x in two blocks; ``weak`` is 1 if the first block or its Schur complement is nearly singular.
 
-    Without exchanges and with two divisions, which wait for nothing: about half the time of pivots one after
-    the other. Legs 2, 4 and 6 balance the force, by the adjugate of their directions; legs 1, 3 and 5 the
-    moment, by that of the Schur complement.
+    Pivots then lose fewer digits. The two blocks require no exchanges and only two independent divisions,
+    about half the time of six pivots in sequence. The adjugate of the directions of legs 2, 4, and 6 solves
+    the first block, and the adjugate of the Schur complement the second one for legs 1, 3, and 5.
     """
     for i in each(3):
         for j in each(3):
@@ -262,8 +261,7 @@ def two_blocks() -> None:
 
 
 def entry_by_entry() -> None:
-    """The forces that legs 2, 4 and 6 take from the other columns, and the Schur complement; both times
-    the determinant of their directions."""
+    """Compute the forces of legs 2, 4, and 6, and the Schur complement, both times the determinant."""
     for c in each(0, 7, 2):
         for i in each(3):
             e[i, c] = r[i, 0] * a[0, c] + r[i, 1] * a[1, c] + r[i, 2] * a[2, c]

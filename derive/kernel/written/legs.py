@@ -28,7 +28,7 @@ def largest_component(vector: "array(3)", least: "Real") -> "Real":
 
 
 def largest_term() -> None:
-    """The largest of the terms that a leg is the sum of, and of what is too short by itself."""
+    """Compute the largest term of the sum that is a leg, and the limit of a short leg."""
     reach = SHORTEST / ROUNDING
     for term in entries(TERMS):
         reach = larger(size(term), reach)
@@ -45,9 +45,9 @@ def checked(out) -> None:
 
 
 def mark(before, after) -> None:
-    """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``.
+    """Set ``after`` to 1 if a leg is not finite, short, or near its joint singularity, else to ``before``.
 
-    The sine of a leg without finite length is zero or no number.
+    The sine of a leg without finite length is zero or NaN.
     """
     fault = where(LENGTH > LEAST_LENGTH, before, 1.0)
     fault = where(SINE > LEAST_SINE if HAS_SINE else LENGTH <= MAX, fault, 1.0)
@@ -90,9 +90,9 @@ def plus_error(row, term) -> None:
 
 
 def decay_of(ratio: "Real") -> "Real":
-    """exp(-ratio^2), 0 beyond a ratio of 8: of 1/256 of the exponent by its series, then squared eight times.
+    """exp(-ratio^2), 0 beyond a ratio of 8: series for 1/256 of the exponent, then squared eight times.
 
-    It is exp(-y) - 1 that is kept, of which squaring loses no digits.
+    The squared number is exp(-y) - 1, so that no digits are lost.
     """
     most = 8.0
     kept = where(size(ratio) < most, ratio, most)
@@ -108,7 +108,7 @@ def decay_of(ratio: "Real") -> "Real":
 
 
 def sign_of(rate: "Real", within: "Real") -> "Real":
-    """Sign of a rate, an odd cubic from -within to within."""
+    """Sign of a rate, with an odd cubic polynomial from -within to within."""
     above = where(rate > 0.0, 1.0, where(rate < 0.0, -1.0, 0.0))
     divisor = where(within > 0.0, within, 1.0)
     x = where(size(rate) < within, rate / divisor, above)

@@ -60,7 +60,7 @@ def leg_of_block(
     legs: "alone(Legs)",
     out: "alone(Block)",
 ) -> None:
-    """One leg of eight poses; ``bad``: 1 where a pose is left to the function of one."""
+    """One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose."""
     spread_leg(model, leg, one)
     if HAS_F:
         for l in range(LANES):
@@ -101,7 +101,7 @@ def batch_of_blocks(
     out: "ResultArrays",
     status: "Pointer(Integer)",
 ) -> "Integer":
-    """Poses eight by eight; those that need a closer look one by one."""
+    """Computes the poses in blocks of eight; poses that must be checked are computed one by one."""
     at = blank(MotionLanes)
     of_leg = blank(OfLeg)
     block = blank(Block)
@@ -149,7 +149,7 @@ def any_of(bad: "array(LANES)") -> "Integer":
 
 
 def one_by_one() -> None:
-    """The poses of a block, of which some may be left to the function of one."""
+    """Computes the marked poses of a block one by one."""
     in_rows(block.number, WIDTH, row)
     for l in range(LANES):
         if not first + l < count:

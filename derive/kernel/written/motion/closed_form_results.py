@@ -44,7 +44,7 @@ def matrices(
 
 
 def not_finite(number: "alone(Pointer(Real))", count: "Integer", none: "alone(array(LANES))") -> None:
-    """Zeros, but where one of ``count`` numbers of a lane is not finite."""
+    """Zero for each lane; not zero if one of ``count`` numbers of a lane is not finite."""
     for l in range(LANES):
         none[l] = 0.0
     for i in range(count):
@@ -88,7 +88,7 @@ def solve_inertia(
 
 
 def accelerations_of(legs: "Legs", summed: "array(COUNT)", out: "Found") -> None:
-    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE if elimination loses too many digits of M."""
     pivot = blank(array(6))
     out.status = legs.status
     if legs.status == OK:
@@ -157,8 +157,7 @@ def slopes(per_length: "Real", number: "Pointer(Real)", F: "Pointer(Real)", out:
 
 
 def factored(row: "pointers(6)", inverse: "array(6)") -> None:
-    """Elimination with partial pivoting, (36), of the first columns; rows change places by addresses, and
-    the factors come after all columns."""
+    """Elimination with partial pivoting, (36), of the first columns; rows are exchanged by addresses."""
     upper = blank(array(LANES))
     for k in range(6):
         pivot = k
