@@ -69,11 +69,11 @@ class PoseSearchResult(NamedTuple):
     t: Array
     residual: Array
     iterations: NDArray[np.int64]
-    found: Flags
+    converged: Flags
 
-    def at(self, where: NDArray[np.intp]) -> "PoseSearchResult":
+    def at(self, index: NDArray[np.intp]) -> "PoseSearchResult":
         """Return copies of the results of selected starts."""
-        return PoseSearchResult._make(each[where] for each in self)
+        return PoseSearchResult._make(values[index] for values in self)
 
 
 def search_poses(robot: Robot, L: Array) -> PoseSearchResult:
@@ -82,12 +82,13 @@ def search_poses(robot: Robot, L: Array) -> PoseSearchResult:
     best = newton(robot, L, *_over_base(robot, L, *directions[0]))
     possible = ~_impossible(robot, L)
     for direction in directions[1:]:
-        left = np.flatnonzero(~best.found & possible)
-        if not left.size:
+        remaining = np.flatnonzero(~best.converged & possible)
+        if not remaining.size:
             return best
-        _replace(best, left, newton(robot, L[left], *_over_base(robot, L[left], *direction)))
+        lengths = L[remaining]
+        _replace(best, remaining, newton(robot, lengths, *_over_base(robot, lengths, *direction)))
     orientations, normals = _anywhere(robot, MOST_STARTS - len(directions))
-    for part in _parts(np.flatnonzero(~best.found & possible)):
+    for part in _parts(np.flatnonzero(~best.converged & possible)):
         starts = _over_base(robot, L[part, None], orientations, normals)
         _replace(best, part, _first_found(robot, L[part], *starts))
     return best
@@ -96,12 +97,12 @@ def search_poses(robot: Robot, L: Array) -> PoseSearchResult:
 def _first_found(robot: Robot, L: Array, R: Array, t: Array) -> PoseSearchResult:
     """Return the result of the first successful start for lengths (n, 6) and starts (n, m, ...)."""
     n, m = t.shape[:2]
-    every = newton(robot, np.repeat(L, m, axis=0), R.reshape(-1, 3, 3), t.reshape(-1, 3))
-    good = every.found.reshape(n, m)
-    chosen = np.where(good.any(axis=-1), np.argmax(good, axis=-1), m - 1)
-    found = every.at(np.arange(n) * m + chosen)
+    results = newton(robot, np.repeat(L, m, axis=0), R.reshape(-1, 3, 3), t.reshape(-1, 3))
+    converged = results.converged.reshape(n, m)
+    chosen = np.where(converged.any(axis=-1), np.argmax(converged, axis=-1), m - 1)
     tried = np.arange(m) <= chosen[:, None]
-    return found._replace(iterations=np.sum(every.iterations.reshape(n, m) * tried, axis=-1))
+    iterations = np.sum(results.iterations.reshape(n, m) * tried, axis=-1)
+    return results.at(np.arange(n) * m + chosen)._replace(iterations=iterations)
 
 
 def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
@@ -118,32 +119,32 @@ def nearest_poses(robot: Robot, L: Array, R: Array, t: Array) -> PoseSearchResul
     poses near the results; and finally from starts around the guess.
     """
     best = newton(robot, L, R, t)
-    doubtful = np.flatnonzero(~(best.found & _is_nearest(robot, (R, t), best)) & ~_impossible(robot, L))
+    doubtful = np.flatnonzero(~(best.converged & _is_nearest(robot, (R, t), best)) & ~_impossible(robot, L))
     if not doubtful.size:
         return best
     guess, lengths = (R[doubtful], t[doubtful]), L[doubtful]
     short = newton(robot, lengths, *guess, _SHORT)
     free = [newton(robot, lengths, *guess, _FREE, damping)[:2] for damping in (0.0, _FIRST_FREE)]
     tries = [best.at(doubtful), short, *(newton(robot, lengths, *poses) for poses in free)]
-    tries += [other_side(robot, lengths, *found[:2]) for found in tries]
-    for found in tries[1:]:
+    tries += [other_side(robot, lengths, *result[:2]) for result in tries]
+    for result in tries[1:]:
         old = best.at(doubtful)
         # A pose that is found twice differs by rounding.
-        nearer = distance(guess, found[:2]) < (1.0 - 1e-9) * distance(guess, old[:2])
-        take = np.flatnonzero(found.found & (nearer | ~old.found))
-        _replace(best, doubtful[take], found.at(take))
+        nearer = distance(guess, result[:2]) < (1.0 - 1e-9) * distance(guess, old[:2])
+        better = np.flatnonzero(result.converged & (nearer | ~old.converged))
+        _replace(best, doubtful[better], result.at(better))
     # Lengths that are almost satisfied belong to a singular pose or to a pose close to it.
-    missed = ~best.found[doubtful] & (best.residual[doubtful] > _ALMOST * platform_size(robot))
+    missed = ~best.converged[doubtful] & (best.residual[doubtful] > _ALMOST * platform_size(robot))
     for part in _parts(doubtful[missed]):
         _replace(best, part, _first_found(robot, L[part], *_about(robot, R[part], t[part], L[part])))
     return best
 
 
-def _replace(best: PoseSearchResult, where: NDArray[np.intp], found: PoseSearchResult) -> None:
+def _replace(best: PoseSearchResult, index: NDArray[np.intp], result: PoseSearchResult) -> None:
     """Replace results by new results and add the numbers of steps."""
-    found.iterations[:] += best.iterations[where]
-    for old, new in zip(best, found, strict=True):
-        old[where] = new
+    result.iterations[:] += best.iterations[index]
+    for old, new in zip(best, result, strict=True):
+        old[index] = new
 
 
 def other_side(robot: Robot, L: Array, R: Array, t: Array) -> PoseSearchResult:
@@ -251,8 +252,8 @@ def newton(
     With offset joints the search is ``offset_legs.search``.
     """
     if robot.offsets is not None:
-        R, t, found, residual, steps = search(robot, L, R, t)
-        return PoseSearchResult(R, t, residual, steps, found)
+        R, t, converged, residual, steps = search(robot, L, R, t)
+        return PoseSearchResult(R, t, residual, steps, converged)
     R, t = rotation.orthonormal(R), t.copy()
     length = platform_size(robot)
     damping = np.full(len(L), _FIRST_DAMPING if free is None else free)
