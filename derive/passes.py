@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from .emit import lanes
 from .emit.header import common_header
 from .emit.shared import shared_headers
-from .generate import generator_version, prepared_model
+from .generated_files import generator_version, prepared_model
 from .kernel.operations import force_operations
 from .mechanics.actuator_forces import (
     ForceKernel,

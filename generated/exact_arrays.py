@@ -89,7 +89,7 @@ class LegConstants:
 
 
 class Added:
-    """What the legs add to the platform's constants."""
+    """Contributions of the legs to the constants of the platform."""
 
     def __init__(self) -> None:
         self.M_add: Any = 0.0  # kg: mass of the leg that is added to the platform
@@ -129,7 +129,7 @@ class Model:
         self.platform: Any = Platform()  # the platform
         self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
         self.arm_cube: Any = 0.0  # cube of the largest arm over that length
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class Forces:
@@ -137,11 +137,11 @@ class Forces:
 
     def __init__(self) -> None:
         self.F: Any = [0.0] * 6  # N: positive when they extend the leg, (37)
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class LegTerms:
-    """What a leg has."""
+    """Terms of one leg."""
 
     def __init__(self) -> None:
         self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
@@ -165,7 +165,7 @@ class Sums:
 
 
 class SharedTerms:
-    """What a pose has for all legs."""
+    """Terms of a pose that are common to all legs."""
 
     def __init__(self) -> None:
         self.B: Any = [0.0] * 9  # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
@@ -201,11 +201,11 @@ class Equations:
         self.bias_and_friction: Any = [0.0] * 6  # N, N m: C [v; omega] + g + friction
         self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from F to the wrench on the platform
         self.H_dot: Any = [[0.0] * 6 for _ in range(6)]  # 1/s and m/s: its rate
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class LegInputs:
-    """What a leg's blocks are given."""
+    """Inputs of the blocks of a leg."""
 
     def __init__(self) -> None:
         self.F: Any = 0.0  # N: actuator force of the leg
@@ -249,7 +249,7 @@ class EquationsLegs:
         self.leg: Any = [EquationsLeg() for _ in range(6)]  # their parts
         self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
         self.leaning: Any = 0  # 1 where one is near its joint singularity
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class EquationsSums:
@@ -291,7 +291,7 @@ class BiasAndFriction:
 
     def __init__(self) -> None:
         self.bias_and_friction: Any = [0.0] * 6  # N, N m: the sum
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class BiasLeg:
@@ -313,7 +313,7 @@ class BiasLegs:
         self.leg: Any = [BiasLeg() for _ in range(6)]  # their parts
         self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
         self.leaning: Any = 0  # 1 where one is near its joint singularity
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class BiasSums:
@@ -339,7 +339,7 @@ class Accelerations:
     def __init__(self) -> None:
         self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point
         self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class ForwardLeg:
@@ -364,7 +364,7 @@ class ForwardLegs:
         self.leg: Any = [ForwardLeg() for _ in range(6)]  # their parts
         self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
         self.leaning: Any = 0  # 1 where one is near its joint singularity
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class ForwardSums:
@@ -394,7 +394,7 @@ class Rows:
     """M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform."""
 
     def __init__(self) -> None:
-        self.given: Any = [LegInputs() for _ in range(6)]  # what the derivatives are given of the legs
+        self.given: Any = [LegInputs() for _ in range(6)]  # inputs of the derivatives, one for each leg
         self.extent: Any = [0.0] * 24  # root of the inertia in each row
         self.weight: Any = [[0.0] * 3 for _ in range(24)]  # 1: W in blocks of three rows
         # A, each row times the root of its inertia; then L and U
@@ -408,11 +408,11 @@ class Rows:
 
 
 class Apart:
-    """What the rows give."""
+    """Result of the rows."""
 
     def __init__(self) -> None:
         self.x: Any = [0.0] * 6  # m/s^2, rad/s^2: a and alpha
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class JointRowsLeg:
@@ -442,7 +442,7 @@ class JointRowsLegs:
         self.leg: Any = [JointRowsLeg() for _ in range(6)]  # their parts
         self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
         self.leaning: Any = 0  # 1 where one is near its joint singularity
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class JointRowsSums:
@@ -473,7 +473,7 @@ class JointInertia:
 
     def __init__(self) -> None:
         self.inertia: Any = [[0.0] * 6 for _ in range(6)]  # kg: H^-1 M H^-T
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class Derivatives:
@@ -484,7 +484,7 @@ class Derivatives:
         self.by_pose: Any = [[0.0] * 6 for _ in range(6)]  # N/m, N: by [dt; dphi]
         self.by_twist: Any = [[0.0] * 6 for _ in range(6)]  # N s/m, N s: by [v; omega]
         self.by_acceleration: Any = [[0.0] * 6 for _ in range(6)]  # kg, kg m: by [a; alpha]
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class DerivativesLeg:
@@ -517,7 +517,7 @@ class DerivativesLegs:
         self.leg: Any = [DerivativesLeg() for _ in range(6)]  # their parts
         self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
         self.leaning: Any = 0  # 1 where one is near its joint singularity
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class DerivativesSums:
@@ -563,16 +563,16 @@ class LinearizationResult:
         self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration
         self.A: Any = [[0.0] * 12 for _ in range(12)]  # by [dt; dphi; dv; domega]
         self.B: Any = [[0.0] * 6 for _ in range(12)]  # by the actuator forces
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class SlopesApart:
-    """What the rows give of a linearization."""
+    """Result of the rows for a linearization."""
 
     def __init__(self) -> None:
         self.x: Any = [0.0] * 6  # m/s^2, rad/s^2: a and alpha
         self.A: Any = [[0.0] * 24 for _ in range(6)]  # the rows solved
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class JointSlopesLeg:
@@ -609,7 +609,7 @@ class JointSlopesLegs:
         self.leg: Any = [JointSlopesLeg() for _ in range(6)]  # their parts
         self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
         self.leaning: Any = 0  # 1 where one is near its joint singularity
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 class JointSlopesSums:
@@ -807,7 +807,7 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
 
 
 def add_up(on: Arithmetic, total: Any, more: Any) -> Any:
-    """What the legs add to the platform, with one leg more."""
+    """Add one leg to the contributions of the legs to the platform."""
     out = Added()
     out.M_add = total.M_add + more.M_add
     for i in range(3):
@@ -912,7 +912,7 @@ def cube_of(on: Arithmetic, arm: Any) -> Any:
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
-    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    """Constants of a robot, prepared once; the status is not OK if a number of the robot is not finite."""
     robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
@@ -1042,8 +1042,10 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
 
 
 def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
-    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by
-    pivots; returns 1 where one of these is small.
+    """Solves [H | c] for x, (36), in two blocks of three legs, or by pivots if their determinants are
+    small.
+
+    Returns 1 if a pivot is small.
     """
     suspect = 0
     r_0_0 = A[1][3] * A[2][5] - A[2][3] * A[1][5]
@@ -1541,7 +1543,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
 
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    """Actuator forces F, N, (37), and a status; F is NaN if the status is not OK."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
@@ -1958,7 +1960,7 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
 
 
 def equations_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -2307,7 +2309,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
 
 
 def equations_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = equations_pose(on, model.platform, motion)
     equations_legs(on, model, motion, pose, legs)
     if on.anywhere(legs.leaning == 1):
@@ -2351,7 +2353,7 @@ def place_blocks_6(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: An
 
 
 def check_equations(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(6):
         for j in range(6):
@@ -2647,7 +2649,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
 
 
 def bias_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -2678,7 +2680,7 @@ def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -
 
 
 def check_bias_and_friction(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(6):
         lost = lost + 0.0 * out.bias_and_friction[i]
@@ -2976,7 +2978,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
 
 
 def forward_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -3016,7 +3018,7 @@ def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any
 
 
 def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
-    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE if elimination loses too many digits of M."""
     status = OK
     y_0 = summed.right_force[0]
     a_0_0, a_0_1, a_0_2 = summed.M_vv[0], summed.M_vv[1], summed.M_vv[2]
@@ -3161,7 +3163,7 @@ def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
 
 
 def check_forward_dynamics(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(3):
         lost = lost + 0.0 * out.a[i]
@@ -3438,7 +3440,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
 
 
 def joint_rows_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -3666,7 +3668,8 @@ def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any)
 
 
 def row_right(on: Arithmetic, by: Any, force: Any, held: Any, start: Any, rest: Any, right: Any) -> None:
-    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
+    """Right side of the equations for the accelerations of the six coordinates, with the wrench
+    ``held``.
 
     force: of each row, as its generalized force over its size, without accelerations. start:
     accelerations of the coordinates that balance their own large forces, from which the unknown ones
@@ -3757,12 +3760,12 @@ def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any)
 
 
 def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any, held: Any) -> None:
-    """Of each leg the generalized forces, the accelerations that those of the platform give to it, and
-    whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A
-    share between the two would have the rounding of both.
+    """Generalized forces of each leg, accelerations due to the platform, and a mark if a leg is thin.
 
-    The coordinates' rows hold what the other rows leave of the wrench: of a heavy leg's own inertia
-    times its accelerations little may be left.
+    The inertia of a thin leg for a rotation by phi is nearly k3 times its inertia for a rotation by
+    theta. A value between the two would have the rounding errors of both. The rows of the coordinates
+    contain the part of the wrench that the other rows do not balance. For a heavy leg, this part may
+    be much smaller than inertia times acceleration.
     """
     whole = [0.0] * 24
     force = [0.0] * 24
@@ -3946,7 +3949,7 @@ def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
 
 
 def check_joint_inertia(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(6):
         for j in range(6):
@@ -3958,7 +3961,7 @@ def check_joint_inertia(on: Arithmetic, out: Any) -> None:
 
 
 def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
-    """Whether H is singular to rounding."""
+    """Returns the status of H: STEWART_SINGULAR if H is singular to rounding."""
     H = [[0.0] * 6 for _ in range(6)]
     arm = [[0.0] * 3 for _ in range(6)]
     L = [0.0] * 6
@@ -3973,7 +3976,7 @@ def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
 
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Inertia that the actuators feel, H^-1 M H^-T."""
+    """Mass matrix for leg lengths as coordinates, H^-1 M H^-T."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
@@ -4683,7 +4686,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
 
 
 def derivatives_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -5407,7 +5410,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
 
 
 def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = derivatives_pose(on, model.platform, motion)
     derivatives_legs(on, model, motion, pose, legs)
     if on.anywhere(legs.leaning == 1):
@@ -5512,7 +5515,7 @@ def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
 
 
 def check_derivatives(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(6):
         lost = lost + 0.0 * out.F[i]
@@ -5609,7 +5612,7 @@ def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
 
 
 def check_linearization(on: Arithmetic, out: Any) -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for i in range(3):
         lost = lost + 0.0 * out.a[i]
@@ -6443,7 +6446,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
 
 
 def joint_slopes_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):

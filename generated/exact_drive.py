@@ -51,7 +51,7 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
 
 
 class Legs:
-    """What the legs have."""
+    """Terms of the legs."""
 
     def __init__(self) -> None:
         self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
@@ -90,7 +90,7 @@ class Forces:
         self.legs: Any = Legs()  # what the legs have
         self.reach: Any = 0.0  # m: size of the vectors that each leg is the sum of
         self.suspect: Any = 0  # 1 where H may be singular to rounding
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:

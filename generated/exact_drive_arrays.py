@@ -104,7 +104,7 @@ class Model:
         self.platform: Any = Platform()  # the platform
         self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
         self.arm_cube: Any = 0.0  # cube of the largest arm over that length
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
@@ -257,7 +257,7 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
-    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    """Constants of a robot, prepared once; the status is not OK if a number of the robot is not finite."""
     robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
@@ -567,7 +567,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
 
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    """Actuator forces F, N, (37), and a status; F is NaN if the status is not OK."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
@@ -920,7 +920,7 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
 
 
 def equations_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -1239,7 +1239,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
 
 
 def equations_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = equations_pose(on, model.platform, motion)
     equations_legs(on, model, motion, pose, legs)
     if on.anywhere(legs.leaning == 1):
@@ -1444,7 +1444,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
 
 
 def bias_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -1689,7 +1689,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
 
 
 def forward_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -1897,7 +1897,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
 
 
 def joint_rows_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -1986,7 +1986,7 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
 
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Inertia that the actuators feel, H^-1 M H^-T."""
+    """Mass matrix for leg lengths as coordinates, H^-1 M H^-T."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
@@ -2548,7 +2548,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
 
 
 def derivatives_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -3269,7 +3269,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
 
 
 def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = derivatives_pose(on, model.platform, motion)
     derivatives_legs(on, model, motion, pose, legs)
     if on.anywhere(legs.leaning == 1):
@@ -3975,7 +3975,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
 
 
 def joint_slopes_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):

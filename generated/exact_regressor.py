@@ -170,7 +170,7 @@ class Regressor:
     def __init__(self) -> None:
         self.legs: Any = RegressorOfLegs()  # of the legs
         self.platform: Any = RegressorOfPlatform()  # of the platform
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:

@@ -61,7 +61,7 @@ class Model:
         self.platform: Any = Platform()  # the platform
         self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
         self.arm_cube: Any = 0.0  # cube of the largest arm over that length
-        self.status: Any = 0  # 0, or what is wrong
+        self.status: Any = 0  # 0, or the code of an error
 
 
 def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
@@ -190,7 +190,7 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
-    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    """Constants of a robot, prepared once; the status is not OK if a number of the robot is not finite."""
     robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
@@ -399,7 +399,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
 
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    """Actuator forces F, N, (37), and a status; F is NaN if the status is not OK."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)

@@ -138,7 +138,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
 
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    """Actuator forces F, N, (37), and a status; F is NaN if the status is not OK."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)

@@ -1,1 +1,1 @@
-"""Kernels as files in C and NumPy: data layout, lanes, and headers."""
+"""Files of ``generated/`` from kernel trees: C sources and headers, and NumPy modules."""

@@ -21,7 +21,7 @@ from ..print.python import Python
 from ..print.spelling import WIDTH
 from ..print.template import filled
 from ..program.block import Block, Quantity, component_name
-from .c import operations_table, wrap_list
+from .inverse_dynamics import operations_table, wrap_list
 
 Counts = Mapping[str, KernelOperations]
 """Operations for "friction" and, if the kernel is compared with the paper's program, "frictionless"."""

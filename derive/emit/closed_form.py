@@ -1,8 +1,8 @@
 """C99 files of the closed form: equations of motion, bias, forward dynamics, derivatives, linearization.
 
-The trees of ``kernel.outputs`` are printed with the legs in lanes (``kernel.legs_in_lanes``) and with the
-prepared model of the force kernel. ``written.motion`` contains the parts that exist only in C.
-``closed_form_blocks`` defines the batches.
+The trees of ``kernel.outputs`` are printed with the legs in lanes (``kernel.tree.legs_in_lanes``), and use
+the prepared model of the force kernel. Parts that exist only in C are in ``kernel.written.motion``, and
+batches in ``closed_form_blocks``.
 """
 
 from collections.abc import Collection, Iterator
@@ -14,11 +14,11 @@ from ..kernel import layouts as lay
 from ..kernel import outputs as o
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
+from ..kernel.tree.decided_selections import settled
 from ..kernel.tree.legs_in_lanes import Layout
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.settle import settled
+from ..kernel.written.motion import closed_form_results as results
 from ..kernel.written.motion import lanes as written
-from ..kernel.written.motion import results
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.closed_form import GIVEN

@@ -1,4 +1,4 @@
-"""Results of the closed form in C, for one pose and for eight poses in lanes: words of their texts."""
+"""C functions of the closed form that compute results from sums, for one pose and for eight poses."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ from ..kernel.tree import nodes as t
 from ..kernel.tree import read
 from ..kernel.tree.read import LANES
 from ..kernel.written.motion import blocks as texts
-from ..kernel.written.motion import results
+from ..kernel.written.motion import closed_form_results as results
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.closed_form import GIVEN

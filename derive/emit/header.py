@@ -1,4 +1,4 @@
-"""Interface table as C, ``stewart.h`` for all kernels, and as Python, ``interface.py``."""
+"""Interface table in C, ``stewart.h`` of all kernels, and in Python, ``interface.py``."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -134,7 +134,7 @@ THRESHOLDS = (
     Threshold(
         "SINGULAR",
         "singular",
-        "spectral radius of |1/H| times the bounds of its errors above 1/2",
+        "spectral radius of |inverse of H| times the error bounds of H above 1/2",
         10,
         "7.1e-09",
     ),
@@ -144,9 +144,9 @@ THRESHOLDS = (
 def _thresholds() -> str:
     """Print the thresholds as lines of a C comment."""
     lines = [
-        "Thresholds of the statuses. Each error is the largest error of a result with STEWART_OK for",
-        f"10^{len(str(CASES)) - 1} random poses near a failure (`stewart-sym stability`). The unit is the",
-        "rounding unit times the condition number of the problem. The distance is measured from the failure.",
+        "Thresholds of the statuses, and the largest error of results with STEWART_OK for",
+        f"10^{len(str(CASES)) - 1} random poses near a failure (`stewart-sym stability`), in rounding units",
+        "times the condition number of the problem, with the relative distance of the pose from the failure.",
         *(
             f"STEWART_{each.status}: {each.begins}; error {each.worst} at the distance {each.where}"
             for each in THRESHOLDS

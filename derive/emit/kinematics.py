@@ -8,8 +8,8 @@ from collections.abc import Iterable
 from ..kernel.elimination import RETURNED
 from ..kernel.kinematics import legs_batch, rotation_program, search_operations, search_program
 from ..kernel.tree.constants import SEARCH
+from ..kernel.tree.decided_selections import of_one_pose
 from ..kernel.tree.nodes import Program, snake
-from ..kernel.tree.settle import of_one_pose
 from ..mechanics.kinematics import Kinematics
 from ..print.c import C
 from ..print.template import filled

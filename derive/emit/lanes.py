@@ -1,4 +1,4 @@
-"""C99 files for speed: the regrouped force kernel with legs or poses in vector lanes.
+"""C99 files of the force kernels for speed, with legs or poses in vector lanes.
 
 A single pose uses six of eight lanes for its legs. A batch uses eight lanes for poses, or sixteen in float.
 In both cases a block is the body of a loop over lanes. Compilers vectorize this loop; otherwise it is
@@ -27,7 +27,7 @@ from ..mechanics.lumped_constants import arm_c
 from ..print.template import filled
 from ..program.block import Block, Quantity
 from ..program.order import ready_in
-from .c import operations_table
+from .inverse_dynamics import operations_table
 from .shared import LANES as HEADER
 from .shared import Part, Source, header, top
 

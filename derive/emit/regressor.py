@@ -1,7 +1,6 @@
-"""C99 files of the regressor: one pose with its legs in lanes, and successive poses.
+"""C99 files of the regressor: one pose with its legs in lanes, and a loop over poses.
 
-The blocks are the blocks of the array module in the same order, so both results are identical to the last
-bit.
+The blocks and their order are the same as in the array module, so both results agree to the last bit.
 """
 
 from ..kernel import layouts as lay

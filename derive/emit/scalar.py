@@ -1,7 +1,6 @@
-"""C99 files for controllers: one pose, one leg after the other, with little code and stack.
+"""C99 files of the force kernels for controllers, one leg after the other, with small code and stack.
 
-The blocks of ``lanes`` are printed for processors without vector registers. The model is prepared once, or
-its constants are baked.
+The blocks are the same as in ``lanes``. The model is prepared once, or its constants are baked.
 """
 
 from collections.abc import Iterable
@@ -24,7 +23,7 @@ from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity, part_of
 from ..program.order import AS_DERIVED
-from .c import operations_table
+from .inverse_dynamics import operations_table
 from .shared import SOLVE, Part, Source, header, top
 
 _LEAST_PIVOTS = t.signature("STEWART_LEAST_PIVOTS", t.Real(), size=t.Real())

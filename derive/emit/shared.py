@@ -1,4 +1,4 @@
-"""Common parts of the C99 files of kernels: headers of shared functions, beginnings and ends, sources."""
+"""Common parts of the C99 files of kernels: headers of shared functions, first and last lines, sources."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping

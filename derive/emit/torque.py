@@ -4,8 +4,8 @@ from random import Random
 
 from ..kernel.interface import STRUCTS
 from ..kernel.torque import axial_program, torque_program
-from ..kernel.tree.counted import counted
-from ..kernel.tree.settle import of_one_pose
+from ..kernel.tree.decided_selections import of_one_pose
+from ..kernel.tree.operation_counter import counted
 from ..mechanics.formulation import SPHERICAL, Formulation
 from ..program.block import Block, Operations
 from .header import member_text

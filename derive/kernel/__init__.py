@@ -1,1 +1,1 @@
-"""Kernels as trees: whole functions made of blocks, loops, checks and a solve, in no language."""
+"""Kernels as trees: complete functions with blocks, loops, checks, and the linear solve, in no language."""

@@ -1,4 +1,4 @@
-"""Batches: motions of many poses in arrays, and where their results go."""
+"""Batches as trees: the arrays of motions and results of many poses."""
 
 from collections.abc import Collection, Iterable, Mapping
 from functools import partial, reduce
@@ -17,20 +17,20 @@ BATCH: dict[str, Given] = {"batch": text.batch, "note_status": text.noted, "COPI
 
 
 def batch(one_pose: Given, copied: tuple[t.Statement, ...] = ()) -> dict[str, Given]:
-    """The loop over poses; one_pose: a text; copied: what becomes of its results."""
+    """Return the function of a batch: a loop over poses with the text ``one_pose`` and ``copied`` results."""
     return {**BATCH, "one_pose": one_pose, "COPIES": int(bool(copied)), "COPIED": copied}
 
 
 def missing(
     needed: Iterable[str], quantities: Iterable[Quantity] = (), *more: t.Expression
 ) -> dict[str, Given]:
-    """Whether an address is null; quantities: of the motions. more: other tests."""
+    """Return a test that is true if an address of ``quantities`` of the motions is null, or by ``more``."""
     addresses = (*map(t.Name, needed), *map(_of_motions, quantities))
     return {"MISSING": reduce(partial(t.Binary, "|"), (*map(is_null, addresses), *more))}
 
 
 def is_null(address: t.Expression) -> t.Expression:
-    """Whether nothing is handed over."""
+    """Expression that is true if a pointer is null."""
     return t.Binary("==", address, t.Constant("NULL"))
 
 
@@ -41,10 +41,10 @@ def parts_at(
     index: str = "pose",
     instead: t.Expression = _ZEROS,
 ) -> dict[str, Given]:
-    """Addresses of one pose in those of all.
+    """Return the addresses of one pose in the addresses of a batch.
 
-    optional: may be null, with ``instead`` in its place; without: not read. to: what holds the addresses;
-    index: number of the pose.
+    ``optional`` quantities may be null and are then replaced by ``instead``; quantities in ``without`` are
+    not read. ``to`` is the structure of the addresses, and ``index`` the number of the pose.
     """
     found = []
     for q in n.MOTION:
@@ -58,12 +58,12 @@ def parts_at(
 
 
 def parts_of_one() -> dict[str, Given]:
-    """Addresses of the numbers of a motion."""
+    """Return the addresses of the numbers of one motion."""
     return {"PARTS": tuple(t.Assign(t.of("at", q.name), t.of("motion", q.name)) for q in n.MOTION)}
 
 
 def loaded_one(quantities: Iterable[Quantity], optional: Collection[Quantity]) -> dict[str, Given]:
-    """A component of each vector of a pose."""
+    """Statements that load one component of each vector of a pose."""
     found = []
     for q in quantities:
         value: t.Expression = t.at(_of_motions(q), "at")
@@ -74,16 +74,16 @@ def loaded_one(quantities: Iterable[Quantity], optional: Collection[Quantity]) -
 
 
 def loaded_block(q: Quantity, stride: t.Expression) -> t.Statement:
-    """One quantity of the poses of a block, component by component; zeros where it may be null and is.
+    """Statements that load one quantity of the poses of a block by component, zeros for null addresses.
 
-    stride: of columns; 0 of one pose after the other.
+    ``stride`` is the distance of columns; it is 0 if poses are consecutive.
     """
     places = (stride, t.Name("first"), t.Name("count"), t.of("at", q.name))
     return t.Do(t.Call("load_matrix" if q.shape == (3, 3) else "load_vector", (_of_motions(q), *places)))
 
 
 def copies(to: str, counts: Mapping[str, int], rows: Collection[str] = ()) -> tuple[t.Statement, ...]:
-    """What was found of a pose into arrays; counts: numbers of each; rows: those that are arrays of rows."""
+    """Statements that store the results of a pose; ``counts``: numbers of each; ``rows``: arrays of rows."""
     found = []
     for name, count in counts.items():
         values: t.Expression = t.of("found", name)
@@ -93,7 +93,7 @@ def copies(to: str, counts: Mapping[str, int], rows: Collection[str] = ()) -> tu
 
 
 def copied(to: t.Expression, values: t.Expression, count: int) -> t.Statement:
-    """The numbers of one pose into an array of all poses."""
+    """Statements that copy the numbers of one pose into an array of all poses."""
     return t.Do(t.Call("copy", (to, t.Name("pose"), values, t.As(t.Count(), t.Number(count)))))
 
 

@@ -1,8 +1,9 @@
-"""Actuator forces with a bound of their rounding error: the force kernel's blocks, run with their errors.
+"""Actuator forces with a bound of their rounding error, as a tree.
 
-The blocks of the force kernel stand here three times: plain, in the order of operations of the forces
-alone, so that both agree to the last bit; with the error of every step (``rounding``); and backward, with
-the slope of a force along every step (``adjoint``), which tells what that error does.
+The function contains the blocks of the force kernel three times. The first copy computes the forces in the
+order of operations of the force kernel, so that both agree to the last bit. The second adds the error of
+every step (``rounding``). The third computes, backward, the derivative of a force with respect to every step
+(``adjoint``), which propagates the error of the step to the force.
 """
 
 import operator
@@ -59,13 +60,14 @@ _FLAGS: dict[str, Given] = {name: t.Constant(name) for name in ("UNIT", "SLACK",
 
 
 class BoundedForces:
-    """A kernel's functions with error bounds: exact are the robot's and the motion's numbers but R.
+    """Functions of a force kernel with error bounds; the numbers of robot and motion except R are exact.
 
-    structures: by the names that the written functions give them; parts: structures and functions in order.
+    ``structures`` are the structures by their names in the texts, and ``parts`` structures and functions in
+    order.
     """
 
     def __init__(self, kernel: ForceKernel) -> None:
-        """Finds the errors of every block; ValueError for a kernel that is no such."""
+        """Derive the errors of every block; raise ValueError for another kind of kernel."""
         if not kernel.about_tip or kernel.leg_near_singular is None:
             raise ValueError("kernel: expected one with moments about platform point 1 and universal joints")
         of_pose, moments, near = (
@@ -158,7 +160,7 @@ class BoundedForces:
         return {key: t.Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
 
     def model_numbers(self) -> int:
-        """How many numbers the prepared model holds."""
+        """Count the numbers of the prepared model."""
         types = {name: [each.type for each in self.structures[name].members] for name in ("Leg", "Platform")}
         leg, platform = (
             sum(prod(kind.dims) if isinstance(kind, t.Array) else 1 for kind in kinds)
@@ -167,7 +169,7 @@ class BoundedForces:
         return 6 * leg + platform + 3
 
     def parts(self) -> Iterable[t.Structure | t.Function]:
-        """Structures and functions in their order."""
+        """Return structures and functions in order."""
         read = self.texts.function
         private = list(self.structures).index("Added")
         yield from list(self.structures.values())[private:]
@@ -209,7 +211,7 @@ class BoundedForces:
     # ------------------------------------------------------------ blocks
 
     def _layout(self, quantity: Quantity) -> Place:
-        """Where the functions of a pose find an input."""
+        """Return the locations of the inputs of the functions of a pose."""
         if quantity in n.MOTION:
             return member("at", quantity)
         if quantity in self.kernel.shared.made:
@@ -217,7 +219,7 @@ class BoundedForces:
         return member("platform" if quantity in self.kernel.platform_constants() else "leg", quantity)
 
     def _prepared(self, block: RoundedBlock) -> tuple[t.Statement, ...]:
-        """A block of preparation with its errors."""
+        """Return a block of the preparation with its errors."""
         return (
             *p.axis(block.block),
             *_loaded(block, lambda q: member("added", q) if q in ADDED else p.raw(q)),
@@ -226,14 +228,14 @@ class BoundedForces:
         )
 
     def _values(self, block: RoundedBlock) -> tuple[t.Statement, ...]:
-        """A block without its errors."""
+        """Return a block without its errors."""
         return (
             *lines(block.block, self._layout, ready=block.ready),
             *stores(_kept_outputs(block), lambda q: member("out", q)),
         )
 
     def _leg(self, leg: RoundedBlock) -> dict[str, Given]:
-        """A leg without its errors, and what decides on its status."""
+        """Return a leg without its errors, and the quantities that determine its status."""
         exprs = leg.block.exprs
         terms = [*exprs[n.q], *(symbol for q in (n.t, n.b) for symbol in q.symbols)]
         arms = [t.Assign(t.at(t.of("out", "arm"), i), t.Name(each)) for i, each in enumerate(_ARM)]
@@ -244,7 +246,7 @@ class BoundedForces:
         }
 
     def _leg_errors(self, leg: RoundedBlock) -> dict[str, Given]:
-        """A leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
+        """Return the function of a leg with errors and their effects on D - Y (c - H x)."""
         force, moment, x, D = _Y_FORCE.value, _Y_MOMENT.value, n.x.value, _D_WEIGHT.value
         by_arm = _Y_ARM.value
         weights = {
@@ -265,7 +267,7 @@ class BoundedForces:
         return self._weighed(leg, found, {}, outside, handed)
 
     def _shared_errors(self) -> dict[str, Given]:
-        """What ``written.shared_errors`` is given; slopes along R are added to those of the legs."""
+        """Return the arguments of ``written.shared_errors``, which adds derivatives by R."""
         given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
         weights = {n.c_force: -_Y_FORCE.value, c_tip: -_Y_MOMENT.value}
         weights |= {q: _LEGS_SLOPES[q].value for q in (B, q_1)}
@@ -287,10 +289,10 @@ class BoundedForces:
         outside: Container[str],
         more: Sequence[t.Statement],
     ) -> dict[str, Given]:
-        """``BODY`` runs a block with its errors, ``EACH`` weighs these by the slopes of each force.
+        """Return ``BODY``, a block with errors, and ``EACH``, errors times derivatives of each force.
 
-        errors: of what the slopes are weighed with. outside: inputs whose errors are weighed elsewhere, which
-        ``more`` sees to.
+        ``errors`` are the errors that are multiplied. The errors of the inputs ``outside`` are multiplied
+        elsewhere, by ``more``.
         """
         slopes = rounded(found.block, {**block.errors, **errors})
         sources = {name: own for name, own in _sources(block) if name not in outside and name in found.slopes}
@@ -320,14 +322,14 @@ _Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
 _Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exactly zero")
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
 _LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
-"""What the legs add to the slope of a force along what the pose has for all of them."""
+"""Contributions of the legs to the derivatives of a force with respect to the common terms of the pose."""
 _ROW = (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)
 _FORCE = t.Name("i")
 """The lane of a force."""
 
 
 def _of_force(quantity: Quantity) -> Place:
-    """Where a row of Y and the legs' slopes are."""
+    """Return the locations of a row of Y and of the derivatives of the legs."""
     return member("rows" if quantity in _ROW else "slopes", quantity, _FORCE)
 
 
@@ -336,13 +338,13 @@ def _inexact_inputs(block: RoundedBlock) -> list[str]:
 
 
 def _sources(block: RoundedBlock) -> list[tuple[str, t.Expression]]:
-    """Everything that brings an error of its own: its name, and that error."""
+    """Return the name and error of every quantity that has an error of its own."""
     inputs = [(name, expression(block.errors[name])) for name in _inexact_inputs(block)]
     return inputs + [(each.step.name, t.Name(f"{each.step.name}_own")) for each in block.steps if each.rounds]
 
 
 def _only_name(slope: sp.Expr) -> str:
-    """Name of a slope, which is a symbol or a negated one."""
+    """Return the name of a derivative, which is a symbol or a negated symbol."""
     (symbol,) = slope.free_symbols
     return str(symbol.name)
 
@@ -355,7 +357,7 @@ def _error_name(slope: sp.Expr) -> t.Name:
 
 
 def _unread_errors(block: RoundedBlock, slopes: RoundedBlock) -> set[str]:
-    """Steps whose error neither another step, nor a slope, nor a limit, nor anything outside reads."""
+    """Return the steps whose error is not read by steps, derivatives, limits, or other code."""
     read = {symbol for each in (*block.steps, *slopes.steps) for symbol in each.carried.free_symbols}
     read |= {block.output_error(expr) for out in _erring_outputs(block) for expr in out.exprs}
     names = {each.step.name for each in block.steps if error_symbol(each.step.name) not in read}
@@ -363,19 +365,19 @@ def _unread_errors(block: RoundedBlock, slopes: RoundedBlock) -> set[str]:
 
 
 def _kept_outputs(block: RoundedBlock) -> tuple[Output, ...]:
-    """Outputs but those by which a leg is checked."""
+    """Return the outputs except the outputs for the check of a leg."""
     return tuple(out for out in block.block.outputs if out.quantity not in CHECKED)
 
 
 def _erring_outputs(block: RoundedBlock) -> tuple[Output, ...]:
-    """Outputs whose errors are handed out; that of D is weighed at once."""
+    """Outputs whose errors are returned; the effect of the error of D is added directly."""
     return tuple(out for out in _kept_outputs(block) if out.quantity != n.D)
 
 
 def _with_errors(
     block: RoundedBlock, quantities: Iterable[Quantity], made: Callable[[Quantity], t.Field] = stored
 ) -> list[t.Field]:
-    """Members for values, and for errors where there are any."""
+    """Return members for values and, if there are any, for errors."""
     found = []
     for q in quantities:
         found += [made(q), *([stored(_error_of(q))] if block.inexact(q) else [])]
@@ -389,13 +391,13 @@ def _error_of(quantity: Quantity) -> Quantity:
 def _value_and_error(
     owner: str | t.Expression, quantity: Quantity, index: int, *lane: t.Expression
 ) -> tuple[t.Expression, t.Expression]:
-    """One component and its error."""
+    """Return one component and its error."""
     value, error = (member(owner, q, *lane).part(q, index) for q in (quantity, _error_of(quantity)))
     return value, error
 
 
 def _texts_of_sums() -> dict[str, Given]:
-    """Sums of what the legs add to the platform, with errors."""
+    """Return the functions that add contributions of the legs to the platform, with errors."""
     total, more = (
         [_value_and_error(each, q, i) for q in ADDED for i in range(len(q.keys))] for each in ("sum", "found")
     )
@@ -408,7 +410,7 @@ def _texts_of_sums() -> dict[str, Given]:
 def _loaded(
     block: RoundedBlock, layout: Callable[[Quantity], Place], ready: Container[str] = ()
 ) -> tuple[t.Statement, ...]:
-    """Values, errors and largest sizes of the inputs that are read, without those that are ``ready``."""
+    """Return values, errors, and largest magnitudes of the inputs that are read and not ``ready``."""
     used = names_used(block.block) | block.limits
     found: list[t.Statement] = []
     limits: list[t.Statement] = []
@@ -431,9 +433,9 @@ def _limit(block: RoundedBlock, name: str) -> t.Let:
 def _step_statements(
     block: RoundedBlock, apart: Container[str] = (), unread: Container[str] = ()
 ) -> Iterable[t.Statement]:
-    """Each step: its value, the bound of its error, and its largest size where that is needed.
+    """Return the value, the error bound, and, if needed, the largest magnitude of each step.
 
-    apart: steps whose own rounding gets a name. unread: steps whose whole error nothing reads.
+    The rounding error of steps in ``apart`` gets a name. Nothing reads the error of steps in ``unread``.
     """
     before = None
     for each in block.steps:
@@ -452,7 +454,7 @@ def _step_statements(
 
 
 def _own_error(each: RoundedStep) -> t.Expression:
-    """What the step's own operations round away."""
+    """Return the rounding error of the operations of a step itself."""
     value = t.Name(each.step.name)
     sizes = [expression(each.rounded)] if each.rounded != 0 else []
     if each.kind == ROOT:
@@ -461,7 +463,7 @@ def _own_error(each: RoundedStep) -> t.Expression:
 
 
 def _error(each: RoundedStep, own: t.Expression) -> t.Expression:
-    """The bound: errors of what goes in, and the step's own."""
+    """Return the error bound of a step: errors of its inputs, and its own rounding error."""
     value = t.Name(each.step.name)
     carried = [expression(each.carried)] if each.carried != 0 else []
     if each.kind == RECIPROCAL:
@@ -477,19 +479,19 @@ def _total(terms: list[t.Expression]) -> t.Expression:
 
 
 def _units(sizes: list[t.Expression]) -> t.Expression:
-    """Sizes times the rounding unit."""
+    """Return magnitudes times the rounding unit."""
     return _times(t.Constant("UNIT"), _total(sizes)) if sizes else t.Number(0.0)
 
 
 def _times(factor: t.Expression, value: t.Expression) -> t.Expression:
-    """A product from left to right."""
+    """Return a product from left to right."""
     if isinstance(value, t.Binary) and value.operator == "*":
         return _times(factor, value.left) * value.right
     return factor * value
 
 
 def _stored_outputs(block: RoundedBlock, outputs: Iterable[Output]) -> Iterable[t.Statement]:
-    """Values and errors handed out."""
+    """Return the statements that store values and errors."""
     for out in outputs:
         q = out.quantity
         owner = "added" if q in ADDED else "out"

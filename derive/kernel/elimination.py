@@ -1,7 +1,7 @@
-"""Shapes of the elimination: where its entries are and how rows change places.
+"""Layouts of the elimination: location of the matrix entries, and exchange of rows.
 
-``written.elimination`` is the text. A shape is what ``read.function`` is given with a function that calls
-it.
+``written.elimination`` is the text of the elimination. A layout consists of the arguments with which
+``read.function`` reads this text.
 """
 
 from collections.abc import Callable, Mapping
@@ -12,17 +12,17 @@ from .written import elimination as text
 
 
 def _entries(name: str) -> Callable[..., Expression]:
-    """Elements of an array."""
+    """Return elements of an array."""
     return lambda *index: Element(Name(name), index)
 
 
 def _one(name: str) -> Callable[..., Expression]:
-    """A variable that serves all indices of a loop."""
+    """Return one variable for all indices of a loop."""
     return lambda *_: Name(name)
 
 
 def _whole(row: Expression, column: Expression | None = None) -> Expression:
-    """Entries of whole rows, whose current column is in variables."""
+    """Return entries of complete rows, whose current column is in variables."""
     assert isinstance(row, Number)
     return Name(f"a_{row.value}") if column in (None, row) else Element(Name("A"), (row, column))
 
@@ -110,7 +110,7 @@ INVERSE: Mapping[str, Given] = {
 
 
 def in_lanes(about_tip: bool) -> dict[str, Given]:
-    """Every entry a variable, and a loop over lanes around it that never branches."""
+    """Return the layout with a variable for each entry, in a loop over lanes without branches."""
     return {
         **_COMMON,
         "FIRST": 3 if about_tip else 6,
@@ -121,7 +121,7 @@ def in_lanes(about_tip: bool) -> dict[str, Given]:
 
 
 def by_rows(about_tip: bool) -> dict[str, Given]:
-    """One pose with vector registers: a row of eight is one vector."""
+    """Return the layout of one pose with vector registers: a row of eight entries is one vector."""
     return {
         **_COMMON,
         "FIRST": 3 if about_tip else 6,
@@ -163,5 +163,5 @@ BLOCKS_OF_POSE: Mapping[str, Given] = {
 
 
 def blocks_in_lanes(about_tip: bool) -> dict[str, Given]:
-    """Every entry a variable in a loop over lanes; leg 1 has no moments about platform point 1."""
+    """Return the layout of two blocks in lanes; leg 1 has no moments about platform point 1."""
     return {**_BLOCKS, "OWN": 2 if about_tip else 0, "FIRST": 3 if about_tip else 6}

@@ -1,7 +1,7 @@
-"""The C interface in one table: structs with their members in order, functions and their arguments.
+"""Interface of the C code in one table: structures with ordered members, and functions with arguments.
 
-The C++ wrapper, self-test, example and README of a kit, the FMI unit and, by ``generated/interface.py``,
-the ctypes layer and the sweep read it; headers are tested to agree.
+The C++ wrapper, the self-test, the example, and the README of a kit read the table, and so does the FMI unit.
+The ctypes layer and the tests read it from ``generated/interface.py``. Tests compare the headers with it.
 """
 
 import math
@@ -16,9 +16,9 @@ from .tree import nodes as t
 
 @dataclass(frozen=True)
 class Member:
-    """Numbers of a struct, or an array that a function takes: name, shape, unit, meaning.
+    """Numbers of a structure, or an array that a function takes: name, shape, unit, meaning.
 
-    stored: dimensions in C, where a matrix is mostly one row-major array.
+    ``stored`` are the dimensions in C, in which a matrix usually is one row-major array.
     """
 
     name: str
@@ -29,12 +29,12 @@ class Member:
 
     @property
     def count(self) -> int:
-        """How many numbers C stores."""
+        """Count of numbers that C stores."""
         return math.prod(self.stored)
 
     @property
     def dims(self) -> str:
-        """Dimensions as C writes them, "" of a number."""
+        """Dimensions in C, "" for a number."""
         return "".join(f"[{dim}]" for dim in self.stored)
 
 
@@ -145,11 +145,12 @@ alone. ``drives`` stands in the header of the torques, the others in ``stewart.h
 
 @dataclass(frozen=True)
 class Argument:
-    """One argument of a C function, after the robot or model.
+    """Argument of a C function, after the robot or model.
 
-    struct: name in ``STRUCTS``, "" of an array. takes, gives: what is read of and written to it, as a caller
-    sees it; of a struct as a whole that is only read, and of one that is written beside the outputs, neither.
-    optional: may be null. shared: the same array for all poses of a batch.
+    ``struct`` is a name in ``STRUCTS``, or "" for an array. ``takes`` and ``gives`` are the members that the
+    caller sets and reads; both are empty for a complete structure that is only read, or that is written in
+    addition to the outputs. An ``optional`` argument may be null. A ``shared`` array is the same for all
+    poses of a batch.
     """
 
     name: str
@@ -162,16 +163,16 @@ class Argument:
 
     @property
     def is_motion(self) -> bool:
-        """Whether a motion is read."""
+        """True if the function reads a motion."""
         return self.struct == "motion" and not self.written
 
     @property
     def whole(self) -> bool:
-        """Whether a struct is written with all its members."""
+        """True if the function writes all members of a structure."""
         return bool(self.struct) and self.gives == STRUCTS[self.struct]
 
     def declared(self) -> str:
-        """As C declares it."""
+        """Declaration in C."""
         const = "" if self.written else "const "
         if self.struct:
             return f"{const}stewart_{self.struct} *{self.name}"
@@ -179,7 +180,7 @@ class Argument:
         return f"{const}stewart_real {self.name}{array.dims}"
 
     def of_batch(self) -> str:
-        """As C declares it of a batch, "" where the batch has no such argument."""
+        """Declaration in a batch function, "" if the batch function has no such argument."""
         if self.is_motion:
             return "const stewart_motions *motions"
         if self.whole:
@@ -191,10 +192,10 @@ class Argument:
 
 @dataclass(frozen=True)
 class Call:
-    """How the functions of one stem are called.
+    """Call of the functions with one stem.
 
-    says: what it does. has_batch: whether there is one for many poses too; has_columns: and one whose arrays
-    have a column for each component.
+    ``says`` is the description. ``has_batch`` is True if a function for many poses exists, and
+    ``has_columns`` if one with a column for each component exists.
     """
 
     says: str
@@ -204,33 +205,33 @@ class Call:
 
     @property
     def motion(self) -> bool:
-        """Whether a ``stewart_motion`` is read."""
+        """True if the function reads a ``stewart_motion``."""
         return any(each.is_motion for each in self.arguments)
 
     @property
     def inputs(self) -> tuple[Member, ...]:
-        """What is read besides motion, robot and model."""
+        """Inputs except motion, robot, and model."""
         return tuple(member for each in self.arguments for member in each.takes)
 
     @property
     def outputs(self) -> tuple[Member, ...]:
-        """What is handed out, in order."""
+        """Outputs in order."""
         return tuple(member for each in self.arguments for member in each.gives)
 
     @property
     def taken(self) -> int:
-        """How many numbers are read besides motion, robot and model."""
+        """Count of numbers in the inputs except motion, robot, and model."""
         return sum(member.count for member in self.inputs)
 
     @property
     def count(self) -> int:
-        """How many numbers are handed out."""
+        """Count of numbers in the outputs."""
         return sum(member.count for member in self.outputs)
 
     def prototypes(self, symbol: str, subject: str, batch: bool) -> list[str]:
-        """C declarations of ``symbol`` and, with ``batch``, of its batch and the one of columns.
+        """Return the C declarations of ``symbol`` and, with ``batch``, of the batch and column functions.
 
-        subject: the first parameter, "" for none.
+        ``subject`` is the first parameter, "" for none.
         """
         first = [subject] if subject else []
         found = [_prototype(symbol, [*first, *(each.declared() for each in self.arguments)])]
@@ -251,7 +252,7 @@ def _prototype(symbol: str, parameters: Iterable[str]) -> str:
 def _in(
     name: str, count: int, unit: str, meaning: str, shared: bool = False, optional: bool = False
 ) -> Argument:
-    """shared: one array for all poses, which may be null."""
+    """Return an input; a ``shared`` array is the same for all poses and may be null."""
     taken = (_flat(name, (count,), unit, meaning),)
     return Argument(name, takes=taken, optional=shared or optional, shared=shared)
 
@@ -420,7 +421,7 @@ CALLS: dict[str, Call] = {
 
 
 def _of_result(of: str) -> Call:
-    """How an output of one array is called, by its entry in ``RESULTS``; ValueError for one of several."""
+    """Return the call of an output with one array, by its entry in ``RESULTS``; ValueError for several."""
     found = arrays(RESULTS[of])
     if len(found) != 1:
         tables = "STRUCTS and CALLS in kernel/interface.py, STRUCTS in emit/closed_form_interface.py"

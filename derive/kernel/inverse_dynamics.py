@@ -1,6 +1,6 @@
-"""Every output of the inverse dynamics, and the regressor, as trees of one pose or of many side by side.
+"""Inverse dynamics with all terms, joint reactions, and the regressor, as trees.
 
-Numbers of the six legs are one after the other, for interpreters, or side by side, for arrays.
+The numbers of the six legs are consecutive for interpreters, and side by side for arrays.
 """
 
 from collections.abc import Mapping
@@ -53,7 +53,7 @@ _FORCES = result(
 
 
 def _column(row: t.Expression, column: t.Expression) -> t.Expression:
-    """An entry of [H | c]: columns of H are side by side in its rows."""
+    """Return an entry of [H | c]; columns of H are side by side in its rows."""
     return t.Element(t.Name("c"), (row,)) if column == t.Number(6) else t.Element(t.Name("H"), (row, column))
 
 
@@ -66,11 +66,10 @@ _ELIMINATION: Mapping[str, read.Given] = {
 
 
 def terms_program(kernel: Kernel) -> t.Program:
-    """A kernel's leg and platform with their sums, and a leg's reactions, the legs one after the other;
-    nothing is solved or checked."""
-    of_leg = structure("LegDynamics", "What a leg has.", kernel.leg.made)
+    """Return the program of the terms and reactions, leg by leg, without solution and checks."""
+    of_leg = structure("LegDynamics", "Terms of one leg.", kernel.leg.made)
     held = t.Field("leg", t.Array(t.Record(of_leg.name), (6,)), "each of them")
-    of_legs = t.Structure("Legs", "What the legs have.", (held,))
+    of_legs = t.Structure("Legs", "Terms of the legs.", (held,))
     structures = [*machine_structures(kernel.formulation.drive), of_leg, of_legs, *_results(kernel), _TERMS]
     texts = Written.of(structures, _blocks(kernel, kernel.leg, of_leg.name))
     texts.function(written.legs_in_turn, "legs_of")
@@ -81,11 +80,11 @@ def terms_program(kernel: Kernel) -> t.Program:
 
 
 def arrays_program(kernel: Kernel) -> t.Program:
-    """Inverse dynamics and joint reactions with legs side by side."""
+    """Return the inverse dynamics and joint reactions with legs side by side."""
     leg = kernel.leg
     if n.k3 not in leg.made:
         leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
-    of_legs = structure("Legs", "What the legs have.", leg.made)
+    of_legs = structure("Legs", "Terms of the legs.", leg.made)
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
     _, *own = _blocks(kernel, leg, of_legs.name)
     texts = Written.of(structures, [*shared_program().functions, *own])
@@ -99,8 +98,7 @@ def arrays_program(kernel: Kernel) -> t.Program:
 
 @cache
 def shared_program() -> t.Program:
-    """What the programs with legs side by side have in common: robot and motion, the platform, checks, the
-    solve."""
+    """Return the common part of programs with legs side by side: structures, platform, checks, and solve."""
     block = share(platform()[0])
     structures = [*_machine(), _wrench(block), _TERMS]
     texts = Written.of(structures, [block_function(block, block.name, "PlatformWrench", _OF_POSE)])
@@ -113,7 +111,7 @@ def shared_program() -> t.Program:
 
 
 def regressor_program(blocks: Regressor) -> t.Program:
-    """Columns of the regressor with legs side by side."""
+    """Return the columns of the regressor with legs side by side."""
     of_legs = structure("RegressorOfLegs", "Columns of the legs.", blocks.leg.made)
     of_platform = structure("RegressorOfPlatform", "Columns of the platform.", blocks.platform.made)
     legs = t.Field("legs", t.Record(of_legs.name), "of the legs")
@@ -127,14 +125,14 @@ def regressor_program(blocks: Regressor) -> t.Program:
 
 
 def rotor_program(columns: Block) -> t.Program:
-    """Columns of the legs' rotors with legs side by side."""
+    """Return the columns of the rotors with legs side by side."""
     of_legs = structure("RotorColumns", "Columns of the legs' rotors.", columns.made)
     made = block_function(columns, "rotor_columns", of_legs.name, _OF_LEG | _OF_POSE)
     return Written.of([*_machine(), of_legs], [made]).program("rotor")
 
 
 def _machine() -> list[t.Structure]:
-    """The robot with its legs side by side, and the motion."""
+    """Return the structures of the robot, with its legs side by side, and of the motion."""
     leg, robot, motion = machine_structures()
     side_by_side = t.Field("leg", t.Record("Leg"), "the legs, in each number one value for each leg")
     return [leg, replace(robot, members=(*robot.members[:-1], side_by_side)), motion]

@@ -1,4 +1,4 @@
-"""Kinematics as trees: legs of a pose, the search of a pose from leg lengths, orientations and rates."""
+"""Kinematics as trees: inverse kinematics, search for the pose of leg lengths, orientations and rates."""
 
 import itertools
 import random
@@ -17,7 +17,7 @@ from .layouts import Arguments, Written, block_function, structure
 from .prepare import machine_structures, result
 from .tree import nodes as t
 from .tree import read
-from .tree.counted import counted
+from .tree.operation_counter import counted
 from .written import batch, legs
 from .written.kinematics import nearest_pose
 from .written.kinematics import pose_search as written
@@ -29,8 +29,7 @@ _VECTORS = (n.q, k.S, n.L)
 
 
 def legs_batch(blocks: k.Kinematics) -> t.Program:
-    """``motions_of``: lengths of the legs, their rates and second rates, and their vectors; and
-    ``stewart_legs_batch``, of many poses, for C."""
+    """Return the program of the legs: lengths, rates, second rates, and vectors, and its batch in C."""
     dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, t.Array)}
     arrays = t.Structure("LegsArrays", "", tuple(t.Field(name, NUMBERS) for name in dims))
     held = [structure("LegMotion", "A leg.", blocks.second.made), _LEG_MOTIONS, arrays]
@@ -52,10 +51,10 @@ def legs_batch(blocks: k.Kinematics) -> t.Program:
 def search_program(
     blocks: k.Kinematics, public: Collection[str] = (), check: Mapping[str, read.Given] = CARRIED
 ) -> t.Program:
-    """``rates_of``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
+    """Return the program of ``rates_of``, ``pose_of``, and ``twist_of``: from a pose to lengths and back.
 
-    public: some of ``PUBLIC`` as well, whose numbers are NaN where the status is not OK. check: of legs,
-    ``RETURNED`` for one pose.
+    ``public`` adds some of ``PUBLIC``, whose results are NaN if the status is not OK. ``check`` is the check
+    of the legs, ``RETURNED`` for one pose.
     """
     of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [
@@ -83,7 +82,7 @@ def search_program(
 
 
 def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
-    """Operations of "lengths", "lengths, rates", a "search" without its steps, a "step", and "velocity"."""
+    """Count the operations of lengths, rates, a search without its steps, a step, and the velocity."""
     program = search_program(blocks)
     draw = random.Random(1)
 
@@ -109,7 +108,7 @@ def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
 
 
 def rotation_program(blocks: Iterable[Block]) -> t.Program:
-    """Orientation and its rates, from angles or a quaternion: a function for each of the blocks."""
+    """Return a function for each block of an orientation and its rates."""
     made = []
     for block in blocks:
         # A quaternion's numbers stand in one array, scalar first.
@@ -159,7 +158,7 @@ _SEARCHED = (
             t.Field("straight", t.Integer(), "1 if each step is at most half as long as the one before"),
         ),
     ),
-    result("FoundPose", "What the search of a pose finds.", t.Field("pose", t.Record("Pose"), "the pose")),
+    result("FoundPose", "Result of the search for a pose.", t.Field("pose", t.Record("Pose"), "the pose")),
     result(
         "Twist",
         "Velocity of the platform.",
@@ -178,4 +177,4 @@ _SEARCH = tuple(
     for each in (*vars(written).values(), *vars(nearest_pose).values())
     if callable(each) and each not in (*PUBLIC.values(), *_OTHERS)
 )
-"""What the search of a pose is made of, each after what it calls, as in the files."""
+"""Functions of the search for a pose, each after the functions that it calls."""

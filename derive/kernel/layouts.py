@@ -1,7 +1,7 @@
-"""Where quantities live: structures of them, loads and stores of blocks, what is checked of a leg.
+"""Memory layouts: structures of quantities, loads and stores of blocks, and checks of legs.
 
-A layout says where a quantity is: in a structure's member, in an array, in one of the lanes of either, or
-in a constant. The lanes are the legs of a pose or the poses of a block.
+A layout gives the location of each quantity: a member of a structure, an element of an array, a lane of
+either, or a constant. The lanes are the legs of one pose or the poses of a block.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -19,8 +19,8 @@ from ..program.block import Block, Output, Quantity, Step
 from ..program.order import Ready
 from .tree import nodes as t
 from .tree import read
+from .tree.function_text import Names
 from .tree.lower import expression, steps_of
-from .tree.written_text import Names
 from .written import legs
 
 LANE = t.Name("l")
@@ -31,14 +31,14 @@ CHECKED = (n.q, n.L, n.k3)
 
 @dataclass(frozen=True)
 class Place:
-    """An array, or a number; lane: index of the lane, if there are lanes; first: index of its first part."""
+    """Location of a quantity in an array or a number, with the indices of its lane and first component."""
 
     array: t.Expression
     lane: tuple[t.Expression, ...] = ()
     first: int = 0
 
     def part(self, quantity: Quantity, index: int) -> t.Expression:
-        """One component of the quantity that is here."""
+        """Return one component of the quantity."""
         own = (t.Number(self.first + index),) if quantity.shape else ()
         return t.Element(self.array, (*own, *self.lane)) if own or self.lane else self.array
 
@@ -51,12 +51,12 @@ Layout = Callable[[Quantity], Place | t.Name]
 
 
 def member(owner: str | t.Expression, quantity: Quantity, *lane: t.Expression) -> Place:
-    """A quantity as a member of a structure."""
+    """Return a quantity as a member of a structure."""
     return Place(t.Member(t.Name(owner) if isinstance(owner, str) else owner, quantity.name), lane)
 
 
 def loads(quantities: Iterable[Quantity], used: set[str], layout: Layout) -> tuple[t.Statement, ...]:
-    """A constant for each component that is used."""
+    """Return a constant for each component that is used."""
     found: list[t.Statement] = []
     for q in quantities:
         place = layout(q)
@@ -71,10 +71,10 @@ def loads(quantities: Iterable[Quantity], used: set[str], layout: Layout) -> tup
 def where_read(
     loaded: Iterable[t.Statement], steps: Iterable[t.Statement]
 ) -> tuple[tuple[t.Statement, ...], tuple[t.Statement, ...]]:
-    """Steps, each run of them after the loads that it is the first to read; and loads that none reads.
+    """Return the steps, with each load before the first step that reads it, and the loads that no step reads.
 
-    A run goes from comment to comment, and all components of a quantity are loaded together. Processors with
-    few registers would store and read again what is loaded long before it is used.
+    Steps are grouped from comment to comment, and all components of a quantity are loaded together. Otherwise
+    processors with few registers would store a loaded value and read it again.
     """
     waiting: dict[t.Expression, list[t.Let]] = {}
     for each in loaded:
@@ -95,7 +95,7 @@ def where_read(
 
 
 def varies(statement: t.Statement) -> bool:
-    """Whether a load is from a place with lanes."""
+    """Return True if a load reads an array with lanes."""
     return (
         isinstance(statement, t.Let)
         and isinstance(statement.value, t.Element)
@@ -104,12 +104,12 @@ def varies(statement: t.Statement) -> bool:
 
 
 def parted(found: Sequence[t.Statement]) -> tuple[tuple[t.Statement, ...], tuple[t.Statement, ...]]:
-    """Loads that are the same for all lanes, and the others."""
+    """Separate loads that are equal for all lanes from the others."""
     return tuple(each for each in found if not varies(each)), tuple(each for each in found if varies(each))
 
 
 def stores(outputs: Iterable[Output], layout: Layout) -> tuple[t.Statement, ...]:
-    """Each component of the outputs put into its place."""
+    """Return the statements that store each component of the outputs."""
     found: list[t.Statement] = []
     for out in outputs:
         place = layout(out.quantity)
@@ -121,12 +121,12 @@ def stores(outputs: Iterable[Output], layout: Layout) -> tuple[t.Statement, ...]
 def set_in_order(
     array: t.Expression, exprs: Iterable[sp.Expr], *lane: t.Expression
 ) -> tuple[t.Statement, ...]:
-    """Elements of an array, one after the other."""
+    """Return the statements that set the elements of an array in order."""
     return tuple(t.Assign(t.Element(array, (t.Number(i), *lane)), expression(e)) for i, e in enumerate(exprs))
 
 
 def added(target: t.Expression, term: sp.Expr) -> t.Assign:
-    """``target = target + term``, the sign of a product drawn out."""
+    """Return ``target = target + term``, or a subtraction if the term has a minus sign."""
     if not term.is_Add and term.could_extract_minus_sign():
         return t.Assign(target, target - expression(-term))
     return t.Assign(target, target + expression(term))
@@ -137,9 +137,10 @@ def assembled(
     H: Callable[[int], t.Expression] = lambda row: t.at("column", row, "l"),
     c: Callable[[int], t.Expression] = lambda row: t.at("c", row, "l"),
 ) -> tuple[t.Statement, ...]:
-    """``written.legs.add_leg`` of what a block makes and does not store: column of H set, part of c added.
+    """Return the statements of ``written.legs.add_leg`` for results of a block that it does not store.
 
-    H, c: places of a row, of poses in lanes unless given.
+    They set a column of H and add a part of c. ``H`` and ``c`` are the locations of a row; by default poses
+    are in lanes.
     """
     column = [(i, e) for i, q in ((0, n.H_force), (3, n.H_moment)) for i, e in enumerate(exprs.get(q, ()), i)]
     parts: list[t.Statement] = []
@@ -152,21 +153,21 @@ def assembled(
 
 
 def names_used(block: Block) -> set[str]:
-    """Names that occur on some right side."""
+    """Return the names in the right sides of some steps."""
     return {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
 
 
 def loaded(
     block: Block, layout: Layout, *more: Quantity, without: Collection[Quantity] = ()
 ) -> tuple[t.Statement, ...]:
-    """Loads of what a block reads, and of ``more``; without: what is loaded already."""
+    """Return the loads of the inputs of a block and of ``more``, except the loaded inputs ``without``."""
     used = names_used(block) | {name for q in more for name in q.names}
     inputs = (q for q in block.inputs if q not in without)
     return loads(dict.fromkeys((*inputs, *more)), used, layout)
 
 
 def entries(quantities: Iterable[Quantity]) -> read.Entries:
-    """The stored numbers of quantities that are members of a structure, in order."""
+    """Return the stored numbers of quantities that are members of a structure, in order."""
     return read.Entries(tuple(partial(_entry, q, i) for q in quantities for i in range(len(q.keys))))
 
 
@@ -177,12 +178,12 @@ def _entry(quantity: Quantity, index: int, owner: t.Expression, *lane: t.Express
 def lines(
     block: Block, layout: Layout, without: Collection[Quantity] = (), ready: Ready | None = None
 ) -> tuple[t.Statement, ...]:
-    """Loads and steps of a block; without: what is loaded already; ready: when steps are, by themselves."""
+    """Return loads and steps of a block, except the loaded inputs ``without`` and the steps ``ready``."""
     return (*loaded(block, layout, without=without), *steps_of(block.steps, ready))
 
 
 def parted_steps(block: Block, wanted: Iterable[sp.Expr]) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
-    """The steps that some expressions need, and the others, each in their order."""
+    """Separate the steps that some expressions need from the others, each in order."""
     names = {symbol.name for expr in wanted for symbol in expr.free_symbols}
     before: list[Step] = []
     for step in reversed(block.steps):
@@ -196,12 +197,12 @@ def parted_steps(block: Block, wanted: Iterable[sp.Expr]) -> tuple[tuple[Step, .
 
 
 def largest(terms: Iterable[sp.Expr]) -> dict[str, read.Given]:
-    """What ``written.legs.largest_term`` goes through."""
+    """Terms that ``written.legs.largest_term`` compares."""
     return {"largest_term": legs.largest_term, "TERMS": read.Entries(tuple(map(expression, terms)))}
 
 
 def checks(leg: Block, least_length: t.Expression, least_sine: str) -> dict[str, read.Given]:
-    """How ``written.legs.checked`` and ``mark`` decide on a leg."""
+    """Conditions with which ``written.legs.checked`` and ``mark`` check a leg."""
     given = leg.exprs
     return {
         **{"checked": legs.checked, "mark": legs.mark, "HAS_SINE": int(n.k3 in given)},
@@ -216,31 +217,31 @@ def checks(leg: Block, least_length: t.Expression, least_sine: str) -> dict[str,
 
 
 def stored(quantity: Quantity, *lanes: int) -> t.Field:
-    """A member without a comment."""
+    """Return a member without a comment."""
     size = (len(quantity.keys),) if quantity.shape else ()
     return t.numbers(quantity.name, *size, *lanes)
 
 
 def unit_and_meaning(quantity: Quantity) -> str:
-    """``kg m: first moment``; of what has no unit the meaning alone."""
+    """Format unit and meaning such as ``kg m: first moment``; without a unit, the meaning only."""
     return f"{quantity.unit}: {quantity.meaning}".removeprefix(": ")
 
 
 def described(quantity: Quantity, *lanes: int) -> t.Field:
-    """A member with its unit and meaning."""
+    """Return a member with its unit and meaning."""
     return replace(stored(quantity, *lanes), meaning=unit_and_meaning(quantity))
 
 
 def structure(name: str, meaning: str, quantities: Iterable[Quantity], *more: t.Field) -> t.Structure:
-    """A structure with one member for each quantity, and ``more``."""
+    """Return a structure with one member for each quantity, and ``more``."""
     return t.Structure(name, meaning, (*map(described, quantities), *more))
 
 
 def block_function(block: Block, name: str, result: str, arguments: Arguments) -> t.Function:
-    """A block as a function that returns a structure of its outputs.
+    """Return a block as a function that returns the structure ``result`` of its outputs.
 
-    result: the structure's name. arguments: the structures that it reads, with the quantities in each, by the
-    name of the argument; without a structure's name the argument is a number, or an array of all components.
+    ``arguments`` are, by name, the structures that it reads with the quantities in each. Without the name of
+    a structure, the argument is a number, or an array of all components.
     """
     owners = {q: argument for argument, (_, held) in arguments.items() for q in held}
     of_structures = [q for q in block.used_inputs() if arguments[owners[q]][0]]
@@ -261,7 +262,7 @@ def block_function(block: Block, name: str, result: str, arguments: Arguments) -
 
 
 def filling(block: Block, made: t.Structure) -> t.Function:
-    """A block as a function that fills the structure; named steps keep equation number and meaning."""
+    """Return a block as a function that fills a structure; steps keep equation number and meaning."""
     inputs = block.inputs
     given = [q for q in inputs if q in (n.x, n.bearing)]
     arguments = [
@@ -282,9 +283,10 @@ def _place(q: Quantity) -> Place:
 
 @dataclass
 class Written:
-    """Functions read one after the other; each may call those before it.
+    """Functions read in order; each may call the previous ones.
 
-    structures: by the names that the texts give them; given: constants, and statements by their names.
+    ``structures`` are the structures by the names in the texts, and ``given`` constants and statements by
+    name.
     """
 
     structures: Mapping[str, t.Structure]
@@ -298,7 +300,7 @@ class Written:
         functions: Iterable[t.Function] = (),
         given: Mapping[str, read.Given] = MappingProxyType({}),
     ) -> Self:
-        """Structures and functions by their own names."""
+        """Create the collection with structures and functions by their own names."""
         return cls({each.name: each for each in structures}, given, {each.name: each for each in functions})
 
     def function(
@@ -312,7 +314,7 @@ class Written:
         names: Names = MappingProxyType({}),
         **words: object,
     ) -> t.Function:
-        """One more function, ``$word`` in its comment replaced; structures: those that it alone may name."""
+        """Read one more function; ``structures`` are additional structures for this function only."""
         known, given = {**self.structures, **structures}, {**self.given, **given}
         found = read.function(written, known, self.functions, name, public, given, names)
         meaning = Template(found.meaning).substitute({key: str(word) for key, word in words.items()})
@@ -325,11 +327,11 @@ class Written:
     def add(
         self, *written: Callable[..., object], given: Mapping[str, read.Given] = MappingProxyType({})
     ) -> None:
-        """Several more."""
+        """Read several functions."""
         for each in written:
             self.function(each, given=given)
 
     def program(self, name: str) -> t.Program:
-        """All of them."""
+        """Return the program of all functions."""
         functions = dict.fromkeys(self.functions.values())
         return t.Program(name, tuple(self.structures.values()), tuple(functions))

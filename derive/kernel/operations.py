@@ -1,7 +1,7 @@
-"""Operation counts of a whole kernel: six legs, platform, sum of c, solve, F = D - x.
+"""Operation counts of a complete kernel: six legs, platform, sum of c, solve, and F = D - x.
 
-Counts +, -, *, / and sqrt one each; negation, copies, comparisons and absolute values are free. Blocks are
-counted by their expressions, the solves by running their texts.
++, -, *, /, and sqrt count one each; negations, copies, comparisons, and absolute values are not counted. The
+expressions of blocks are counted directly. The linear solves are run on a type that counts.
 """
 
 import random
@@ -19,10 +19,10 @@ from .elimination import BY_POINTERS, ONCE, blocks_in_lanes, in_lanes
 from .prepare import is_scaled
 from .shared import FORCE
 from .tree import read
-from .tree.counted import counted
 from .tree.fused import fused, with_products_in_sums
 from .tree.lower import expression, steps_of
 from .tree.nodes import Binary, Function, Name, Node, Program, Return, calls_in, parts_of
+from .tree.operation_counter import counted
 from .tree.read import POSES, Given
 from .written import lanes, scalar, solve
 
@@ -32,8 +32,11 @@ NOTHING = Operations()
 
 @dataclass(frozen=True)
 class KernelOperations:
-    """Counts of one pose of inverse dynamics, part by part; moments: of one leg; arms: of how many legs
-    they are made. fused: operations that fused multiply-adds save."""
+    """Operation counts of one pose of the inverse dynamics by part.
+
+    ``moments`` is the count for one leg, and ``arms`` the number of legs with moments. ``fused`` is the
+    number of operations that fused multiply-adds save.
+    """
 
     leg: Operations
     platform: Operations
@@ -46,12 +49,12 @@ class KernelOperations:
 
     @property
     def total(self) -> Operations:
-        """Everything: six legs, the platform's part, moments, the sum of c, the solve, F = D - x."""
+        """Sum of all counts: six legs, platform, moments, the sum of c, the solve, and F = D - x."""
         parts = self.platform + self.arms * self.moments + self.sum_c + self.solve + self.forces
         return LEGS * self.leg + parts
 
     def parts(self) -> dict[str, Operations]:
-        """The counts by name, the total last."""
+        """Counts by name, with the total at the end."""
         return {
             "leg": self.leg,
             "platform": self.platform,
@@ -74,7 +77,7 @@ _SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
 
 @cache
 def solve_operations(name: str) -> Operations:
-    """Operations of a written solve, of one of the systems where it solves several side by side."""
+    """Count the operations of a written solve; for several systems side by side, of one of them."""
     force, function, count = _solve(name)
     draw = random.Random(1)
     alone = Program("", (), (force, function))
@@ -84,20 +87,20 @@ def solve_operations(name: str) -> Operations:
 
 @cache
 def _solve(name: str) -> tuple[Function, Function, int]:
-    """What stands for F = D - x, which is counted apart; a solve; and how many systems it solves."""
+    """Function with a solve, statement that replaces F = D - x in it, and the number of systems it solves."""
     text, given, count = _SOLVES[name]
     force = replace(FORCE, body=(Return(Name("x")),))
     return force, read.function(text, {}, {force.name: force}, given=given), count
 
 
 def _fused(function: Function, named: bool = False) -> int:
-    """Count the operations that fused multiply-adds save; named: with named products fused as well."""
+    """Count the operations that fused multiply-adds save; ``named`` also fuses named products."""
     body = with_products_in_sums(function.body) if named else function.body
     return _instructions(function) - _instructions(fused(replace(function, body=body)))
 
 
 def _instructions(function: Function) -> int:
-    """Count sums, products that are read, and fused multiply-adds."""
+    """Count sums, products, and fused multiply-adds."""
     unread = [each for each in calls_in(function.body) if each.function == "(void)"]
     nodes = list(parts_of(function.body, Node))
     sums = sum(isinstance(each, Binary) and each.operator in ("+", "-", "*") for each in nodes)
@@ -111,7 +114,7 @@ def _fused_in(block: Block, named: bool = False) -> int:
 
 
 def kernel_operations(kernel: Kernel) -> KernelOperations:
-    """Counts of a kernel as it is (share its blocks first to count what is emitted)."""
+    """Count the operations of a kernel; share its blocks before to count the emitted code."""
     return KernelOperations(
         leg=kernel.leg.operations(),
         platform=kernel.platform.operations(),
@@ -122,11 +125,12 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
 
 
 def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOperations:
-    """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs.
+    """Count the operations of a regrouped kernel; ``platform`` contains the common terms of a pose.
 
-    What a leg does not have, its part of c or its D, costs nothing to add. scalar_text: of the function that
-    takes the legs one after the other: leg 1 as the others, platform point 1 before them, and the product of
-    the pivots. A solve that scales moments by a number folded in does so; a prepared model decides itself.
+    If a leg has no part of c or no D, its addition is not counted. ``scalar_text`` counts the function that
+    computes the legs one after the other: with leg 1 like the others, platform point 1 before them, and the
+    product of the pivots. A solver that scales moments by a constant in the code includes the scaling; a
+    prepared model decides this at run time.
     """
     given = kernel.leg.made
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
@@ -154,6 +158,6 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
 
 
 def _scaling(kernel: ForceKernel, scalar_text: bool) -> Operations:
-    """Moments of [H | c] over a length; of a block about platform point 1 leg 1 has none."""
+    """Count the scaling of the moments of [H | c]; about platform point 1, leg 1 has none."""
     columns = LEGS + (scalar_text or not kernel.about_tip)
     return Operations(mul=3 * columns) if kernel.constants is not None and is_scaled(kernel) else NOTHING

@@ -1,4 +1,4 @@
-"""Every output that kernels have as trees: the structures, blocks and written functions that each needs."""
+"""Outputs of the kernels: the structure, blocks, and written functions of each, and their programs."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -20,8 +20,8 @@ from .prepare import result as _result
 from .shared import legs_in_turn, shared
 from .tree import nodes as t
 from .tree import read
+from .tree.function_text import Names
 from .tree.nodes import Field, Record, Structure
-from .tree.written_text import Names
 from .written import closed_form, elimination, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
@@ -31,7 +31,7 @@ Written = Callable[..., Any]
 
 @dataclass(frozen=True)
 class Text:
-    """A written function, and what some of its names stand for; given: as ``read.function`` has it."""
+    """Written function with the content of its placeholders, ``given`` as for ``read.function``."""
 
     written: Written
     names: Names = field(default_factory=dict)
@@ -39,7 +39,7 @@ class Text:
 
 
 Definition = Structure | Text | Callable[[], t.Function]
-"""What a name stands for; blocks are lowered where they are needed."""
+"""Content of a placeholder; blocks are converted when they are needed."""
 
 
 def program(
@@ -48,10 +48,10 @@ def program(
     outputs: Collection[str] = (FORCES,),
     by_pivots: bool = False,
 ) -> t.Program:
-    """Preparation and some of ``OUTPUTS``, of one pose or of many side by side.
+    """Return the program of the preparation and of some of ``OUTPUTS``.
 
-    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. by_pivots:
-    one solve alone.
+    ``kernel`` contains the blocks of the forces, whose prepared model all outputs use, and ``sums`` the
+    kernels of the closed form. ``by_pivots`` omits the linear solver in two blocks.
     """
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _of_forces(kernel) | _NAMED
@@ -67,8 +67,10 @@ def program(
 def program_in_lanes(
     kernel: ForceKernel, sums: Collection[terms.SumKernel], outputs: Collection[str]
 ) -> t.Program:
-    """The closed form's outputs without what lanes do in another way: sums, forces, ``singular_status`` and
-    the checks of results, which have no bodies."""
+    """Return the program of the closed form without the functions that differ with lanes.
+
+    Sums, forces, ``singular_status``, and the checks of results have no bodies.
+    """
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _NAMED
     of_pose: dict[str, Any] = {"model": Record("Model"), "motion": Record("Motion")}
@@ -93,18 +95,18 @@ def program_in_lanes(
 
 
 def sums_used(outputs: Collection[str], deep: bool = True) -> set[str]:
-    """Names of the kernels whose sums outputs need; deep: those where digits are lost as well."""
+    """Return the names of the kernels whose sums outputs need; ``deep`` includes paths with lost digits."""
     called = _called(outputs, deep)
     return {each for each in m.NAMES if f"{PREFIX.get(each, each)}_sums" in called}
 
 
 def solves(output: str) -> bool:
-    """Whether an output solves linear equations."""
+    """Return True if an output solves linear equations."""
     return any(each.startswith(("solve", "definite_six")) for each in _called((output,), deep=True))
 
 
 def _called(outputs: Collection[str], deep: bool) -> set[str]:
-    """Names of all that outputs call, themselves and through others."""
+    """Return the names of all functions that outputs call, directly or indirectly."""
     texts = {name: each for module in _MODULES for name, each in vars(module).items() if callable(each)}
     found: set[str] = set()
     waiting = list(outputs)
@@ -118,7 +120,7 @@ def _called(outputs: Collection[str], deep: bool) -> set[str]:
 
 @dataclass(frozen=True)
 class _Needed:
-    """Structures and functions that are needed, each after those that it needs."""
+    """Required structures and functions, each after its dependencies."""
 
     known: Mapping[str, Definition]
     public: tuple[str, ...]
@@ -126,13 +128,13 @@ class _Needed:
     functions: dict[str, t.Function]
 
     def program(self, name: str) -> t.Program:
-        """The public functions with all that they need."""
+        """Return the program of the public functions with their dependencies."""
         for each in self.public:
             self.add(each)
         return t.Program(name, tuple(self.structures.values()), tuple(self.functions.values()))
 
     def add(self, name: str) -> None:
-        """What a name stands for, with what that needs; nothing where it stands for nothing."""
+        """Return the functions of a name and their dependencies; nothing for a name without functions."""
         found = self._found(name)
         if found is None or name in self.structures or name in self.functions:
             return
@@ -160,7 +162,7 @@ class _Needed:
                 self.add(kind.name)
 
     def _found(self, name: str) -> Definition | None:
-        """The definition of a name, or of what ends in a width."""
+        """Return the definition of a name, or of a name that ends in a width."""
         text, _, width = name.rpartition("_")
         found = self.known.get(text)
         if name not in self.known and width.isdigit() and isinstance(found, Text):
@@ -172,7 +174,7 @@ _MODULES = (legs, solve, forces, closed_form, joint_rows)
 
 
 def _texts(kernel: ForceKernel) -> dict[str, Definition]:
-    """Every written function by its name."""
+    """Return every written function by its name."""
     found: dict[str, Definition] = {
         name: Text(text) for module in _MODULES for name, text in vars(module).items() if callable(text)
     }
@@ -194,13 +196,13 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
 
 
 SIX: Mapping[str, read.Given] = {"definite_six": elimination.definite_six}
-"""How six equations with M are solved."""
+"""Functions that solve six equations with M."""
 
 
 def inertia_at(place: Callable[[Quantity, int, int], t.Expression]) -> Callable[..., t.Expression]:
-    """A number of M, in its upper triangle, from its parts.
+    """Return an element of the upper triangle of M from its parts.
 
-    place: takes the part, the number's index in it, and its index in all three, one after the other.
+    ``place`` takes the part, the index of the element in it, and the index in all three consecutive parts.
     """
     vv, vw, ww = terms.INERTIA
 
@@ -214,7 +216,7 @@ def inertia_at(place: Callable[[Quantity, int, int], t.Expression]) -> Callable[
 
 
 def _right(row: t.Number) -> t.Expression:
-    """A number of the right side."""
+    """Return an element of the right side."""
     force, moment = terms.RIGHT
     return t.at(t.of("summed", (force if row.value < 3 else moment).name), int(row.value) % 3)
 
@@ -230,7 +232,7 @@ def _numbers(*dims: int) -> t.Type:
 
 
 def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
-    """Blocks of the actuator forces; moments about platform point 1."""
+    """Return the blocks of the actuator forces, with moments about platform point 1."""
     blocks = [kernel.leg] if kernel.leg_near_singular is None else [kernel.leg, kernel.leg_near_singular]
     of_legs = [_complete(block, _LEG_OUTPUTS) for block in blocks]
     moments = _complete(kernel.moments, (n.H_moment, p.arm_c))
@@ -241,8 +243,8 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
     tip: Arguments = {"sums": ("Sums", (p.q_1,))}
     right: Arguments = {"shared": ("SharedTerms", (n.c_force, n.c_moment))}
     structures = (
-        structure("SharedTerms", "What a pose has for all legs.", shared),
-        structure("LegTerms", "What a leg has.", _LEG_OUTPUTS),
+        structure("SharedTerms", "Terms of a pose that are common to all legs.", shared),
+        structure("LegTerms", "Terms of one leg.", _LEG_OUTPUTS),
         structure("ShiftTerms", "The platform's part of c about platform point 1.", [p.c_tip]),
         structure("MomentTerms", "A leg's moments about platform point 1.", moments.made),
         structure(
@@ -266,7 +268,7 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
 
 
 def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
-    """The block with all of these outputs: zero where it has none, and a sine of one."""
+    """Return the block with all of these outputs: missing outputs are zero, and a missing sine is one."""
     given = {out.quantity: out for out in block.outputs}
     absent = {n.k3: sp.S.One}
     outputs = [given.get(q, Output(q, (absent.get(q, sp.S.Zero),) * len(q.keys))) for q in quantities]
@@ -281,17 +283,17 @@ PREFIX = {"forward_dynamics": "forward", "bias_and_friction": "bias"}
 
 
 def prefix_of(sums: terms.SumKernel) -> str:
-    """Prefix of the names of a kernel's functions."""
+    """Return the prefix of the function names of a kernel."""
     return PREFIX.get(sums.name, sums.name)
 
 
 def camel(name: str) -> str:
-    """``JointRows`` of ``joint_rows``."""
+    """Return ``JointRows`` for ``joint_rows``."""
     return "".join(word.capitalize() for word in name.split("_"))
 
 
 def _of_sums(kernel: ForceKernel, sums: terms.SumKernel) -> dict[str, Definition]:
-    """One kernel of the closed form: blocks and sums, by their names."""
+    """Return blocks and sums of one kernel of the closed form by name."""
     prefix = prefix_of(sums)
     name = camel(prefix)
     of_pose, of_leg, of_sums, of_legs = (f"{name}{part}" for part in ("Pose", "Leg", "Sums", "Legs"))
@@ -382,12 +384,12 @@ RESULTS = {
 
 
 def arrays(result: Structure) -> list[Field]:
-    """What an output hands out: its members but the status."""
+    """Return the result arrays of an output: its members except the status."""
     return [each for each in result.members if each.name != "status"]
 
 
 def check_arrays(results: Mapping[str, Structure]) -> None:
-    """Raise ValueError, of one line, for a member of an output that is no array of numbers."""
+    """Raise ValueError, in one line, if a member of an output is not an array of numbers."""
     for of, result in results.items():
         for each in arrays(result):
             if not isinstance(each.type, t.Array) or each.type.item != t.Real():
@@ -401,12 +403,12 @@ FORCED = ("forward_dynamics", "linearization")
 """Outputs that take the actuator forces."""
 
 _STRUCTURES = (
-    structure("LegInputs", "What a leg's blocks are given.", m.GIVEN),
+    structure("LegInputs", "Inputs of the blocks of a leg.", m.GIVEN),
     Structure(
         "Rows",
         "M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform.",
         (
-            Field("given", t.Array(Record("LegInputs"), (6,)), "what the derivatives are given of the legs"),
+            Field("given", t.Array(Record("LegInputs"), (6,)), "inputs of the derivatives, one for each leg"),
             Field("extent", _numbers(24), "root of the inertia in each row"),
             Field("weight", _numbers(24, 3), "1: W in blocks of three rows"),
             Field("row", _numbers(24, 6), "A, each row times the root of its inertia; then L and U"),
@@ -417,10 +419,10 @@ _STRUCTURES = (
             Field("length", t.Real(), "m: moments and rotations are measured by it"),
         ),
     ),
-    _result("Apart", "What the rows give.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),
+    _result("Apart", "Result of the rows.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),
     _result(
         "SlopesApart",
-        "What the rows give of a linearization.",
+        "Result of the rows for a linearization.",
         Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha"),
         Field("A", _numbers(6, 24), "the rows solved"),
     ),

@@ -1,9 +1,9 @@
-"""Preparation: the blocks that make a robot's constants, as functions, and by what the solve scales moments.
+"""Preparation of a robot: the blocks of its constants as functions, and the length that scales moments.
 
-Every operation of a kernel but one is homogeneous in the units of length, mass and time, so that units that
-are powers of two change no bit of it: the choice of a pivot compares force rows, without unit, with moment
-rows, in meters. The length is a power of two as well, so that it changes no bit but through that choice. On
-platforms of about a meter it is 1, and no solve multiplies by it.
+All operations of a kernel except one are homogeneous in the units of length, mass, and time. Therefore units
+that differ by powers of two give identical bits. The exception is the choice of a pivot, which compares force
+rows, without unit, with moment rows, in meters. The length that scales moments is a power of two, so that it
+influences only this choice. For platforms of about a meter it is 1, and no solve multiplies by it.
 """
 
 import math
@@ -84,7 +84,7 @@ def motion_words(kernel: ForceKernel) -> dict[str, Any]:
 
 
 def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
-    """The robot and its leg that a kernel is prepared from: those of ``stewart.h``, or its own."""
+    """Structures of robot and leg for the preparation: from ``stewart.h``, or defined by the kernel."""
     more = kernel.more_of_legs()
     if not more:
         return ROBOT, LEG
@@ -98,11 +98,11 @@ def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
 
 
 HANDED_OVER: dict[str, Given] = {"hand_over": solve.handed_over}
-"""How the texts of preparation end."""
+"""Last statements of the functions of the preparation."""
 
 
 def per_length(size: float) -> float:
-    """What ``written.solve.per_length_of`` returns."""
+    """Structure that ``written.solve.per_length_of`` returns."""
     if SMALLEST <= size <= LARGEST or size == 0.0:
         return 1.0
     fraction, exponent = math.frexp(size)
@@ -110,12 +110,12 @@ def per_length(size: float) -> float:
 
 
 def is_scaled(kernel: ForceKernel) -> bool:
-    """Whether moments are multiplied by a length at all: a prepared model decides when it is prepared."""
+    """Return True if moments may be scaled; for a prepared model this is decided when it is prepared."""
     return kernel.constants is None or per_length(kernel.size) != 1.0
 
 
 def flags(kernel: ForceKernel) -> dict[str, Given]:
-    """What texts of the forces ask of a kernel."""
+    """Properties of a kernel that the texts of the forces depend on."""
     given, baked = kernel.leg.exprs, kernel.constants is not None
     unit = per_length(kernel.size)
     return {
@@ -132,12 +132,12 @@ def flags(kernel: ForceKernel) -> dict[str, Given]:
 
 
 def size_of(texts: lay.Written, by_legs: bool) -> t.Function:
-    """The largest arm of a prepared model; by_legs: one leg stands after the other in it."""
+    """Return the largest arm of a prepared model; with ``by_legs``, its legs are consecutive."""
     return texts.function(solve.size_of, given={"BY_LEGS": int(by_legs)})
 
 
 def preparation(texts: lay.Written, kernel: ForceKernel, *lane: t.Name) -> list[t.Function]:
-    """The two blocks of preparation; lane: which of the model's a leg is, if the legs are in its lanes."""
+    """Return both blocks of the preparation; ``lane`` is the index of a leg if the legs are in lanes."""
     given = dict(zip(("robot", "leg"), raw_structures(kernel), strict=True)) | {"sum": LUMPED}
     first, second, third = (t.Argument(name, t.Record(each.name)) for name, each in given.items())
     leg, platform = (
@@ -153,7 +153,7 @@ def preparation(texts: lay.Written, kernel: ForceKernel, *lane: t.Name) -> list[
 
 
 def _prepared(block: Block, arguments: tuple[t.Argument, ...], *lane: t.Expression) -> t.Function:
-    """One of them; ``added`` takes what is lumped with the platform."""
+    """Return one of the blocks; ``added`` receives the contributions to the platform."""
 
     def out(q: Quantity) -> lay.Place:
         return lay.member("added", q) if q in ADDED else lay.member("out", q, *lane)
@@ -164,7 +164,7 @@ def _prepared(block: Block, arguments: tuple[t.Argument, ...], *lane: t.Expressi
 
 
 def axis(block: Block) -> Iterable[t.Statement]:
-    """The fixed axis, which may have any length, as ``raw`` reads it."""
+    """Return the fixed axis, which may have any length, as read by ``raw``."""
     if n.k in block.inputs and lay.names_used(block) & set(n.k.names):
         k = t.Member(t.Name("leg"), "k")
         yield t.Variable("axis", t.Array(t.Real(), (3,)), blank=True)
@@ -172,7 +172,7 @@ def axis(block: Block) -> Iterable[t.Statement]:
 
 
 def raw(quantity: Quantity) -> lay.Place:
-    """Where an input of preparation is; of leg 1 alone, in the robot's first leg."""
+    """Return the location of an input of the preparation; inputs of leg 1 are in the robot's first leg."""
     if quantity == n.k:
         return lay.Place(t.Name("axis"))
     if quantity == n.p_1:
@@ -182,13 +182,13 @@ def raw(quantity: Quantity) -> lay.Place:
 
 
 def structures(kernel: ForceKernel) -> dict[str, t.Structure]:
-    """Structures that preparation reads and makes, by the names that the written functions give them."""
+    """Return the structures that the preparation reads and creates, by their names in the texts."""
     robot, leg = raw_structures(kernel)
     return {"Robot": robot, "RawLeg": leg, "Motion": MOTION, "Lumped": LUMPED}
 
 
 def literal(quantity: Quantity) -> str:
-    """Name of a constant that a baked kernel has once, whichever of its functions read it."""
+    """Return the name of a constant of a baked kernel, which all of its functions use."""
     return f"BAKED_{quantity.name}"
 
 
@@ -207,12 +207,14 @@ def literals(kernel: ForceKernel) -> str:
 
 
 def result(name: str, meaning: str, *members: t.Field) -> t.Structure:
-    """What a function returns: members, and a status."""
-    return t.Structure(name, meaning, (*members, t.Field("status", t.Integer(), "0, or what is wrong")))
+    """Structure that a function returns: members, and a status."""
+    return t.Structure(
+        name, meaning, (*members, t.Field("status", t.Integer(), "0, or the code of an error"))
+    )
 
 
 def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> list[t.Structure]:
-    """The robot and the motion; drive: the robot's legs have rotors; more: what else they have."""
+    """Return the structures of robot and motion; with ``drive``, legs have rotors. ``more``: members."""
     legs = t.Field("leg", t.Array(t.Record("Leg"), (6,)), "the legs")
     return [
         lay.structure("Leg", "One leg.", (*(n.OF_LEG if drive else n.LEG), *more)),
@@ -222,11 +224,11 @@ def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> 
 
 
 def model_structures(kernel: ForceKernel) -> list[t.Structure]:
-    """The robot, the motion, and the constants that a kernel prepares."""
+    """Return the structures of robot and motion, and of the constants that a kernel prepares."""
     return [
         *machine_structures(n.m_r in kernel.prepare_leg.inputs, kernel.more_of_legs()),
         lay.structure("LegConstants", "Prepared constants of one leg.", kernel.prepare_leg.made),
-        lay.structure("Added", "What the legs add to the platform's constants.", ADDED),
+        lay.structure("Added", "Contributions of the legs to the constants of the platform.", ADDED),
         lay.structure("Platform", "Constants of the platform.", kernel.platform_constants()),
         result(
             "Model",
@@ -240,7 +242,7 @@ def model_structures(kernel: ForceKernel) -> list[t.Structure]:
 
 
 def model_functions(kernel: ForceKernel, structures: dict[str, t.Structure]) -> list[t.Function]:
-    """What ``written.forces.prepare`` calls."""
+    """Return the functions that ``written.forces.prepare`` calls."""
     robot: lay.Arguments = {"robot": ("Robot", n.PLATFORM), "p_1": ("", (n.p_1,))}
     leg: lay.Arguments = {"leg": ("Leg", (*n.OF_LEG, *kernel.more_of_legs()))}
     return [
@@ -253,7 +255,7 @@ def model_functions(kernel: ForceKernel, structures: dict[str, t.Structure]) -> 
 
 
 def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]) -> lay.Arguments:
-    """Arguments of a leg's block: constants, the motion, and ``more``: name, structure, what it holds."""
+    """Return the arguments of a leg's block: constants, motion, and ``more`` (name, structure, content)."""
     return {
         "leg": ("LegConstants", kernel.leg_constants()),
         "platform": ("Platform", kernel.platform_constants()),

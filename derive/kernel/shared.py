@@ -1,4 +1,4 @@
-"""Functions that the sources of kernels share: each stands once, in a header that they include."""
+"""Functions that several C sources use, each in one header."""
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
@@ -16,9 +16,9 @@ from .elimination import BLOCKS_OF_POSE, INVERSE, ONCE, RETURNED, blocks_in_lane
 from .prepare import LUMPED, MOTION
 from .tree import nodes as t
 from .tree.constants import LARGEST
+from .tree.decided_selections import settled
 from .tree.lower import expression
 from .tree.read import POSES, Given
-from .tree.settle import settled
 from .written import batch, lanes, legs, moments, solve
 
 _ADDED: dict[str, Given] = {
@@ -31,9 +31,9 @@ _ADDED: dict[str, Given] = {
 
 
 def legs_in_turn(out: str, leg: str, moments: str = "") -> dict[str, Given]:
-    """How a leg at a time is added to H and c of ``out``.
+    """Return the statements that add one leg after the other to H and c of ``out``.
 
-    moments: what holds those about platform point 1, if they are not about the reference point.
+    ``moments`` are the moments about platform point 1, if they are not about the reference point.
     """
 
     def part(owner: str, name: str) -> Given:
@@ -50,7 +50,7 @@ def legs_in_turn(out: str, leg: str, moments: str = "") -> dict[str, Given]:
 
 
 def legs_with_errors(out: str, leg: str) -> dict[str, Given]:
-    """``legs_in_turn`` with rounding errors of the sums; leg 1 has no moments about its own point."""
+    """Return ``legs_in_turn`` with rounding errors of the sums; leg 1 has no moments about its own point."""
     return {
         **legs_in_turn(out, leg, leg),
         "plus": legs.plus_error,
@@ -63,7 +63,7 @@ def legs_with_errors(out: str, leg: str) -> dict[str, Given]:
 
 
 def legs_in_lanes(owner: str, rows: str) -> dict[str, Given]:
-    """The legs side by side: columns of ``rows``, and sums of one row in ``force`` and ``turn``."""
+    """Return the statements for legs side by side: columns of ``rows``, sums in ``force`` and ``turn``."""
 
     def part(name: str) -> Given:
         return lambda j, i: t.at(t.of(owner, name), j, i)
@@ -94,9 +94,10 @@ FORCE = t.signature("STEWART_FORCE", t.Real(), D=t.Real(), x=t.Real())
 
 @dataclass(frozen=True)
 class Shared:
-    """Functions around the solve, those with legs or poses in lanes, and those of every output.
+    """Functions around the linear solve, functions with lanes, and functions of every output.
 
-    moments: those of the lanes with which kernels take moments. platform_terms: what one of the last fills.
+    ``moments`` are the functions with lanes that compute moments. ``platform_terms`` is the structure that
+    the functions of every output fill.
     """
 
     solve: tuple[t.Function, ...]
@@ -107,7 +108,7 @@ class Shared:
 
     @property
     def by_name(self) -> dict[str, t.Function]:
-        """All that a source may call."""
+        """All functions that a source may call."""
         return {
             each.name: each for each in (*self.solve, *self.lanes, *self.moments, *self.outputs, *_BLOCKS)
         }
@@ -115,7 +116,7 @@ class Shared:
 
 @cache
 def shared(about_tip: bool = True) -> Shared:
-    """The functions; about_tip: of kernels whose moments are about platform point 1."""
+    """Return the shared functions; ``about_tip`` selects moments about platform point 1."""
     texts = lay.Written({"Motions": MOTIONS, "Motion": MOTION, "Lumped": LUMPED}, {}, {FORCE.name: FORCE})
     read = texts.function
     wrench = share(platform()[0])
@@ -164,7 +165,7 @@ _SHAPES = {"": lay.RIGHT_SIDE, "_without_moment": (n.c_force,), "_without_c": ()
 
 
 def by_shape(functions: Mapping[str, t.Function], has: Collection[Quantity]) -> dict[str, t.Function]:
-    """The functions for legs with these outputs, by the names that their texts give them."""
+    """Return the functions for legs with these outputs, by their names in the texts."""
     given = tuple(q for q in lay.RIGHT_SIDE if q in has)
     end = next(end for end, held in _SHAPES.items() if held == given)
     of_pose = "" if given else end
@@ -173,7 +174,7 @@ def by_shape(functions: Mapping[str, t.Function], has: Collection[Quantity]) -> 
 
 
 def _moments(texts: lay.Written, about_tip: bool) -> tuple[t.Function, ...]:
-    """The functions; about_tip: with those that take moments, as legs do themselves otherwise."""
+    """Return the functions with lanes; ``about_tip`` adds the functions that compute moments."""
     flags: dict[str, Given] = {"ABOUT_TIP": int(about_tip)}
     scaled = (texts.function(each, given=flags) for each in (moments.scale_pose, moments.scale_block))
     own = (*_of_pose(texts), *_of_block(texts)) if about_tip else ()
@@ -181,7 +182,7 @@ def _moments(texts: lay.Written, about_tip: bool) -> tuple[t.Function, ...]:
 
 
 def _of_pose(texts: lay.Written) -> Iterable[t.Function]:
-    """Legs in lanes."""
+    """Return the functions with legs in lanes."""
     shift = platform_moments()
     first = tuple(t.Let(name, t.at("q", i, 0)) for i, name in enumerate(q_1.names))
     moved = (
@@ -204,7 +205,7 @@ def _of_pose(texts: lay.Written) -> Iterable[t.Function]:
 
 
 def _of_block(texts: lay.Written) -> Iterable[t.Function]:
-    """Poses in lanes."""
+    """Return the functions with poses in lanes."""
     shift = platform_moments()
     arrays = {n.q: "q", q_1: "q_1", n.H_force: "column"}
     c = {n.c_force: lay.Place(t.Name("c"), (lay.LANE,)), n.c_moment: lay.Place(t.Name("c"), (lay.LANE,), 3)}

@@ -1,4 +1,4 @@
-"""Torques of the motors, and the axial forces on which friction of a screw acts, as trees."""
+"""Motor torques, and the axial forces that determine the friction of a screw, as trees."""
 
 from math import factorial
 

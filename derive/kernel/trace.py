@@ -1,6 +1,6 @@
-"""Runs a kernel tree on SymPy's symbols and keeps the steps: what a function computes, as formulas.
+"""Formulas of a kernel tree: the steps of a run on SymPy symbols.
 
-Of a comparison that symbols leave undecided the regular branch is taken: no fault, no leg near its joint
+If symbols do not decide a comparison, the run takes the regular branch: no error, no leg near its joint
 singularity, no exchange of rows.
 """
 
@@ -29,7 +29,7 @@ _DECIDED = {True: True, False: False, sp.true: True, sp.false: False}
 
 
 def regular(test: Any, yes: Any, no: Any) -> Any:
-    """The selection; undecided, a status is the least of both, and of numbers ``no`` is taken."""
+    """Return the regular value of an undecided selection: the smaller status, or ``no`` for numbers."""
     if isinstance(test, bool | sp.logic.boolalg.BooleanAtom):
         return yes if _DECIDED[test] else no
     return min(yes, no) if isinstance(yes, int) and isinstance(no, int) else no
@@ -61,9 +61,9 @@ class Trace:
 
 @dataclass(frozen=True)
 class Tracer(Interpreter):
-    """An interpreter on ``SYMBOLS`` that gives every value that it stores a name.
+    """Interpreter on ``SYMBOLS`` that names every stored value.
 
-    A name is that of the derivation, with the number of the leg at its end.
+    Names are the names of the derivation, followed by the number of the leg.
     """
 
     arithmetic: Arithmetic = SYMBOLS
@@ -72,13 +72,13 @@ class Tracer(Interpreter):
     """Structures of one leg, by identity, with the leg's number."""
 
     def traced(self, name: str, model: Any, *arguments: Any) -> Any:
-        """Result of a public function of the program."""
+        """Return the result of a public function of the program."""
         for i, leg in enumerate(model.leg):
             self.legs[id(leg)] = leg, i + 1
         return self.run(name, model, *arguments)
 
     def run(self, name: str, *arguments: Any) -> Any:
-        """Result of a function; it is the leg's if the first argument is."""
+        """Return the result of a function; it belongs to a leg if the first argument does."""
         function = self.program.function(name)
         _, leg = self.legs.get(id(arguments[0]), (None, 0))
         result = self._call(function, self._known(function, arguments) | {_LEG: leg})
@@ -124,7 +124,7 @@ _SYMMETRIC = {each.name for each in _QUANTITIES if each.symmetric}
 
 
 def described(constants: Iterable[str]) -> dict[str, tuple[str, str]]:
-    """Unit and meaning of the quantities that constants are components of, by name, in their order."""
+    """Return unit and meaning of the quantities to which constants belong, by name, in order."""
     of = {name: each for each in reversed(_QUANTITIES) for name in each.names}
     unit, meaning = PER_LENGTH.meaning.split(": ", 1)
     found = {}
@@ -138,7 +138,7 @@ def described(constants: Iterable[str]) -> dict[str, tuple[str, str]]:
 
 
 def needed(steps: Mapping[sp.Symbol, sp.Expr], results: Iterable[sp.Expr]) -> Steps:
-    """The steps that results need, in order; sums and copies that one step alone uses become part of it."""
+    """Return the steps that results need, in order; sums and copies that only one step uses are inserted."""
     exprs = [sp.sympify(each) for each in results]
     users = dict.fromkeys(steps, 0)
     wanted = {symbol for expr in exprs for symbol in expr.free_symbols}
@@ -163,7 +163,7 @@ def needed(steps: Mapping[sp.Symbol, sp.Expr], results: Iterable[sp.Expr]) -> St
 
 
 def renamed(steps: Steps) -> dict[sp.Symbol, sp.Symbol]:
-    """The first of several values that a name stands for gets the name itself."""
+    """Give the first of several values with one name this name."""
     taken: dict[str, sp.Symbol] = {}
     for symbol, _ in steps:
         taken.setdefault(re.sub(r"_v\d+$", "", symbol.name), symbol)
@@ -171,7 +171,7 @@ def renamed(steps: Steps) -> dict[sp.Symbol, sp.Symbol]:
 
 
 def trace(program: Program, function: str, model: Any) -> Trace:
-    """A public function of a program with a model, or a robot, of numbers."""
+    """Trace a public function of a program, with the numbers of a model or robot."""
     constants: dict[sp.Symbol, float] = {}
     named = _named("", "", [model], constants)
     arguments = {q.name: q.value for q in n.MOTION}
@@ -192,9 +192,9 @@ def _matrix(parts: list[Any]) -> sp.Matrix:
 
 
 def _named(name: str, leg: str, alike: list[Any], values: dict[sp.Symbol, float]) -> Any:
-    """Symbols for the numbers of the first of ``alike``, whose values are added to ``values``.
+    """Return symbols for the numbers of the first of ``alike``, whose values are added to ``values``.
 
-    leg: its number, "" of what is no leg's. A number that is zero in all of ``alike`` stays zero.
+    ``leg`` is the number of the leg, or "". Numbers that are zero in all of ``alike`` remain zero.
     """
     first = alike[0]
     if isinstance(first, SimpleNamespace):

@@ -16,7 +16,7 @@ import sympy as sp
 from ..program.block import Block, Builder, Quantity, component_name, rebuilt
 from . import lumped_constants as p
 from . import quantities as n
-from .closed_form.parts import name_omega
+from .closed_form.common_steps import name_omega
 from .legs import tip
 from .legs.joint_coordinates import JointFrame, gravity_torques, joint_accelerations, joint_frame, joint_rates
 from .legs.leg import cross, platform_point_motion

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ..kernel.interface import Argument
 from .functions import MODEL, Function, Vector, flat, includes
-from .robot import Machine
+from .robot_source import Machine
 from .text_format import braces, in_comment, literal, motion_members, template
 
 

@@ -18,7 +18,7 @@ from ..mechanics import quantities as n
 from ..program.block import AXES, Quantity
 from . import kit_license
 from .functions import Function, Part
-from .robot import Machine
+from .robot_source import Machine
 from .text_format import Numbers, stored, template
 
 STEP = 0.001

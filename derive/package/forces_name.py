@@ -1,7 +1,7 @@
 """Header of a kit that gives the forces one name, with and without baked constants."""
 
 from .functions import MODEL, Function
-from .robot import HEADER, Machine
+from .robot_source import HEADER, Machine
 from .text_format import in_comment, template
 
 FORCES_HEADER = "stewart_kit.h"

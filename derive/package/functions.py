@@ -6,7 +6,7 @@ from typing import Any
 
 from ..kernel.interface import CALLS, Call, Member
 from ..mechanics import quantities as n
-from .robot import HEADER
+from .robot_source import HEADER
 from .text_format import Numbers
 
 ROBOT, MODEL, DRIVES, NOTHING = "robot", "model", "drives", ""

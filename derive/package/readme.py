@@ -12,7 +12,7 @@ from . import kit_license
 from .forces_name import FORCES_HEADER
 from .functions import DRIVES, MODEL, Function, Part, reads_robot
 from .misra_deviations import deviations
-from .robot import Machine
+from .robot_source import Machine
 from .text_format import in_markdown, table, template
 
 

@@ -6,7 +6,7 @@ from ..kernel.interface import STRUCTS, Member
 from ..mechanics import quantities as n
 from .forces_name import FORCES_HEADER
 from .functions import MODEL, ROBOT, Function, Vector, flat, includes, reads_robot
-from .robot import Machine
+from .robot_source import Machine
 from .text_format import Numbers, in_comment, literal, literals_of_legs, motion_members, stored, template
 
 PER_LINE = 4

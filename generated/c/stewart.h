@@ -57,12 +57,12 @@ typedef double stewart_real;
 #define STEWART_MASS_MATRIX_INDEFINITE 6 /* the mass matrix M is not positive definite: no body has such inertias */
 #define STEWART_NOT_CONVERGED 7 /* no pose with these leg lengths was found, or R of the guess is not a rotation */
 
-/* Thresholds of the statuses. Each error is the largest error of a result with STEWART_OK for
- * 10^6 random poses near a failure (`stewart-sym stability`). The unit is the
- * rounding unit times the condition number of the problem. The distance is measured from the failure.
+/* Thresholds of the statuses, and the largest error of results with STEWART_OK for
+ * 10^6 random poses near a failure (`stewart-sym stability`), in rounding units
+ * times the condition number of the problem, with the relative distance of the pose from the failure.
  * STEWART_ZERO_LENGTH: leg shorter than 16 rounding units of the vectors in its sum; error 5 at the distance 7.9e-02
  * STEWART_JOINT_SINGULAR: sine between leg and fixed axis below 4096 rounding units; error 15 at the distance 4.9e-02
- * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; error 10 at the distance 7.1e-09 */
+ * STEWART_SINGULAR: spectral radius of |inverse of H| times the error bounds of H above 1/2; error 10 at the distance 7.1e-09 */
 
 /* One leg. The origin of frame D is the base point, and the origin of frame U the platform point. In both
  * frames x is along the leg and y along the moving axis of the universal joint. */
@@ -94,7 +94,8 @@ typedef struct {
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
 } stewart_robot;
 
-/* Limits of the robot file, which the functions do not check. Without a limit: 0 or the largest number. */
+/* Limits of the robot file. The functions do not check them. A missing lower limit is 0, a missing upper limit
+ * the largest number. */
 typedef struct {
     stewart_real shortest[6]; /* m: smallest leg length */
     stewart_real longest[6]; /* m: largest leg length */

@@ -105,28 +105,27 @@ typedef struct {
     stewart_real q_1_legs_err[3][LANES];
 } force_slopes;
 
-/* A lower limit of the size of what `value` stands for; 0, and so no bound, where half of it may be
- * wrong. */
+/* A lower limit of the magnitude of the exact value; 0 if the error may exceed half of `value`. */
 static stewart_real least(stewart_real value, stewart_real error)
 {
     const stewart_real positive = STEWART_FABS(value);
     return error <= STEWART_HALF*positive ? positive - error : REAL(0);
 }
 
-/* Of a square root r whose argument errs by `error`: |sqrt(a) - r| <= error / (2 r - error / r). */
+/* Error of a square root r of an argument with `error`: |sqrt(a) - r| <= error / (2 r - error / r). */
 static stewart_real root_error(stewart_real root, stewart_real error)
 {
     return error/least(REAL(2)*root, error/root) + STEWART_UNIT*root;
 }
 
-/* Of inverse = 1 / of, where `of` errs by `error`. */
+/* Error of inverse = 1 / of, if `of` has the error `error`. */
 static stewart_real reciprocal_error(stewart_real inverse, stewart_real of, stewart_real error)
 {
     const stewart_real positive = STEWART_FABS(inverse);
     return positive*(error/least(of, error)) + STEWART_UNIT*positive;
 }
 
-/* Adds a term that errs to a sum that errs. */
+/* Adds a term with an error to a sum with an error. */
 static void add(stewart_real *total, stewart_real *total_err, stewart_real term, stewart_real term_err)
 {
     *total = *total + term;
@@ -726,7 +725,7 @@ int stewart_exact_drive_bounds_prepare(const stewart_robot *robot, stewart_exact
     return STEWART_OK;
 }
 
-/* What one pose has for all legs. */
+/* Terms of one pose that are common to all legs. */
 static void shared_of_pose(
     const stewart_exact_drive_bounds_platform *platform, const stewart_motions *at, shared_terms *out)
 {
@@ -1276,9 +1275,9 @@ static void leg_of_pose_near_singularity(
     out->reach = reach;
 }
 
-/* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8
- * + ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the
- * symmetric part of R^T times them counts; turning R as a whole is no error. */
+/* Bounds the effect on a force if R is not exactly a rotation. The difference between R and the nearest
+ * rotation is R (E / 2 - 3 E^2 / 8 + ...) with the symmetric matrix E = R^T R - 1. Therefore only the
+ * symmetric part of R^T times the derivatives of the force has an effect. A rotation of R is no error. */
 static stewart_real stretch_error(
     const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const force_slopes *of,
     int force)
@@ -1417,9 +1416,9 @@ static stewart_real reciprocal_condition(
     return REAL(1)/norm(A)/norm(B);
 }
 
-/* What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where `weighed` is
- * not 0, adds to the error of each force what these errors do to it, each by the slope of the force
- * along it, at its largest; and adds to the slopes along R. */
+/* Terms of one pose that are common to all legs, with their errors. R_err is the deviation of R from a
+ * rotation. If `weighed` is not 0, adds the effects of the errors to the error of each force: largest
+ * error times the derivative of the force. Also adds to the derivatives with respect to R. */
 static void shared_errors(
     const stewart_exact_drive_bounds_platform *platform, const stewart_motions *at, stewart_real R_err,
     const force_rows *STEWART_RESTRICT rows, int weighed, force_slopes *STEWART_RESTRICT slopes,
@@ -2228,8 +2227,8 @@ static void shared_errors(
     }
 }
 
-/* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along
- * what the pose has for all legs. */
+/* Terms of one leg with their errors. Adds the effects of the errors to the error of each force, and to
+ * the derivatives of each force with respect to the common terms of the pose. */
 static void leg_errors(
     const stewart_exact_drive_bounds_platform *platform, const stewart_exact_drive_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, stewart_real R_err,
@@ -3514,8 +3513,8 @@ static void leg_errors(
     }
 }
 
-/* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along
- * what the pose has for all legs. */
+/* Terms of one leg with their errors. Adds the effects of the errors to the error of each force, and to
+ * the derivatives of each force with respect to the common terms of the pose. */
 static void leg_errors_near_singularity(
     const stewart_exact_drive_bounds_platform *platform, const stewart_exact_drive_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, stewart_real R_err,
@@ -4980,7 +4979,7 @@ static int equations_of_pose(
     return STEWART_OK;
 }
 
-/* Status of the platform's equations; suspect: whether a pivot is small. */
+/* Status of the platform's equations; `suspect` is 1 if a pivot is small. */
 static int pose_status(const platform_equations *of, const shared_terms *shared, int suspect)
 {
     int i, j;
@@ -5032,8 +5031,8 @@ static int solution(
     return suspect;
 }
 
-/* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the
- * solution, and that of the difference. Completes the errors of the platform's equations. */
+/* Bounds the errors of the forces D - x: the effects of the errors of D, c, and H, the error of the
+ * solution, and the error of the difference. Completes the errors of the platform's equations. */
 static void bound_of_pose(
     const stewart_exact_drive_bounds_model *model, const stewart_motions *at, const stewart_real x[6],
     stewart_real Y[6][6], const stewart_real F[6], platform_equations *of, stewart_real bound[6])

@@ -43,10 +43,10 @@ STEWART_APART static void add_legs(
 /* Accelerations of the platform. */
 typedef struct {
     stewart_real acceleration[6];
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } forward_dynamics_found;
 
-/* What a leg's blocks are given. */
+/* Inputs of the blocks of a leg. */
 typedef struct {
     stewart_real F; /* N: actuator force of the leg */
     stewart_real net[3]; /* N, N m: generalized forces of the leg less the actuator's, along L, theta, phi */
@@ -56,7 +56,7 @@ typedef struct {
 
 /* M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform. */
 typedef struct {
-    leg_inputs given[6]; /* what the derivatives are given of the legs */
+    leg_inputs given[6]; /* inputs of the derivatives, one for each leg */
     stewart_real extent[24]; /* root of the inertia in each row */
     stewart_real weight[72]; /* 1: W in blocks of three rows */
     stewart_real row[144]; /* A, each row times the root of its inertia; then L and U */
@@ -67,29 +67,29 @@ typedef struct {
     stewart_real length; /* m: moments and rotations are measured by it */
 } rows;
 
-/* What the rows give. */
+/* Result of the rows. */
 typedef struct {
     stewart_real x[6]; /* m/s^2, rad/s^2: a and alpha */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } apart_found;
 
 /* Inertia that the actuators feel. */
 typedef struct {
     stewart_real inertia[36]; /* kg: H^-1 M H^-T */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } joint_inertia_found;
 
 /* Forward dynamics and its linearization. */
 typedef struct {
     stewart_linearization of;
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } linearization_found;
 
-/* What the rows give of a linearization. */
+/* Result of the rows for a linearization. */
 typedef struct {
     stewart_real x[6]; /* m/s^2, rad/s^2: a and alpha */
     stewart_real A[144]; /* the rows solved */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } slopes_found;
 
 /* Copies the numbers of a pose to the array of all poses unless it is null. */
@@ -165,7 +165,7 @@ static int is_near(const leg_checks *checked)
     return found;
 }
 
-/* Zeros, but where one of ``count`` numbers of a lane is not finite. */
+/* Zero for each lane; not zero if one of ``count`` numbers of a lane is not finite. */
 static void not_finite(
     const stewart_real *STEWART_RESTRICT number, int count, stewart_real *STEWART_RESTRICT none)
 {
@@ -732,7 +732,7 @@ static STEWART_INLINE void solve_inertia(
     }
 }
 
-/* The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M. */
+/* The accelerations of a pose; MASS_MATRIX_INDEFINITE if elimination loses too many digits of M. */
 static void accelerations_of(
     const forward_legs *legs, const stewart_real summed[27], forward_dynamics_found *out)
 {
@@ -1460,7 +1460,7 @@ static void balance_rows(
     }
 }
 
-/* What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
+/* Right side of the equations for the accelerations of the six coordinates, with the wrench ``held``.
  *
  * force: of each row, as its generalized force over its size, without accelerations. start:
  * accelerations of the coordinates that balance their own large forces, from which the unknown ones are
@@ -1583,12 +1583,12 @@ static void row_back(
     }
 }
 
-/* Of each leg the generalized forces, the accelerations that those of the platform give to it, and
- * whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
- * between the two would have the rounding of both.
+/* Generalized forces of each leg, accelerations due to the platform, and a mark if a leg is thin.
  *
- * The coordinates' rows hold what the other rows leave of the wrench: of a heavy leg's own inertia times
- * its accelerations little may be left. */
+ * The inertia of a thin leg for a rotation by phi is nearly k3 times its inertia for a rotation by
+ * theta. A value between the two would have the rounding errors of both. The rows of the coordinates
+ * contain the part of the wrench that the other rows do not balance. For a heavy leg, this part may be
+ * much smaller than inertia times acceleration. */
 static void rows_held(
     const joint_rows_legs *legs, rows *by, const stewart_real found[6], const stewart_real start[6],
     const stewart_real rest[24], stewart_real held[6])
@@ -2787,7 +2787,7 @@ static void check_joint_inertia(joint_inertia_found *out)
     out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
-/* Whether H is singular to rounding. */
+/* Returns the status of H: STEWART_SINGULAR if H is singular to rounding. */
 static int columns_status(
     const stewart_exact_model *model, const stewart_motion *motion, const equations_legs *legs)
 {
@@ -2808,7 +2808,7 @@ static int columns_status(
     return singular_status(H, arm, L, legs->checked.reach, REAL(0));
 }
 
-/* Inertia that the actuators feel, H^-1 M H^-T. */
+/* Mass matrix for leg lengths as coordinates, H^-1 M H^-T. */
 static void find_joint_inertia(
     const stewart_exact_model *model, const stewart_motion *motion, joint_inertia_found *out)
 {
@@ -6720,8 +6720,7 @@ int stewart_exact_bias_and_friction(
     return STEWART_OK;
 }
 
-/* Elimination with partial pivoting, (36), of the first columns; rows change places by addresses, and
- * the factors come after all columns. */
+/* Elimination with partial pivoting, (36), of the first columns; rows are exchanged by addresses. */
 STEWART_APART static void factored(stewart_real *row[6], stewart_real inverse[6])
 {
     int i, j, k;
@@ -6804,7 +6803,7 @@ STEWART_APART static void back(
     }
 }
 
-/* Derivatives from H and those of the wrench: rows [H | by pose | by twist | M], eight columns each. */
+/* Derivatives of F from H and the derivatives of the wrench: rows [H | by pose | by twist | M]. */
 STEWART_APART static int slopes(
     stewart_real per_length, const stewart_real *number, const stewart_real *F, stewart_derivatives *out)
 {
@@ -6943,7 +6942,7 @@ static void load_motions(const stewart_motions *motions, size_t first, size_t co
     load_vector(motions->M_ext, 0U, first, count, at->M_ext);
 }
 
-/* Actuator forces of eight poses, leg by leg; past the end those of the last pose again. */
+/* Actuator forces of eight poses, leg by leg; lanes after the last pose repeat it. */
 static void load_forces(const stewart_real *F, size_t first, size_t count, stewart_real acting[6][LANES])
 {
     int i, l;
@@ -6993,7 +6992,7 @@ STEWART_APART static void in_rows(
     }
 }
 
-/* Whether a lane is marked. */
+/* Returns 1 if a lane is marked, else 0. */
 static int any_of(const stewart_real bad[LANES])
 {
     int l;
@@ -7010,7 +7009,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED equations_block;
 
-/* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
+/* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void equations_leg_of_block(
     const stewart_exact_model *model, int leg, const motion_in_lanes *at, const equations_pose *pose,
     stewart_exact_model *one, equations_legs *STEWART_RESTRICT legs, equations_block *STEWART_RESTRICT out)
@@ -7165,7 +7164,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED derivatives_block;
 
-/* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
+/* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void derivatives_leg_of_block(
     const stewart_exact_model *model, int leg, const motion_in_lanes *at,
     stewart_real (*STEWART_RESTRICT acting)[LANES], const derivatives_pose *pose, stewart_exact_model *one,
@@ -7323,7 +7322,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED bias_block;
 
-/* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
+/* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void bias_leg_of_block(
     const stewart_exact_model *model, int leg, const motion_in_lanes *at, const bias_pose *pose,
     stewart_exact_model *one, bias_legs *STEWART_RESTRICT legs, bias_block *STEWART_RESTRICT out)
@@ -7426,7 +7425,7 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED forward_block;
 
-/* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
+/* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void forward_leg_of_block(
     const stewart_exact_model *model, int leg, const motion_in_lanes *at,
     stewart_real (*STEWART_RESTRICT acting)[LANES], const forward_pose *pose, stewart_exact_model *one,

@@ -20,7 +20,7 @@ typedef struct {
 typedef struct {
     stewart_real axial[6]; /* N: forces between the parts of the legs */
     stewart_real L_dot[6]; /* m/s: rates of the lengths, (5) */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } axial_loads;
 
 /* Length rate of one leg and the force that accelerates its rotor, (5), (8), (9): 91 (47 mul, 42 add, 1
@@ -116,7 +116,7 @@ static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
     return STEWART_OK;
 }
 
-/* Actuator forces less what turns the rotors, rates of the legs, and a status. */
+/* Actuator forces minus the forces that accelerate the rotors, rates of the legs, and a status. */
 static axial_loads axial_forces(
     const stewart_robot *robot, const stewart_motion *motion, const stewart_real F[6])
 {

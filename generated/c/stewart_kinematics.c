@@ -34,7 +34,7 @@ typedef struct {
 typedef struct {
     stewart_real L[6]; /* m: lengths, (2) */
     stewart_real L_dot[6]; /* m/s: rates, (5) */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } leg_rates;
 
 /* Six legs at a pose, and their equations. */
@@ -50,17 +50,17 @@ typedef struct {
     int straight; /* 1 if each step is at most half as long as the one before */
 } legs_at_pose;
 
-/* What the search of a pose finds. */
+/* Result of the search for a pose. */
 typedef struct {
     stewart_pose pose; /* the pose */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } found_pose;
 
 /* Velocity of the platform. */
 typedef struct {
     stewart_real v[3]; /* m/s: of the reference point */
     stewart_real omega[3]; /* rad/s: angular velocity, base frame */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } twist;
 
 /* Vectors q and S of one leg, and its length L, (1), (2): 27 (12 mul, 14 add, 0 div, 1 sqrt). */
@@ -431,7 +431,7 @@ static stewart_real square_of(const stewart_real vector[3])
     return (vector[0]*vector[0]) + (vector[1]*vector[1]) + (vector[2]*vector[2]);
 }
 
-/* Puts lengths asked for less those of a pose, m, beside J; returns the largest of them in size. */
+/* Stores the given lengths minus the lengths of a pose (m) next to J; returns the largest magnitude. */
 static stewart_real compare(const stewart_real L[6], legs_at_pose *legs)
 {
     int i;
@@ -580,7 +580,7 @@ static int search(
     return ((status == STEWART_OK) && (worst <= (STEWART_ROUNDING*legs->reach))) ? 1 : 0;
 }
 
-/* What of a search's inputs is not finite, or no length. */
+/* Returns the status of the inputs of a search: not finite, or not a length. */
 static int first_fault(const stewart_real L[6], const stewart_pose *guess)
 {
     int i;

@@ -24,7 +24,7 @@ typedef struct {
     stewart_real L_ddot[6]; /* m/s^2: second rates, (8) */
     stewart_real s[6][3]; /* 1: unit vectors along the legs, base frame, (3) */
     stewart_real S[6][3]; /* m: leg vectors, base frame, (1) */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } leg_motions;
 
 /* Length of one leg with its first and second derivative, unit vector s, S, and q, (1)-(5), (7), (8): 90

@@ -11,13 +11,12 @@
 typedef struct {
     stewart_real torque[6]; /* N m: torques */
     stewart_real current[6]; /* A: currents */
-    int status; /* 0, or what is wrong */
+    int status; /* 0, or the code of an error */
 } torques;
 
-/* exp(-ratio^2), 0 beyond a ratio of 8: of 1/256 of the exponent by its series, then squared eight
- * times.
+/* exp(-ratio^2), 0 beyond a ratio of 8: series for 1/256 of the exponent, then squared eight times.
  *
- * It is exp(-y) - 1 that is kept, of which squaring loses no digits. */
+ * The squared number is exp(-y) - 1, so that no digits are lost. */
 static stewart_real decay_of(stewart_real ratio)
 {
     int turn;
@@ -42,7 +41,7 @@ static stewart_real decay_of(stewart_real ratio)
     return (STEWART_FABS(ratio) < most) ? REAL(1) + less : REAL(0);
 }
 
-/* Sign of a rate, an odd cubic from -within to within. */
+/* Sign of a rate, with an odd cubic polynomial from -within to within. */
 static stewart_real sign_of(stewart_real rate, stewart_real within)
 {
     const stewart_real above = (rate > REAL(0)) ? REAL(1) : (rate < REAL(0)) ? -REAL(1) : REAL(0);

@@ -1,4 +1,4 @@
-"""C kernels called through ctypes, with arrays of poses as input and arrays and statuses as output."""
+"""Calls of the C kernels by ctypes: arrays of poses as input, arrays of results and statuses as output."""
 
 import ctypes
 import functools
@@ -93,10 +93,10 @@ def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
 
 
 @functools.cache
-def function(name: str, part: str, precision: str, what: str) -> Any:
-    """Return the C function ``stewart_<name>_<what>`` of a part of a kernel for "double" or "float"."""
+def function(name: str, part: str, precision: str, suffix: str) -> Any:
+    """Return the C function ``stewart_<name>_<suffix>`` of a part of a kernel for "double" or "float"."""
     defines = ("STEWART_FLOAT",) if precision == "float" else ()
-    return getattr(library(f"{name}_{part}", defines), f"stewart_{name}_{what}")
+    return getattr(library(f"{name}_{part}", defines), f"stewart_{name}_{suffix}")
 
 
 def prepared_model(

@@ -1,7 +1,4 @@
-"""Fidelity levels: available reduced force kernels and the physics that each includes.
-
-A level omits physics of the legs that a scene may not require; each level has its own kernel.
-"""
+"""Fidelity levels: the physics that each includes, its force kernel, and the levels available for a robot."""
 
 from typing import Any
 
@@ -14,9 +11,9 @@ from .kernel import OFFSET_KERNEL, force_kernel, kernel_name, module
 FIDELITIES: tuple[str, ...] = tuple(_TABLE)
 """Names of the levels, from all physics to the platform alone.
 
-The legs are ``general`` (with friction), ``frictionless``, ``axisymmetric``, ``slender``, ``point_masses``,
-or ``massless``. The last four also exist with ``_friction``. Levels with ``_static`` omit velocities and
-accelerations.
+``general`` includes all physics. ``frictionless``, ``axisymmetric``, ``slender``, ``point_masses``, and
+``massless`` have no friction; the last four also exist with friction (``_friction``). Levels with ``_static``
+omit velocities and accelerations.
 """
 
 _DRIVE_TABLE = {
@@ -31,15 +28,17 @@ DRIVE_FIDELITIES: tuple[str, ...] = tuple(_DRIVE_TABLE)
 ``slender`` and ``massless`` legs. The other levels omit the rotors.
 """
 
+# Names that have no kernel of their own, because at rest these legs have the same forces as slender legs.
 _SAME = {"axisymmetric_static": "slender_static", "point_masses_static": "slender_static"}
 _GENERAL = "general"
 
 
 def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
-    """List the levels of a robot: all for ``exact`` with universal base joints, else those without them.
+    """List the levels of a robot.
 
-    Offset joints and ``paper`` have only ``general``, ``paper`` with rotors has none. Raises ValueError for
-    an unknown formulation.
+    All levels require ``exact`` and universal base joints. With spherical base joints, only levels whose legs
+    do not depend on the fixed axis exist, and ``general``. Offset joints and ``paper`` have only ``general``,
+    ``paper`` with rotors has none. Raises ValueError for an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)
     if robot.offsets is None and formulation == "paper" and robot.has_rotors:
@@ -50,8 +49,8 @@ def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     return tuple(name for name in table if any_joint or name == _GENERAL or not table[name]["universal"])
 
 
-def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
-    """Return the level of a name: at rest, axisymmetric legs and point masses are equivalent to slender legs.
+def resolve_level(robot: Robot, formulation: str, fidelity: str) -> str:
+    """Return the level whose kernel computes the forces of a level: itself, or a value of ``_SAME``.
 
     Raises ValueError, which lists the available levels, for an unavailable one.
     """
@@ -64,14 +63,14 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 
 
 def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
-    """Return the name in ``stewart_<name>_forces.c`` of a generated kernel; raises as ``resolved``."""
-    level = resolved(robot, formulation, fidelity)
+    """Return the name in ``stewart_<name>_forces.c`` of a generated kernel; raises as ``resolve_level``."""
+    level = resolve_level(robot, formulation, fidelity)
     return force_kernel(robot, formulation) if level == _GENERAL else str(levels(robot)[level]["kernel"])
 
 
 def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:
     """Count the operations per pose: +, -, *, /, and sqrt count one each, including the linear solve."""
-    level = resolved(robot, formulation, fidelity)
+    level = resolve_level(robot, formulation, fidelity)
     if robot.offsets is not None:
         return int(module(f"{OFFSET_KERNEL}_operations").OPERATIONS["forces"])
     if level == _GENERAL:

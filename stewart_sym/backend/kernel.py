@@ -1,4 +1,4 @@
-"""Names, sources, and modules of the generated kernels, and the constants of a robot in their order."""
+"""Names and modules of the generated kernels, and the constants of a robot in the order of the kernels."""
 
 import importlib
 from collections.abc import Sequence

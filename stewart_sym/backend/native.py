@@ -54,13 +54,13 @@ def find_compiler() -> Compiler | None:
     requested = os.environ.get("CC", "").strip()
     if requested:
         try:
-            return _working(*shlex.split(requested, posix=sys.platform != "win32"))
+            return _check_compiler(*shlex.split(requested, posix=sys.platform != "win32"))
         except (ValueError, CompilerError) as error:
             raise CompilerError(f"CC={requested!r} is not a working C compiler: {error}") from error
     zig = [[sys.executable, "-m", "ziglang", "cc"]] if importlib.util.find_spec("ziglang") else []
     for command in (["cc"], ["gcc"], ["clang"], *zig):
         with contextlib.suppress(CompilerError):
-            return _working(*command)
+            return _check_compiler(*command)
     return None
 
 
@@ -76,7 +76,7 @@ def load(
     Raises CompilerError without a compiler, if it fails, or if the cache folder cannot be written.
     """
     macros = [f"-D{macro}={value}" for macro, value in sorted((defines or {}).items())]
-    compiler = _needed_compiler()
+    compiler = _require_compiler()
     command = (*compiler.command, *FLAGS, *macros, *flags)
     inputs = (name, sorted(sources.items()), command, compiler.version, _processor())
     file = f"{name}-{hashlib.sha256(repr(inputs).encode()).hexdigest()[:32]}{_SUFFIX}"
@@ -93,12 +93,14 @@ def load(
     return _loaded[file]
 
 
-def compiled(folder: Path, name: str, sources: Mapping[str, str], flags: Sequence[str] = FLAGS) -> Path:
+def compile_library(
+    folder: Path, name: str, sources: Mapping[str, str], flags: Sequence[str] = FLAGS
+) -> Path:
     """Compile a library into ``folder`` with ``flags`` alone and return its path; raises as ``load``."""
-    return _compile(folder, name, sources, (*_needed_compiler().command, *flags))
+    return _compile(folder, name, sources, (*_require_compiler().command, *flags))
 
 
-def ran(command: Sequence[str], folder: Path) -> str:
+def run_compiler(command: Sequence[str], folder: Path) -> str:
     """Run a compiler in ``folder``, and return its output; raise CompilerError if it fails."""
     # Errors are recognized in English.
     environment = {**os.environ, "LC_ALL": "C"}
@@ -114,16 +116,16 @@ def ran(command: Sequence[str], folder: Path) -> str:
 
 
 @functools.cache
-def _working(*words: str) -> Compiler:
+def _check_compiler(*words: str) -> Compiler:
     """Return the compiler of a command line; a failure raises CompilerError and is not cached."""
     program = shutil.which(words[0].strip('"'))
     if program is None:
         raise CompilerError(f"{words[0]} not found")
     command = (os.path.abspath(program), *words[1:])
-    return Compiler(command, ran((*command, "--version"), Path()).strip().partition("\n")[0])
+    return Compiler(command, run_compiler((*command, "--version"), Path()).strip().partition("\n")[0])
 
 
-def _needed_compiler() -> Compiler:
+def _require_compiler() -> Compiler:
     compiler = find_compiler()
     if compiler is None:
         raise CompilerError("no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`")
@@ -169,7 +171,7 @@ def _compile(folder: Path, name: str, sources: Mapping[str, str], command: tuple
     files = sorted(file for file in sources if file.endswith(".c"))
     libraries = () if sys.platform == "win32" else ("-lm",)
     try:
-        ran((*command, *files, "-o", library.name, *libraries), folder)
+        run_compiler((*command, *files, "-o", library.name, *libraries), folder)
     except CompilerError as error:
         if _NATIVE not in command:
             raise CompilerError(f"can't compile {name}: {error}", error.log) from error

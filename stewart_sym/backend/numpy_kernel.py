@@ -1,4 +1,4 @@
-"""NumPy kernels, with components of poses as input arrays and arrays and statuses as output."""
+"""Calls of the NumPy kernels: arrays of poses as input, arrays of results and statuses as output."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -127,6 +127,6 @@ def _store(target: Array, value: Any) -> None:
 
 
 def loaded(motion: Motion) -> SimpleNamespace:
-    """Return the motion with zeros for a missing load."""
+    """Return the arrays of a motion by name, with zeros for a missing load."""
     given, zero = {name: getattr(motion, name) for name in MOTION}, np.zeros((*motion.shape, 3))
     return SimpleNamespace(**{name: zero if value is None else value for name, value in given.items()})

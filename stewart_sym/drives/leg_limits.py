@@ -1,4 +1,4 @@
-"""Leg limits of force, speed, length, and joint angles, compared with a motion in parts."""
+"""Leg limits of force, speed, length, and joint angles, compared with a motion part by part."""
 
 from collections.abc import Iterator, Mapping
 from functools import partial

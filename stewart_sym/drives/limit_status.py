@@ -64,12 +64,13 @@ def _sides(sd: Array | Sides | None) -> Sides:
 
 
 def counts_text(verdicts: Sequence[Sequence[str]]) -> str:
-    """Format the numbers of limits kept, exceeded, and undecided from the status of each leg."""
+    """Count the limits that are not exceeded, exceeded, and inconclusive, from the status of each leg."""
     worst = [max(legs, key=VERDICTS.index) for legs in verdicts]
     if not worst:
         return "limits: none stated"
-    kept, exceeded = worst.count(WITHIN), worst.count(EXCEEDED)
-    return f"limits: {kept} kept, {exceeded} exceeded, {len(worst) - kept - exceeded} undecided"
+    within, exceeded = worst.count(WITHIN), worst.count(EXCEEDED)
+    inconclusive = len(worst) - within - exceeded
+    return f"limits: {within} not exceeded, {exceeded} exceeded, {inconclusive} inconclusive"
 
 
 def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> int:

@@ -1,4 +1,4 @@
-"""Actuator forces from a robot that is prepared once: the fast path of the C kernels."""
+"""Actuator forces by C kernels whose constants are prepared once per robot, with threads."""
 
 import ctypes
 import itertools
@@ -23,7 +23,7 @@ from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, ON_SINGULAR, SINGULAR, UNREACHABLE, OnSingular
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
-from .columns import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
+from .array_layouts import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
 from .inverse_dynamics import Formulation, damped_terms, need_motion, report_faults
 from .left_out import left_out
 
@@ -31,14 +31,14 @@ Array = NDArray[Any]
 Precision = Literal["double", "float"]
 
 LANES = 8
-LEAST_SHARE = 4_000
+MIN_POSES_PER_THREAD = 4_000
 """Smallest number of poses per thread.
 
 Waking a thread takes 0.12 ms (2 virtual cores), as long as 1,200 poses.
 """
 
 CONVERTED = 32_768
-"""Poses that are converted together if their arrays have another type or layout than the C code requires."""
+"""Number of poses converted at a time, if arrays have another type or layout than the C code requires."""
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 """Number of cores that this process may use."""
@@ -53,9 +53,9 @@ class ForceKernel(Frozen):
 
     Threads may share a kernel.
 
-    With precision "float", the linear solve divides moments by a length, a power of two near the size of the
-    platform. Therefore pivots are equally good on a machine of 1 mm and on one of 10 m. Motions and forces
-    are in SI units.
+    With precision "float", the linear solver divides moments by a power of two near the size of the platform.
+    Therefore the size of the machine, from 1 mm to 10 m, does not affect the accuracy. Motions and forces are
+    in SI units.
 
     Attributes
     ----------
@@ -139,14 +139,14 @@ class ForceKernel(Frozen):
             Largest number of threads, including the caller. The result does not depend on it, and small
             batches use one thread.
         on_singular : {"raise", "warn", "nan", "damped"}, optional
-            Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+            Action for poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
             ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped",
             which requires fidelity "general", F is computed by damped least squares as in
             ``inverse_dynamics``.
         out : tuple of ndarray, optional
-            Output arrays for forces, (n, 6), and statuses, int32, (n,). No array is copied, and only layouts
-            are checked: all arrays must be C-contiguous and of type ``dtype``. Forces of poses without a
-            solution do not change, and raise no error.
+            Output arrays for forces, (n, 6), and statuses, int32, (n,). No array is copied: all arrays except
+            the statuses must be C-contiguous and of type ``dtype``. For a pose without a solution, the forces
+            do not change, the status is not 0, and no error is raised.
 
         Returns
         -------
@@ -231,9 +231,9 @@ class ForceKernel(Frozen):
     ) -> tuple[Array, NDArray[np.int32]]:
         """Compute the actuator forces of motions in columns, with consecutive values of each component.
 
-        Nothing is transposed. Arrays of another type, or with different row distances, are copied. For three
-        motions, rows and columns have the same shape and cannot be distinguished. Access is fastest if rows
-        start at multiples of 64 bytes, but not at multiples of 4096 bytes from each other.
+        The arrays must have one column per pose; for n = 3 this cannot be checked. Arrays of another type, or
+        with different distances between rows, are copied. Access is fastest if every row starts at a multiple
+        of 64 bytes, and the distance between rows is not a multiple of 4096 bytes.
 
         Parameters
         ----------
@@ -258,8 +258,8 @@ class ForceKernel(Frozen):
             Actuator forces (N), positive when they extend the leg, (37). NaN if the status is not 0, except
             in ``out``.
         status : ndarray of int32, shape (n,)
-            Codes of ``results.STATUS_TEXT``; 1 if a number is not finite, or if a leg with offset joints
-            cannot reach its platform point.
+            Codes of ``results.STATUS_TEXT``. The code is 1 also if a leg with offset joints cannot reach its
+            platform point.
 
         Raises
         ------
@@ -295,17 +295,18 @@ class ForceKernel(Frozen):
     def _shared(self, count: int, threads: int, run: Callable[[int, int], None]) -> None:
         """Run the parts of a batch on threads; ``run`` takes the first pose and the number of poses."""
         threads = min(
-            whole_number(threads, "threads", 1, "a whole number of at least 1"), max(1, count // LEAST_SHARE)
+            whole_number(threads, "threads", 1, "a whole number of at least 1"),
+            max(1, count // MIN_POSES_PER_THREAD),
         )
         if threads == 1:
             if count > 0:
                 run(0, count)
             return
         parts = _parts(count, threads)
-        turn = itertools.count()
+        next_parts = itertools.count()
 
         def work() -> None:
-            while (part := next(turn)) < len(parts):
+            while (part := next(next_parts)) < len(parts):
                 run(*parts[part])
 
         others = min(threads, len(parts), CORES) - 1
@@ -409,8 +410,8 @@ class ForceKernel(Frozen):
 class OnePose:
     """Buffers of one pose: set the inputs R, t, omega, ..., M_ext in place, call ``solve``, and read ``F``.
 
-    ``numbers`` contains all thirty inputs in the order of ``stewart_motion``, (30,); the named attributes are
-    views of it. ``solve`` returns the status; F does not change if the status is not 0.
+    The inputs are views of ``numbers``, (30,), with the order of ``stewart_motion``. ``solve`` returns the
+    status; F does not change if the status is not 0.
     """
 
     kernel: ForceKernel
@@ -418,14 +419,14 @@ class OnePose:
     numbers: Array
 
     def __post_init__(self) -> None:
-        """Find the function and the addresses once; the buffers exist as long as this object.
+        """Find the function and the addresses of the buffers, which exist as long as this object.
 
-        Raises ValueError that names a buffer of another type, size, or layout.
+        Raises ValueError if a buffer has another type, size, or layout.
         """
         for name, array, size in (("F", self.F, 6), ("numbers", self.numbers, _NUMBERS)):
-            wanted = np.dtype(self.kernel.dtype)
-            if array.dtype != wanted or array.shape != (size,) or not array.flags.carray:
-                raise ValueError(f"{name}: expected {size} writeable numbers of {wanted}")
+            dtype = np.dtype(self.kernel.dtype)
+            if array.dtype != dtype or array.shape != (size,) or not array.flags.carray:
+                raise ValueError(f"{name}: expected {size} writeable numbers of {dtype}")
         addresses = tuple(address(array, 0) for array in (self.kernel.model, self.numbers, self.F))
         object.__setattr__(self, "_call", self.kernel.c_function("forces"))
         object.__setattr__(self, "_addresses", addresses)
@@ -441,9 +442,9 @@ class OnePose:
     def __getattr__(self, name: str) -> Any:
         if name not in MOTION:
             raise AttributeError(name)
-        at = list(MOTION).index(name)
-        start = sum(_WIDTHS[:at])
-        return self.numbers[start : start + _WIDTHS[at]].reshape(MOTION[name])
+        index = list(MOTION).index(name)
+        start = sum(_WIDTHS[:index])
+        return self.numbers[start : start + _WIDTHS[index]].reshape(MOTION[name])
 
 
 def _parts(count: int, threads: int) -> list[tuple[int, int]]:
@@ -451,9 +452,9 @@ def _parts(count: int, threads: int) -> list[tuple[int, int]]:
 
     Each thread gets several parts, so that a slow core delays the result little.
     """
-    pieces = max(threads, min(4 * threads, count // LEAST_SHARE))
-    share = max(LANES, -(-count // (pieces * LANES)) * LANES)
-    return [(start, min(share, count - start)) for start in range(0, count, share)]
+    pieces = max(threads, min(4 * threads, count // MIN_POSES_PER_THREAD))
+    poses = max(LANES, -(-count // (pieces * LANES)) * LANES)
+    return [(start, min(poses, count - start)) for start in range(0, count, poses)]
 
 
 @cache

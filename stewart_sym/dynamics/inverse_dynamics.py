@@ -28,7 +28,7 @@ from ..reference import newton_euler, offset_joints
 from ..results import ON_SINGULAR, OnSingular
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
-from .damping import damped_least_squares
+from .damped_least_squares import damped_least_squares
 
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]

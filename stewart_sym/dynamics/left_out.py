@@ -33,7 +33,7 @@ def left_out(robot: Robot, formulation: Formulation, level: str, reduced: Forces
     found = effect(robot, reduced, formulation)
     if not found:
         return ""
-    own = fidelity.resolved(robot, formulation, level)
+    own = fidelity.resolve_level(robot, formulation, level)
     named = ", ".join(_named(robot, own))
     return (
         f"fidelity {level} ({fidelity.meaning(own, robot.has_rotors)}) omits physics of the "

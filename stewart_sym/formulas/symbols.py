@@ -270,7 +270,7 @@ def prepared(
 
 @cache
 def _program(name: str, function: str) -> Any:
-    from ..derive.generate import output_program, reduced
+    from ..derive.generated_files import output_program, reduced
     from ..derive.kernel.inverse_dynamics import terms_program
     from ..derive.mechanics.formulation import BY_KERNEL
 

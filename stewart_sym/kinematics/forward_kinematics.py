@@ -36,11 +36,11 @@ from .pose_search import (
     EPS,
     MOST_STARTS,
     impossible_pairs,
-    nearest_found,
+    nearest_poses,
     newton,
     platform_size,
     rates_per_twist,
-    searched,
+    search_poses,
     solve,
 )
 
@@ -163,9 +163,9 @@ def forward_kinematics(
     flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
     if robot.offsets is not None:
         # Without a guess, the search begins at the solutions for legs without offsets.
-        ends = newton(robot, flat, *(poses or searched(without_offsets(robot), flat)[:2]))
+        ends = newton(robot, flat, *(poses or search_poses(without_offsets(robot), flat)[:2]))
     else:
-        ends = searched(robot, flat) if poses is None else nearest_found(robot, flat, *poses)
+        ends = search_poses(robot, flat) if poses is None else nearest_poses(robot, flat, *poses)
     R, t, residual, iterations, found = ends
     status = np.full(len(flat), NOT_CONVERGED)
     status[found] = np.where(_unsettled(robot, rates_per_twist(robot, R[found], t[found])), SINGULAR, OK)

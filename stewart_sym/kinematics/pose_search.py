@@ -37,7 +37,7 @@ _ALMOST = 1e-6
 
 
 def rates_per_twist(robot: Robot, R: Array, t: Array) -> Array:
-    """Return J = H^T, shape (..., 6, 6), whose rows [s^T, (q x s)^T] map the twist [v; omega] to L_dot, (5).
+    """Compute J = H^T, shape (..., 6, 6), whose rows [s^T, (q x s)^T] map the twist [v; omega] to L_dot, (5).
 
     With offset joints, J is the derivative of the lengths.
     """
@@ -62,46 +62,47 @@ def solve(A: Array, y: Array) -> tuple[Array, Flags]:
     return np.asarray(x[..., 0]), regular
 
 
-class Found(NamedTuple):
-    """Result of a search: poses, residuals (m), numbers of steps, and flags of convergence, for n starts."""
+class PoseSearchResult(NamedTuple):
+    """Poses found from n starts, with residuals (m), numbers of steps, and flags of convergence."""
 
     R: Array
     t: Array
     residual: Array
     iterations: NDArray[np.int64]
-    found: Flags
+    converged: Flags
 
-    def at(self, where: NDArray[np.intp]) -> "Found":
+    def at(self, index: NDArray[np.intp]) -> "PoseSearchResult":
         """Return copies of the results of selected starts."""
-        return Found._make(each[where] for each in self)
+        return PoseSearchResult._make(values[index] for values in self)
 
 
-def searched(robot: Robot, L: Array) -> Found:
+def search_poses(robot: Robot, L: Array) -> PoseSearchResult:
     """Search poses with lengths (n, 6) from each likely start in turn, then from random starts."""
     directions = _likely(robot)
     best = newton(robot, L, *_over_base(robot, L, *directions[0]))
     possible = ~_impossible(robot, L)
     for direction in directions[1:]:
-        left = np.flatnonzero(~best.found & possible)
-        if not left.size:
+        remaining = np.flatnonzero(~best.converged & possible)
+        if not remaining.size:
             return best
-        _replace(best, left, newton(robot, L[left], *_over_base(robot, L[left], *direction)))
+        lengths = L[remaining]
+        _replace(best, remaining, newton(robot, lengths, *_over_base(robot, lengths, *direction)))
     orientations, normals = _anywhere(robot, MOST_STARTS - len(directions))
-    for part in _parts(np.flatnonzero(~best.found & possible)):
+    for part in _parts(np.flatnonzero(~best.converged & possible)):
         starts = _over_base(robot, L[part, None], orientations, normals)
         _replace(best, part, _first_found(robot, L[part], *starts))
     return best
 
 
-def _first_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
+def _first_found(robot: Robot, L: Array, R: Array, t: Array) -> PoseSearchResult:
     """Return the result of the first successful start for lengths (n, 6) and starts (n, m, ...)."""
     n, m = t.shape[:2]
-    every = newton(robot, np.repeat(L, m, axis=0), R.reshape(-1, 3, 3), t.reshape(-1, 3))
-    good = every.found.reshape(n, m)
-    chosen = np.where(good.any(axis=-1), np.argmax(good, axis=-1), m - 1)
-    found = every.at(np.arange(n) * m + chosen)
+    results = newton(robot, np.repeat(L, m, axis=0), R.reshape(-1, 3, 3), t.reshape(-1, 3))
+    converged = results.converged.reshape(n, m)
+    chosen = np.where(converged.any(axis=-1), np.argmax(converged, axis=-1), m - 1)
     tried = np.arange(m) <= chosen[:, None]
-    return found._replace(iterations=np.sum(every.iterations.reshape(n, m) * tried, axis=-1))
+    iterations = np.sum(results.iterations.reshape(n, m) * tried, axis=-1)
+    return results.at(np.arange(n) * m + chosen)._replace(iterations=iterations)
 
 
 def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
@@ -110,43 +111,43 @@ def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
         yield indices[i : i + _AT_ONCE]
 
 
-def nearest_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
-    """Return, for each guess (n, ...), the nearest of the poses found from it.
+def nearest_poses(robot: Robot, L: Array, R: Array, t: Array) -> PoseSearchResult:
+    """Return the pose nearest to each guess (n, ...), out of all poses that searches from the guess find.
 
-    If ``_is_nearest`` does not accept the first pose, further searches follow. They use short steps, or
-    steps that are never rejected (the first four damped or undamped). They also start on the other side of
-    the singular poses near the results, and finally around the guess.
+    If ``_is_nearest`` does not accept the first pose, further searches follow: with short steps; with steps
+    that are never rejected, of which the first four are damped or undamped; from the other side of singular
+    poses near the results; and finally from starts around the guess.
     """
     best = newton(robot, L, R, t)
-    doubtful = np.flatnonzero(~(best.found & _is_nearest(robot, (R, t), best)) & ~_impossible(robot, L))
+    doubtful = np.flatnonzero(~(best.converged & _is_nearest(robot, (R, t), best)) & ~_impossible(robot, L))
     if not doubtful.size:
         return best
     guess, lengths = (R[doubtful], t[doubtful]), L[doubtful]
     short = newton(robot, lengths, *guess, _SHORT)
     free = [newton(robot, lengths, *guess, _FREE, damping)[:2] for damping in (0.0, _FIRST_FREE)]
     tries = [best.at(doubtful), short, *(newton(robot, lengths, *poses) for poses in free)]
-    tries += [other_side(robot, lengths, *found[:2]) for found in tries]
-    for found in tries[1:]:
+    tries += [other_side(robot, lengths, *result[:2]) for result in tries]
+    for result in tries[1:]:
         old = best.at(doubtful)
         # A pose that is found twice differs by rounding.
-        nearer = distance(guess, found[:2]) < (1.0 - 1e-9) * distance(guess, old[:2])
-        take = np.flatnonzero(found.found & (nearer | ~old.found))
-        _replace(best, doubtful[take], found.at(take))
+        nearer = distance(guess, result[:2]) < (1.0 - 1e-9) * distance(guess, old[:2])
+        better = np.flatnonzero(result.converged & (nearer | ~old.converged))
+        _replace(best, doubtful[better], result.at(better))
     # Lengths that are almost satisfied belong to a singular pose or to a pose close to it.
-    missed = ~best.found[doubtful] & (best.residual[doubtful] > _ALMOST * platform_size(robot))
+    missed = ~best.converged[doubtful] & (best.residual[doubtful] > _ALMOST * platform_size(robot))
     for part in _parts(doubtful[missed]):
         _replace(best, part, _first_found(robot, L[part], *_about(robot, R[part], t[part], L[part])))
     return best
 
 
-def _replace(best: Found, where: NDArray[np.intp], found: Found) -> None:
+def _replace(best: PoseSearchResult, index: NDArray[np.intp], result: PoseSearchResult) -> None:
     """Replace results by new results and add the numbers of steps."""
-    found.iterations[:] += best.iterations[where]
-    for old, new in zip(best, found, strict=True):
-        old[where] = new
+    result.iterations[:] += best.iterations[index]
+    for old, new in zip(best, result, strict=True):
+        old[index] = new
 
 
-def other_side(robot: Robot, L: Array, R: Array, t: Array) -> Found:
+def other_side(robot: Robot, L: Array, R: Array, t: Array) -> PoseSearchResult:
     """Search poses with lengths L from starts beyond the nearest singular poses, at the same distance."""
     near = way_to_singular(robot, R, t)
     step = np.where(np.isfinite(near.way), 2.0 * near.way, 0.0)[:, None] * near.direction
@@ -202,7 +203,7 @@ def distance(one: Poses, other: Poses, length: float = 1.0) -> Array:
     return np.hypot(_size(other[1] - one[1]), length * _size(turn))
 
 
-def _is_nearest(robot: Robot, guess: Poses, found: Found) -> Flags:
+def _is_nearest(robot: Robot, guess: Poses, found: PoseSearchResult) -> Flags:
     """Return True for poses that are the nearest to the guess according to an estimate, shape (n,).
 
     The estimate limits the second derivatives of the lengths by their values at the pose found. To second
@@ -239,18 +240,20 @@ def impossible_pairs(robot: Robot, L: Array) -> Flags:
     return np.asarray((too_far | too_near) & ~np.eye(6, dtype=np.bool_))
 
 
-def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: float | None = None) -> Found:
+def newton(
+    robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: float | None = None
+) -> PoseSearchResult:
     """Search poses with lengths L, shape (n, 6), from start poses (n, ...) by damped Newton steps.
 
     A step is a twist: t <- t + dt, R <- exp([dphi]x) R. It solves (J^T J + damping E) d = J^T (L - |S|) with
     angles scaled by the platform size. The damping decreases after each step that reduces the residual, so
     that the last steps are Newton steps. Other steps are rejected and repeated with more damping. ``most``
-    limits a step. ``free`` is the damping of the first four steps of a search that rejects no steps. With
-    offset joints the search is ``offset_legs.search``.
+    limits a step. A search with ``free`` rejects no steps; ``free`` is the damping of its first four steps.
+    With offset joints the search is ``offset_legs.search``.
     """
     if robot.offsets is not None:
-        R, t, found, residual, steps = search(robot, L, R, t)
-        return Found(R, t, residual, steps, found)
+        R, t, converged, residual, steps = search(robot, L, R, t)
+        return PoseSearchResult(R, t, residual, steps, converged)
     R, t = rotation.orthonormal(R), t.copy()
     length = platform_size(robot)
     damping = np.full(len(L), _FIRST_DAMPING if free is None else free)
@@ -288,7 +291,7 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: 
             )
         q, _, now = leg_vectors(robot, R, t)
         residual = np.max(np.abs(L - now), axis=-1)
-    return Found(R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t))
+    return PoseSearchResult(R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t))
 
 
 def _reach(robot: Robot, q: Array, t: Array) -> Array:

@@ -12,14 +12,14 @@ from typing import Any, cast
 import numpy as np
 
 from ..backend import fidelity
-from ..derive.generate import generator_version
+from ..derive.generated_files import generator_version
 from ..derive.package import build, cpp, fmu, kit_license
 from ..derive.package.example import example
 from ..derive.package.forces_name import forces_header
 from ..derive.package.functions import Function, Vector, reads_robot
 from ..derive.package.readme import Figures, readme
 from ..derive.package.readme import Kit as ReadmeKit
-from ..derive.package.robot import HEADER, SOURCE, Machine, robot_files
+from ..derive.package.robot_source import HEADER, SOURCE, Machine, robot_files
 from ..derive.package.selftest import selftest
 from ..drives.friction import drive_numbers
 from ..dynamics.home_pose import home_pose
@@ -37,7 +37,7 @@ from ..robot.robot import Robot
 from . import languages
 from .fmu import packed
 from .kit_options import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
-from .parts import Parts, generator, parts, robot_numbers
+from .required_kernels import Parts, generator, parts, robot_numbers
 from .vectors import rejected, vectors
 
 LICENSE, ROBOT = "LICENSE", "robot.toml"
@@ -104,7 +104,7 @@ def _left_out(robot: Robot, choice: Choice) -> str:
     """Return a clause about the physics that the forces of a kit omit, or an empty text."""
     if "forces" not in choice.functions:
         return ""
-    level = fidelity.resolved(robot, choice.formulation, choice.level)
+    level = fidelity.resolve_level(robot, choice.formulation, choice.level)
     # The reference in 50-digit arithmetic requires no compiler.
     reduced = Truth(robot, choice.formulation, level).forces
     return left_out(robot, cast("Formulation", choice.formulation), choice.level, reduced)

@@ -51,7 +51,7 @@ def packed(symbol: str, texts: Mapping[str, str]) -> bytes:
             path.removeprefix("sources/"): text for path, text in texts.items() if path.startswith("sources/")
         }
         with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as place:
-            made = native.compiled(Path(place), identifier, code, native.PORTABLE_FLAGS)
+            made = native.compile_library(Path(place), identifier, code, native.PORTABLE_FLAGS)
             files[f"{folder}/{made.name}"] = made.read_bytes()
     return _archive(files)
 

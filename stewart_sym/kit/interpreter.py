@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..backend.kernel import kernel_name, module
-from ..derive.generate import reduced_axial, reduced_fidelity, reduced_kinematics, reduced_rotation
+from ..derive.generated_files import reduced_axial, reduced_fidelity, reduced_kinematics, reduced_rotation
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from ..derive.kernel.outputs import FORCED, FORCES, program
 from ..derive.kernel.torque import axial_program, torque_program

@@ -1,17 +1,17 @@
 """Kits in languages other than C: available functions and test vectors."""
 
-from ..backend.fidelity import resolved
-from ..derive.generate import output_program
+from ..backend.fidelity import resolve_level
+from ..derive.generated_files import output_program
 from ..derive.mechanics import quantities as n
 from ..derive.package import kit_license
 from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents
-from ..derive.package.robot import Machine
+from ..derive.package.robot_source import Machine
 from ..io.arguments import option, shown
 from ..precision.truth import form_and_level
 from ..robot.robot import Robot
 from .kit_options import STEMS, Choice, options, robot_toml
-from .parts import generator, robot_numbers
+from .required_kernels import generator, robot_numbers
 from .vectors import rejected, vectors
 
 GROUPS = {name: STEMS[name] for name in ("forces", "motion", "derivatives", "kinematics")}
@@ -44,7 +44,7 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     """Generate the files of a kit except its manifest."""
     language = LANGUAGES[choice.language]
     outputs = tuple(output for group in choice.groups for output in GROUPS[group])
-    fidelity = resolved(robot, choice.formulation, choice.level)
+    fidelity = resolve_level(robot, choice.formulation, choice.level)
     form, level = form_and_level(robot.base_joint, choice.formulation, fidelity, robot.has_rotors)
     program = output_program(form, outputs, level.name)
     found = vectors(

@@ -30,7 +30,7 @@ from ..robot.robot import LEGS, Robot, of_symbol
 from .extreme_motions import extreme_motions
 from .interpreter import FLOATS, KitInterpreter, Numbers
 from .kit_options import PRECISIONS, STEMS
-from .parts import fields as fields_of
+from .required_kernels import fields as fields_of
 
 CLOSED_FORM = (*STEMS["motion"], *STEMS["derivatives"])
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")
@@ -106,7 +106,7 @@ def vectors(
     ValueError
         If the robot has no suitable pose.
     """
-    level = fidelities.resolved(robot, formulation, fidelity or "general")
+    level = fidelities.resolve_level(robot, formulation, fidelity or "general")
     kind = PRECISIONS[precision]
     if not np.isfinite(rounded(robot_numbers(robot, rotors=True), kind)).all():
         raise overflows(precision)
@@ -147,7 +147,7 @@ def rejected(robot: Robot, fidelity: str, precision: str) -> list[Vector]:
 
 def knows_axes(robot: Robot, fidelity: str) -> bool:
     """Return True if the forces of a level depend on the fixed axes of the universal joints."""
-    level = fidelities.resolved(robot, "exact", fidelity)
+    level = fidelities.resolve_level(robot, "exact", fidelity)
     return robot.base_joint == "universal" and bool(fidelities.levels(robot)[level]["universal"])
 
 

@@ -9,7 +9,7 @@ from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
 from ..motion.motion import at_rest
 from ..robot.robot import Robot, legs_text
-from .level_poses import Finding
+from .finding import Finding
 
 MOST_LEGS = 5.0
 """Largest plausible shortest leg over machine size; machines have 0.2 to 2, limits in inches at least 8."""

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from ..io.array_types import Array
 from ..kinematics.mounting import level_positions
 from ..robot.robot import LEGS, Robot
-from .level_poses import GOOD_CONDITION, HEIGHTS, MISPAIRED, Finding, level_conditions
+from .finding import Finding
+from .level_poses import GOOD_CONDITION, HEIGHTS, MISPAIRED, level_conditions
 
 TWISTED = np.radians(75.0)
 """Smallest twist of the platform against the base (rad) of legs in a wrong order, which have 120 degrees."""

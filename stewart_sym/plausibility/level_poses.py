@@ -1,6 +1,4 @@
-"""Finding about a robot, and level poses at which robots are examined."""
-
-from typing import NamedTuple
+"""Level poses at which robots are examined, and their condition numbers."""
 
 import numpy as np
 
@@ -19,13 +17,6 @@ have at least 15 or a twisted platform, and at least 6 times the value of the ri
 """
 HEIGHTS = 50
 """Number of level poses on a line above the base."""
-
-
-class Finding(NamedTuple):
-    """Finding about a robot: name, as in ``suppressed_warnings``, and text with the likely cause."""
-
-    name: str
-    text: str
 
 
 def level_home(robot: Robot) -> Array:

@@ -7,7 +7,7 @@ import numpy as np
 from ..dynamics.home_pose import radius
 from ..io.array_types import Array
 from ..robot.robot import Robot, legs_text
-from .level_poses import Finding
+from .finding import Finding
 
 MOST_GRAVITY = 50.0
 """Largest plausible gravity (m/s^2): twice Jupiter's; the Moon's is 1,620 in mm/s^2 and 162 in cm/s^2."""

@@ -1,4 +1,4 @@
-"""Plausibility of a robot's numbers: values that the schema allows and hardly any machine has.
+"""Findings of all plausibility checks of a robot, except the suppressed ones.
 
 The checks of forces, legs, and joints use the home pose. Each threshold is between the values of real
 machines and the result of the mistake that it detects. Values that may be right cause no finding.
@@ -12,8 +12,9 @@ import numpy as np
 from ..kinematics.mounting import AssemblyModeWarning
 from ..robot.robot import Robot
 from .at_home import of_home
+from .finding import Finding
 from .leg_order import of_order
-from .level_poses import Finding, level_home
+from .level_poses import level_home
 from .numbers import of_numbers
 
 

@@ -1,4 +1,4 @@
-"""Actuator forces with 50 digits from the derived equations before sharing, printing, and rounding.
+"""Actuator forces with 50 digits from the derived equations, before subexpressions are shared and printed.
 
 Rounding errors are measured against these forces. The numbers of robot and motion are exact inputs. The
 equations of a fidelity level are from ``derive``, and the arithmetic is mpmath.

@@ -137,7 +137,9 @@ def _run(robot: Robot, last: _State, legs: Legs, h: Array) -> Steps:
     clear = (near >= _NEAR * characteristic_length(robot)) | (
         _misfit(robot, before, after, h) < _ASTRAY * near
     )
-    sure = ends.found & clear & _foretold(robot, before, after.pose, h) & (after.pose.sign == last.pose.sign)
+    sure = (
+        ends.converged & clear & _foretold(robot, before, after.pose, h) & (after.pose.sign == last.pose.sign)
+    )
     return some(run, slice(len(h) if sure.all() else int(np.argmin(sure))))
 
 
@@ -170,7 +172,7 @@ def _with_other_side(
     # A pose on the other side at this distance cannot fit better.
     if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
         mirrored = other_side(robot, legs.L, pose.R, pose.t)
-        if mirrored.found.all():
+        if mirrored.converged.all():
             other = _state(robot, pose_of(robot, mirrored.R, mirrored.t, legs.L), legs)
             found.append((float(_misfit(robot, before, other, h)[0]), other))
     return found
@@ -224,7 +226,7 @@ def _state(robot: Robot, pose: _Pose, legs: Legs) -> _State:
 
 def _found(robot: Robot, L: Array, R: Array, t: Array) -> _Pose | None:
     end = newton(robot, L, R, t)
-    return pose_of(robot, end.R, end.t, L) if end.found.all() else None
+    return pose_of(robot, end.R, end.t, L) if end.converged.all() else None
 
 
 def at_rest(robot: Robot, pose: _Pose, L: Array, progress: Progress) -> tuple[Array, Array]:

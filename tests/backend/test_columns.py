@@ -104,7 +104,7 @@ def test_columns_of_reduced_kernels_do_too(fidelity: str) -> None:
 def test_threads_and_parts_of_longer_arrays_change_no_bit(
     threads: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(forces, "LEAST_SHARE", 10)
+    monkeypatch.setattr(forces, "MIN_POSES_PER_THREAD", 10)
     rng = np.random.default_rng(163)
     robot = flat(rng)
     motion, kernel = with_faults(rng, robot, 203), ss.ForceKernel(robot)

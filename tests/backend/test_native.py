@@ -38,7 +38,7 @@ def test_order_of_compilers(no_compiler: None, tmp_path: Path, monkeypatch: pyte
         script(tmp_path / name / name, f"echo '{name} 1.0'\necho more\nexit {code}")
     # A `cc` that is only a stub is passed over.
     monkeypatch.setenv("PATH", os.pathsep.join([str(tmp_path / "cc"), str(tmp_path / "gcc")]))
-    native._working.cache_clear()
+    native._check_compiler.cache_clear()
     gcc = str(tmp_path / "gcc" / "gcc")
     assert native.find_compiler() == native.Compiler((gcc,), "gcc 1.0")
     monkeypatch.setenv("CC", f"{gcc} -m64 '-DA=\"b c\"'")

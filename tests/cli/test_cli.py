@@ -67,7 +67,7 @@ def test_bad_robot_files_are_rejected_by_all_subcommands(robot: Path, trajectory
 
 
 def test_derive_check_tells_what_differs(tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("stewart_sym.derive.generate.generated_files", _two_files)
+    monkeypatch.setattr("stewart_sym.derive.generated_files.generated_files", _two_files)
     target = tmp_path / "generated"
     out = run("derive", "-o", target).out
     assert "exact" in out

@@ -15,7 +15,7 @@ sys.path.insert(0, sys.argv[1])
 warnings.simplefilter("ignore")
 import stewart_sym as ss
 assert pathlib.Path(ss.__file__).is_relative_to(sys.argv[1]), ss.__file__
-from stewart_sym.derive.generate import generated_files
+from stewart_sym.derive.generated_files import generated_files
 path, _ = ss.PAPER_PATHS["I"]
 print(ss.inverse_dynamics(ss.robots.dasgupta1998(), path.sample([0.0, 1.0])).F.shape)
 """

@@ -12,14 +12,14 @@ from sweeps import slow_but
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import module
 from stewart_sym.derive.emit.closed_form import sum_operations
-from stewart_sym.derive.generate import reduced_forces, reduced_motion
+from stewart_sym.derive.generated_files import reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.operations import force_operations
 from stewart_sym.derive.kernel.outputs import prefix_of
 from stewart_sym.derive.mechanics.closed_form.terms import F_LEG
 from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, PAPER
 from stewart_sym.dynamics import closed_form
 from stewart_sym.kit import Choice
-from stewart_sym.kit.parts import parts
+from stewart_sym.kit.required_kernels import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

@@ -20,7 +20,7 @@ from stewart_sym.kit import Choice, kit, write_kit
 from stewart_sym.kit.files import kit_names
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.kit.kit_options import check
-from stewart_sym.kit.parts import fields
+from stewart_sym.kit.required_kernels import fields
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import of_symbol
 

@@ -175,7 +175,7 @@ def check(run: Callable[[ss.Motion], tuple[dict[str, Any], NDArray[np.int32]]], 
 def test_forces_of_sound_poses_keep_every_bit(
     precision: Any, threads: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(forces, "LEAST_SHARE", 100)
+    monkeypatch.setattr(forces, "MIN_POSES_PER_THREAD", 100)
     kernel = ss.ForceKernel(ROBOT, precision=precision)
 
     def run(motion: ss.Motion) -> tuple[dict[str, Any], NDArray[np.int32]]:
@@ -247,7 +247,7 @@ def hammered(calls: list[Callable[[], bytes]], threads: int = 6, rounds: int = 1
 def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(forces, "LEAST_SHARE", 50)
+    monkeypatch.setattr(forces, "MIN_POSES_PER_THREAD", 50)
     kernels = [
         ss.ForceKernel(robot, precision=precision)
         for robot in (ROBOT, dasgupta())

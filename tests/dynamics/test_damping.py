@@ -11,7 +11,7 @@ from motion_fields import UNLOADED, stacked
 from unsolvable_poses import BACKENDS, at_rest, leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
-from stewart_sym.dynamics.damping import SHARE, damped_least_squares
+from stewart_sym.dynamics.damped_least_squares import SHARE, damped_least_squares
 from stewart_sym.results import JOINT_SINGULAR, OK, SINGULAR, ZERO_LENGTH
 
 

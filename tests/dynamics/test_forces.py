@@ -51,7 +51,7 @@ def test_float_forces_agree_to_float_rounding(formulation) -> None:
 def test_results_are_bit_identical_whatever_batch_position_and_threads(
     precision, base_joint: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(forces, "LEAST_SHARE", 1)
+    monkeypatch.setattr(forces, "MIN_POSES_PER_THREAD", 1)
     robot, motion = machine_in_motion(22, (37,), base_joint)
     kernel = ss.ForceKernel(robot, precision=precision)
     whole = kernel.forces(motion)

@@ -15,7 +15,7 @@ from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.kit import Choice
-from stewart_sym.kit.parts import parts
+from stewart_sym.kit.required_kernels import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

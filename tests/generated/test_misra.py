@@ -18,7 +18,7 @@ from kits import c_of, kit_of
 from sweeps import FULL, slow_but
 
 from stewart_sym.derive.emit.header import common_header
-from stewart_sym.derive.generate import motion_files
+from stewart_sym.derive.generated_files import motion_files
 from stewart_sym.derive.package.misra_deviations import deviations
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice

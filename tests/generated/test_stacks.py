@@ -26,7 +26,7 @@ from stewart_sym.io.progress import Progress, silent
 from stewart_sym.kit import Choice
 from stewart_sym.kit.files import stack_key
 from stewart_sym.kit.kit_options import check
-from stewart_sym.kit.parts import Parts, parts
+from stewart_sym.kit.required_kernels import Parts, parts
 from stewart_sym.robot.robot import Robot
 
 TABLE = Path(__file__).parents[2] / "stewart_sym" / "kit" / "stack.json"
@@ -120,7 +120,7 @@ def _joined(core: Core, objects: Iterable[Path], target: Path) -> Path:
     """All of some objects with their calls of each other resolved; not to be run."""
     flags = (*core.flags, *toolchain.FLAGS, "-nostartfiles", "--specs=nosys.specs", "-Wl,-e,0")
     names = (path.name for path in objects)
-    native.ran((toolchain.GCC, *flags, *names, "-lm", "-o", target.name), target.parent)
+    native.run_compiler((toolchain.GCC, *flags, *names, "-lm", "-o", target.name), target.parent)
     return target
 
 

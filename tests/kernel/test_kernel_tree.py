@@ -20,7 +20,7 @@ from sweeps import FULL, UNFUSED
 
 import stewart_sym as ss
 from stewart_sym.backend.numpy_kernel import loaded
-from stewart_sym.derive.generate import reduced_fidelity, reduced_forces
+from stewart_sym.derive.generated_files import reduced_fidelity, reduced_forces
 from stewart_sym.derive.kernel.outputs import program
 from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.tree.constants import constants

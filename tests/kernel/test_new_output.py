@@ -13,7 +13,7 @@ import stewart_sym as ss
 from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import MOTION
-from stewart_sym.derive import generate
+from stewart_sym.derive import generated_files as generation
 from stewart_sym.derive.kernel import interface, outputs
 from stewart_sym.derive.kernel.prepare import result
 from stewart_sym.derive.kernel.tree.nodes import Array, Field, Integer, Real, Type
@@ -56,9 +56,9 @@ def test_a_line_gives_a_kernel_in_c_with_the_forces_of_such_a_machine(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     assert LEVEL.name not in FIDELITIES
-    monkeypatch.setattr(generate, "FIDELITIES", {LEVEL.name: LEVEL})
-    monkeypatch.setattr(generate, "DRIVE_FIDELITIES", {})
-    made = generate._fidelities("test")
+    monkeypatch.setattr(generation, "FIDELITIES", {LEVEL.name: LEVEL})
+    monkeypatch.setattr(generation, "DRIVE_FIDELITIES", {})
+    made = generation._fidelities("test")
     files = made.files
     ((name, size),) = made.models.items()
     assert LEVEL.meaning in files["fidelities.py"]

@@ -46,7 +46,7 @@ def forty_modes() -> tuple[ss.Robot, Poses]:
     while len(modes) < 40:
         start = any_rotations(rng, 1000), rng.normal(size=(1000, 3))
         found = newton(robot, np.tile(LENGTHS, (1000, 1)), *start)
-        for R, t in zip(found.R[found.found], found.t[found.found], strict=True):
+        for R, t in zip(found.R[found.converged], found.t[found.converged], strict=True):
             if all(distance((R, t), mode) > 1e-6 for mode in modes):
                 modes.append((R, t))
     return robot, (np.array([R for R, _ in modes]), np.array([t for _, t in modes]))

@@ -13,7 +13,7 @@ from stewart_sym.derive.package import cpp as kit_cpp
 from stewart_sym.derive.package.build import build_files
 from stewart_sym.derive.package.functions import MODEL, Function
 from stewart_sym.kit import Choice
-from stewart_sym.kit.parts import parts
+from stewart_sym.kit.required_kernels import parts
 from stewart_sym.robot.robot import Robot
 
 GROUPS = ("forces", "reactions", "motion", "derivatives", "kinematics")

@@ -18,7 +18,7 @@ from sweeps import FULL
 from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.kit import FUNCTIONS, Choice, kit, kit_names, put, write_kit
-from stewart_sym.kit.parts import parts
+from stewart_sym.kit.required_kernels import parts
 
 FORMULATIONS = ("exact", "paper")
 SOLVE = "stewart_solve.h"

@@ -41,7 +41,7 @@ def shorten(patch: pytest.MonkeyPatch) -> None:
     derived = ModuleType("stewart_sym.derive.passes")
     derived.passes = lambda: (one,)  # type: ignore[attr-defined]
     patch.setitem(sys.modules, derived.__name__, derived)
-    patch.setattr(cases, "LARGE", 2 * forces.LEAST_SHARE)
+    patch.setattr(cases, "LARGE", 2 * forces.MIN_POSES_PER_THREAD)
     patch.setattr(cases, "QUICK_BATCHES", (8, 64))
     patch.setattr(timing, "SHORTEST", 1e-5)
     patch.setattr(benchmark, "QUICK_ROUNDS", 3)

@@ -45,7 +45,7 @@ SAME = 0.002
 LEFT_OUT = "..."
 """Stands for lines of an output that a page leaves out."""
 ROUNDING = 1e-9
-"""Largest of what a comment calls 0 but for rounding, N and m/s^2."""
+"""Largest of what a comment calls 0 up to rounding, N and m/s^2."""
 
 
 def text_of(page: str) -> str:
@@ -225,7 +225,7 @@ def compared(value: object, comment: str) -> int:
         assert np.shape(value) == tuple(int(length) for length in shape[1].split(", ")), comment
         text, count = text[shape.end() :].lstrip(":, "), 1
     if number := NUMBER.match(text):
-        within = ROUNDING if "but for rounding" in text else 0.5 * 10.0 ** -len(number[1] or "")
+        within = ROUNDING if "up to rounding" in text else 0.5 * 10.0 ** -len(number[1] or "")
         assert np.abs(np.asarray(value) - float(number[0])).max() <= within, comment
         count += 1
     return count

@@ -1,1 +1,1 @@
-"""Trees of functions in no language: nodes, reading, lowering, running, counting."""
+"""Trees of functions in no language: nodes, reader, transformations, interpreter, and operation counter."""

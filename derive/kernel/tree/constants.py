@@ -1,4 +1,4 @@
-"""Status codes and constants of the arithmetic: one table for reader, interpreter and every language."""
+"""Status codes and arithmetic constants, in one table for the reader, the interpreter, and all languages."""
 
 from math import sqrt
 
@@ -47,7 +47,7 @@ PRECISIONS = {
 
 
 def constants(precision: str) -> dict[str, float]:
-    """Constants by name, of "double" or "float", as in the C sources, which say what each is for."""
+    """Return the constants of "double" or "float" by name, as in the C sources, which describe each."""
     epsilon, largest = PRECISIONS[precision]
     double = precision == "double"
     return {
@@ -70,9 +70,9 @@ def constants(precision: str) -> dict[str, float]:
 
 
 def unchecked(epsilon: float) -> dict[str, float]:
-    """Constants for an arithmetic of many digits in which kernels take every pose for regular.
+    """Return constants for an arithmetic of many digits in which every pose is regular.
 
-    epsilon: by how much searches may miss.
+    ``epsilon`` is the tolerance of searches.
     """
     known = {"EPSILON": epsilon, "ROUNDING": 16 * epsilon, "MAX": float("inf"), "NAN": float("nan")}
     return dict.fromkeys(constants("double"), 0.0) | {"SMALLEST": SMALLEST, "LARGEST": LARGEST} | known

@@ -1,8 +1,8 @@
-"""Products that feed a sum as fused multiply-adds: ``fma(a, b, c)`` is a b + c, rounded once or twice.
+"""Fused multiply-adds: a product in a sum becomes ``fma(a, b, c)``, which is a b + c rounded once or twice.
 
-Rounded twice it is the sum as it stood, to the last bit: a sum does not depend on the order of its two terms.
-The sign of a product that is subtracted goes to a factor that differs from lane to lane, where compilers have
-an instruction for it; a constant of all lanes they would negate by itself, before it is spread.
+Rounded twice, the result equals the original sum to the last bit, because a sum does not depend on the order
+of its two terms. The sign of a subtracted product is applied to a factor that differs between lanes, because
+processors have an instruction for it. Compilers would negate a constant of all lanes separately.
 """
 
 from collections import Counter
@@ -16,7 +16,7 @@ _LANE = t.Name("l")
 
 
 def fused(function: t.Function) -> t.Function:
-    """The function with its products and sums fused; indices and counts stay as they are."""
+    """Fuse the products and sums of a function; indices and counts do not change."""
     whole = {each.name for each in function.arguments if isinstance(each.type, t.Integer | t.Count)}
     whole |= {each.index for each in t.statements(function.body) if isinstance(each, t.For)}
     whole |= {
@@ -78,7 +78,7 @@ def _with_products(node: Any, products: Mapping[str, t.Binary]) -> Any:
 
 
 def _of_all_lanes(function: t.Function) -> frozenset[str]:
-    """Names of what is read outside of the lanes, in a function that has lanes."""
+    """Return the names of values outside of the lanes, in a function that has lanes."""
     read = [each for each in t.statements(function.body) if isinstance(each, t.Let)]
     in_lanes = {each.name for each in read if isinstance(each.value, t.Element) and _LANE in each.value.index}
     others = {each.name for each in read if isinstance(each.value, t.Element | t.Member)} - in_lanes
@@ -87,11 +87,11 @@ def _of_all_lanes(function: t.Function) -> frozenset[str]:
 
 class _Fused:
     def __init__(self, whole: frozenset[str], of_all_lanes: frozenset[str]) -> None:
-        """whole: names of whole numbers; of_all_lanes: of numbers that are the same in all lanes."""
+        """Store the names of whole numbers (``whole``) and of values that are equal in all lanes."""
         self.whole, self.of_all_lanes = whole, of_all_lanes
 
     def node(self, node: Any) -> Any:
-        """A statement, an expression or several, with their parts."""
+        """Convert a statement, an expression, or several, with their parts."""
         match node:
             case tuple():
                 return tuple(map(self.node, node))
@@ -104,7 +104,7 @@ class _Fused:
         return t.mapped(node, self.node) if isinstance(node, t.Node) else node
 
     def is_real(self, node: Any) -> bool:
-        """Whether an expression is a number of the kernel's arithmetic."""
+        """Return True if an expression is a number of the kernel's arithmetic."""
         match node:
             case t.Element() | t.Member() | t.Call():
                 return True
@@ -117,7 +117,7 @@ class _Fused:
         )
 
     def sum(self, operator: str, left: t.Expression, right: t.Expression) -> t.Expression:
-        """left + right or left - right; the product that comes last is fused."""
+        """Return left + right or left - right with its last product fused."""
         minus = operator == "-"
         if _is_product(right):
             assert isinstance(right, t.Binary)
@@ -129,7 +129,7 @@ class _Fused:
         return t.Binary(operator, left, right)
 
     def subtracted(self, first: t.Expression, second: t.Expression) -> tuple[t.Expression, t.Expression]:
-        """Two factors of which one has the sign."""
+        """Return two factors, one of which has the minus sign."""
         common = isinstance(first, t.Name) and first.name in self.of_all_lanes
         # A sign before a negative or a literal would be drawn in.
         takes_sign = not isinstance(second, t.Negative | t.Number)
@@ -143,7 +143,7 @@ def _is_product(node: t.Expression) -> bool:
 
 
 def _negated(value: t.Expression) -> t.Expression:
-    """Exact: of a product the sign of its first factor, of a number its own."""
+    """Negate exactly: the first factor of a product, or a number."""
     match value:
         case t.Negative(inner):
             return inner

@@ -1,4 +1,4 @@
-"""Runs a kernel tree on values of any kind: floats, arrays, multiprecision numbers, symbols."""
+"""Interpreter of kernel trees for values of any type: floats, arrays, multiprecision numbers, symbols."""
 
 import operator
 from collections.abc import Callable, Mapping, Sequence
@@ -13,11 +13,11 @@ from .constants import INTEGERS
 
 @dataclass(frozen=True)
 class Arithmetic:
-    """What an interpreter needs of a kind of number besides its operators.
+    """Functions of a type of numbers, in addition to its operators, that an interpreter requires.
 
-    number: from a literal; constants: EPSILON, MAX and others by name; both, either: of tests. where: the
-    selection by a test that is no ``bool``, of which both sides are evaluated; None where every test is true
-    or false, so that one side is.
+    ``number`` converts a literal. ``constants`` are EPSILON, MAX, and others by name. ``both`` and ``either``
+    combine tests. ``where`` selects by a test that is not a ``bool`` and evaluates both sides; it is None if
+    every test is true or false, so that only one side is evaluated.
     """
 
     number: Callable[[int | float], Any]
@@ -59,10 +59,10 @@ class _Result:
 
 @dataclass(frozen=True)
 class Interpreter:
-    """Runs the functions of a program in one arithmetic.
+    """Interpreter of the functions of a program in one arithmetic.
 
-    A structure is a ``SimpleNamespace``, an array a list, or lists of lists. instead: what runs in place of
-    functions of the program, by name.
+    A structure is a ``SimpleNamespace``, and an array a list or a list of lists. ``instead`` are replacements
+    of functions by name.
     """
 
     program: t.Program
@@ -71,7 +71,7 @@ class Interpreter:
     _bodies: dict[str, _Action] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def run(self, name: str, *arguments: Any) -> Any:
-        """Result of a function of the program; arguments that it changes are changed."""
+        """Run a function of the program and return its result; changed arguments are changed."""
         function = self.program.function(name)
         return self._call(function, self._known(function, arguments))
 
@@ -87,7 +87,7 @@ class Interpreter:
         return result.value if isinstance(result, _Result) else None
 
     def zero(self, kind: t.Type) -> Any:
-        """A value of this type with zeros."""
+        """Return a value of this type that contains zeros."""
         return self._zeros(kind)()
 
     # ------------------------------------------------------------ statements, made into functions once
@@ -144,12 +144,12 @@ class Interpreter:
         return lambda known: make()
 
     def _zeros(self, kind: t.Type) -> Callable[[], Any]:
-        """What makes values of this type with zeros."""
+        """Return a function that creates zeros of this type."""
         zero = self.arithmetic.number(0)
         return lambda: filled(self.program, kind, lambda *_: zero)
 
     def _kept(self, statement: t.Let | t.Variable | t.Assign, value: Any, known: Known) -> Any:
-        """What a statement stores."""
+        """Return the value that a statement stores."""
         return value
 
     def _loop(self, loop: t.For) -> _Action:
@@ -234,7 +234,7 @@ class Interpreter:
         return lambda known: self._at(array(known), [each(known) for each in index])
 
     def _at(self, array: Any, index: list[Any]) -> Any:
-        """An element; where poses side by side differ in it, a selection."""
+        """Return an element; if poses side by side have different indices, a selection."""
         if not index:
             return array
         first, *others = index
@@ -256,7 +256,7 @@ class Interpreter:
                 self._put(array, [i, *others], self._selected(first == i, value, self._at(each, others)))
 
     def _select(self, test: Any, yes: _Value, no: _Value, known: Known) -> Any:
-        """One of two; where a test is decided the other is not evaluated, which may be undefined."""
+        """Select one of two values; if the test is decided, the other one is not evaluated."""
         if isinstance(test, bool) or self.arithmetic.where is None:
             return (yes if test else no)(known)
         return self._selected(test, yes(known), no(known))
@@ -272,7 +272,7 @@ class Interpreter:
 
 
 def filled(program: t.Program, kind: t.Type, number: Callable[[str, t.Type], Any], name: str = "") -> Any:
-    """A value of this type; number: from what a structure's member is called, and its type."""
+    """Return a value of this type; ``number`` creates a number from the name and type of a member."""
     if isinstance(kind, t.Array):
         count, *others = kind.dims
         inner = t.Array(kind.item, tuple(others)) if others else kind.item

@@ -1,7 +1,7 @@
-"""Legs in lanes: a program of one pose as C runs it.
+"""Transformation of a program for one pose to C with the legs in vector lanes.
 
-What the legs have stands in lanes of eight, the last two of which repeat leg 6, so that one loop computes
-all; their sums are one array, and so is every table that functions hand on, row after row.
+The quantities of the legs are arrays of eight lanes, whose last two repeat leg 6, so that one loop computes
+all legs. Sums over the legs, and tables that functions pass on, are single arrays, row by row.
 """
 
 from collections.abc import Mapping
@@ -14,7 +14,7 @@ _TABLE = 6
 """Local tables with so few columns stay as they are."""
 
 _WRITTEN_OUT = 16
-"""Longer loops stay loops as they are: GCC writes out those of so few turns before it looks for vectors."""
+"""Longest loop that is unrolled: GCC unrolls such short loops before it vectorizes."""
 
 Step = str | t.Expression
 """A member, by its name, or an element, by its index."""
@@ -22,12 +22,12 @@ Step = str | t.Expression
 
 @dataclass(frozen=True)
 class Layout:
-    """Where numbers are.
+    """Layout of the numbers in memory.
 
-    structures: of the program, by name; records: their new names; sums: of a structure, where each member
-    begins in one array, and how long that is; inside: the member that the results of a structure are in;
-    parts: members that are parts of another, and where they begin; functions: new names of those that fill
-    the structure of their result.
+    ``structures`` are the structures of the program by name, and ``records`` their new names. ``sums`` gives,
+    for a structure, the first index of each member in one array, and its length. ``inside`` is the member
+    that contains the results of a structure. ``parts`` are members that are parts of another member, with
+    their first indices. ``functions`` are the new names of functions that fill the structure of their result.
     """
 
     structures: Mapping[str, t.Structure]
@@ -39,7 +39,7 @@ class Layout:
     functions: Mapping[str, str]
 
     def type(self, kind: t.Type) -> t.Type:
-        """A type as it is laid out."""
+        """Return a type in this layout."""
         match kind:
             case t.Record(name) if name in self.sums:
                 return t.Array(t.Real(), (self.counts[name],))
@@ -52,7 +52,7 @@ class Layout:
         return kind
 
     def structure(self, name: str) -> t.Structure:
-        """A structure that has no lanes, as it is laid out."""
+        """Return a structure without lanes in this layout."""
         found = self.structures[name]
         members = [replace(each, type=self.type(each.type)) for each in found.members]
         if name in self.inside:
@@ -66,7 +66,7 @@ class Layout:
         return t.Structure(self.records.get(name, name), found.meaning, tuple(members))
 
     def function(self, function: t.Function) -> t.Function:
-        """A function with everything in its place."""
+        """Return a function in this layout."""
         types = {each.name: each.type for each in function.arguments}
         return _Moved(self, types, set()).function(function)
 
@@ -86,7 +86,7 @@ class _Moved:
         return _filling(moved) if function.name in self.layout.functions else moved
 
     def node(self, node: Any) -> Any:
-        """A statement or an expression with its parts."""
+        """Convert a statement or an expression with its parts."""
         match node:
             case t.Let(name, value, kind):
                 self.types[name] = kind
@@ -112,7 +112,7 @@ class _Moved:
         return t.mapped(node, self.node) if isinstance(node, t.Expression | t.Statement) else node
 
     def statements(self, node: Any) -> tuple[Any, ...]:
-        """A statement, or two where a function fills what it returned."""
+        """Convert a statement; a call whose result fills a structure becomes two."""
         match node:
             case t.Let(name, t.Call(called, arguments)) | t.Variable(
                 name, value=t.Call(called, arguments)
@@ -123,7 +123,7 @@ class _Moved:
         return (self.node(node),)
 
     def place(self, node: t.Expression) -> t.Expression:
-        """A part of a variable in its place."""
+        """Return the location of a part of a variable."""
         steps: list[Step] = []
         while isinstance(node, t.Member | t.Element):
             found: list[Step] = [node.name] if isinstance(node, t.Member) else [*map(self.node, node.index)]
@@ -150,7 +150,7 @@ class _Moved:
         return self.flat(node, kind, steps)
 
     def flat(self, node: t.Name, kind: t.Type, steps: list[Step]) -> t.Expression:
-        """A part of a structure without lanes, or of an array."""
+        """Return a part of a structure without lanes, or of an array."""
         found: list[Step] = []
         while steps:
             step, *steps = steps
@@ -177,7 +177,7 @@ class _Moved:
 
 
 def _filling(function: t.Function) -> t.Function:
-    """The function that fills a structure instead of returning one, which C would copy."""
+    """Return a function that fills a structure instead of returning one, which C would copy."""
     *body, end = function.body
     assert isinstance(end, t.Return)
     assert isinstance(end.value, t.Name)

@@ -1,4 +1,4 @@
-"""From the derivation to the tree: expressions and steps as nodes, in the order in which they round."""
+"""Conversion of expressions and steps of the derivation to tree nodes, in the order of their rounding."""
 
 import operator
 from collections.abc import Iterable, Sequence

@@ -1,9 +1,7 @@
-"""The nodes of a kernel tree: types, expressions, statements, functions and programs.
+"""Nodes of a kernel tree: types, expressions, statements, functions, and programs.
 
-A tree says what is computed and in which order. How that is spelled is a printer's business, which values
-pass through it an interpreter's; neither changes the order of an operation.
-
-Other modules import this one as ``t``.
+A tree defines the computation and the order of its operations. A printer determines the notation, and an
+interpreter the type of the values; neither changes the order. Other modules import this one as ``t``.
 """
 
 import re
@@ -15,15 +13,15 @@ from typing import Any, dataclass_transform
 @dataclass_transform(frozen_default=True)
 @dataclass(frozen=True)
 class Node:
-    """A part of a tree; its subclasses are frozen dataclasses."""
+    """Part of a tree; its subclasses are frozen dataclasses."""
 
     def __init_subclass__(cls) -> None:
-        """Makes the subclass one."""
+        """Make the subclass a frozen dataclass."""
         dataclass(frozen=True)(cls)
 
 
 class Type(Node):
-    """What kind of value."""
+    """Type of a value."""
 
 
 def _of_two(operator: str) -> Callable[["Expression", "Expression"], "Binary"]:
@@ -31,49 +29,49 @@ def _of_two(operator: str) -> Callable[["Expression", "Expression"], "Binary"]:
 
 
 class Expression(Node):
-    """What has a value; + - * / make others of two."""
+    """Expression with a value; + - * / combine two expressions."""
 
     __add__, __sub__, __mul__, __truediv__ = map(_of_two, "+-*/")
 
 
 class Statement(Node):
-    """What is done."""
+    """Statement."""
 
 
 # ---------------------------------------------------------------- types
 
 
 class Real(Type):
-    """A number of the kernel's arithmetic."""
+    """Number of the kernel's arithmetic."""
 
 
 class Integer(Type):
-    """An index, a status or a mark."""
+    """Index, status, or mark."""
 
 
 class Count(Type):
-    """How many, or which of many: never negative, and as large as the machine's memory."""
+    """Count or index: never negative, and as large as an address."""
 
 
 class Truth(Type):
-    """The result of a comparison."""
+    """Result of a comparison."""
 
 
 class Array(Type):
-    """``dims`` of ``item``, row-major."""
+    """Row-major array of ``item`` with the dimensions ``dims``."""
 
     item: Type
     dims: tuple[int, ...]
 
 
 class Pointer(Type):
-    """The first of a number of ``item`` that the type does not say; may be ``NULL``."""
+    """Address of the first of several ``item``, whose count is not part of the type; may be ``NULL``."""
 
     item: Type
 
 
 class Record(Type):
-    """A structure, by name."""
+    """Structure, by name."""
 
     name: str
 
@@ -82,53 +80,53 @@ class Record(Type):
 
 
 class Number(Expression):
-    """A literal: ``int`` where an index or a status is meant, ``float`` in the kernel's arithmetic."""
+    """Literal: ``int`` for an index or a status, ``float`` in the kernel's arithmetic."""
 
     value: int | float
 
 
 class Constant(Expression):
-    """A constant of the arithmetic or a status code, by name: ``EPSILON``, ``NOT_FINITE``."""
+    """Arithmetic constant or status code, by name: ``EPSILON``, ``NOT_FINITE``."""
 
     name: str
 
 
 class Name(Expression):
-    """A variable."""
+    """Variable."""
 
     name: str
 
 
 class Member(Expression):
-    """One member of a structure."""
+    """Member of a structure."""
 
     owner: Expression
     name: str
 
 
 class Element(Expression):
-    """One element of an array, counted from zero."""
+    """Element of an array, counted from zero."""
 
     array: Expression
     index: tuple[Expression, ...]
 
 
 class From(Expression):
-    """The part of an array that begins with one element."""
+    """Part of an array from one element on."""
 
     array: Expression
     index: Expression
 
 
 class As(Expression):
-    """A number as another kind of number."""
+    """Conversion of a number to another type."""
 
     type: Type
     value: Expression
 
 
 class Not(Expression):
-    """True where ``value`` does not hold."""
+    """True if ``value`` is false."""
 
     value: Expression
 
@@ -142,7 +140,7 @@ class Negative(Expression):
 class Binary(Expression):
     """``left operator right``, both evaluated.
 
-    The operator is one of ``+ - * / < <= > >= == !=`` or, of tests alone, ``& |``.
+    The operator is one of ``+ - * / < <= > >= == !=`` or, only for tests, ``& |``.
     """
 
     operator: str
@@ -151,7 +149,7 @@ class Binary(Expression):
 
 
 class Select(Expression):
-    """``yes`` where ``test`` holds, else ``no``; both are evaluated, of structures member by member."""
+    """``yes`` if ``test`` is true, else ``no``; both are evaluated, and structures member by member."""
 
     test: Expression
     yes: Expression
@@ -159,25 +157,25 @@ class Select(Expression):
 
 
 class Call(Expression):
-    """A function of the program, or one of ``BUILT_IN``."""
+    """Call of a function of the program, or of ``BUILT_IN``."""
 
     function: str
     arguments: tuple[Expression, ...]
 
 
 def at(array: Expression | str, *index: Expression | int | str) -> Element:
-    """An element; of a variable by its name, at constant indices or at variables by their names."""
+    """Return an element of an expression or a named variable, at constant or named indices."""
     found = (Number(i) if isinstance(i, int) else named(i) for i in index)
     return Element(named(array), tuple(found))
 
 
 def of(owner: Expression | str, name: str) -> Member:
-    """A member of a structure, or of a variable by its name."""
+    """Return a member of a structure or of a named variable."""
     return Member(named(owner), name)
 
 
 def named(value: Expression | str) -> Expression:
-    """A variable by its name."""
+    """Return a variable by its name."""
     return Name(value) if isinstance(value, str) else value
 
 
@@ -198,7 +196,7 @@ test holds for any of the poses side by side."""
 
 
 class Let(Statement):
-    """A constant; ``type`` of its value."""
+    """Constant with the ``type`` of its value."""
 
     name: str
     value: Expression
@@ -206,9 +204,10 @@ class Let(Statement):
 
 
 class Variable(Statement):
-    """A variable and its first value; of arrays and structures every number is zero.
+    """Variable with its initial value; numbers of arrays and structures are initially zero.
 
-    blank: without a first value, as it is assigned to before it is read. aligned: as a structure.
+    A ``blank`` variable has no initial value, because it is assigned before it is read. ``aligned`` aligns it
+    like a structure.
     """
 
     name: str
@@ -226,9 +225,10 @@ class Assign(Statement):
 
 
 class For(Statement):
-    """``index`` from ``first`` to ``last`` - 1, or downward from ``first`` to ``last`` + 1.
+    """Loop of ``index`` from ``first`` to ``last`` - 1, or downward from ``first`` to ``last`` + 1.
 
-    type: of the index; step: from one index to the next. kept: stays a loop, as vectors are made of loops.
+    ``type`` is the type of the index, and ``step`` its increment. ``kept`` loops are not unrolled, because
+    compilers vectorize them.
     """
 
     index: str
@@ -242,11 +242,11 @@ class For(Statement):
 
 
 class Break(Statement):
-    """Ends the loop."""
+    """End of the loop."""
 
 
 class If(Statement):
-    """``body`` where ``test`` holds, else ``otherwise``."""
+    """``body`` if ``test`` is true, else ``otherwise``."""
 
     test: Expression
     body: tuple[Statement, ...]
@@ -254,19 +254,19 @@ class If(Statement):
 
 
 class Do(Statement):
-    """A call of a function that changes an argument."""
+    """Call of a function that changes an argument."""
 
     call: Call
 
 
 class Comment(Statement):
-    """What the statements that follow are about."""
+    """Comment about the statements that follow."""
 
     text: str
 
 
 class Return(Statement):
-    """The function's result; None: it has none, and ends here."""
+    """End of the function with its result; None if it has none."""
 
     value: Expression | None
 
@@ -275,7 +275,7 @@ class Return(Statement):
 
 
 class Field(Node):
-    """One member of a structure; ``meaning`` with its unit."""
+    """Member of a structure; ``meaning`` includes its unit."""
 
     name: str
     type: Type
@@ -283,7 +283,7 @@ class Field(Node):
 
 
 class Structure(Node):
-    """Members in the order in which they are stored; ``aligned``: the first where a vector begins."""
+    """Structure with its members in memory order; ``aligned`` is the first member of a vector."""
 
     name: str
     meaning: str
@@ -292,9 +292,9 @@ class Structure(Node):
 
 
 class Argument(Node):
-    """An argument of a function; ``changed``: the function writes to it.
+    """Argument of a function; the function writes to a ``changed`` argument.
 
-    alone: no other argument overlaps it.
+    No other argument overlaps an argument that is ``alone``.
     """
 
     name: str
@@ -304,9 +304,9 @@ class Argument(Node):
 
 
 class Function(Node):
-    """A function; ``public``: part of the program's interface. result: None where it changes an argument.
+    """Function; a ``public`` one is part of the interface. ``result`` is None if it changes an argument.
 
-    apart: never merged into the functions that call it; inlined: always.
+    ``apart`` functions are never merged into their callers, and ``inlined`` functions always.
     """
 
     name: str
@@ -320,25 +320,25 @@ class Function(Node):
 
 
 def numbers(name: str, *dims: int, meaning: str = "") -> Field:
-    """A member that is a number, or an array of them."""
+    """Return the members that are numbers or arrays of numbers."""
     return Field(name, Array(Real(), dims) if dims else Real(), meaning)
 
 
 def snake(name: str) -> str:
-    """``leg_terms`` of ``LegTerms``."""
+    """Return ``leg_terms`` for ``LegTerms``."""
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 def signature(
     name: str, result: Type | None = None, changed: Collection[str] = (), **arguments: Type
 ) -> Function:
-    """A function of which others need only how it is called."""
+    """Return a function without body for callers."""
     given = (Argument(each, kind, each in changed) for each, kind in arguments.items())
     return Function(name, "", tuple(given), result, ())
 
 
 class Table(Node):
-    """A constant structure, or as many as there are rows: the numbers of its members, one after the other."""
+    """Constant structure, or several: the numbers of their members row by row."""
 
     name: str
     structure: Structure
@@ -347,23 +347,23 @@ class Table(Node):
 
 
 class Program(Node):
-    """Structures and functions in an order in which each is defined before it is used."""
+    """Structures and functions, each defined before it is used."""
 
     name: str
     structures: tuple[Structure, ...]
     functions: tuple[Function, ...]
 
     def structure(self, name: str) -> Structure:
-        """The structure of this name."""
+        """Return the structure of this name."""
         return next(each for each in self.structures if each.name == name)
 
     def function(self, name: str) -> Function:
-        """The function of this name."""
+        """Return the function of this name."""
         return next(each for each in self.functions if each.name == name)
 
 
 def joined(one: Program, other: Program) -> Program:
-    """Two programs as one; what both have under a name is the same in both, or the second does with less."""
+    """Join two programs; a common name must mean the same in both, or less in the second."""
     structures = {each.name: each for each in one.structures}
     for each in other.structures:
         structures.setdefault(each.name, each)
@@ -372,27 +372,27 @@ def joined(one: Program, other: Program) -> Program:
 
 
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
-    """Every statement of a body, those of loops and conditions as well."""
+    """Yield every statement of a body, including the statements of loops and conditions."""
     return parts_of(body, Statement)
 
 
 def names_in(node: Any) -> Iterator[Name]:
-    """Names that a node reads or writes, those of its parts as well."""
+    """Return the names that a node and its parts read or write."""
     return (each for each in parts_of(node) if isinstance(each, Name))
 
 
 def calls_in(node: Any) -> Iterator[Call]:
-    """Calls in a node and its parts."""
+    """Return the calls in a node and its parts."""
     return (each for each in parts_of(node) if isinstance(each, Call))
 
 
 def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
-    """A node with what its fields hold changed."""
+    """Return a node with changed contents of its fields."""
     return type(node)(*(change(getattr(node, name)) for name in node.__match_args__))
 
 
 def parts_of(node: Any, kind: type[Node] = Node) -> Iterator[Any]:
-    """A node and its parts, their parts as well; kind: of the nodes that are gone into."""
+    """Return a node and all its parts; ``kind`` are the nodes whose parts are visited."""
     waiting = [node]
     while waiting:
         each = waiting.pop()

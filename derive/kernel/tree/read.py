@@ -1,27 +1,27 @@
-"""Functions written in a part of Python, read as trees: what a kernel does around its blocks.
+"""Reader of written functions: conversion of a subset of Python to kernel trees.
 
-Allowed are assignments, ``for`` over ``range``, ``reversed(range)`` and ``columns``, a range over the
-columns of a row that compilers make vectors of, ``if``, ``else``, ``break``, ``return``, ``+ - * /``,
-comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects,
-``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name
-of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
+The subset contains assignments, ``for`` over ``range``, ``reversed(range)``, and ``columns``, ``if``,
+``else``, ``break``, ``return``, ``+ - * /``, comparisons, ``&``, ``|``, members, elements, and calls.
+``columns`` is a range over the columns of a row, which compilers vectorize. ``where(test, yes, no)`` selects
+a value. ``anywhere(test)`` is true if the test is true for one or more poses. ``array(6, 7)`` and the name
+of a structure create zeros. The annotation of an argument is its structure, ``"array(6, 7)"``, or ``"Real"``.
 
-For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
-``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a
-first value, and ``alone(...)`` around the type of an argument that no other one overlaps.
+Languages with addresses also have ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
+``"Count"``, and ``"Pointer(Real)"``. ``blank(...)`` is an array, a structure, or a type without initial
+values. ``alone(...)`` around the type of an argument means that no other argument overlaps it.
 
-What is known when a text is read is settled there: an ``if`` or ``a if b else c`` by the constants given,
-``for i in each(6)`` once for each ``i``, and with these ``a[i, k]`` is a variable ``a_0_1`` of its own. A
-name that stands alone in a line stands for statements that are given, a string for a comment. An argument
-that is given as ``False`` is left out, in calls as well.
+Values that are known to the reader are inserted. An ``if`` or ``a if b else c`` that depends on given
+constants is decided. ``for i in each(6)`` is unrolled, and ``a[i, k]`` in it becomes a variable ``a_0_1``. A
+line with a single name is replaced by given statements, and a line with a string becomes a comment. Arguments
+that are given as ``False`` are omitted, also in calls.
 
-``for number in numbers(x)`` goes through the numbers of a structure, each of which is ``x[number]``, and so
-is that of another structure with such a member; ``for number in entries(SOME)``, once for each, through
-those that are given, of a lane ``x[number, i]``; where expressions are given, each is ``number``.
+``for number in numbers(x)`` visits the numbers of a structure: ``x[number]``, and the same member of other
+structures. ``for number in entries(SOME)`` visits given entries, in a lane as ``x[number, i]``, or given
+expressions as ``number``.
 
-One text serves several shapes: a call that stands alone in a line, of a text that is given, is replaced by
-the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of the indices; and where
-``ROLLED`` is given, ``for i in each(6)`` is a loop.
+One text can have several layouts. A line that only calls a given text is replaced by the lines of this text.
+A function that is given as ``a`` replaces ``a[i, k]``. If ``ROLLED`` is given, ``for i in each(6)`` remains a
+loop.
 """
 
 import ast
@@ -34,7 +34,7 @@ from typing import Any, cast
 
 from . import nodes as t
 from .constants import INTEGERS, NAMES
-from .written_text import Filled, Names, base_of, called_name, changed_names, parsed, with_variables
+from .function_text import Filled, Names, base_of, called_name, changed_names, parsed, with_variables
 
 _OPERATORS: Mapping[type[ast.AST], str] = {
     **{ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"},
@@ -43,7 +43,7 @@ _OPERATORS: Mapping[type[ast.AST], str] = {
 }
 
 _SETTLED = (ast.Constant, ast.Name, ast.BoolOp, ast.UnaryOp, ast.BinOp, ast.Compare, ast.IfExp)
-"""What an expression that is settled is made of."""
+"""Nodes that a decided expression may contain."""
 
 LANES = 8
 POSES = 16
@@ -53,8 +53,7 @@ _COUNTS = {"LANES": LANES, "POSES": POSES}
 
 @dataclass(frozen=True)
 class Entries:
-    """What a text goes through: expressions, or numbers of structures, each made of a structure, and of a
-    lane where it has lanes."""
+    """Values of a loop over placeholders: expressions, or numbers of structures, optionally in a lane."""
 
     places: tuple[t.Expression | Callable[..., t.Expression], ...]
 
@@ -73,11 +72,11 @@ def function(
     given: Mapping[str, Given] | None = None,
     names: Names = MappingProxyType({}),
 ) -> t.Function:
-    """A Python function as a tree.
+    """Read a Python function as a tree.
 
-    structures, functions: those it may name, by name. name: of the tree, if another. given: constants, and
-    statements by the names that stand for them. names: what other names of the text stand for. Raises
-    ValueError for what is not allowed.
+    ``structures`` and ``functions`` are available by name. ``name`` is the name in the tree, by default the
+    name of the function. ``given`` are constants, and statements by the names of their placeholders.
+    ``names`` are replacements of other names. Raises ValueError for Python outside of the subset.
     """
     tree = parsed(written, names)
     return _Reader(structures, functions, tree, dict(given or {}), names).function(name or tree.name, public)
@@ -88,7 +87,7 @@ def used(
     names: Names = MappingProxyType({}),
     given: Mapping[str, Given] = MappingProxyType({}),
 ) -> list[str]:
-    """Names of the structures and functions that a text and those read in its place use, in their order."""
+    """Return the names of the structures and functions that a text and its given texts use, in order."""
     tree = parsed(written, names)
     typed = [*(each.annotation for each in tree.args.args), tree.returns]
     named = [node.id for node in typed if isinstance(node, ast.Name)]
@@ -156,14 +155,14 @@ class _Reader:
         return tuple(found for node in nodes for found in self.statements(node))
 
     def inner(self, nodes: list[ast.stmt]) -> tuple[t.Statement, ...]:
-        """A body whose names end with it."""
+        """Read a body whose names are local to it."""
         outside = dict(self.types)
         found = self.body(nodes)
         self.types = outside
         return found
 
     def statements(self, node: ast.stmt) -> Iterable[t.Statement]:
-        """A statement, or what remains of it where it is settled already."""
+        """Read a statement; return the remaining statements if it is decided."""
         match node:
             case ast.If() if (holds := self.settled(node.test)) is not None:
                 return self.body(node.body if holds else node.orelse)
@@ -194,14 +193,14 @@ class _Reader:
         return found
 
     def of_entries(self, node: ast.For, entries: Entries) -> Iterable[t.Statement]:
-        """The body for each of some numbers of structures."""
+        """Return the body for each of some numbers of structures."""
         assert isinstance(node.target, ast.Name)
         for each in entries.places:
             self.given[node.target.id] = each
             yield from self.body(node.body)
 
     def of_numbers(self, node: ast.For, index: str) -> Iterable[t.Statement]:
-        """The body for each real number of a structure, in loops over arrays."""
+        """Return the body for each real number of a structure, in loops over arrays."""
         assert isinstance(node.iter, ast.Call)
         for each in self.members(self.type(self.expression(node.iter.args[0]))):
             dims = each.type.dims if isinstance(each.type, t.Array) else ()
@@ -213,7 +212,7 @@ class _Reader:
                 yield from found
 
     def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[t.Statement, ...]:
-        """The lines of another text with what it is called with in place of its arguments."""
+        """Return the lines of another text with its arguments replaced."""
         tree = parsed(text, self.names)
         names = (each.arg for each in tree.args.args)
         settled = (self.settled(arg) for arg in call.args)
@@ -223,7 +222,7 @@ class _Reader:
         return self.body([filled.visit(each) for each in lines])
 
     def settled(self, node: ast.expr, counts: Mapping[str, int] = MappingProxyType({})) -> int | None:
-        """A value that is known now, None where it is not; counts: names of dimensions and their values."""
+        """Return a value that is known to the reader, else None; ``counts`` are dimensions by name."""
         if isinstance(node, ast.Constant):
             return node.value if isinstance(node.value, int) else None
         if not isinstance(node, _SETTLED):
@@ -274,7 +273,7 @@ class _Reader:
         return t.Let(name, found, self.types[name])
 
     def made(self, name: str, node: ast.expr) -> t.Variable | t.Let | None:
-        """A variable of zeros, a blank one, or the address of a table."""
+        """Create a variable of zeros, a blank one, or the address of a table."""
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
             return None
         if node.func.id == "address":
@@ -290,7 +289,7 @@ class _Reader:
         return None
 
     def loop(self, node: ast.For, index: str) -> list[t.Statement]:
-        """A loop, unless nothing is left in it."""
+        """Create a loop, unless its body is empty."""
         call = node.iter
         is_reversed = called_name(call) == "reversed"
         if isinstance(call, ast.Call) and is_reversed:
@@ -366,7 +365,7 @@ class _Reader:
         raise self.error(node, "an expression that every language has")
 
     def alike(self, *nodes: ast.expr) -> tuple[t.Expression, ...]:
-        """Operands; where one is a count, so are all."""
+        """Return operands of one type: if one is a count, all are."""
         found = tuple(map(self.expression, nodes))
         kinds = [self.type(each) for each in found]
         if t.Count() not in kinds:
@@ -440,7 +439,7 @@ class _Reader:
         raise AssertionError(value)
 
     def member(self, owner: t.Type, name: str) -> t.Type:
-        """The type of a structure's member."""
+        """Return the type of a structure's member."""
         return next(each.type for each in self.members(owner) if each.name == name)
 
     def members(self, owner: t.Type) -> tuple[t.Field, ...]:
@@ -449,7 +448,7 @@ class _Reader:
         return next(each.members for each in self.structures.values() if each.name == record.name)
 
     def is_address(self, node: t.Expression) -> bool:
-        """Whether a member of an argument is an address: what is there is no part of the argument."""
+        """Return True if a member of an argument is an address, whose target is not part of the argument."""
         node = node.array if isinstance(node, t.From) else node
         if not isinstance(node, t.Member) or not isinstance(node.owner, t.Name):
             return False
@@ -458,7 +457,7 @@ class _Reader:
 
 
 def _number(member: str, index: tuple[t.Name, ...], owner: t.Expression) -> t.Expression:
-    """One of a structure's numbers."""
+    """Return one of the numbers of a structure."""
     found = t.of(owner, member)
     return t.Element(found, index) if index else found
 

@@ -1,5 +1,6 @@
-"""What kernels do around their blocks, in the part of Python that ``read`` turns into trees.
+"""Written functions: the code of the kernels around their blocks, in the subset of Python of ``tree.read``.
 
-No branch depends on a number but through ``anywhere``, so that one text serves one pose, and many side by
-side: a fault is a status that is carried on, a row exchange a selection.
+Branches depend on numbers only by ``anywhere``, so that one text computes one pose or many poses side by
+side. An error is a status that is passed on, and the exchange of rows is a selection. Names in capitals are
+placeholders for the statements and constants of blocks.
 """

@@ -1,11 +1,11 @@
-"""Poses of a batch one after the other, and one pose that is handed over, for ``read``.
+"""Batches of poses as written functions: a loop over the poses, and the call for one pose.
 
-Each kernel has its functions with these lines; ``one_pose`` stands for what it does with a pose.
+Every kernel has functions with this text; ``one_pose`` is its computation of one pose.
 """
 
 
 def batch() -> None:
-    """Pose after pose; the first fault is returned."""
+    """Computes the poses in order; returns the first code other than OK."""
     result = OK
     for pose in range(count):
         one_pose()
@@ -17,7 +17,7 @@ def batch() -> None:
 
 
 def noted() -> None:
-    """The status of a pose in its place, and the first fault of all."""
+    """Stores the status of a pose, and keeps the first code other than OK."""
     if status is not None:
         status[pose] = code
     result = where(result == OK, code, result)
@@ -144,7 +144,7 @@ def closed_form_batch(
     out: "ResultArrays",
     status: "Pointer(Integer)",
 ) -> "Integer":
-    """The same of many poses."""
+    """One output of the closed form for many poses."""
     one = blank(Motion)
     found = blank(Found)
     if MISSING:

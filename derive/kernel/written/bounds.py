@@ -1,29 +1,28 @@
-"""Forces with a bound of their rounding error, in the part of Python that ``read`` reads.
+"""Actuator forces with a bound of their rounding error as a written function.
 
-Names in capitals stand for what blocks say: their values, their errors, the slopes of a force along these.
+Names in capitals are placeholders for the blocks: values, errors, and derivatives of a force.
 """
 
 
 def least(value: "Real", error: "Real") -> "Real":
-    """A lower limit of the size of what `value` stands for; 0, and so no bound, where half of it may be
-    wrong."""
+    """A lower limit of the magnitude of the exact value; 0 if the error may exceed half of `value`."""
     positive = size(value)
     return where(error <= 0.5 * positive, positive - error, 0.0)
 
 
 def root_error(root: "Real", error: "Real") -> "Real":
-    """Of a square root r whose argument errs by `error`: |sqrt(a) - r| <= error / (2 r - error / r)."""
+    """Error of a square root r of an argument with `error`: |sqrt(a) - r| <= error / (2 r - error / r)."""
     return error / least(2.0 * root, error / root) + UNIT * root
 
 
 def reciprocal_error(inverse: "Real", of: "Real", error: "Real") -> "Real":
-    """Of inverse = 1 / of, where `of` errs by `error`."""
+    """Error of inverse = 1 / of, if `of` has the error `error`."""
     positive = size(inverse)
     return positive * (error / least(of, error)) + UNIT * positive
 
 
 def add(total: "Real", total_err: "Real", term: "Real", term_err: "Real") -> None:
-    """Adds a term that errs to a sum that errs."""
+    """Adds a term with an error to a sum with an error."""
     total = total + term
     total_err = total_err + term_err + UNIT * size(total)
 
@@ -93,7 +92,7 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
 
 
 def shared_of_pose(platform: "Platform", at: "Motions", out: "Shared") -> None:
-    """What one pose has for all legs."""
+    """Terms of one pose that are common to all legs."""
     BODY
 
 
@@ -114,9 +113,9 @@ def shared_errors(
     error: "alone(array(LANES))",
     out: "Shared",
 ) -> None:
-    """What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where `weighed` is
-    not 0, adds to the error of each force what these errors do to it, each by the slope of the force along
-    it, at its largest; and adds to the slopes along R."""
+    """Terms of one pose that are common to all legs, with their errors. R_err is the deviation of R from a
+    rotation. If `weighed` is not 0, adds the effects of the errors to the error of each force: largest error
+    times the derivative of the force. Also adds to the derivatives with respect to R."""
     BODY
     if weighed != 0:
         for i in range(LANES):
@@ -134,8 +133,8 @@ def leg_errors(
     error: "alone(array(LANES))",
     out: "LegTerms",
 ) -> None:
-    """One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along
-    what the pose has for all legs."""
+    """Terms of one leg with their errors. Adds the effects of the errors to the error of each force, and to
+    the derivatives of each force with respect to the common terms of the pose."""
     BODY
     for i in range(LANES):
         EACH
@@ -144,9 +143,9 @@ def leg_errors(
 def stretch_error(
     R: "array(9)", stretch: "array(9)", R_err: "Real", of: "Slopes", force: "Integer"
 ) -> "Real":
-    """Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 +
-    ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part
-    of R^T times them counts; turning R as a whole is no error."""
+    """Bounds the effect on a force if R is not exactly a rotation. The difference between R and the nearest
+    rotation is R (E / 2 - 3 E^2 / 8 + ...) with the symmetric matrix E = R^T R - 1. Therefore only the
+    symmetric part of R^T times the derivatives of the force has an effect. A rotation of R is no error."""
     total = 0.0
     slopes = 0.0
     for i in range(3):
@@ -275,7 +274,7 @@ def equations_of_pose(
 
 
 def pose_status(of: "Equations", shared: "Shared", suspect: "Integer") -> "Integer":
-    """Status of the platform's equations; suspect: whether a pivot is small."""
+    """Status of the platform's equations; `suspect` is 1 if a pivot is small."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
     if of.close == 0 and suspect == 0:
@@ -321,8 +320,8 @@ def bound_of_pose(
     of: "Equations",
     bound: "array(6)",
 ) -> None:
-    """Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the
-    solution, and that of the difference. Completes the errors of the platform's equations."""
+    """Bounds the errors of the forces D - x: the effects of the errors of D, c, and H, the error of the
+    solution, and the error of the difference. Completes the errors of the platform's equations."""
     shared = blank(Shared)
     leg = blank(LegTerms)
     rows = blank(Rows)

@@ -1,12 +1,13 @@
-"""The closed form around its blocks, in the part of Python that ``read`` reads.
+"""Closed form as written functions.
 
-``sums``, ``sums_of_two_forms`` and ``legs_of`` serve each of its kernels: ``Sums``, ``Legs`` and the blocks
-stand for those of one. The names of functions with a width, as ``solve_definite_24``, end in it.
+All kernels of the closed form use ``sums``, ``sums_of_two_forms``, and ``legs_of``: ``Sums``, ``Legs``, and
+the blocks are placeholders for the parts of a kernel. The number at the end of a function name, as in
+``solve_definite_24``, is its width.
 """
 
 
 def legs_of(model: "Model", motion: "Motion", pose: "Pose", legs: "Legs") -> None:
-    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    """Terms of the legs, their status, and a mark if a leg is near its joint singularity."""
     status = model.status
     leaning = 0
     for i in range(6):
@@ -27,7 +28,7 @@ def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "Sums") -> None
 
 
 def sums_of_two_forms(model: "Model", motion: "Motion", legs: "Legs", summed: "Sums") -> None:
-    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    """Sums over platform and legs, by other blocks if a leg is near its joint singularity."""
     pose = pose_terms(model.platform, motion)
     legs_of(model, motion, pose, legs)
     if anywhere(legs.leaning == 1):
@@ -112,7 +113,7 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
 
 
 def accelerations_of(legs: "ForwardLegs", summed: "ForwardSums", out: "Accelerations") -> None:
-    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE if elimination loses too many digits of M."""
     status = OK
     definite_six()
     for i in each(3):
@@ -122,7 +123,7 @@ def accelerations_of(legs: "ForwardLegs", summed: "ForwardSums", out: "Accelerat
 
 
 def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
-    """Inertia that the actuators feel, H^-1 M H^-T."""
+    """Mass matrix for leg lengths as coordinates, H^-1 M H^-T."""
     out = blank(JointInertia)
     legs = blank(EquationsLegs)
     summed = blank(EquationsSums)
@@ -161,7 +162,7 @@ def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
 
 
 def columns_status(model: "Model", motion: "Motion", legs: "EquationsLegs") -> "Integer":
-    """Whether H is singular to rounding."""
+    """Returns the status of H: STEWART_SINGULAR if H is singular to rounding."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
     L = blank(array(6))

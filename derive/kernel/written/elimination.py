@@ -1,13 +1,13 @@
-"""The elimination with partial pivoting of six equations, (36), in the part of Python that ``read`` reads.
+"""Elimination with partial pivoting of six equations, (36), as a written function.
 
-One text for all kernels. ``a[i, k]`` is an entry of the matrix, ``upper[k, j]`` one of the row of a pivot;
-where they are, and what the calls that stand alone in a line do, is in ``kernel.elimination``. In column 0
-the rows from ``FIRST`` on are zero where moments are about platform point 1.
+All kernels use this text. ``a[i, k]`` is an entry of the matrix, and ``upper[k, j]`` an entry of the row of a
+pivot. ``kernel.elimination`` defines their location, and the lines that consist of a call. If moments are
+about platform point 1, the rows from ``FIRST`` on are zero in column 0.
 """
 
 
 def elimination() -> None:
-    """The row with the largest entry of each column comes to its place, then others lose the column."""
+    """Move the row with the largest entry of each column to the pivot, and clear the column below it."""
     for k in each(6):
         begin(k)
         for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
@@ -42,7 +42,7 @@ def by_entries(k) -> None:
 
 
 def by_rows(k) -> None:
-    """Row after row, each one vector; the next column is known before the rows that hold it are stored."""
+    """Clear row by row as vectors; the next column is computed before its rows are stored."""
     for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
         factor[i, k] = a[i,] * inverse[k,]
     for i in each(k + 1, 6):
@@ -57,7 +57,7 @@ def by_long_rows(k) -> None:
 
 
 def above_as_well(k) -> None:
-    """All rows but that of the pivot, those of the inverse beside them."""
+    """Eliminate column k from all rows except the row of the pivot, and from the rows of the inverse."""
     for i in each(6):
         if i != k:
             factor[i, k] = a[i, k] / a[k, k]
@@ -90,7 +90,7 @@ def row_by_row() -> None:
 
 
 def exchange_selected(k, i) -> None:
-    """Poses side by side in arrays: each makes or leaves the exchange."""
+    """Exchange rows of poses side by side by selection."""
     larger_below = size(a[i, k]) > size(a[k, k])
     for j in each(k, 7):
         above = a[k, j]
@@ -99,7 +99,7 @@ def exchange_selected(k, i) -> None:
 
 
 def exchange_in_lanes(k, i) -> None:
-    """Exchange of rows in lanes, where a number that holds the test makes vectors of one width."""
+    """Exchange rows in lanes; the test is a number, so that all vectors have the same width."""
     below[i, k] = where(size(a[i, k]) > size(a[k, k]), 1.0, 0.0)
     for j in each(k, 7):
         above[k, j, i] = where(below[i, k] > 0.0, a[i, j], a[k, j])
@@ -108,8 +108,7 @@ def exchange_in_lanes(k, i) -> None:
 
 
 def exchange_whole(k, i) -> None:
-    """Rows of one pose; those of equal entries are exchanged in the order of a block's lanes, and round
-    alike."""
+    """Exchange rows k and i of one pose if row i has the larger entry, in the same order as for a block."""
     if size(a[i,]) > size(a[k,]):
         moved = a[k,]
         exchange_rows(A[k], A[i])
@@ -118,13 +117,13 @@ def exchange_whole(k, i) -> None:
 
 
 def largest_of_column(k) -> None:
-    """The largest entry so far."""
+    """Return the largest entry of the column."""
     if k < 5:
         largest[k,] = size(a[k, k])
 
 
 def exchange_pointers(k, i) -> None:
-    """Rows by their addresses."""
+    """Exchange rows by their addresses."""
     other[k, i] = size(a[i, k])
     if other[k, i] > largest[k,]:
         if i < (FIRST if FIRST < 6 and k == 0 else 6) - 1:
@@ -135,20 +134,20 @@ def exchange_pointers(k, i) -> None:
 
 
 def first_pivot(k) -> None:
-    """The pivot is looked for, and exchanged when it is found."""
+    """Find the pivot, and exchange its row afterward."""
     pivot = k
     most = size(a[k, k])
 
 
 def look_below(k, i) -> None:
-    """Whether this row has a larger entry."""
+    """Return 1 if this row has a larger entry."""
     entry = size(a[i, k])
     pivot = where(entry > most, i, pivot)
     most = where(entry > most, entry, most)
 
 
 def exchange_once(k) -> None:
-    """The row of the pivot comes to its place, and that of the inverse beside it."""
+    """Move the row of the pivot, and the corresponding row of the inverse, to row k."""
     if anywhere(pivot != k):
         for j in columns(WIDTH):
             moved = a[k, j]
@@ -161,40 +160,40 @@ def exchange_once(k) -> None:
 
 
 def suspicion(k) -> None:
-    """Whether a pivot is small."""
+    """Mark the pose if a pivot is small."""
     suspect = where(size(a[k, k]) > SUSPECT, suspect, 1)
 
 
 def fault_in_lanes(k) -> None:
-    """Whether a pivot is small, in lanes."""
+    """Mark the lanes in which a pivot is small."""
     fault = where(size(a[k, k]) > SUSPECT, fault, 1.0)
 
 
 def product(k) -> None:
-    """Product of the pivots: without vector registers it takes fewer instructions than a look at each."""
+    """Multiply the pivots; without vector registers this takes fewer instructions than a check of each."""
     pivots = a[k, k] if k == 0 else pivots * a[k, k]
 
 
 def regular(k) -> None:
-    """Without a pivot there is no inverse."""
+    """Reject a zero pivot."""
     reject(size(a[k, k]) > 0.0, SINGULAR)
 
 
 def definite(k) -> None:
-    """Whether enough remains of a diagonal number of a symmetric matrix, whose rows stay in place."""
+    """Check that the pivot of a symmetric matrix, whose rows are not exchanged, retains enough digits."""
     fault = where(size(a[k, k]) <= MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = where(a[k, k] > kept * scale[k,], OK, fault)
     status = where(status == OK, fault, status)
 
 
 def returned(holds, code) -> None:
-    """The function ends."""
+    """Return from the function with a status."""
     if not holds:
         return code
 
 
 def carried(holds, code) -> None:
-    """The first fault stays."""
+    """Keep the first status other than OK."""
     status = where((status != OK) | (holds), status, code)
 
 
@@ -202,7 +201,7 @@ def carried(holds, code) -> None:
 
 
 def definite_six() -> None:
-    """``inertia`` x = ``right``; only what is on the diagonal and above it is read."""
+    """Solve ``inertia`` x = ``right``; only the diagonal of ``inertia`` and the entries above it are read."""
     for i in each(6):
         y[i,] = right[i,]
         for j in each(i, 6):
@@ -225,12 +224,11 @@ def definite_six() -> None:
 
 
 def two_blocks() -> None:
-    """The unknowns x, and ``weak``, 1 where another solve is wanted: where the first block or its Schur
-    complement is nearly singular, pivots lose fewer digits.
+    """Solve for x in two blocks; ``weak`` is 1 if the first block or its Schur complement is nearly singular.
 
-    Without exchanges and with two divisions, which wait for nothing: about half the time of pivots one after
-    the other. Legs 2, 4 and 6 balance the force, by the adjugate of their directions; legs 1, 3 and 5 the
-    moment, by that of the Schur complement.
+    Pivots then lose fewer digits. The two blocks require no exchanges and only two independent divisions,
+    about half the time of six pivots in sequence. The adjugate of the directions of legs 2, 4, and 6 solves
+    the first block, and the adjugate of the Schur complement the second one for legs 1, 3, and 5.
     """
     for i in each(3):
         for j in each(3):
@@ -263,8 +261,7 @@ def two_blocks() -> None:
 
 
 def entry_by_entry() -> None:
-    """The forces that legs 2, 4 and 6 take from the other columns, and the Schur complement; both times
-    the determinant of their directions."""
+    """Compute the forces of legs 2, 4, and 6, and the Schur complement, both times the determinant."""
     for c in each(0, 7, 2):
         for i in each(3):
             e[i, c] = r[i, 0] * a[0, c] + r[i, 1] * a[1, c] + r[i, 2] * a[2, c]

@@ -1,4 +1,4 @@
-"""Every output of the inverse dynamics around its blocks, in the part of Python that ``read`` reads."""
+"""Inverse dynamics with all terms in C as written functions."""
 
 
 def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":

@@ -1,8 +1,8 @@
-"""Preparation of a robot's constants, and the actuator forces."""
+"""Preparation of a robot's constants, and actuator forces, as written functions."""
 
 
 def forces(model: "Model", motion: "Motion") -> "Forces":
-    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    """Actuator forces F, N, (37), and a status; F is NaN if the status is not OK."""
     out = Forces()
     sums = Sums()
     A = array(6, 7)
@@ -64,7 +64,7 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
 
 
 def prepare(robot: "Robot") -> "Model":
-    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    """Constants of a robot, prepared once; the status is not OK if a number of the robot is not finite."""
     model = Model()
     total = Added()
     for i in range(6):
@@ -80,7 +80,7 @@ def prepare(robot: "Robot") -> "Model":
 
 
 def add_up(total: "Added", more: "LegConstants") -> "Added":
-    """What the legs add to the platform, with one leg more."""
+    """Add one leg to the contributions of the legs to the platform."""
     out = Added()
     for number in numbers(out):
         out[number] = total[number] + more[number]
@@ -99,7 +99,7 @@ def lost_digits(model: "Model") -> "Real":
 
 
 def check(out: "Result") -> None:
-    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    """Set the status if a number of a result is not finite, and NaN for all results if it is not OK."""
     lost = 0.0
     for number in numbers(out):
         lost = lost + 0.0 * out[number]

@@ -1,8 +1,7 @@
-"""Every output of the inverse dynamics around its blocks, in the part of Python that ``read`` reads.
+"""Inverse dynamics with all terms, joint reactions, and the regressor, on arrays, as written functions.
 
-Poses are side by side: a number holds a value for each. Legs are one after the other, or side by side as
-well: then numbers of ``robot.leg`` and of ``Legs`` hold a value for each leg, along an axis before the
-poses.
+Poses are side by side: a number has one value per pose. Legs are consecutive, or side by side too. In the
+second case, numbers of ``robot.leg`` and of ``Legs`` have one value per leg, on an axis before the poses.
 """
 
 

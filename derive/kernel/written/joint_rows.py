@@ -1,9 +1,9 @@
-"""Forward dynamics and linearization where M's factors lose digits, for ``read``.
+"""Forward dynamics and linearization as written functions, if the factors of M lose digits.
 
-Near a joint singularity, or with a very short or very heavy leg, the legs' inertia stays in their joint
-coordinates: M = A^T W A with three rows of A for each leg and six of the platform, and weights W of about
-one in blocks of three. Elimination with complete pivoting picks the six stiffest rows, and their
-accelerations become the unknowns: no large number is added to a small one.
+This occurs near a joint singularity, or with a very short or very heavy leg. The inertia of the legs then
+remains in joint coordinates: M = A^T W A. A has three rows for each leg and six for the platform, and W has
+weights of about one in 3 x 3 blocks. Elimination with complete pivoting selects the six stiffest rows, whose
+accelerations become the unknowns. Therefore no large number is added to a small one.
 """
 
 
@@ -298,7 +298,7 @@ def by_rows(by: "Rows", wrench: "array(6)", held: "array(6)") -> None:
 def row_right(
     by: "Rows", force: "array(24)", held: "array(6)", start: "array(6)", rest: "array(24)", right: "array(6)"
 ) -> None:
-    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
+    """Right side of the equations for the accelerations of the six coordinates, with the wrench ``held``.
 
     force: of each row, as its generalized force over its size, without accelerations. start: accelerations of
     the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the
@@ -348,12 +348,12 @@ def rows_held(
     rest: "array(24)",
     held: "array(6)",
 ) -> None:
-    """Of each leg the generalized forces, the accelerations that those of the platform give to it, and
-    whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
-    between the two would have the rounding of both.
+    """Generalized forces of each leg, accelerations due to the platform, and a mark if a leg is thin.
 
-    The coordinates' rows hold what the other rows leave of the wrench: of a heavy leg's own inertia times its
-    accelerations little may be left.
+    The inertia of a thin leg for a rotation by phi is nearly k3 times its inertia for a rotation by theta.
+    A value between the two would have the rounding errors of both. The rows of the coordinates contain the
+    part of the wrench that the other rows do not balance. For a heavy leg, this part may be much smaller than
+    inertia times acceleration.
     """
     whole = array(24)
     force = blank(array(24))

@@ -1,8 +1,8 @@
-"""Forces with legs, or poses, side by side in lanes, in the part of Python that ``read`` reads.
+"""Actuator forces with legs or poses side by side in vector lanes, as written functions.
 
-One pose has its legs in lanes, a block as many poses as ``POSES``. Names in capitals stand for what blocks
-say and for what a kernel has: ``BAKED`` its numbers, ``ABOUT_TIP`` moments about platform point 1, ``HAS_D``
-legs with a D.
+One pose has its legs in lanes; a block has ``POSES`` poses in lanes. Names in capitals are placeholders for
+blocks or properties of a kernel. ``BAKED``: constants are numbers. ``ABOUT_TIP``: moments are about platform
+point 1. ``HAS_D``: legs have a force D.
 """
 
 

@@ -1,4 +1,4 @@
-"""What can be wrong with a leg, what it adds to the platform's equations, and the torque of its motor."""
+"""Checks of a leg, its contributions to the equations of the platform, and its motor torque, as functions."""
 
 
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
@@ -28,14 +28,14 @@ def largest_component(vector: "array(3)", least: "Real") -> "Real":
 
 
 def largest_term() -> None:
-    """The largest of the terms that a leg is the sum of, and of what is too short by itself."""
+    """Compute the largest term of the sum that is a leg, and the limit of a short leg."""
     reach = SHORTEST / ROUNDING
     for term in entries(TERMS):
         reach = larger(size(term), reach)
 
 
 def checked(out) -> None:
-    """What decides on a leg, and a mark where it needs a closer look."""
+    """Store the quantities that determine the status of a leg, and mark a leg that must be checked."""
     largest_term()
     out.reach[l] = reach
     out.L[l] = LENGTH
@@ -45,9 +45,9 @@ def checked(out) -> None:
 
 
 def mark(before, after) -> None:
-    """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``.
+    """Set ``after`` to 1 if a leg is not finite, short, or near its joint singularity, else to ``before``.
 
-    The sine of a leg without finite length is zero or no number.
+    The sine of a leg without finite length is zero or NaN.
     """
     fault = where(LENGTH > LEAST_LENGTH, before, 1.0)
     fault = where(SINE > LEAST_SINE if HAS_SINE else LENGTH <= MAX, fault, 1.0)
@@ -82,7 +82,7 @@ def plus(row, term) -> None:
 
 
 def plus_error(row, term) -> None:
-    """Adds a term to a sum, and its rounding error to that of the sum."""
+    """Adds a term to a sum, and its rounding error to the error of the sum."""
     add(c[row,], c_own[row,], term, 0.0)
 
 
@@ -90,9 +90,9 @@ def plus_error(row, term) -> None:
 
 
 def decay_of(ratio: "Real") -> "Real":
-    """exp(-ratio^2), 0 beyond a ratio of 8: of 1/256 of the exponent by its series, then squared eight times.
+    """exp(-ratio^2), 0 beyond a ratio of 8: series for 1/256 of the exponent, then squared eight times.
 
-    It is exp(-y) - 1 that is kept, of which squaring loses no digits.
+    The squared number is exp(-y) - 1, so that no digits are lost.
     """
     most = 8.0
     kept = where(size(ratio) < most, ratio, most)
@@ -108,7 +108,7 @@ def decay_of(ratio: "Real") -> "Real":
 
 
 def sign_of(rate: "Real", within: "Real") -> "Real":
-    """Sign of a rate, an odd cubic from -within to within."""
+    """Sign of a rate, with an odd cubic polynomial from -within to within."""
     above = where(rate > 0.0, 1.0, where(rate < 0.0, -1.0, 0.0))
     divisor = where(within > 0.0, within, 1.0)
     x = where(size(rate) < within, rate / divisor, above)
@@ -138,7 +138,7 @@ def motor_torques(drives: "Drives", F: "array(6)", axial: "array(6)", L_dot: "ar
 
 
 def axial_forces(robot: "Robot", motion: "Motion", F: "array(6)") -> "AxialLoads":
-    """Actuator forces less what turns the rotors, rates of the legs, and a status."""
+    """Actuator forces minus the forces that accelerate the rotors, rates of the legs, and a status."""
     out = AxialLoads()
     status = OK
     for i in range(6):

@@ -1,6 +1,6 @@
-"""Moments about platform point 1, and the scaling of all moments, in the part of Python that ``read`` reads.
+"""Moments about platform point 1, and the scaling of all moments, as written functions.
 
-Legs of a pose, or poses of a block, are side by side. Names in capitals stand for what blocks say.
+The legs of a pose, or the poses of a block, are side by side.
 """
 
 

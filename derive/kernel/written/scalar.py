@@ -1,6 +1,6 @@
-"""One pose for controllers, in the part of Python that ``read`` reads: one leg after the other, early return.
+"""Actuator forces of one pose for controllers, one leg after the other, as written functions.
 
-``BAKED``: the machine's numbers are folded in. Names in capitals stand for what blocks say.
+The functions return early after an error. ``BAKED``: the constants of the robot are numbers in the code.
 """
 
 

@@ -1,4 +1,4 @@
-"""Linear systems of six equations, whether H is singular to rounding, and by what moments are scaled."""
+"""Linear systems of six equations, the test for singular H, and the scaling of moments, as functions."""
 
 
 def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
@@ -153,8 +153,10 @@ def cube_of(arm: "Real") -> "Real":
 
 
 def solve_legs(A: "array(6, 7)", arm_cube: "Real", x: "array(6)") -> "Integer":
-    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by pivots;
-    returns 1 where one of these is small."""
+    """Solves [H | c] for x, (36), in two blocks of three legs, or by pivots if their determinants are small.
+
+    Returns 1 if a pivot is small.
+    """
     suspect = 0
     two_blocks()
     if anywhere(weak > 0.0):
@@ -167,7 +169,7 @@ def solve_legs(A: "array(6, 7)", arm_cube: "Real", x: "array(6)") -> "Integer":
 
 
 def solve_by_pivots(A: "array(6, 7)", arm_cube: "Real", x: "array(6)") -> "Integer":
-    """Solves [H | c] for x, (36), by pivots alone, as formulas do, in which no determinant is known."""
+    """Solves [H | c] for x, (36), only by pivots, for formulas, in which no determinant has a value."""
     suspect = eliminate(A, x)
     return suspect
 
@@ -213,7 +215,7 @@ def add_lumped(sum: "Lumped", more: "Lumped") -> None:
 
 
 def handed_over() -> None:
-    """The end of a preparation: the model is written only if its numbers are finite."""
+    """Writes the model if its numbers are finite."""
     largest = size_of(made)
     made.per_length = per_length_of(largest, SMALLEST)
     made.arm_cube = cube_of(largest * made.per_length)

@@ -12,7 +12,7 @@ from ..legs import tip
 from ..legs.joint_coordinates import gravity_torques, joint_accelerations, joint_inertia, joint_rates
 from ..legs.leg import cross, skew
 from ..legs.rotor import Rotor
-from . import parts
+from . import common_steps
 from .terms import AXIAL, BY_POSE, BY_TWIST, F_LEG, INERTIA, NET, TAU_BY, TURNED, SumKernel
 
 
@@ -25,14 +25,14 @@ def derivatives_kernel(rotor: Rotor) -> SumKernel:
 def _derivatives_of_platform(name: str = "derivatives", alone: bool = False) -> Block:
     """Derive the platform's part of the derivatives."""
     build = Builder()
-    at = parts.platform_of(build, alone)
+    at = common_steps.platform_of(build, alone)
     omega, alpha = n.omega.value, n.alpha.value
     turn, J = skew(omega), at.J
     B = rotary(build, omega, alpha)
     J_alpha = build.vector("J_alpha", J * alpha)
     rise = build.vector("rise", n.a.value - n.g.value, "(33)", "a - g")
     F_load, M_load = (
-        build.vector(name, v) for name, v in zip(("F_load", "M_load"), parts.external(), strict=True)
+        build.vector(name, v) for name, v in zip(("F_load", "M_load"), common_steps.external(), strict=True)
     )
     spin = build.matrix("spin", J * turn - skew(at.J_w), "", "derivative of I omega by dphi at fixed omega")
     by_omega = turn * J - skew(at.J_w) + p.C_P.value * sp.eye(3)
@@ -47,10 +47,10 @@ def _derivatives_of_platform(name: str = "derivatives", alone: bool = False) -> 
     return build.block(
         f"{name}_of_platform",
         "the platform's part of the derivatives of the wrench",
-        parts.POSE_INPUTS,
+        common_steps.POSE_INPUTS,
         [
             (p.B, B),
-            *parts.platform_inertia(at),
+            *common_steps.platform_inertia(at),
             *zip(BY_POSE, pose, strict=True),
             *zip(BY_TWIST, twist, strict=True),
         ],
@@ -83,7 +83,7 @@ class _Slopes:
 def derivatives_of_leg(near: bool, rotor: Rotor) -> Block:
     """Derive one leg's part; ``near`` selects the form for legs near their joint singularity."""
     build = Builder()
-    leg = parts.leg_of(build, early=not near, leaning=False, rotor=rotor)
+    leg = common_steps.leg_of(build, early=not near, leaning=False, rotor=rotor)
     q, turn = leg.at.q, skew(leg.at.q)
     by = _tip_slopes(build, leg, near)
     W = skew(n.omega.value)
@@ -107,13 +107,13 @@ def derivatives_of_leg(near: bool, rotor: Rotor) -> Block:
     return build.block(
         "derivatives_of_leg_near" if near else "derivatives_of_leg",
         "one leg's part of the derivatives of the wrench",
-        parts.LEG_INPUTS,
+        common_steps.LEG_INPUTS,
         [
-            *parts.leg_inertia(build, by.S_ddot, q),
+            *common_steps.leg_inertia(build, by.S_ddot, q),
             *zip(BY_POSE, (by.S, fr, mt, mr), strict=True),
             *zip(BY_TWIST, (by.S_dot, fw, mv, mw), strict=True),
-            *parts.columns_of_H(leg.at),
-            *parts.checked(leg.at),
+            *common_steps.columns_of_H(leg.at),
+            *common_steps.checked(leg.at),
         ],
     )
 
@@ -144,7 +144,9 @@ class _TorqueSlopes:
     normal: sp.Matrix
 
 
-def _torque_slopes(build: Builder, leg: parts.Leg, near: bool, net: sp.Matrix | None = None) -> _TorqueSlopes:
+def _torque_slopes(
+    build: Builder, leg: common_steps.Leg, near: bool, net: sp.Matrix | None = None
+) -> _TorqueSlopes:
     """Derive the derivatives of the generalized forces by the formulas in ``tip``.
 
     Parameters
@@ -157,7 +159,7 @@ def _torque_slopes(build: Builder, leg: parts.Leg, near: bool, net: sp.Matrix | 
     rotor = leg.at.rotor
     inner, raw, M = tip.gradients(), tip.torques(True, rotor), tip.inertia(rotor)
     gravity_torques(build, leg.at)
-    normal = parts.name_omega(build, leg.at)
+    normal = common_steps.name_omega(build, leg.at)
     named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
     if net is None:
         tau = [build.scalar(name, value) for name, value in named]
@@ -168,10 +170,13 @@ def _torque_slopes(build: Builder, leg: parts.Leg, near: bool, net: sp.Matrix | 
     rate, second, by_rate, by_place = inner.rate, inner.second, raw.jacobian(tip.rates), tip.place(raw)
     if not near:
         M = joint_inertia(build, leg.at).matrix()
-        rate, second = parts.local_matrix(build, "G_dot", rate), parts.local_matrix(build, "G_ddot", second)
+        rate, second = (
+            common_steps.local_matrix(build, "G_dot", rate),
+            common_steps.local_matrix(build, "G_ddot", second),
+        )
         by_rate, by_place = (
-            parts.local_matrix(build, "tau_rate", by_rate),
-            parts.local_matrix(build, "tau_place", by_place),
+            common_steps.local_matrix(build, "tau_rate", by_rate),
+            common_steps.local_matrix(build, "tau_place", by_place),
         )
     return _TorqueSlopes(
         S=M * second + by_rate * rate + by_place * inner.value,
@@ -180,7 +185,7 @@ def _torque_slopes(build: Builder, leg: parts.Leg, near: bool, net: sp.Matrix | 
         inertia=M,
         force=build.vector(
             "R_tip",
-            parts.from_torques(build, leg, net[0], net[1], net[2]),
+            common_steps.from_torques(build, leg, net[0], net[1], net[2]),
             "",
             "force at the tip, less the actuator's",
         ),
@@ -194,16 +199,16 @@ def _bend(net: sp.Matrix) -> sp.Matrix:
     return tip.hessian(names).xreplace(dict(zip(names, net, strict=True)))
 
 
-def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
+def _name_finite_motion(build: Builder, leg: common_steps.Leg, turned: bool) -> None:
     """Name the symbols of the leg, its rates, and its accelerations that ``tip.gathered`` uses.
 
     ``turned`` reads the effect of the platform's accelerations in joint coordinates, because rounding errors
     of the platform's accelerations would be relatively large.
     """
     at, rates = leg.at, joint_rates(build, leg.at, leg.S_dot)
-    parts.name_finite_rates(build, leg)
+    common_steps.name_finite_rates(build, leg)
     if turned:
-        S_ddot, (along, about_y, about_k) = parts.centripetal_acceleration(build, at), TURNED.value
+        S_ddot, (along, about_y, about_k) = common_steps.centripetal_acceleration(build, at), TURNED.value
     else:
         S_ddot = p.B.value * at.q + n.a.value
         along = about_y = about_k = sp.S.Zero
@@ -217,13 +222,13 @@ def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
     build.scalar(tip.OWN_Z.name, about_z, "(9)", meaning)
 
 
-def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
+def _friction_slopes(build: Builder, leg: common_steps.Leg, normal: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     """Derive the derivatives of f = C_s (phi_dot k + theta_dot y - omega) by S and S_dot, base frame.
 
     ``normal`` is k x y, the derivative of y by phi.
     """
     at, k, C_s = leg.at, n.k.value, n.C_s.value
-    rate = parts.local_matrix(build, "G_dot", tip.gradients().rate)
+    rate = common_steps.local_matrix(build, "G_dot", tip.gradients().rate)
     by_theta, by_phi = (
         build.vector(f"{name}_by_S", C_s * (leg.T * rate[i, :].T), "", "slope of a rate, times C_s")
         for i, name in ((1, "theta_dot"), (2, "phi_dot"))
@@ -238,7 +243,7 @@ def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix) -> tuple
     )
 
 
-def _tip_slopes(build: Builder, leg: parts.Leg, near: bool) -> _Slopes:
+def _tip_slopes(build: Builder, leg: common_steps.Leg, near: bool) -> _Slopes:
     """Derive the derivatives at the tip by the formulas in ``tip``.
 
     The actuator force enters through the second derivative of L.
@@ -249,7 +254,7 @@ def _tip_slopes(build: Builder, leg: parts.Leg, near: bool) -> _Slopes:
         rates, moved = joint_rates(build, leg.at, leg.S_dot), p.B.value * leg.at.q + n.a.value
         S_ddot = build.vector("S_ddot", moved, "(7)", "acceleration of the platform point")
         joint_accelerations(build, leg.at, rates, S_ddot)
-    m, _ = parts.tip_inertia(build, leg)
+    m, _ = common_steps.tip_inertia(build, leg)
     by = _torque_slopes(build, leg, near)
     T, value = leg.T, tip.gradients().value
     f_S, f_S_dot = _friction_slopes(build, leg, by.normal)
@@ -257,9 +262,11 @@ def _tip_slopes(build: Builder, leg: parts.Leg, near: bool) -> _Slopes:
     if near:
         A_0, A_1 = tip.gathered(A_0), tip.gathered(A_1)
     return _Slopes(
-        S=parts.rotated(build, "A_0", T, parts.local_matrix(build, "A_0_leg", A_0), "force at the tip by S"),
-        S_dot=parts.rotated(
-            build, "A_1", T, parts.local_matrix(build, "A_1_leg", A_1), "force at the tip by S_dot"
+        S=common_steps.rotated(
+            build, "A_0", T, common_steps.local_matrix(build, "A_0_leg", A_0), "force at the tip by S"
+        ),
+        S_dot=common_steps.rotated(
+            build, "A_1", T, common_steps.local_matrix(build, "A_1_leg", A_1), "force at the tip by S_dot"
         ),
         S_ddot=m,
         # Friction is symmetric: the force depends on omega as f depends on S_dot, with opposite sign.
@@ -277,14 +284,14 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
     legs.
     """
     build = Builder()
-    leg = parts.leg_of(build, rotor=rotor)
+    leg = common_steps.leg_of(build, rotor=rotor)
     q, turn, T = leg.at.q, skew(leg.at.q), leg.T
     _name_finite_motion(build, leg, turned=True)
     by = _torque_slopes(build, leg, near=True, net=NET.value)
-    fall = T.T * build.vector("fall", parts.centripetal_acceleration(build, leg.at) - n.g.value)
+    fall = T.T * build.vector("fall", common_steps.centripetal_acceleration(build, leg.at) - n.g.value)
     fall = n.m_u.value * build.vector(
         "fall_T",
-        fall + parts.by_joints(leg.at) * TURNED.value,
+        fall + common_steps.by_joints(leg.at) * TURNED.value,
         "",
         "m_u times the acceleration of the platform point relative to free fall, leg frame",
     )
@@ -292,7 +299,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
     S, S_dot, S_ddot = (
         build.matrix(
             name,
-            parts.local_matrix(build, f"{name}_leg", tip.gathered(value)) * T.T,
+            common_steps.local_matrix(build, f"{name}_leg", tip.gathered(value)) * T.T,
             "",
             "derivatives of the generalized forces by the tip's motion",
         )
@@ -303,7 +310,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
         )
     )
     # Separate from the other terms of S: a term that cancels for AXIAL = 1 would leave a rounding error.
-    bent = parts.local_matrix(build, "bent_leg", parts.by_joints(leg.at).T * bend)
+    bent = common_steps.local_matrix(build, "bent_leg", common_steps.by_joints(leg.at).T * bend)
     S = build.matrix(
         "tau_place",
         S + bent * T.T,
@@ -319,7 +326,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
     block = build.block(
         "joint_slopes_of_leg",
         "one leg's part of the derivatives of the wrench, and its generalized forces' derivatives",
-        parts.LEG_INPUTS,
+        common_steps.LEG_INPUTS,
         [
             *((quantity, zero) for quantity in INERTIA),
             *zip(BY_POSE, (zero, zero, -f_S, (skew(by.force) + f_S + f_S_dot * W) * turn), strict=True),
@@ -327,8 +334,8 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
             *zip(
                 TAU_BY, (S, -reach * turn, S_dot, -pace * turn - S_ddot * skew(w_q) + by_omega), strict=True
             ),
-            *parts.columns_of_H(leg.at),
-            *parts.checked(leg.at),
+            *common_steps.columns_of_H(leg.at),
+            *common_steps.checked(leg.at),
         ],
     )
     pose = _derivatives_of_platform("joint_slopes", alone=True)

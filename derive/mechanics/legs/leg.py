@@ -99,7 +99,7 @@ class LegDynamics:
 
 
 def constants(friction: bool = True, axisymmetric: bool = False, rotor: Rotor = NONE) -> LegConstants:
-    """Return the constants of a leg as symbols, and zero for those that vanish.
+    """Return the constants of a leg as symbols; constants that vanish are zero.
 
     Friction constants vanish without ``friction``. Transverse centers of mass and products of inertia vanish
     if ``axisymmetric``.
@@ -191,8 +191,7 @@ def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Ex
 def axes(
     build: Builder, s: sp.Matrix, normal: sp.Matrix, size: str, meaning: str
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:
-    """Add y and z of (10), the length of ``normal``, which is named ``size``, and its reciprocal to the
-    block.
+    """Name y and z of (10), the length of ``normal`` as ``size``, and its reciprocal, base frame.
 
     The vector ``normal`` is parallel to k x s. Its component along s is a rounding error, which is relatively
     larger for smaller |k x s|. The vector s x normal has no such component. So z and y, which are computed

@@ -7,7 +7,7 @@ from functools import cached_property
 from ...kernel.tree.constants import INTEGERS, STATUS
 from ...kernel.tree.nodes import Array, Constant, Program, Record, Type, parts_of
 from ..functions import Vector
-from ..robot import Machine
+from ..robot_source import Machine
 
 Value = Sequence[float] | Mapping[str, Sequence[float]]
 """Argument of a function: numbers, or the members of a structure as flat arrays."""

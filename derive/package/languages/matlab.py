@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from ...kernel.tree.constants import constants
-from ...kernel.tree.settle import of_one_pose
+from ...kernel.tree.decided_selections import of_one_pose
 from ...print.matlab import Matlab
 from ..functions import Vector
 from ..text_format import template

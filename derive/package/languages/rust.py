@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 from ...kernel.tree.constants import constants
-from ...kernel.tree.settle import of_one_pose
+from ...kernel.tree.decided_selections import of_one_pose
 from ...mechanics import quantities as n
 from ...print.rust import Rust
 from ...program.block import Quantity

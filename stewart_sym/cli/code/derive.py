@@ -51,7 +51,7 @@ def run(arguments: Arguments) -> int:
 
 def _derived(progress: Progress) -> tuple[dict[str, float], dict[str, str]]:
     """Derive all kernels; return the time of each kernel (s) and the texts of all files."""
-    from ...derive.generate import generated_files
+    from ...derive.generated_files import generated_files
     from ...dynamics.forces import CORES
 
     seconds: dict[str, float] = {}

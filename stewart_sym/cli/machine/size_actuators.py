@@ -1,8 +1,8 @@
 """Compute the force, speed, power, and stroke that motions require of each leg.
 
-All trajectories count together; columns as for `forces`.
+All trajectories are evaluated together; columns as for `forces`.
 The report lists peaks, quantiles over time, and largest values with a margin, also for motors.
-It names limits that are exceeded, lack the margin, or are undecided due to noise. SI units, degrees.
+It names limits that are exceeded, exceeded with the margin, or inconclusive due to noise. SI units, degrees.
 
 Example: stewart-sym size-actuators hexapod.toml trajectory.csv -o size --margin 0.3
 """

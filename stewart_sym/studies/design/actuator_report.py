@@ -132,7 +132,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     lines = [
         f"robot   {robot.name}",
         f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
-        f"margin  {100.0 * needs.margin:g} %: the last column is the largest value of the row with it",
+        f"margin  {100.0 * needs.margin:g} %, added to the largest value of each row in the last column",
         "",
         aligned(("need", *legs, "with margin"), cells),
         "",
@@ -150,7 +150,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     told += map(_capital, found.margin_inconclusive)
     if not told:
         stated = states_limits(robot, needs)
-        told = ["Every limit of the robot file suffices." if stated else "The robot file states no limit."]
+        told = ["No limit is exceeded, with the margin." if stated else "The robot file states no limit."]
     return "\n".join([*lines, *told])
 
 

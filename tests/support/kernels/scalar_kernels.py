@@ -14,7 +14,7 @@ from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.kit import Choice
-from stewart_sym.kit.parts import parts
+from stewart_sym.kit.required_kernels import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot
@@ -76,7 +76,7 @@ def library(formulation: str, joint: str, level: str, precision: str) -> tuple[c
 def prepared(
     robot: Robot, formulation: str = "exact", level: str = "general", precision: str = "double"
 ) -> Kernel:
-    level = fidelity.resolved(robot, formulation, level)
+    level = fidelity.resolve_level(robot, formulation, level)
     joint = robot.base_joint if level == "general" else "universal"
     found, prefix = library(formulation, joint, level, precision)
     dtype = np.float32 if precision == "float" else np.float64

@@ -23,14 +23,14 @@ from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.package import fmu
 from stewart_sym.derive.package.functions import Part
-from stewart_sym.derive.package.robot import Machine
+from stewart_sym.derive.package.robot_source import Machine
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.dynamics.forces import ForceKernel
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.fmu import packed
-from stewart_sym.kit.parts import parts
-from stewart_sym.kit.parts import robot_numbers as fields
+from stewart_sym.kit.required_kernels import parts
+from stewart_sym.kit.required_kernels import robot_numbers as fields
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

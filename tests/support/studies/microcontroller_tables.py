@@ -42,7 +42,7 @@ def _conditions(found: Figures) -> str:
 
 def _published(row: Figures) -> tuple[str, ...]:
     return (
-        f"{'baked' if row['baked'] else 'general'}, `{row['precision']}`",
+        f"{'baked' if row['baked'] else 'not baked'}, `{row['precision']}`",
         row["core"],
         _number(row["instructions"]),
         _number(row["near_singular_joints"]),
@@ -64,10 +64,10 @@ def drive_tables(found: Figures) -> dict[str, str]:
     rows = found["rows"]
     said = paragraph(
         f"The next table is for the robot `{found['robot']}` with the drive of the page on drives. It lists "
-        "the instructions of the forces with rotors, of `axial_forces`, which only legs with rotors need, "
-        f"and of `motor_torques`. The torques take {torque_operations(False).total} operations without "
-        f"Stribeck friction, as here, and {torque_operations().total} with it (`stewart_torque.h`). Flash of "
-        "the torques is the sum of both functions, and stack is the deeper one, in bytes."
+        "the instructions of the forces with rotors, of `axial_forces`, which only legs with rotors require, "
+        f"and of `motor_torques`. The torques require {torque_operations(False).total} operations without "
+        f"Stribeck friction, as here, and {torque_operations().total} with it (`stewart_torque.h`). For the "
+        "torques, flash is the sum of both functions, and stack the larger of the two, in bytes."
     )
     header = (
         *("kit", "processor", "forces", "near singularity", "axial", "torques"),

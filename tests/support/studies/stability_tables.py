@@ -17,10 +17,11 @@ def tables(found: Figures) -> dict[str, str]:
 _HEADER = ("failure", "sweep", "remedy", "worst", "status from", "digits left", "undetected")
 _COLUMNS = (
     "`stewart-sym stability` approaches each failure with every kernel, and measures errors against `long "
-    "double`, which is tested against 50 digits. Worst: the largest error of any kernel with status 0, in "
-    "rounding units times the condition number of the problem itself. Status from: the condition number of "
-    "the first pose with a status. Digits left: of the worst answer with status 0. Undetected: the kernels "
-    "that give a wrong answer (worst above 1000) with status 0."
+    "double`, which is tested against 50 digits. `worst` is the largest error of any kernel with status 0, "
+    "in rounding units times the condition number of the problem. `status from` is the condition number of "
+    "the first pose with another status. `digits left` is the number of correct digits of the worst result "
+    "with status 0. `undetected` lists the kernels that return a wrong result (error above 1000) with "
+    "status 0."
 )
 
 
@@ -41,13 +42,13 @@ def _cases(swept: Figures) -> str:
     rows = [_of_kind(kind, [each for each in swept["counts"] if each["kind"] == kind]) for kind in kinds]
     lowest = min(each["rejected_at"] or np.inf for each in swept["counts"] if each["precision"] == "double")
     lead = paragraph(
-        f"The sweep has {swept['cases']:,} random cases in double and float. {swept['wrong']:,} answers are "
-        f"wrong with status 0, and {swept['rejected_good']:,} good poses have a status. Worst: the largest "
-        "error as above, with its precision and kernel; any answer for a singular machine is wrong. In "
-        f"double no pose has a status at a condition number below {lowest:.0e}. "
+        f"The sweep has {swept['cases']:,} random cases in double and float. {swept['wrong']:,} results are "
+        f"wrong with status 0, and {swept['rejected_good']:,} solvable poses have another status. `worst` is "
+        "the largest error as above, with its precision and kernel; any result for a singular machine is "
+        f"wrong. In double, all poses with a condition number below {lowest:.0e} have status 0. "
         "`stewart-sym stability --cases N` generates N other cases from `--seed`."
     )
-    header = ("random cases", "cases", "kernels", "worst", "wrong", "good poses with a status")
+    header = ("random cases", "cases", "kernels", "worst", "wrong", "solvable poses with another status")
     return lead + table(header, rows)
 
 

@@ -1,1 +1,1 @@
-"""Kinematics of the legs and the search of a pose, in the part of Python that ``read`` reads."""
+"""Kinematics of the legs, and the search for a pose, as written functions."""

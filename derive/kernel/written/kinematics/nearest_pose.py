@@ -1,4 +1,4 @@
-"""Choice of the pose nearest to a guess, in the part of Python that ``read`` reads."""
+"""Choice of the pose nearest to a guess as a written function."""
 
 
 def flattest(legs: "LegsAtPose", x: "array(6)") -> None:

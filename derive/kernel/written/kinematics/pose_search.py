@@ -1,9 +1,9 @@
-"""Kinematics of the legs, forward and inverse, in the part of Python that ``read`` reads.
+"""Inverse kinematics, and the search for the pose of leg lengths, as written functions.
 
-The search of a pose is Newton's on (2). Each step solves J d = miss by Householder's reflections, which
-leave the singular values of J as they are, so that its triangle also says how near to singular H is. If the
-steps do not shrink, or differ from the way between guess and result, a damped search follows. If the next
-singular pose is near the way, a search from behind this pose follows. The nearest result counts.
+The search applies Newton's method to (2). Each step solves J d = miss by Householder reflections. They do not
+change the singular values of J, so that the triangular factor also indicates the distance from a singular
+pose. If the steps do not shrink, or do not lead from the guess to the result, a damped search follows. If a
+singular pose is near the way, another search starts beyond it. The result nearest to the guess is returned.
 """
 
 
@@ -218,7 +218,7 @@ def square_of(vector: "array(3)") -> "Real":
 
 
 def compare(L: "array(6)", legs: "LegsAtPose") -> "Real":
-    """Puts lengths asked for less those of a pose, m, beside J; returns the largest of them in size."""
+    """Stores the given lengths minus the lengths of a pose (m) next to J; returns the largest magnitude."""
     worst = 0.0
     for i in range(6):
         miss = L[i] - legs.L[i]
@@ -336,7 +336,7 @@ def search(
 
 
 def first_fault(L: "array(6)", guess: "Pose") -> "Integer":
-    """What of a search's inputs is not finite, or no length."""
+    """Returns the status of the inputs of a search: not finite, or not a length."""
     status = OK
     for i in range(6):
         status = where(size(L[i]) <= MAX, status, NOT_FINITE)

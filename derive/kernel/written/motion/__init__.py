@@ -1,1 +1,1 @@
-"""Functions of the closed form as C has them: legs, or poses, in lanes, and what is made of their sums."""
+"""Closed form in C as written functions: legs or poses in vector lanes, and results of their sums."""

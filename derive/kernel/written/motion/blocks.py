@@ -1,7 +1,7 @@
-"""Closed form of eight poses side by side, and batches of them, in the part of Python that ``read`` reads.
+"""Closed form of eight poses side by side, and batches of such blocks, as written functions.
 
-The blocks are those of one pose, in the same functions: lanes are legs there, and poses here. So are the
-functions that make a result of the sums: each pose takes its own from the lanes.
+The blocks and functions are the same as for one pose: lanes are legs there, and poses here. The functions
+that compute a result from the sums read the numbers of each pose from its lane.
 """
 
 
@@ -18,7 +18,7 @@ def load_motions(motions: "Motions", first: "Count", count: "Count", at: "Motion
 
 
 def load_forces(F: "Pointer(Real)", first: "Count", count: "Count", acting: "array(6, LANES)") -> None:
-    """Actuator forces of eight poses, leg by leg; past the end those of the last pose again."""
+    """Actuator forces of eight poses, leg by leg; lanes after the last pose repeat it."""
     for l in range(LANES):
         pose = where(first + l < count, first + l, count - 1)
         for i in range(6):
@@ -60,7 +60,7 @@ def leg_of_block(
     legs: "alone(Legs)",
     out: "alone(Block)",
 ) -> None:
-    """One leg of eight poses; ``bad``: 1 where a pose is left to the function of one."""
+    """One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose."""
     spread_leg(model, leg, one)
     if HAS_F:
         for l in range(LANES):
@@ -101,7 +101,7 @@ def batch_of_blocks(
     out: "ResultArrays",
     status: "Pointer(Integer)",
 ) -> "Integer":
-    """Poses eight by eight; those that need a closer look one by one."""
+    """Computes the poses in blocks of eight; poses that must be checked are computed one by one."""
     at = blank(MotionLanes)
     of_leg = blank(OfLeg)
     block = blank(Block)
@@ -141,7 +141,7 @@ def batch_of_blocks(
 
 
 def any_of(bad: "array(LANES)") -> "Integer":
-    """Whether a lane is marked."""
+    """Returns 1 if a lane is marked, else 0."""
     found = 0.0
     for l in range(LANES):
         found = larger(bad[l], found)
@@ -149,7 +149,7 @@ def any_of(bad: "array(LANES)") -> "Integer":
 
 
 def one_by_one() -> None:
-    """The poses of a block, of which some may be left to the function of one."""
+    """Computes the marked poses of a block one by one."""
     in_rows(block.number, WIDTH, row)
     for l in range(LANES):
         if not first + l < count:
@@ -210,5 +210,5 @@ def finished_forces() -> None:
 
 
 def stored_pivot(k) -> None:
-    """What remains of a diagonal number, one pose or eight."""
+    """Store the pivot of one pose or eight."""
     pivot[lanes * k + l] = a[k, k]

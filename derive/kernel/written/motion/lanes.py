@@ -1,4 +1,4 @@
-"""Closed form and regressor with the legs of a pose in lanes, in the part of Python that ``read`` reads."""
+"""Closed form and regressor with the legs of a pose in vector lanes, as written functions."""
 
 
 def pose_terms(

@@ -1,4 +1,4 @@
-"""Parts of a kit: kernels that a choice requires, committed or derived for one robot."""
+"""Kernels that a kit requires: files of ``generated/``, or derived for one robot."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -15,7 +15,7 @@ from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
 from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE
 from ..derive.emit.torque import axial_files, axial_name, axial_operations, torque_operations
-from ..derive.generate import (
+from ..derive.generated_files import (
     generator_version,
     motion_files,
     reduced_axial,
@@ -126,7 +126,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
 
 
 def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
-    level = fidelity.resolved(robot, choice.formulation, choice.level)
+    level = fidelity.resolve_level(robot, choice.formulation, choice.level)
     if choice.bake or choice.scalar:
         return _derived(robot, choice, level)
     name = fidelity.force_kernel_name(robot, choice.formulation, level)

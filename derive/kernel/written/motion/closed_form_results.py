@@ -1,7 +1,7 @@
-"""What C makes of the closed form's sums, of one pose or of eight, in the part of Python that ``read`` reads.
+"""Results of the closed form in C from its sums, for one pose or eight poses, as written functions.
 
-With ``lanes`` of 1 an array holds one number after the other, with eight a number of eight poses after the
-other: one text rounds one pose and a block alike.
+``lanes`` is the number of poses whose values of a number are consecutive in an array: 1 or 8. One text for
+both gives identical rounding.
 """
 
 
@@ -44,7 +44,7 @@ def matrices(
 
 
 def not_finite(number: "alone(Pointer(Real))", count: "Integer", none: "alone(array(LANES))") -> None:
-    """Zeros, but where one of ``count`` numbers of a lane is not finite."""
+    """Zero for each lane; not zero if one of ``count`` numbers of a lane is not finite."""
     for l in range(LANES):
         none[l] = 0.0
     for i in range(count):
@@ -88,7 +88,7 @@ def solve_inertia(
 
 
 def accelerations_of(legs: "Legs", summed: "array(COUNT)", out: "Found") -> None:
-    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE if elimination loses too many digits of M."""
     pivot = blank(array(6))
     out.status = legs.status
     if legs.status == OK:
@@ -124,7 +124,7 @@ def derivatives(model: "Model", motion: "Motion", out: "Result") -> "Integer":
 
 
 def slopes(per_length: "Real", number: "Pointer(Real)", F: "Pointer(Real)", out: "Result") -> "Integer":
-    """Derivatives from H and those of the wrench: rows [H | by pose | by twist | M], eight columns each."""
+    """Derivatives of F from H and the derivatives of the wrench: rows [H | by pose | by twist | M]."""
     row = blank(pointers(6))
     table = blank(array(TABLE))
     inverse = blank(array(6))
@@ -157,8 +157,7 @@ def slopes(per_length: "Real", number: "Pointer(Real)", F: "Pointer(Real)", out:
 
 
 def factored(row: "pointers(6)", inverse: "array(6)") -> None:
-    """Elimination with partial pivoting, (36), of the first columns; rows change places by addresses, and
-    the factors come after all columns."""
+    """Elimination with partial pivoting, (36), of the first columns; rows are exchanged by addresses."""
     upper = blank(array(LANES))
     for k in range(6):
         pivot = k

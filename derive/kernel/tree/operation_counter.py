@@ -1,6 +1,6 @@
-"""Counts the operations of functions of kernel trees: runs them on numbers that count what is done with them.
+"""Operation counter: a type of numbers that counts operations when a kernel tree runs on it.
 
-Products with thresholds, constants of the arithmetic, are no part of the equations and not counted.
+Products with thresholds and arithmetic constants are not counted, because they are not part of the equations.
 """
 
 import math
@@ -18,7 +18,7 @@ from .nodes import Integer, Program, Type
 
 
 def _counts(operation: str, of: Callable[..., float]) -> Callable[..., "Counting"]:
-    """An operator that counts itself, unless it is done with a threshold."""
+    """Return an operator that counts itself, except for operations with a threshold."""
 
     def made(*numbers: "Counting") -> "Counting":
         first, *others = numbers
@@ -33,7 +33,7 @@ def _counts(operation: str, of: Callable[..., float]) -> Callable[..., "Counting
 @total_ordering
 @dataclass(frozen=True, eq=False)
 class Counting:
-    """A number that adds each operation with it to ``done``; a threshold counts none."""
+    """Number that adds each operation to ``done``; operations with a threshold are not counted."""
 
     value: float
     done: Counter[str]
@@ -46,19 +46,19 @@ class Counting:
     sqrt = _counts("sqrt", math.sqrt)
 
     def __neg__(self) -> "Counting":
-        """The number with the other sign, which costs nothing."""
+        """Return the negative number without counting an operation."""
         return Counting(-self.value, self.done)
 
     def __abs__(self) -> "Counting":
-        """Size, which costs nothing."""
+        """Return the magnitude without counting an operation."""
         return Counting(abs(self.value), self.done)
 
     def __eq__(self, other: object) -> bool:
-        """Whether the value is equal."""
+        """Return True if the values are equal."""
         return isinstance(other, Counting) and self.value == other.value
 
     def __lt__(self, other: "Counting") -> bool:
-        """Whether the value is less."""
+        """Return True if the value is less."""
         return self.value < other.value
 
     __hash__ = None  # type: ignore[assignment]
@@ -67,9 +67,9 @@ class Counting:
 def counted(
     program: Program, function: str, numbers: Callable[[str], float], instead: dict[str, int] | None = None
 ) -> Operations:
-    """Operations of a function.
+    """Count the operations of a function.
 
-    numbers: what an argument's or a structure's member's number is, by name; instead: values of whole
+    ``numbers`` are the values of arguments or members by name, and ``instead`` the values of integer
     constants such as MAX_STEPS.
     """
     done: Counter[str] = Counter()

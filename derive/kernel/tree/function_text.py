@@ -1,4 +1,4 @@
-"""Texts of written functions: names put in, what is changed in them, roots of places."""
+"""Texts of written functions: replacement of names, changed variables, and roots of element expressions."""
 
 import ast
 import inspect
@@ -10,11 +10,11 @@ from typing import Any, cast
 from . import nodes as t
 
 Names = Mapping[str, str | int]
-"""What names of a text stand for, other names or numbers: the text then serves for several functions."""
+"""Replacements of names in a text by other names or numbers, so that several functions use one text."""
 
 
 def parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
-    """The function's tree with names put in."""
+    """Return the Python tree of a function with replaced names."""
     tree = ast.parse(_source(written)).body[0]
     assert isinstance(tree, ast.FunctionDef)
     for each in tree.args.args:
@@ -28,7 +28,7 @@ def parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
 
 @cache
 def _source(written: Callable[..., Any]) -> str:
-    """The function's text; many kernels read the same ones."""
+    """Return the text of a function, cached because many kernels read the same one."""
     return textwrap.dedent(inspect.getsource(written))
 
 
@@ -39,13 +39,13 @@ def _quoted(node: ast.expr | None, names: Names) -> ast.expr | None:
 
 
 class _Renamed(ast.NodeTransformer):
-    """Puts what names stand for in their place and at the end of others: ``solve_WIDTH`` is ``solve_24``."""
+    """Replacement of names, also at the end of other names: ``solve_WIDTH`` becomes ``solve_24``."""
 
     def __init__(self, names: Names) -> None:
         self.names = names
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
-        """A name or a number in its place."""
+        """Replace a name by a name or a number."""
         if isinstance(value := self.names.get(node.id), int):
             return ast.Constant(value)
         name = node.id if value is None else value
@@ -56,14 +56,14 @@ class _Renamed(ast.NodeTransformer):
 
 
 class Filled(ast.NodeTransformer):
-    """Puts expressions in the place of names."""
+    """Replacement of names by expressions."""
 
     def __init__(self, values: Mapping[str, ast.expr]) -> None:
-        """values: by the names they replace."""
+        """Store the expressions by the names that they replace."""
         self.values = values
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
-        """An expression in its place."""
+        """Replace a name by an expression."""
         return self.values.get(node.id, node)
 
 
@@ -72,7 +72,7 @@ def changed_names(
     functions: Mapping[str, t.Function],
     is_address: Callable[[t.Expression], bool],
 ) -> set[str]:
-    """Names that are assigned to after their first value, in part, or by a function that changes them."""
+    """Return names that are assigned again, in part, or by a function that changes them."""
     found: set[str] = set()
     for each in t.statements(body):
         if isinstance(each, t.Assign):
@@ -85,7 +85,7 @@ def changed_names(
 
 
 def with_variables(node: Any, changed: set[str]) -> Any:
-    """A body with variables for what was read as a constant, and is changed later."""
+    """Return a body in which constants that are changed later are variables."""
     match node:
         case tuple():
             return tuple(with_variables(each, changed) for each in node)
@@ -97,7 +97,7 @@ def with_variables(node: Any, changed: set[str]) -> Any:
 
 
 def root_of(node: t.Expression) -> str:
-    """Name of what a place is part of."""
+    """Return the name of the variable to which an element or member belongs."""
     while isinstance(node, t.Member | t.Element | t.From | t.Select):
         if isinstance(node, t.Select):
             node = node.yes
@@ -107,12 +107,12 @@ def root_of(node: t.Expression) -> str:
 
 
 def base_of(node: ast.expr) -> str:
-    """Name of what a place in Python's tree is part of."""
+    """Return the name of the variable to which an element or member of Python's tree belongs."""
     while isinstance(node, ast.Attribute | ast.Subscript):
         node = node.value
     return node.id if isinstance(node, ast.Name) else ""
 
 
 def called_name(node: ast.expr) -> str:
-    """Name of the function that is called."""
+    """Return the name of the called function."""
     return node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""

@@ -1,6 +1,6 @@
-"""C99 files of the complete inverse dynamics, one header and one source for each formulation.
+"""C99 files of the inverse dynamics with all terms, one header and one source for each formulation.
 
-The dynamics are blocks; the code around them is read from ``kernel.written.every_output``.
+The code around the blocks is in ``kernel.written.every_output``.
 """
 
 from collections.abc import Callable, Iterable, Mapping

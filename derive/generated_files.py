@@ -1,8 +1,8 @@
-"""Generation of all files of ``generated/``.
+"""Generation of all files of ``generated/``, the last step of ``derive``.
 
-For each formulation: derive the blocks, eliminate common subexpressions, and emit the files. This is the last
-step of ``derive``. The texts depend only on this package and on SymPy's minor version, and contain no date,
-path, or set order. This module does not depend on the runtime package. A process derives each kernel once.
+For each formulation: derive the blocks, eliminate common subexpressions, and emit the files. The files depend
+only on this package and on SymPy's minor version, and contain no date, path, or set order. This module does
+not depend on the runtime package. Each process derives a kernel at most once.
 """
 
 import gc
@@ -16,8 +16,9 @@ from time import perf_counter
 
 import sympy as sp
 
-from .emit import arrays, bounds, c, lanes
+from .emit import arrays, bounds, lanes
 from .emit import closed_form as motion
+from .emit import inverse_dynamics as inverse_dynamics_text
 from .emit import kinematics as kinematics_text
 from .emit import regressor as regressor_text
 from .emit import torque as torque_text
@@ -31,7 +32,7 @@ from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.axial_forces import axial_block
-from .mechanics.closed_form.parts import PREPARED
+from .mechanics.closed_form.common_steps import PREPARED
 from .mechanics.closed_form.terms import SumKernel
 from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
@@ -46,7 +47,7 @@ from .program.block import Block
 from .program.cse import share, shared_blocks
 
 WHOLE = (EXACT, EXACT_DRIVE)
-"""Formulations with a closed form and error bounds."""
+"""Formulations that have a closed form and error bounds."""
 COMPARED = (EXACT, PAPER)
 """Formulations whose operations are also counted without friction, because the paper's program has none."""
 
@@ -58,7 +59,7 @@ def generator_version() -> str:
 
 @cache
 def reduced(form: Formulation, friction: bool = True) -> Kernel:
-    """Derive a kernel and eliminate its common subexpressions."""
+    """Derive the inverse dynamics with all terms, and eliminate common subexpressions."""
     return shared_blocks(kernel(form, friction))
 
 
@@ -100,8 +101,8 @@ def reduced_rotation() -> dict[str, Block]:
 
 
 @dataclass(frozen=True)
-class Made:
-    """Results of one unit of the derivation.
+class UnitResult:
+    """Files and kernels of one unit of the derivation.
 
     Attributes
     ----------
@@ -110,7 +111,7 @@ class Made:
     models : mapping
         Count of numbers in the prepared model of each kernel.
     programs : mapping
-        Programs of the kernels on arrays.
+        Kernel trees of the array modules by kernel.
     """
 
     files: Mapping[str, str]
@@ -122,7 +123,7 @@ _BASES = {
     **dict.fromkeys(("paper", "exact_drive", "exact_spherical", "exact_offset"), ("exact",)),
     **dict.fromkeys(("paper_spherical", "exact_spherical_drive"), ("exact", "exact_spherical")),
 }
-"""Kernels whose array modules contain the common parts, by kernel."""
+"""Kernels whose array modules an array module imports, because they contain common parts, by kernel."""
 
 
 Progress = Callable[[str, float, float], None]
@@ -141,7 +142,7 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
         new processes are spawned, so a script must call this function under ``if __name__ == "__main__"``.
     """
     version = generator_version()
-    found: dict[str, Made] = {}
+    found: dict[str, UnitResult] = {}
     for name, (made, seconds) in zip(UNITS, derived(UNITS, processes), strict=True):
         found[name] = made
         progress(name, seconds, len(found) / len(UNITS))
@@ -149,18 +150,18 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
     headers = {"stewart.h": common_header(version), **shared_headers(version)}
     files = {name: text for made in found.values() for name, text in made.files.items()}
     return {
-        **_of_c(headers),
+        **_in_c_folder(headers),
         "every_output.py": arrays.shared_module(version),
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
         "__init__.py": filled("package.py", version=version),
         **files,
-        **_on_arrays({name: each for made in found.values() for name, each in made.programs.items()}),
+        **_array_modules({name: each for made in found.values() for name, each in made.programs.items()}),
         "interface.py": layout(models, headers, version),
     }
 
 
-def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
-    """Return the array modules."""
+def _array_modules(programs: Mapping[str, Program]) -> dict[str, str]:
+    """Print the array modules, text by file name."""
     version = generator_version()
     files = {}
     for name, made in programs.items():
@@ -172,7 +173,7 @@ def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
     return files
 
 
-def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, float]]:
+def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[UnitResult, float]]:
     """Yield the results of some of ``UNITS`` in their order, and the time of each (s)."""
     if processes == 1:
         yield from map(_timed, names)
@@ -182,13 +183,13 @@ def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, 
             yield from pool.map(_timed, names)
 
 
-def _timed(name: str) -> tuple[Made, float]:
+def _timed(name: str) -> tuple[UnitResult, float]:
     """Derive one of ``UNITS`` and measure the time (s)."""
     start = perf_counter()
     return UNITS[name](generator_version()), perf_counter() - start
 
 
-def _formulation(form: Formulation, version: str) -> Made:
+def _formulation(form: Formulation, version: str) -> UnitResult:
     """Derive all outputs and the forces of one formulation, its closed form, and its axial forces."""
     built, forces, smooth = reduced(form), prepared_model(form), None
     counts, force_counts = {"friction": kernel_operations(built)}, {"friction": force_operations(forces)}
@@ -197,24 +198,26 @@ def _formulation(form: Formulation, version: str) -> Made:
         counts["frictionless"] = kernel_operations(reduced(form, friction=False))
         force_counts["frictionless"] = force_operations(smooth)
     found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
-    files = _of_c(c.files(built, counts, version) | lanes.files(forces, version, smooth)) | {
+    files = _in_c_folder(
+        inverse_dynamics_text.files(built, counts, version) | lanes.files(forces, version, smooth)
+    ) | {
         f"{form.kernel_name}.py": arrays.every_output(built, counts, force_counts, version),
     }
     if form in WHOLE:
         files |= _closed_form(form, version)
     if form.drive:
-        files |= _of_c(torque_text.axial_files(form, reduced_axial(form), version))
-    return Made(files, {form.kernel_name: lanes.model_numbers(forces)}, {form.kernel_name: found})
+        files |= _in_c_folder(torque_text.axial_files(form, reduced_axial(form), version))
+    return UnitResult(files, {form.kernel_name: lanes.model_numbers(forces)}, {form.kernel_name: found})
 
 
-def _bounds(form: Formulation, version: str) -> Made:
+def _bounds(form: Formulation, version: str) -> UnitResult:
     """Derive the forces of one of ``WHOLE`` with bounds of their rounding errors."""
     bounded = BoundedForces(reduced_forces(form))
     models = {f"{form.kernel_name}_bounds": bounded.model_numbers()}
-    return Made(_of_c(bounds.files(bounded, version)), models)
+    return UnitResult(_in_c_folder(bounds.files(bounded, version)), models)
 
 
-def _others(version: str) -> Made:
+def _regressors_kinematics_torques(version: str) -> UnitResult:
     """Derive the regressors, the kinematics, and the motor torques."""
     columns, blocks = shared_blocks(regressor()), reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
@@ -224,20 +227,20 @@ def _others(version: str) -> Made:
         "rotor_regressor.py": arrays.rotor_regressor(share(rotor_columns()), version),
     }
     made |= regressor_text.files(columns, version) | torque_text.torque_files(version)
-    return Made(files | _of_c(made))
+    return UnitResult(files | _in_c_folder(made))
 
 
-def _offset_joints(version: str) -> Made:
+def _offset_joints(version: str) -> UnitResult:
     """Derive the forces of legs with offset joints."""
     built = shared_blocks(offset_kernel())
     row = f'    "forces": {force_operations(built).total.total},'
-    files = _of_c(lanes.files(built, version)) | {
+    files = _in_c_folder(lanes.files(built, version)) | {
         f"{built.name}_operations.py": filled("operations.py", version=version, rows=row),
     }
-    return Made(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
+    return UnitResult(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
 
 
-def _of_c(files: dict[str, str]) -> dict[str, str]:
+def _in_c_folder(files: dict[str, str]) -> dict[str, str]:
     """Prefix the names of C files with their folder."""
     return {f"c/{name}": text for name, text in files.items()}
 
@@ -248,7 +251,7 @@ def reduced_fidelity(form: Formulation, level: Fidelity) -> ForceKernel:
     return shared_blocks(fidelity_kernel(form, level))
 
 
-def _fidelities(version: str) -> Made:
+def _fidelities(version: str) -> UnitResult:
     """Derive the forces of all fidelity levels, and the table of levels."""
     files: dict[str, str] = {}
     models: dict[str, int] = {}
@@ -258,9 +261,9 @@ def _fidelities(version: str) -> Made:
         kernels[level] = built if built.fidelity != "general" else prepared_model(built.formulation)
         if built.fidelity != "general":
             models[built.name] = lanes.model_numbers(built)
-            files |= _of_c(lanes.files(built, version))
+            files |= _in_c_folder(lanes.files(built, version))
     files["fidelities.py"] = arrays.fidelities(kernels, version)
-    return Made(files, models)
+    return UnitResult(files, models)
 
 
 def reduced_motion(
@@ -328,16 +331,16 @@ def _closed_form(form: Formulation, version: str) -> dict[str, str]:
     rows = [f'    "{each.name}": {motion.sum_operations(each).total},' for each in reduced_motion(form=form)]
     return {
         f"{form.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
-        **_of_c(motion_files(motion.FUNCTIONS, form)),
+        **_in_c_folder(motion_files(motion.FUNCTIONS, form)),
     }
 
 
-UNITS: Mapping[str, Callable[[str], Made]] = {
+UNITS: Mapping[str, Callable[[str], UnitResult]] = {
     **{form.kernel_name: partial(_formulation, form) for form in WHOLE},
     "fidelities": _fidelities,
     **{f"{form.kernel_name}_bounds": partial(_bounds, form) for form in WHOLE},
     **{form.kernel_name: partial(_formulation, form) for form in FORMULATIONS if form not in WHOLE},
     "exact_offset": _offset_joints,
-    "regressors, kinematics and torques": _others,
+    "regressors, kinematics and torques": _regressors_kinematics_torques,
 }
 """Units of the derivation by name, each a function of the version; the slowest units are first."""

@@ -1,7 +1,7 @@
-"""Selections whose test an enclosing condition has decided, in functions of one pose.
+"""Removal of selections that an enclosing condition has decided, in functions of one pose.
 
-One text serves one pose and many side by side: where ``anywhere(test)`` opens a branch, it selects by
-``test`` again. Of one pose the selection is its first value.
+The same text computes one pose or many poses side by side. If ``anywhere(test)`` opens a branch, the branch
+selects by ``test`` again. For one pose, this selection always returns its first value.
 """
 
 from collections.abc import Iterable, Mapping
@@ -11,18 +11,18 @@ from typing import Any
 from . import nodes as t
 
 Known = Mapping[t.Expression, bool]
-"""Tests of variables that are no addresses, and whether they hold."""
+"""Tests of variables that are not addresses, with their results."""
 
 _PLAIN = (t.Name, t.Number, t.Constant, t.Binary, t.Not)
 
 
 def of_one_pose(program: t.Program) -> t.Program:
-    """The program for one pose, without selections that are decided."""
+    """Return the program for one pose, without decided selections."""
     return replace(program, functions=tuple(map(settled, program.functions)))
 
 
 def settled(function: t.Function) -> t.Function:
-    """The function without selections that a condition around them decides."""
+    """Return the function without selections that an enclosing condition decides."""
     return replace(function, body=_body(function.body, {}))
 
 
@@ -48,7 +48,7 @@ def _statement(node: t.Statement, known: Known) -> t.Statement:
 
 
 def _in(node: Any, known: Known) -> Any:
-    """An expression or statement with what is known put in place of selections."""
+    """Return an expression or statement with decided selections replaced."""
     if isinstance(node, tuple):
         return tuple(_in(each, known) for each in node)
     if isinstance(node, t.Select) and node.test in known:
@@ -57,7 +57,7 @@ def _in(node: Any, known: Known) -> Any:
 
 
 def _decided(test: t.Expression, holds: bool) -> dict[t.Expression, bool]:
-    """What a test says that holds, or does not."""
+    """Return the tests that are decided if a test is true, or false."""
     if isinstance(test, t.Call) and test.function == "anywhere":
         return _decided(test.arguments[0], holds)
     if not all(isinstance(each, _PLAIN) for each in t.parts_of(test)):
@@ -69,13 +69,13 @@ def _decided(test: t.Expression, holds: bool) -> dict[t.Expression, bool]:
 
 
 def _kept(known: Known, body: Iterable[t.Statement]) -> Known:
-    """What is known yet where these statements may have changed variables."""
+    """Return the decided tests that are still valid after statements that may change variables."""
     written = _written(body) if known else set()
     return {test: holds for test, holds in known.items() if not written & {n.name for n in t.names_in(test)}}
 
 
 def _written(body: Iterable[t.Statement]) -> set[str]:
-    """Variables that statements may change: what they assign to or define, or hand to a function."""
+    """Return the variables that statements may change: assigned, defined, or passed to a function."""
     found: set[str] = set()
     for node in t.parts_of(tuple(body)):
         if isinstance(node, t.Let | t.Variable):
