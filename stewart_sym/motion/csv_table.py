@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array
 from ..io.toml_reader import opened
 
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
@@ -18,15 +18,20 @@ DECIMALS = {"point": ".", "comma": ","}
 
 # Number of lines that are converted together.
 _PART = 4096
-# Number of digits of nanoseconds since 1970, which a double cannot represent.
+# Number of digits that a double represents; nanoseconds since 1970 have more.
 _LONG = 16
 _BETWEEN_NUMBERS = re.compile(r"[\s;]+|,(?=\s|[-+\d])")
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?")
 _INSTANT = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ])?(\d\d:\d\d:\d\d(?:\.\d{1,9})?)(?:Z|[-+]\d\d:?\d\d)?")
 _UNIT = re.compile(r"(.*?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]")
 
+# Nanoseconds of a day.
+_DAY = 86_400_000_000_000
+
 Lines = NDArray[np.int64]
 """Line numbers, from 1."""
+Instants = NDArray[np.datetime64]
+"""Dates, or times of day on 1970-01-01."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,36 +61,30 @@ class CsvTable:
     _delimiter: str
     _decimal: str
 
-    def columns(self, names: Sequence[str], clock: str | None = None) -> tuple[dict[str, Array], Flags]:
-        """Convert some columns to numbers.
-
-        Parameters
-        ----------
-        names : sequence of str
-            Names of ``header``.
-        clock : str, optional
-            Column of dates, times of day, or nanoseconds, which becomes seconds since the first row.
-
-        Returns
-        -------
-        dict of str to ndarray, shape (m,)
-            Numbers of the good rows.
-        good : ndarray of bool, shape (n,)
-            True for rows whose cells are all finite numbers.
-        """
-        names = [name for name in names if name != clock]
+    def numbers(self, names: Sequence[str]) -> Array:
+        """Return the numbers of columns of ``header``, shape (n, len(names)), NaN for other cells."""
         places = [self.header.index(name) for name in names]
-        found = dict(zip(names, _numbers(self._texts, places, self._delimiter, self._decimal).T, strict=True))
-        if clock is not None:
-            place = self.header.index(clock)
-            found[clock] = _seconds([_cells(text, self._delimiter)[place] for text in self._texts])
-        good = np.logical_and.reduce([np.isfinite(column) for column in found.values()])
-        return {name: column[good] for name, column in found.items()}, good
+        return _numbers(self._texts, places, self._delimiter, self._decimal)
 
-    def has_instants(self, name: str) -> bool:
-        """Return True if a column begins with a date, a time of day, or nanoseconds since 1970."""
+    def cells(self, name: str) -> list[str]:
+        """Return the texts of a column of ``header``, length n."""
+        place = self.header.index(name)
+        return [_cells(text, self._delimiter)[place] for text in self._texts]
+
+    def instants(self, name: str) -> Instants | None:
+        """Return dates (ISO 8601), times of day, or nanoseconds since 1970; NaT for other cells.
+
+        Returns None if the column begins with a number of fewer digits, or with another text. Times of day
+        after midnight follow on those before.
+        """
         cell = _cells(self._texts[0], self._delimiter)[self.header.index(name)] if self._texts else ""
-        return not np.isnat(_instant(cell)) and (not cell.isdigit() or len(cell) > _LONG)
+        if np.isnat(_instant(cell)) or (cell.isdigit() and len(cell) <= _LONG):
+            return None
+        found = np.array([_instant(cell) for cell in self.cells(name)], "datetime64[ns]")
+        if cell[2:3] == ":":
+            known = ~np.isnat(found)
+            found[known] = np.unwrap(found[known].astype(np.int64), period=_DAY).astype("datetime64[ns]")
+        return found
 
 
 def read_table(
@@ -115,6 +114,8 @@ def read_table(
     """
     with opened(source, what) as stream:
         text = _decoded(stream.read())
+    if text.lstrip().startswith(("{", "[{", "[[")):
+        raise ValueError(f"{source}: expected a CSV table, got JSON; write a header line and rows of numbers")
     lines = text.splitlines()
     place, header, mark = _header(lines, source, None if delimiter is None else DELIMITERS[delimiter])
     names, stated_units = zip(*map(split_unit, header), strict=True)
@@ -218,14 +219,6 @@ def _numbers(texts: Sequence[str], places: list[int], delimiter: str, decimal: s
                 plain = [is_number(each) and "," not in each for each in numbers]
                 found[i] = [float(x) if good else np.nan for x, good in zip(numbers, plain, strict=True)]
     return found
-
-
-def _seconds(cells: Sequence[str]) -> Array:
-    """Convert dates (ISO 8601), times of day, or integers of nanoseconds to seconds since the first one."""
-    instants = np.array([_instant(cell) for cell in cells], "datetime64[ns]")
-    missing = np.isnat(instants)
-    since = (instants - instants[np.argmin(missing)]) / np.timedelta64(1, "ns")
-    return np.where(missing, np.nan, since) / 1e9
 
 
 def _instant(text: str) -> np.datetime64:

@@ -31,6 +31,8 @@ _VARIANCES = [0, 2, 5]
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
+# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction.
+_CONTRADICTS = 10.0
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
 
@@ -64,12 +66,15 @@ def rates_of(
         raise ValueError(
             f"{log.source}: too few rows for rates, {len(since)}; add rows, or columns of all rates"
         )
-    rounding = steps / math.sqrt(12.0)
-    if not options.enabled or len(since) < _FEWEST_SMOOTHED:
+    if not options.enabled:
+        return _interpolated(since, values), None
+    rounding, stated = steps / math.sqrt(12.0), _stated(log, options)
+    if len(since) < _FEWEST_SMOOTHED:
         found = _interpolated(since, values)
-        return found, _of_rounding(log, found, rounding) if options.enabled else None
-    stated = _stated(log, options)
+        return found, _of_few_rows(log, found, stated, rounding)
     fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
+    if not np.isnan(stated).all():
+        _check_stated(log, stated, fit_good_rows(since, values, None, rounding).curves.noise_std)
     used = ~(fitted.outliers | fitted.frozen)
     _warn_of_rows(log, used, fitted)
     found = fitted.curves.evaluate(since)
@@ -99,12 +104,40 @@ def as_given(
     sigma = np.array(steps) / math.sqrt(12.0)
     stated = _stated(log, options)
     sigma[0] = np.where(np.isnan(stated), sigma[0], stated)
-    if not sigma.any() or not options.enabled:
-        return None
+    return _constant(log, found, sigma) if options.enabled else None
+
+
+def _of_few_rows(log: LogSamples, found: Array, stated: Array, rounding: Array) -> Uncertainty | None:
+    """Return the uncertainty of interpolated rows that are too few for an estimate of their noise."""
+    unknown = np.isnan(stated) & (np.ptp(found[0], axis=0) > 0.0)
+    noise = np.where(np.isnan(stated), rounding, stated)
+    sigma = np.sqrt(_interpolated_variances(log.time, noise)).T
+    # Limits are then undecided.
+    sigma[2] = np.hypot(sigma[2], np.where(unknown, np.abs(found[2]).max(axis=0), 0.0))
+    if unknown.any():
+        finding = f"{len(found[0])} rows are too few for an estimate of their noise"
+        warn_of(log, f"{finding}; accelerations are unknown; add rows, or state position_std")
+    return _constant(log, found, sigma)
+
+
+def _constant(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | None:
+    """Return the uncertainty for standard deviations, (3, 6), that are equal at all times; None for 0."""
     assert log.time is not None
-    covariance = np.zeros((2, 6, 6))
-    covariance[:, :, [0, 2, 5]] = sigma.T**2
+    if not sigma.any():
+        return None
+    covariance = np.zeros((2, 6, len(PAIRS)))
+    covariance[..., _VARIANCES] = sigma.T**2
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0], "L" in log.vectors)
+
+
+def _check_stated(log: LogSamples, stated: Array, estimated: Array) -> None:
+    """Warn of a stated noise that is far from the estimated one."""
+    ratio = np.where(np.isnan(stated), 1.0, stated / np.maximum(estimated, 1e-300))
+    column = int(np.argmax(np.abs(np.log(ratio))))
+    if not 1.0 / _CONTRADICTS < ratio[column] < _CONTRADICTS:
+        name = "position_std" if column < 3 or "L" in log.vectors else "angle_std"
+        finding = f"{name} is {stated[column]:.2g}, but the rows scatter by {estimated[column]:.2g}"
+        warn_of(log, f"{finding} (SI units); smoothing and deviations are wrong; check the unit of {name}")
 
 
 def _stated(log: LogSamples, options: SmoothingOptions) -> Array:
@@ -148,18 +181,9 @@ def _is_clean(since: Array, curves: SmoothCurves, second_rates: Array) -> Flags:
     return np.asarray(_SECOND_RATE * curves.noise_std / step**2 < _NEGLIGIBLE * largest)
 
 
-def _of_rounding(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | None:
-    """Return the uncertainty of interpolated rows with rounding of standard deviation sigma, (6,)."""
-    assert log.time is not None
-    if not sigma.any():
-        return None
-    covariance = np.zeros((2, 6, len(PAIRS)))
-    covariance[..., _VARIANCES] = _interpolated_variances(log.time, sigma)
-    return Uncertainty(found, log.time[[0, -1]], covariance, sigma, "L" in log.vectors)
-
-
-def _interpolated_variances(time: Array, sigma: Array) -> Array:
+def _interpolated_variances(time: Array | None, sigma: Array) -> Array:
     """Return variances of values, rates, and second rates of interpolated columns, (c, 3)."""
+    assert time is not None
     step = float(np.median(np.diff(time)))
     return np.asarray((sigma[:, None] * [1.0, _RATE / step, _SECOND_RATE / step**2]) ** 2)
 
@@ -207,18 +231,16 @@ def _coarse_columns(log: LogSamples, since: Array, found: Array, fitted: FittedR
     # Differences of noise have less than four rows per period.
     moves = np.ptp(found[0], axis=0) > _VISIBLE * np.maximum(fitted.curves.noise_std, 1e-12)
     rows = np.where(moves, 2.0 * math.pi * rate / np.maximum(second_rate, 1e-300), math.inf) / step
-    coarse = rows < _FEWEST_PER_PERIOD
     # The columns of a sensor have similar noise; columns at rest may be exact.
     noise = fitted.curves.noise_std
     least = np.repeat(np.where(moves & (noise > 0.0), noise, math.inf).reshape(2, 3).min(axis=1), 3)
     unlike = (noise > _UNLIKE * least) & (noise > _TAKEN_FOR_NOISE * np.ptp(found[0], axis=0))
-    if unlike.any():
-        ratio = float((noise / least).max())
-        finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
-        warn_of(log, f"{finding}; accelerations are unknown; log more rows per second")
-    coarse |= unlike
-    if rows.min() < _FEWEST_PER_PERIOD:
+    coarse = (rows < _FEWEST_PER_PERIOD) | unlike
+    if coarse.any():
         finding = f"about {rows.min():.2g} rows per period of the fastest motion"
+        if unlike.any():
+            ratio = float((noise / least).max())
+            finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
         warn_of(log, f"{finding}; accelerations are unknown; log {2 * _FEWEST_PER_PERIOD} rows or more")
     return coarse
 

@@ -1,7 +1,5 @@
 """Trajectories read from CSV files, with rates from a smooth curve if the file has none."""
 
-import os
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -9,24 +7,19 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.progress import Progress, silent
-from .csv_table import read_table, split_unit
-from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, plain_unit, warn_of, warn_of_dropped
+from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, warn_of
 from .rate_checks import rate_error
 from .rotation import angle_rates, motion_about_axes, rotation_about_axes
 from .trajectory import SmoothingOptions, Trajectory, turn_doubt
-from .trajectory_format import TIME_UNITS, TrajectoryFormat
+from .trajectory_format import TIME_UNITS
 
 AS_SHOWN = SmoothingOptions()
-FORCES = tuple(f"F_{leg}" for leg in range(1, 7))
-"""Columns of actuator forces."""
-CURRENTS = tuple(f"current_{leg}" for leg in range(1, 7))
-"""Columns of the currents of the motors."""
 # Range of the largest acceleration (m/s^2) of a moving machine, and of accelerations that are possible.
-_ORDINARY, _POSSIBLE = (0.1, 30.0), (1e-4, 1e5)
+_ORDINARY, _POSSIBLE = (1e-3, 100.0), (3e-5, 1e5)
 # Range of the steps of loggers (s).
 _STEPS = (2e-4, 1.0)
 # Speed (m/s) below which accelerations may be too small because of the unit of time.
-_SLOW = 3e-3
+_SLOW = 2e-3
 
 
 def trajectory_of(
@@ -104,27 +97,6 @@ def poses_of(samples: LogSamples) -> tuple[Array, Array]:
     return rotation_about_axes(values[:, 3:], order), values[:, :3]
 
 
-def read_leg_columns(
-    path: str | os.PathLike[str], form: TrajectoryFormat, groups: Sequence[tuple[str, ...]]
-) -> tuple[Array, Array, tuple[str, ...], Sequence[int]]:
-    """Read six columns over time (s): the first group of names that the file has.
-
-    Returns times (n,), the columns (n, 6), their names, and the lines of the file.
-    """
-    source = os.fsdecode(path)
-    table = read_table(source, form.delimiter, form.decimal, "forces")
-    names = next((each for each in groups if each[0] in table.header or each[0] in form.columns), groups[0])
-    cells = [split_unit(form.columns.get(name, name))[0] for name in ("time", *names)]
-    for name, cell in zip(("time", *names), cells, strict=True):
-        if cell not in table.header:
-            raise ValueError(f"{source}: no column {name}; name it with columns {name}=HEADER")
-    numbers, good = table.columns(cells)
-    warn_of_dropped(table, good)
-    unit = form.time_unit or plain_unit(table.units.get(cells[0], ""), "time") or "s"
-    time, *values = (numbers[cell] for cell in cells)
-    return time / round(1.0 / TIME_UNITS[unit]), np.stack(values, axis=-1), names, table.lines[good].tolist()
-
-
 def _coordinates(samples: LogSamples) -> tuple[Array, Array, str]:
     """Return lengths or poses, (n, 6), their steps of rounding, and the order of the rotations."""
     vectors = samples.vectors
@@ -154,25 +126,32 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
     moves = float(np.ptp(lengths[0], axis=0).max()) > 1e-9 * size
     if samples.time is None or not moves or not (slow or largest > high * size):
         return
-    step, present = float(np.median(np.diff(time))), TIME_UNITS[samples.file_format.time_unit or "s"]
+    unit = samples.file_format.time_unit or "s"
+    step, present = float(np.median(np.diff(time))), TIME_UNITS[unit]
     fits = [
         name
-        for name, unit in TIME_UNITS.items()
-        if _ORDINARY[0] * size <= largest * (present / unit) ** 2 <= _ORDINARY[1] * size
-        and _STEPS[0] <= step * unit / present <= _STEPS[1]
+        for name, each in TIME_UNITS.items()
+        if _ORDINARY[0] * size <= largest * (present / each) ** 2 <= _ORDINARY[1] * size
+        and _STEPS[0] <= step * each / present <= _STEPS[1]
     ]
     finding = f"accelerations up to {largest:.2g} m/s^2 at steps of {step:.3g} s"
-    if fits and "time_unit" not in samples.unit_places:
-        raise ValueError(f"{samples.source}: {finding}; state time_unit={' or '.join(fits)}")
-    if largest > high * size:
-        warn_of(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
+    if not fits:
+        if not slow:
+            warn_of(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
+        return
+    remedy = f"state time_unit={' or '.join(fits)}"
+    if slow and samples.places.get("time_unit") == "the options":
+        warn_of(samples, f"{finding}; only forces at rest are computed; {remedy}")
+        return
+    remedy += f", or time_unit={unit} if it is right" if slow else ""
+    raise ValueError(f"{samples.source}: {finding}; {remedy}")
 
 
 def _check_rates(samples: LogSamples, found: Array) -> None:
     """Raise ValueError, or warn, if the integrals of the rates, (3, n, 6), differ from the positions."""
     assert samples.time is not None
     text, unit = rate_error(samples.time, found)
-    if unit is not None and "time_unit" not in samples.unit_places:
+    if unit is not None and "time_unit" not in samples.places:
         raise ValueError(f"{samples.source}: {text}; state time_unit={unit}")
     if text:
         warn_of(samples, f"{text}; forces are wrong; correct the rates, or remove their columns")

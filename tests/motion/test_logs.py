@@ -17,8 +17,7 @@ from plain_logs import read_log, read_poses
 import stewart_sym as ss
 from stewart_sym.kinematics.offset_legs import leg_lengths
 from stewart_sym.kinematics.robot_logs import read_log_of
-from stewart_sym.motion.log_reader import FORCES, read_leg_columns
-from stewart_sym.motion.log_samples import line_ranges
+from stewart_sym.motion.log_samples import components_of, line_ranges, read_samples
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.TrajectoryWarning")
 TABLE = poses()
@@ -222,13 +221,27 @@ def test_wrapped_angles_give_smooth_rates(tmp_path: Path) -> None:
     np.testing.assert_allclose(motion.omega, np.tile([0.0, 0.0, 2.0], (60, 1)), atol=1e-7)
 
 
-def test_columns_of_forces_are_read_with_times(tmp_path: Path) -> None:
-    table = np.column_stack([np.arange(5.0) * 1e3, np.arange(30.0).reshape(5, 6)])
-    path = log(tmp_path, text_of(["time [ms]", *FORCES], table))
-    time, F, names, rows = read_leg_columns(path, Form(), [FORCES])
-    assert (names, list(rows)) == (FORCES, [2, 3, 4, 5, 6])
-    np.testing.assert_allclose(time, np.arange(5.0))
-    np.testing.assert_allclose(F, table[:, 1:])
+@pytest.mark.parametrize(
+    ("names", "vector", "factor"),
+    [
+        (components_of("F"), "F", 1.0),
+        ([f"Force{leg} [kN]" for leg in range(1, 7)], "F", 1e3),
+        ([f"current_{leg}_mA" for leg in range(1, 7)], "current", 1e-3),
+    ],
+)
+def test_forces_and_currents_are_read_with_units_and_dates(
+    names: list[str], vector: str, factor: float, tmp_path: Path
+) -> None:
+    numbers = np.arange(30.0).reshape(5, 6)
+    table = np.column_stack([np.arange(5.0) * 1e3, numbers])
+    path = log(tmp_path, text_of(["t_ms", *names], table, ";", ","))
+    found = read_samples(str(path), forces=True)
+    np.testing.assert_allclose(found.time, np.arange(5.0))
+    np.testing.assert_allclose(found.vectors[vector], factor * numbers)
+    rows = [f"2025-11-29T23:59:{57 + i}Z,0,1,2,3,4,5" for i in range(3)]
+    dated = read_samples(str(log(tmp_path, "\n".join([",".join(["time", *names]), *rows]))), forces=True)
+    np.testing.assert_allclose(dated.time, np.arange(3.0))
+    assert dated.start == 1_764_460_797.0
 
 
 # Errors
