@@ -12,15 +12,13 @@ from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
 from .spline import DEGREE, PAIRS, SmoothCurves
-from .trajectory import Replaced, SmoothingOptions, Uncertainty, noise_text
+from .trajectory import LEAST_NOISE, Replaced, SmoothingOptions, Uncertainty, noise_text
 
 # Number of rows per period below which accelerations are inaccurate, and range of a moving column in standard
 # deviations of its noise.
 _FEWEST_PER_PERIOD, _VISIBLE = 6, 50.0
 # Ratio of the noise of columns, and fraction of the range, from which noise may be a fast motion.
 _UNLIKE, _TAKEN_FOR_NOISE = 30.0, 0.05
-# Ratio of removed differences to the scatter of adjacent rows from which a cut-off frequency removes motion.
-_REMOVED = 3.0
 FEWEST_ROWS = 4
 """Number of rows that a spline requires."""
 _FEWEST_SMOOTHED = 12
@@ -32,7 +30,7 @@ _VARIANCES = [0, 2, 5]
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
 # Ratio of the stated and the estimated noise, or its inverse, that is a contradiction.
-_CONTRADICTS = 10.0
+_CONTRADICTS = 5.0
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
 
@@ -73,8 +71,9 @@ def rates_of(
         found = _interpolated(since, values)
         return found, _of_few_rows(log, found, stated, rounding)
     fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
-    if not np.isnan(stated).all():
-        _check_stated(log, stated, fit_good_rows(since, values, None, rounding).curves.noise_std)
+    if options.cutoff_frequency is not None or not np.isnan(stated).all():
+        estimated = fit_good_rows(since, values, None, rounding).curves.noise_std
+        _check_options(log, options, fitted.curves.noise_std, estimated)
     used = ~(fitted.outliers | fitted.frozen)
     _warn_of_rows(log, used, fitted)
     found = fitted.curves.evaluate(since)
@@ -89,8 +88,6 @@ def rates_of(
     fastest = _SECOND_RATE * fitted.curves.noise_std / float(np.median(np.diff(since))) ** 2
     unknown = np.mean(found[2] ** 2, axis=0) + fastest**2
     uncertainty.covariance[:, coarse, -1] += unknown[coarse]
-    if options.cutoff_frequency is not None:
-        _warn_of_cutoff(log, values[used], fitted.curves.noise_std)
     if uncertainty.sigma[~clean].any():
         remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
         warn_of(log, f"{noise_text(uncertainty)}; the columns are smoothed{remedy}")
@@ -130,14 +127,17 @@ def _constant(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | None
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0], "L" in log.vectors)
 
 
-def _check_stated(log: LogSamples, stated: Array, estimated: Array) -> None:
-    """Warn of a stated noise that is far from the estimated one."""
-    ratio = np.where(np.isnan(stated), 1.0, stated / np.maximum(estimated, 1e-300))
+def _check_options(log: LogSamples, options: SmoothingOptions, assumed: Array, estimated: Array) -> None:
+    """Warn of a stated noise, or of a cut-off frequency, that contradicts the estimated noise, both (6,)."""
+    ratio = np.where(estimated > LEAST_NOISE, assumed / np.maximum(estimated, LEAST_NOISE), 1.0)
     column = int(np.argmax(np.abs(np.log(ratio))))
-    if not 1.0 / _CONTRADICTS < ratio[column] < _CONTRADICTS:
+    factor = f"{ratio[column]:.2g} times the scatter of the rows ({estimated[column]:.2g})"
+    if options.cutoff_frequency is not None and ratio.max() > _CONTRADICTS:
+        finding = f"the cut-off frequency removes {factor}"
+        warn_of(log, f"{finding}; the deviations do not include removed motion; raise the frequency")
+    elif options.cutoff_frequency is None and not 1.0 / _CONTRADICTS < ratio[column] < _CONTRADICTS:
         name = "position_std" if column < 3 or "L" in log.vectors else "angle_std"
-        finding = f"{name} is {stated[column]:.2g}, but the rows scatter by {estimated[column]:.2g}"
-        warn_of(log, f"{finding} (SI units); smoothing and deviations are wrong; check the unit of {name}")
+        warn_of(log, f"{name} is {factor}; smoothing and deviations are wrong; check the unit of {name}")
 
 
 def _stated(log: LogSamples, options: SmoothingOptions) -> Array:
@@ -243,13 +243,3 @@ def _coarse_columns(log: LogSamples, since: Array, found: Array, fitted: FittedR
             finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
         warn_of(log, f"{finding}; accelerations are unknown; log {2 * _FEWEST_PER_PERIOD} rows or more")
     return coarse
-
-
-def _warn_of_cutoff(log: LogSamples, values: Array, removed: Array) -> None:
-    """Warn of a cut-off frequency that removes more than the scatter of adjacent rows."""
-    scatter = np.mean(np.abs(np.diff(values, 4, axis=0)), axis=0) / math.sqrt(2.0 / math.pi * math.comb(8, 4))
-    column = int(np.argmax(removed / np.maximum(scatter, 1e-300)))
-    if removed[column] > _REMOVED * scatter[column] > 0.0:
-        ratio = removed[column] / scatter[column]
-        finding = f"the cut-off frequency removes {ratio:.2g} times the scatter of adjacent rows"
-        warn_of(log, f"{finding}; the deviations do not include removed motion; raise the frequency")

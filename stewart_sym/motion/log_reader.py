@@ -8,7 +8,6 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, warn_of
-from .rate_checks import rate_error
 from .rotation import angle_rates, motion_about_axes, rotation_about_axes
 from .trajectory import SmoothingOptions, Trajectory, turn_doubt
 from .trajectory_format import TIME_UNITS
@@ -53,6 +52,7 @@ def trajectory_of(
     """
     # SciPy is imported only for logs.
     from .log_rates import as_given, rates_of
+    from .rate_checks import rate_error
 
     progress(f"differentiating {len(samples.lines)} rows")
     in_joints = "L" in samples.vectors
@@ -64,7 +64,7 @@ def trajectory_of(
         found = np.stack([values, *_given_rates(samples, values, order)])
         rounding = [samples.steps[name] for name in names]
         noise = as_given(samples, smoothing, found, [steps, *np.reshape(rounding, (2, 6))])
-        _check_rates(samples, found)
+        _check_rates(samples, *rate_error(samples.time, found))
     else:
         found, noise = rates_of(samples, smoothing, values, steps)
     time = np.arange(float(len(values))) if samples.time is None else samples.time
@@ -147,10 +147,8 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
     raise ValueError(f"{samples.source}: {finding}; {remedy}")
 
 
-def _check_rates(samples: LogSamples, found: Array) -> None:
-    """Raise ValueError, or warn, if the integrals of the rates, (3, n, 6), differ from the positions."""
-    assert samples.time is not None
-    text, unit = rate_error(samples.time, found)
+def _check_rates(samples: LogSamples, text: str, unit: str | None) -> None:
+    """Raise ValueError, or warn, if the integrals of the rates differ from the positions."""
     if unit is not None and "time_unit" not in samples.places:
         raise ValueError(f"{samples.source}: {text}; state time_unit={unit}")
     if text:

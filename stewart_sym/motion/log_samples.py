@@ -247,23 +247,22 @@ def _times(numbers: Array, origin: float | None, unit: str | None) -> tuple[Arra
 def _times_of_rows(
     table: CsvTable, found: Mapping[str, str], lines: Lines, row_rate: float | None
 ) -> Array | None:
-    """Return the times (s) of rows at a rate (Hz); None for static poses, with a warning."""
+    """Return the times (s) of rows at a rate (Hz); None for static poses, with a warning.
+
+    Raises ValueError if an unnamed column contains times.
+    """
     if row_rate is not None:
         every = np.sort(np.concatenate([table.lines, table.dropped]))
         return np.searchsorted(every, lines) / row_rate
-    others = [cell for cell in table.header if cell not in found.values()]
-    clock = next((f", or columns time={cell}," for cell in others if _is_clock(table, cell)), "")
+    for cell in [cell for cell in table.header if cell not in found.values()]:
+        unit = plain_unit(table.units.get(cell) or cell.rpartition("_")[2], "time")
+        if unit is not None or table.instants(cell) is not None:
+            remedy = f"name it with columns time={cell}, or state row_rate"
+            raise ValueError(f"{table.source}: no column of times; {remedy}")
     finding = f"{table.source}: no column of times; the rows are poses at rest"
-    warn(f"{finding}; state row_rate{clock} if they are samples over time", TrajectoryWarning)
+    remedy = "if they are samples over time, state row_rate or columns time=HEADER"
+    warn(f"{finding}; {remedy}", TrajectoryWarning)
     return None
-
-
-def _is_clock(table: CsvTable, cell: str) -> bool:
-    """Return True for a column of dates or of increasing numbers."""
-    if table.instants(cell) is not None:
-        return True
-    numbers = table.numbers([cell])[:, 0]
-    return len(numbers) > 1 and bool((np.diff(numbers) > 0.0).all())
 
 
 def warn_of(samples: LogSamples, text: str) -> None:

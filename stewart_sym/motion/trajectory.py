@@ -98,7 +98,7 @@ class Uncertainty:
         return self.covariances(time)[..., 0]
 
 
-_LEAST_NOISE = 1e-15
+LEAST_NOISE = 1e-15
 """Noise (m, rad) below which a column is exact in messages."""
 
 
@@ -108,7 +108,7 @@ def noise_text(noise: Uncertainty) -> str:
     texts = [
         f"{noise.sigma[part].max():.2g} {unit}"
         for part, unit in parts
-        if noise.sigma[part].max() > _LEAST_NOISE
+        if noise.sigma[part].max() > LEAST_NOISE
     ]
     return f"noise of {' and '.join(texts)} in the log"
 

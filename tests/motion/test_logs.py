@@ -145,12 +145,18 @@ def test_dates_and_times_since_1970_are_times(tmp_path: Path, form: str) -> None
     same_poses(log(tmp_path, "\n".join(f"{a},{b}" for a, b in zip(times, rows, strict=True))))
 
 
+def test_times_of_day_continue_after_midnight(tmp_path: Path) -> None:
+    rows = text_of(NAMES[1:], TABLE[:, 1:]).splitlines()
+    times = [str(np.datetime64("2025-12-31T23:59:59.5", "ms") + round(1e3 * x))[11:] for x in TABLE[:, 0]]
+    same_poses(log(tmp_path, "\n".join(f"{a},{b}" for a, b in zip(["time", *times], rows, strict=True))))
+
+
 def test_rows_at_a_rate_have_times_also_behind_a_row_without_numbers(tmp_path: Path) -> None:
     lines = text_of(NAMES[1:], TABLE[:, 1:]).splitlines()
-    lines[10] = "0.1,,0.3,0,0,0"
+    lines[9], lines[10] = "0.1,0", "0.1,,0.3,0,0,0"
     found = read_log(log(tmp_path, "\n".join(lines)), Form(row_rate=20.0))
-    np.testing.assert_allclose(found.time, np.delete(TABLE[:, 0], 9), atol=1e-12)
-    assert list(found.rows[:10]) == [*range(2, 11), 12]
+    np.testing.assert_allclose(found.time, np.delete(TABLE[:, 0], [8, 9]), atol=1e-12)
+    assert list(found.rows[:10]) == [*range(2, 10), 12, 13]
 
 
 def test_poses_without_times_are_static(tmp_path: Path) -> None:
@@ -261,15 +267,27 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
     "no header": ("0,1,2,3\n1,2,3,4\n", Form(), ": line 1: no header line; name the columns"),
     "no rows": (HEAD + "\n", Form(), ": no rows of numbers below the header; add rows"),
     "few rows": ("\n".join(lines().splitlines()[:4]), Form(), ": too few rows for rates, 3; add rows"),
+    "JSON": ('{"time": [0, 1], "t_x": [1, 2]}', Form(), ": expected a CSV table, got JSON; write "),
+    "other cells": (HEAD + "\n1;2\n3;4\n", Form(), ": line 2: expected 7 cells as in the header; check "),
     "no numbers": (
-        HEAD + "\n" + "\n".join(["a,b,c,d,e,f,g12345678901"] * 9),
+        HEAD + "\n" + "\n".join(f"{i},0,0,nan,0,0,0" for i in range(9)),
         Form(),
-        ": line 2: no row of numbers; check delimiter and decimal",
+        ": line 2: column t_z: expected a number or a time, got 'nan'; check decimal",
+    ),
+    "other dates": (
+        HEAD + "\n" + "\n".join(f"31.12.2025 10:00:0{i},0,0,0,0,0,0" for i in range(9)),
+        Form(),
+        ": line 2: column time: expected a number or a time, got '31.12.2025 10:00:00'; check ",
+    ),
+    "other name of times": (
+        lines(line_1=HEAD.replace("time", "Zeit_ms")),
+        Form(),
+        ": no column of times; name it with columns time=Zeit_ms, or state row_rate",
     ),
     "missing column": (
         lines(line_1=HEAD.replace("theta_z", "turn")),
         Form(),
-        ": no column theta_z; name it with columns theta_z=HEADER",
+        ": no column theta_z; name it with columns theta_z=HEADER; other columns: turn",
     ),
     "two columns": (
         lines(line_1=HEAD.replace("theta_z", "Surge")),

@@ -1,6 +1,7 @@
 """Logs in another unit are rejected with the remedy; sound logs of machines from 1 mm to 10 m are read."""
 
 import dataclasses
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -143,6 +144,41 @@ def test_units_of_a_file_that_contradict_its_numbers_are_an_error_with_the_optio
     np.testing.assert_allclose(found.motion.t + found.motion.R @ robot.tool, t, atol=1e-6)
 
 
+Columns = Callable[[Array, Array, Array], Array]
+RELATIVE = ss.TrajectoryFormat(pose_mode="relative", length_mode="relative")
+
+
+@pytest.mark.parametrize(
+    ("columns", "names", "form", "text"),
+    [
+        (lambda t, theta, L: np.hstack([t - t[0], theta]), POSE, None, "state pose_mode=relative, or "),
+        (lambda t, theta, L: np.hstack([t, theta]), POSE, RELATIVE, "state pose_mode=absolute, or "),
+        (lambda t, theta, L: L - L[0], LENGTHS, None, "state length_mode=relative, or "),
+        (lambda t, theta, L: L, LENGTHS, RELATIVE, "state length_mode=absolute, or "),
+        (lambda t, theta, L: np.hstack([t[:, ::-1], theta]), POSE, None, "in the order z, y, x; exchange"),
+        (lambda t, theta, L: np.hstack([theta, t]), POSE, None, "by the columns of angles; exchange"),
+        (
+            lambda t, theta, L: np.hstack([1e3 * (t - t[0]), theta]),
+            POSE,
+            None,
+            "state length_unit=mm with pose_mode=relative, or ",
+        ),
+    ],
+)
+def test_modes_and_exchanged_columns_that_contradict_the_home_pose_are_named(
+    columns: Columns, names: list[str], form: ss.TrajectoryFormat | None, text: str, tmp_path: Path
+) -> None:
+    robot = MACHINES["mathworks2002"]
+    time, t, theta = moves(robot, np.random.default_rng(5))
+    L = leg_lengths(robot, rotation_from_rpy(theta), t)
+    path = log(tmp_path / "log.csv", time, columns(t, theta, L), names)
+    if form is None:
+        assert text in fault(robot, path)
+    else:
+        with pytest.warns(ss.TrajectoryWarning, match=text):
+            fault(robot, path, form)
+
+
 @pytest.mark.parametrize("command", ["forces", "identify"])
 def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path: Path, fails: Fails) -> None:
     robot = dasgupta()
@@ -152,5 +188,5 @@ def test_every_command_that_reads_a_log_names_its_option(command: str, tmp_path:
     given = ["--measured", path, path] if command == "identify" else [path]
     line = fails(command, tmp_path / "robot.toml", *given, "-o", tmp_path / "out.html")
     assert f"{path}: lengths of " in line
-    assert line.endswith("length_unit=mm, or length_unit=m if it is right")
+    assert line.endswith("--length-unit mm, or --length-unit m if it is right")
     assert not (tmp_path / "out.html").exists()
