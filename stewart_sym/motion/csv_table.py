@@ -118,13 +118,10 @@ def read_table(
         raise ValueError(f"{source}: expected a CSV table, got JSON; write a header line and rows of numbers")
     lines = text.splitlines()
     place, header, mark = _header(lines, source, None if delimiter is None else DELIMITERS[delimiter])
-    names, stated_units = zip(*map(split_unit, header), strict=True)
+    names, units = zip(*map(split_unit, header), strict=True)
     below = [i for i in range(place + 1, len(lines)) if lines[i].strip(' \t;,"') and lines[i][0] not in "#%"]
-    stated = dict(zip(names, stated_units, strict=True))
-    if below and (row := _cells(lines[below[0]], mark)) and _is_unit_row(row, len(names)):
-        stated = {
-            name: unit or cell.strip("[]() ") for (name, unit), cell in zip(stated.items(), row, strict=True)
-        }
+    if below and _is_unit_row(row := _cells(lines[below[0]], mark), len(names)):
+        units = tuple(unit or cell.strip("[]() ") for unit, cell in zip(units, row, strict=True))
         below = below[1:]
     if not below:
         raise ValueError(f"{source}: no rows of numbers below the header; add rows")
@@ -133,9 +130,11 @@ def read_table(
     comma = _has_decimal_comma(texts, mark) if decimal is None else decimal == "comma"
     widths = (len(_cells(text, mark)) if '"' in text else text.count(mark) + 1 for text in texts)
     right = np.array([width == len(names) for width in widths])
-    units = {name: unit for name, unit in stated.items() if unit}
     texts = list(itertools.compress(texts, right))
-    return CsvTable(source, names, units, numbers[right], numbers[~right], texts, mark, "," if comma else ".")
+    stated = {name: unit for name, unit in zip(names, units, strict=True) if unit}
+    return CsvTable(
+        source, names, stated, numbers[right], numbers[~right], texts, mark, "," if comma else "."
+    )
 
 
 def split_unit(cell: str) -> tuple[str, str]:

@@ -4,6 +4,7 @@ import dataclasses
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -180,7 +181,7 @@ def read_samples(
         None if time is None else time[rows],
         {name: np.stack([columns[each][rows] for each in components_of(name)], axis=-1) for name in vectors},
         {name: np.array([steps[each] for each in components_of(name)]) for name in vectors},
-        dataclasses.replace(form, **{kind: units[kind] for kind in UNITS}),  # type: ignore[arg-type]
+        dataclasses.replace(form, **{kind: units[kind] for kind in UNITS}),
         places,
         start,
     )
@@ -302,7 +303,7 @@ def _columns(table: CsvTable, form: TrajectoryFormat, vectors: Sequence[str]) ->
             )
         found[name] = plain
     for cell in [cell for cell in table.header if cell not in found.values()]:
-        known = _name_and_unit(cell)[0]
+        known = _known_name(cell)
         if known not in names or known in form.columns:
             continue
         if known in found:
@@ -312,14 +313,14 @@ def _columns(table: CsvTable, form: TrajectoryFormat, vectors: Sequence[str]) ->
     return found
 
 
-def _name_and_unit(cell: str) -> tuple[str | None, str]:
-    """Return the known name that a header cell stands for, or None, and a unit at its end such as ``_ms``."""
+def _known_name(cell: str) -> str | None:
+    """Return the known name that a header cell stands for, also with a unit at its end such as ``_ms``."""
     for text, unit in ((cell, ""), cell.rpartition("_")[::2]):
         plain = re.sub(r"[\s_.\-]", "", text).lower()
         name = text if text == "time" else _COMPONENTS.get(plain) or _ALIASES.get(plain)
         if name is not None and (not unit or plain_unit(unit, name) is not None):
-            return name, unit
-    return None, ""
+            return name
+    return None
 
 
 def _needed(table: CsvTable, found: Mapping[str, str]) -> list[str]:
@@ -363,36 +364,44 @@ def _complete(table: CsvTable, found: Mapping[str, str], vectors: list[str]) -> 
 
 def _units(
     table: CsvTable, found: Mapping[str, str], stated: TrajectoryFormat, defaults: TrajectoryFormat
-) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the units by kind, from the options, the header, or the robot file, and their origins."""
-    units = {kind: unit for kind in UNITS if (unit := getattr(stated, kind)) is not None}
-    places = {name: "the robot file" for name in _MODES if getattr(defaults, name)}
-    places |= {name: "the options" for name in (*_MODES, *units) if getattr(stated, name)}
-    header: dict[str, str] = {}
-    contradicted: set[str] = set()
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """Return units, modes, and columns from the options, the header, or the robot file, and their places."""
+    header: dict[str, Any] = {}
     for name, cell in found.items():
-        ending = cell.rpartition("_")[2]
-        text = table.units.get(cell) or _name_and_unit(cell)[1]
-        # A column that the format names may have a unit at its end as well.
-        text = text or (ending if plain_unit(ending, name) else "")
-        kind = _quantity(name)[0]
-        if not text or not kind:
-            continue
-        unit, place = plain_unit(text, name), f"{table.source}: column {cell}"
-        if unit is None:
-            known = ", ".join(_KNOWN_UNITS[kind])
-            raise ValueError(f"{place}: unknown unit {text!r}; convert it to one of {known}")
-        if header.setdefault(kind, unit) != unit:
-            raise ValueError(f"{place}: {unit} and {header[kind]} in one file; use one {kind}")
-        if units.get(kind, unit) != unit and kind not in contradicted:
-            contradicted.add(kind)
-            finding = f"{place}: unit {unit} contradicts {kind}={units[kind]}"
-            warn(f"{finding}, which is used; correct one of them", TrajectoryWarning)
+        unit, kind = _header_unit(table, cell, name), _quantity(name)[0]
+        if unit is not None and header.setdefault(kind, unit) != unit:
+            finding = f"{unit} and {header[kind]} in one file"
+            raise ValueError(f"{table.source}: column {cell}: {finding}; use one {kind}")
     for kind in UNITS:
-        for unit, place in ((header.get(kind), "the header"), (getattr(defaults, kind), "the robot file")):
-            if kind not in units and unit is not None:
-                units[kind], places[kind] = unit, place
-    return {**header, **units}, places
+        unit = getattr(stated, kind) or header.get(kind)
+        if header.get(kind, unit) != unit:
+            finding = f"{table.source}: the header unit {header[kind]} contradicts {kind}={unit}"
+            warn(f"{finding}, which is used; correct one of them", TrajectoryWarning)
+    units: dict[str, Any] = {}
+    places: dict[str, str] = {}
+    for place, given in (
+        ("the robot file", vars(defaults)),
+        ("the header", header),
+        ("the options", vars(stated)),
+    ):
+        present = {name: given[name] for name in (*_KNOWN_UNITS, *_MODES) if given.get(name)}
+        units |= present
+        places |= dict.fromkeys(present, place)
+    return units, places
+
+
+def _header_unit(table: CsvTable, cell: str, name: str) -> str | None:
+    """Return the unit of a column in brackets, in a row of units, or at the end of its header, or None."""
+    kind, text = _quantity(name)[0], table.units.get(cell)
+    if not text or not kind:
+        return plain_unit(cell.rpartition("_")[2], name)
+    unit = plain_unit(text, name)
+    if unit is None:
+        known = ", ".join(_KNOWN_UNITS[kind])
+        raise ValueError(
+            f"{table.source}: column {cell}: unknown unit {text!r}; convert it to one of {known}"
+        )
+    return unit
 
 
 def _quantity(name: str) -> tuple[str, int]:

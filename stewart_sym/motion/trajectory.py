@@ -93,10 +93,6 @@ class Uncertainty:
         found = np.stack([np.interp(time, self.grid, column) for column in flat.T], axis=-1)
         return found.reshape(-1, *self.covariance.shape[1:])
 
-    def variances(self, time: Array) -> Array:
-        """Return the variance of the value of each coordinate at n times, shape (n, 6)."""
-        return self.covariances(time)[..., 0]
-
 
 LEAST_NOISE = 1e-15
 """Noise (m, rad) below which a column is exact in messages."""

@@ -130,10 +130,10 @@ def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, traject
 def test_exchanged_files_are_named_and_remedies_are_options(
     robot: Path, trajectory: Path, fails: Fails
 ) -> None:
-    line = fails("forces", trajectory, robot)
+    line = fails("forces", trajectory, robot, "-o", "-")
     assert line.endswith(f"{trajectory}: expected a robot file (TOML); give the robot before the log")
     trajectory.write_text(trajectory.read_text().replace("theta_z", "turn", 1))
-    line = fails("forces", robot, trajectory)
+    line = fails("forces", robot, trajectory, "-o", "-")
     assert line.endswith("no column theta_z; name it with --columns theta_z=HEADER; other columns: turn")
 
 

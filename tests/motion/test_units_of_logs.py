@@ -161,7 +161,7 @@ RELATIVE = ss.TrajectoryFormat(pose_mode="relative", length_mode="relative")
             lambda t, theta, L: np.hstack([1e3 * (t - t[0]), theta]),
             POSE,
             None,
-            "state length_unit=mm with pose_mode=relative, or ",
+            "length_unit=mm with pose_mode=relative",
         ),
     ],
 )
