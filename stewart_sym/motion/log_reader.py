@@ -17,6 +17,8 @@ AS_SHOWN = SmoothingOptions()
 _ORDINARY, _POSSIBLE = (1e-3, 100.0), (3e-5, 1e5)
 # Range of the steps of loggers (s).
 _STEPS = (2e-4, 1.0)
+# Fraction of the speeds that are no outliers.
+_ALMOST_ALL = 0.98
 # Speed (m/s) below which accelerations may be too small because of the unit of time.
 _SLOW = 2e-3
 
@@ -57,6 +59,7 @@ def trajectory_of(
     progress(f"differentiating {len(samples.lines)} rows")
     in_joints = "L" in samples.vectors
     values, steps, order = _coordinates(samples)
+    _check_time_unit(samples, values)
     names = LENGTH_RATES if in_joints else RATES
     if samples.time is None:
         found, noise = np.stack([values, *np.zeros((2, *values.shape))]), None
@@ -68,7 +71,6 @@ def trajectory_of(
     else:
         found, noise = rates_of(samples, smoothing, values, steps)
     time = np.arange(float(len(values))) if samples.time is None else samples.time
-    _check_time_unit(samples, time, found)
     loads: dict[str, Any] = {name: samples.vectors[name] for name in LOADS if name in samples.vectors}
     noise = None if noise is None else replace(noise, order=order)
     lines = samples.lines.tolist()
@@ -115,16 +117,19 @@ def _coordinates(samples: LogSamples) -> tuple[Array, Array, str]:
     return np.hstack([vectors["t"], theta]), np.concatenate([samples.steps["t"], step]), order
 
 
-def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
-    """Raise ValueError, or warn, if accelerations are possible only in another unit of time."""
-    lengths = found[..., : 6 if "L" in samples.vectors else 3]
-    largest = float(np.abs(lengths[2]).max())
+def _check_time_unit(samples: LogSamples, values: Array) -> None:
+    """Raise ValueError, or warn, if coordinates, (n, 6), have possible accelerations only in another unit."""
+    time, lengths = samples.time, values[:, : 6 if "L" in samples.vectors else 3]
     # In millimeters, lengths and accelerations are a thousand times as large: their ratio depends on time.
-    size = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
-    low, high = _POSSIBLE
-    slow = largest < low * size and float(np.abs(lengths[1]).max()) < _SLOW * size
-    moves = float(np.ptp(lengths[0], axis=0).max()) > 1e-9 * size
-    if samples.time is None or not moves or not (slow or largest > high * size):
+    size = max(1.0, float(np.median(np.linalg.norm(lengths, axis=-1))))
+    span = float(np.ptp(lengths, axis=0).max())
+    if time is None or span <= 1e-9 * size:
+        return
+    speeds = np.linalg.norm(np.diff(lengths, axis=0), axis=-1) / np.diff(time)
+    speed = float(np.quantile(speeds, _ALMOST_ALL))
+    largest, (low, high) = speed**2 / span, _POSSIBLE
+    slow = largest < low * size and speed < _SLOW * size
+    if not slow and largest <= high * size:
         return
     unit = samples.file_format.time_unit or "s"
     step, present = float(np.median(np.diff(time))), TIME_UNITS[unit]
@@ -134,7 +139,7 @@ def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
         if _ORDINARY[0] * size <= largest * (present / each) ** 2 <= _ORDINARY[1] * size
         and _STEPS[0] <= step * each / present <= _STEPS[1]
     ]
-    finding = f"accelerations up to {largest:.2g} m/s^2 at steps of {step:.3g} s"
+    finding = f"accelerations of about {largest:.2g} m/s^2 at steps of {step:.3g} s"
     if not fits:
         if not slow:
             warn_of(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
