@@ -95,22 +95,11 @@ def read_table(
 ) -> CsvTable:
     """Read the text of a CSV file, and find its header.
 
-    Parameters
-    ----------
-    source : str
-        File with a header line. Blank lines, comments (``#`` or ``%``), and a line such as ``sep=;`` may be
-        above it; without it, the last comment above the numbers is the header. A row of units may follow.
-    delimiter : {"comma", "semicolon", "tab"}, optional
-        Delimiter; by default the mark that divides the header into most names.
-    decimal : {"point", "comma"}, optional
-        Decimal mark; by default a comma if numbers contain commas, no points, and other delimiters.
-    what : str
-        Kind of the file in messages.
-
-    Raises
-    ------
-    ValueError
-        If the file cannot be read, or has no header or no rows.
+    Blank lines, comments (``#`` or ``%``), and a line such as ``sep=;`` may be above the header; without a
+    header, the last comment above the numbers is used. A row of units may follow. By default, the delimiter
+    is the mark that divides the header into most names, and the decimal mark is a comma if numbers contain
+    commas, no points, and other delimiters. ``what`` is the kind of the file in messages. Raises ValueError
+    if the file cannot be read, or has no header or no rows.
     """
     with opened(source, what) as stream:
         text = _decoded(stream.read())

@@ -38,25 +38,9 @@ _GAP = 8.0
 def rates_of(
     log: LogSamples, options: SmoothingOptions, values: Array, steps: Array
 ) -> tuple[Array, Uncertainty | None]:
-    """Compute coordinates with rates and second rates, and their uncertainty.
+    """Compute coordinates with rates and second rates, (3, n, 6), and their uncertainty or None.
 
-    Parameters
-    ----------
-    log : LogSamples
-        Samples with their times.
-    options : SmoothingOptions
-        Known properties of the noise.
-    values : ndarray, shape (n, 6)
-        Poses or leg lengths (SI).
-    steps : ndarray, shape (6,)
-        Steps to which the values are rounded (SI).
-
-    Returns
-    -------
-    coordinates : ndarray, shape (3, n, 6)
-        Values, rates, and second rates.
-    uncertainty : Uncertainty or None
-        None if there is no noise.
+    ``values``, (n, 6), are poses or leg lengths (SI), which are rounded to ``steps``, (6,).
     """
     assert log.time is not None
     since = elapsed(log.time)

@@ -28,29 +28,9 @@ def trajectory_of(
 ) -> Trajectory:
     """Compute the trajectory of samples, with missing rates.
 
-    Parameters
-    ----------
-    samples : LogSamples
-        Samples of a file, see ``read_samples``.
-    smoothing : SmoothingOptions
-        Known properties of the noise.
-    progress : callable
-        Receives a text for each step.
-
-    Returns
-    -------
-    Trajectory
-        Coordinates as in the file: poses of the tool, or leg lengths.
-
-    Raises
-    ------
-    ValueError
-        If the samples are invalid; the message has one line with file, line, problem, and remedy.
-
-    Warns
-    -----
-    TrajectoryWarning
-        For an implausible unit, noise, rows without use, gaps, and rates that contradict positions.
+    Coordinates are as in the file: poses of the tool, or leg lengths. Raises ValueError if the samples are
+    invalid; the message has one line with file, line, problem, and remedy. Warns of an implausible unit,
+    noise, rows without use, gaps, and rates that contradict positions.
     """
     # SciPy is imported only for logs.
     from .log_rates import as_given, rates_of

@@ -120,34 +120,10 @@ def read_samples(
 ) -> LogSamples:
     """Read a CSV file of poses or leg lengths, or of forces or currents of the legs.
 
-    Parameters
-    ----------
-    source : str
-        Name of the file.
-    form : TrajectoryFormat
-        Format of the file.
-    defaults : TrajectoryFormat
-        Format for properties that neither ``form`` nor the header states. A file with standard columns uses
-        only its order of rotations.
-    forces : bool
-        True for a file of forces or currents.
-    forces : bool
-        True for a file of forces or currents.
-
-    Returns
-    -------
-    LogSamples
-        Samples in SI units.
-
-    Raises
-    ------
-    ValueError
-        If columns are missing, times do not increase, or more than half of the rows are not numbers.
-
-    Warns
-    -----
-    TrajectoryWarning
-        If rows are dropped, or units contradict each other.
+    ``defaults`` is the format for properties that neither ``form`` nor the header states. A file with
+    standard columns uses only its order of rotations. Raises ValueError if columns are missing, times do
+    not increase, or more than half of the rows are not numbers. Warns of dropped rows, and of units that
+    contradict each other.
     """
     table = read_table(source, form.delimiter, form.decimal)
     if _is_standard(table, defaults):

@@ -26,22 +26,10 @@ _BIAS = 0.05
 def rate_error(time: Array, found: Array) -> tuple[str, str | None]:
     """Compare the integrals of rates with changes of positions, and of second rates with changes of rates.
 
-    A linear drift, for example due to a bias of the rates, is no contradiction. The tolerance includes the
-    difference of two rules of integration, which is large for coarse samples.
-
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        Increasing times (s).
-    found : ndarray, shape (3, n, c)
-        Positions, rates, and second rates.
-
-    Returns
-    -------
-    text : str
-        Contradiction, or an empty text.
-    time_unit : str or None
-        Unit of time in which there is no contradiction.
+    ``found``, (3, n, c), are positions, rates, and second rates at increasing times (s). Returns the
+    contradiction or an empty text, and the unit of time in which there is none, or None. A linear drift,
+    for example due to a bias of the rates, is no contradiction. The tolerance includes the difference of
+    two rules of integration, which is large for coarse samples.
     """
     if len(time) < _FEWEST or not found[1:].any():
         return "", None

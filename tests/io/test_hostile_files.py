@@ -44,7 +44,7 @@ READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
     "robot": (ss.Robot.from_toml, ROBOT),
     "scene": (read_scene, SCENE),
     "motion": (read_log, POSES),
-    "forces": (lambda path: read_samples(str(path), forces=True), FORCES),
+    "forces": (lambda path: read_samples(os.fsdecode(path), forces=True), FORCES),
 }
 MASS = b"mass = 40.0"
 
