@@ -8,7 +8,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, warn_of
-from .rotation import angle_rates, motion_about_axes, rotation_about_axes
+from .rotation import rotation_about_axes
 from .trajectory import SmoothingOptions, Trajectory, turn_doubt
 from .trajectory_format import TIME_UNITS
 
@@ -44,7 +44,8 @@ def trajectory_of(
     if samples.time is None:
         found, noise = np.stack([values, *np.zeros((2, *values.shape))]), None
     elif names[0] in samples.vectors:
-        found = np.stack([values, *_given_rates(samples, values, order)])
+        rates = np.concatenate([samples.vectors[name] for name in names], axis=-1)
+        found = np.stack([values, *np.hsplit(rates, 2)])
         rounding = [samples.steps[name] for name in names]
         noise = as_given(samples, smoothing, found, [steps, *np.reshape(rounding, (2, 6))])
         _check_rates(samples, *rate_error(samples.time, found))
@@ -56,19 +57,6 @@ def trajectory_of(
     lines = samples.lines.tolist()
     log = Trajectory(time, None, samples.source, lines, noise, found, in_joints=in_joints, order=order)
     return replace(log, **loads)
-
-
-def _given_rates(samples: LogSamples, values: Array, order: str) -> tuple[Array, Array]:
-    """Return the rates and second rates of the file, with angles in another order of rotations."""
-    vectors = samples.vectors
-    if "L" in vectors:
-        return vectors["L_dot"], vectors["L_ddot"]
-    theta_dot, theta_ddot = vectors["theta_dot"], vectors["theta_ddot"]
-    if order != samples.file_format.rotation_order:
-        given = (vectors["theta"], theta_dot, theta_ddot, samples.file_format.rotation_order)
-        _, omega, alpha = motion_about_axes(*given)
-        theta_dot, theta_ddot = angle_rates(values[:, 3:], omega, alpha, order)
-    return np.hstack([vectors["v"], theta_dot]), np.hstack([vectors["a"], theta_ddot])
 
 
 def poses_of(samples: LogSamples) -> tuple[Array, Array]:

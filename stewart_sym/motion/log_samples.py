@@ -100,7 +100,7 @@ class LogSamples:
     def angles(self) -> tuple[Array, Array, str]:
         """Return unwrapped angles (rad), (n, 3), their steps, (3,), and the order of the rotations.
 
-        The order is changed if two rotations nearly have one axis.
+        Without rates, the order is changed if two rotations nearly have one axis.
         """
         order = self.file_format.euler_order or "zyx"
         if "q" in self.vectors:
@@ -109,7 +109,8 @@ class LogSamples:
             step = np.full(3, 2.0 * self.steps["q"].max() / np.median(np.linalg.norm(q, axis=-1)))
         else:
             theta, step = self.vectors["theta"], self.steps["theta"]
-            if rotation.distance_from_lock(theta, order).min() < rotation.FAR_FROM_LOCK:
+            near_lock = rotation.distance_from_lock(theta, order).min() < rotation.FAR_FROM_LOCK
+            if near_lock and "theta_dot" not in self.vectors:
                 theta, order = rotation.far_from_lock(rotation.rotation_about_axes(theta, order))
                 step = np.full(3, step.max())
         return np.unwrap(theta, axis=0), step, order
