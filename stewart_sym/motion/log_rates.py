@@ -226,4 +226,4 @@ def _coarse_columns(log: LogSamples, since: Array, found: Array, fitted: FittedR
             ratio = float((noise / least).max())
             finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
         warn_of(log, f"{finding}; accelerations are unknown; log {2 * _FEWEST_PER_PERIOD} rows or more")
-    return coarse
+    return np.asarray(coarse)

@@ -140,6 +140,7 @@ def read_samples(
     numbers, origin = _numbers(table, cells, found.get("time"))
     rows = _good_rows(table, cells, numbers, form.drop_lines)
     numbers, lines = numbers[rows], table.lines[rows]
+    time: Array | None
     if "time" in found:
         time, start, units["time_unit"] = _times(numbers[:, -1], origin, units.get("time_unit"))
     else:
@@ -183,7 +184,7 @@ def _good_rows(table: CsvTable, cells: Sequence[str], numbers: Array, drop_lines
     """Return the indices of rows of numbers without dropped lines, with a warning about other rows."""
     source = table.source
     finite = np.isfinite(numbers)
-    good = finite.all(axis=1)
+    good = np.asarray(finite.all(axis=1))
     dropped = np.sort(np.concatenate([table.dropped, table.lines[~good]]))
     most = _MOST_DROPPED * (len(good) + len(table.dropped))
     if len(table.dropped) > most:
