@@ -71,17 +71,19 @@ class CsvTable:
         place = self.header.index(name)
         return [_cells(text, self._delimiter)[place] for text in self._texts]
 
-    def instants(self, name: str) -> Instants | None:
+    def has_instants(self, name: str) -> bool:
+        """Return True if a column begins with a date, a time of day, or nanoseconds since 1970."""
+        cell = _cells(self._texts[0], self._delimiter)[self.header.index(name)] if self._texts else ""
+        return not np.isnat(_instant(cell)) and (not cell.isdigit() or len(cell) > _LONG)
+
+    def instants(self, name: str) -> Instants:
         """Return dates (ISO 8601), times of day, or nanoseconds since 1970; NaT for other cells.
 
-        Returns None if the column begins with a number of fewer digits, or with another text. Times of day
-        after midnight follow on those before.
+        Times of day after midnight follow the ones before.
         """
-        cell = _cells(self._texts[0], self._delimiter)[self.header.index(name)] if self._texts else ""
-        if np.isnat(_instant(cell)) or (cell.isdigit() and len(cell) <= _LONG):
-            return None
-        found = np.array([_instant(cell) for cell in self.cells(name)], "datetime64[ns]")
-        if cell[2:3] == ":":
+        cells = self.cells(name)
+        found = np.array([_instant(cell) for cell in cells], "datetime64[ns]")
+        if cells[0][2:3] == ":":
             known = ~np.isnat(found)
             found[known] = np.unwrap(found[known].astype(np.int64), period=_DAY).astype("datetime64[ns]")
         return found

@@ -171,9 +171,9 @@ def _numbers(table: CsvTable, cells: Sequence[str], clock: str | None) -> tuple[
     Dates and times of day of a column ``clock`` become seconds after the first one, which is returned (s); it
     is None for numbers.
     """
-    instants = None if clock is None else table.instants(clock)
-    if instants is None:
+    if clock is None or not table.has_instants(clock):
         return table.numbers(cells), None
+    instants = table.instants(clock)
     first = instants[np.argmin(np.isnat(instants))]
     since = (instants - first) / np.timedelta64(1, "ns") / 1e9
     origin = float((first - np.datetime64(0, "ns")) / np.timedelta64(1, "ns") / 1e9)
@@ -235,8 +235,8 @@ def _times_of_rows(
         return np.searchsorted(every, lines) / row_rate
     for cell in [cell for cell in table.header if cell not in found.values()]:
         unit = plain_unit(table.units.get(cell) or cell.rpartition("_")[2], "time")
-        if unit is not None or table.instants(cell) is not None:
-            remedy = f"name it with columns time={cell}, or state row_rate"
+        if unit is not None or table.has_instants(cell):
+            remedy = f"state columns time={cell}, or remove this column for poses at rest"
             raise ValueError(f"{table.source}: no column of times; {remedy}")
     finding = f"{table.source}: no column of times; the rows are poses at rest"
     remedy = "if they are samples over time, state row_rate or columns time=HEADER"
@@ -346,6 +346,8 @@ def _units(
     """Return units, modes, and columns from the options, the header, or the robot file, and their places."""
     header: dict[str, Any] = {}
     for name, cell in found.items():
+        if name == "time" and table.has_instants(cell):
+            continue
         unit, kind = _header_unit(table, cell, name), _quantity(name)[0]
         if unit is not None and header.setdefault(kind, unit) != unit:
             finding = f"{unit} and {header[kind]} in one file"

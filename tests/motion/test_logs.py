@@ -148,7 +148,9 @@ def test_dates_and_times_since_1970_are_times(tmp_path: Path, form: str) -> None
 def test_times_of_day_continue_after_midnight(tmp_path: Path) -> None:
     rows = text_of(NAMES[1:], TABLE[:, 1:]).splitlines()
     times = [str(np.datetime64("2025-12-31T23:59:59.5", "ms") + round(1e3 * x))[11:] for x in TABLE[:, 0]]
-    same_poses(log(tmp_path, "\n".join(f"{a},{b}" for a, b in zip(["time", *times], rows, strict=True))))
+    same_poses(
+        log(tmp_path, "\n".join(f"{a},{b}" for a, b in zip(["time [hh:mm:ss]", *times], rows, strict=True)))
+    )
 
 
 def test_rows_at_a_rate_have_times_also_behind_a_row_without_numbers(tmp_path: Path) -> None:
@@ -282,7 +284,7 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
     "other name of times": (
         lines(line_1=HEAD.replace("time", "Zeit_ms")),
         Form(),
-        ": no column of times; name it with columns time=Zeit_ms, or state row_rate",
+        ": no column of times; state columns time=Zeit_ms, or remove this column",
     ),
     "missing column": (
         lines(line_1=HEAD.replace("theta_z", "turn")),
