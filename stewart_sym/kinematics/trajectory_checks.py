@@ -72,11 +72,11 @@ def _home_error(robot: Robot, few: LogSamples) -> tuple[str, str] | None:
     if mode == "pose_mode" and not relative:
         for order in list(itertools.permutations("xyz"))[1:]:
             if _away(values[:, ["xyz".index(axis) for axis in order]], home, relative) < _CLOSE:
-                remedy = f"in the order {', '.join(order)}; exchange the headers with columns"
+                remedy = f"in the order {', '.join(order)}; correct them with columns t_x=HEADER"
         if "theta" in few.vectors:
             numbers = few.vectors["theta"] / ANGLE_UNITS[few.file_format.angle_unit or "rad"]
             if _away(numbers * LENGTH_UNITS[unit], home, relative) < _CLOSE:
-                remedy = "by the columns of angles; exchange the headers of positions and angles with columns"
+                remedy = "by the columns of angles; correct them with columns t_x=HEADER"
     if not remedy and _away(values, home, not relative) < _CLOSE:
         other, present = ("absolute", "relative") if relative else ("relative", "absolute")
         kind, remedy = mode, f"if {other}; state {mode}={other}, or {mode}={present} if it is right"

@@ -155,8 +155,8 @@ RELATIVE = ss.TrajectoryFormat(pose_mode="relative", length_mode="relative")
         (lambda t, theta, L: np.hstack([t, theta]), POSE, RELATIVE, "state pose_mode=absolute, or "),
         (lambda t, theta, L: L - L[0], LENGTHS, None, "state length_mode=relative, or "),
         (lambda t, theta, L: L, LENGTHS, RELATIVE, "state length_mode=absolute, or "),
-        (lambda t, theta, L: np.hstack([t[:, ::-1], theta]), POSE, None, "in the order z, y, x; exchange"),
-        (lambda t, theta, L: np.hstack([theta, t]), POSE, None, "by the columns of angles; exchange"),
+        (lambda t, theta, L: np.hstack([t[:, ::-1], theta]), POSE, None, "in the order z, y, x; correct"),
+        (lambda t, theta, L: np.hstack([theta, t]), POSE, None, "by the columns of angles; correct"),
         (
             lambda t, theta, L: np.hstack([1e3 * (t - t[0]), theta]),
             POSE,
