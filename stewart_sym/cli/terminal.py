@@ -20,7 +20,7 @@ _WIDTH = 24
 _PAUSE = 0.2
 _VALUED = "length_unit|angle_unit|time_unit|length_mode|pose_mode"
 """Parameters that messages state with a value."""
-_NAMED = "position_std|angle_std|drop_lines|row_rate|time_unit|length_unit"
+_NAMED = "position_std|angle_std|drop_lines|row_rate|time_unit|length_unit|length_mode"
 """Parameters that messages state without a value."""
 """Shortest time between two updates of the progress line (s)."""
 

@@ -71,12 +71,7 @@ def _coordinates(samples: LogSamples) -> tuple[Array, Array, str]:
     """Return lengths or poses, (n, 6), their steps of rounding, and the order of the rotations."""
     vectors = samples.vectors
     if "L" in vectors:
-        L = vectors["L"]
-        if np.any(L <= 0.0) and samples.file_format.length_mode != "relative":
-            i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
-            place = f"{samples.source}: line {samples.lines[i]}: L_{leg + 1}"
-            raise ValueError(f"{place}: {L[i, leg]:g} m is no length; use length_mode=relative for changes")
-        return L, samples.steps["L"], "zyx"
+        return vectors["L"], samples.steps["L"], "zyx"
     theta, step, order = samples.angles()
     doubt = turn_doubt(theta)
     if doubt is not None:

@@ -217,6 +217,8 @@ def test_poses_and_lengths_relative_to_the_home_pose_become_absolute(tmp_path: P
     path = log(tmp_path, text_of(["time", *LENGTHS], lengths))
     relative = Form(length_mode="relative")
     np.testing.assert_allclose(read_log_of(robot, path, relative).lengths[0], L, atol=2e-6)
+    path_of_zero = write(tmp_path / "zero.csv", ["time", *LENGTHS], np.zeros((9, 7)) + np.arange(9)[:, None])
+    rejects("line 2: L_1: 0 m is no length; check length_mode", read_log_of, robot, path_of_zero)
     bare = dataclasses.replace(robot, home_position=None)
     rejects("relative coordinates; add home_position", read_log_of, bare, path, relative)
 
@@ -323,11 +325,6 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
         ": line 5: time: 0.01 follows 0.1; sort the rows or drop the line",
     ),
     "rate and times": (lines(), Form(row_rate=5.0), ": row_rate: the file has times; omit row_rate"),
-    "negative length": (
-        text_of(["time", *LENGTHS], np.full((9, 7), -1.0) * np.arange(9)[:, None] * [-1, 1, 1, 1, 1, 1, 1]),
-        Form(),
-        ": line 2: L_1: 0 m is no length; use length_mode=relative for changes",
-    ),
 }
 
 
