@@ -126,20 +126,18 @@ def _check_options(log: LogSamples, options: SmoothingOptions, assumed: Array, e
 
 def _stated(log: LogSamples, options: SmoothingOptions) -> Array:
     """Return the stated standard deviation of each coordinate; NaN if none is stated."""
-    names = ("L", "L") if "L" in log.vectors else ("t", "theta")
-    stated = [options.angle_std if name == "theta" else options.position_std for name in names]
+    stated = (options.position_std, options.position_std if "L" in log.vectors else options.angle_std)
     return np.repeat([math.nan if each is None else each for each in stated], 3)
 
 
 def breaks(since: Array) -> list[int]:
     """Return the index of the first sample after each gap."""
     step = np.diff(since)
-    gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1 if step.size else step
-    edges = [0, *gaps.astype(int).tolist(), len(since)]
+    gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1
+    edges = [0, *gaps.tolist(), len(since)]
     # A spline requires a few rows on both sides.
-    if any(b - a < FEWEST_ROWS for a, b in itertools.pairwise(edges)):
-        return []
-    return edges[1:-1]
+    enough = all(b - a >= FEWEST_ROWS for a, b in itertools.pairwise(edges))
+    return edges[1:-1] if enough else []
 
 
 def _interpolated(since: Array, values: Array, at: Array | None = None) -> Array:

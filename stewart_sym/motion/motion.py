@@ -221,14 +221,11 @@ class Motion(Frozen):
             Position of the reference point in the base frame (m).
         theta : array_like, shape (..., 3)
             Angles (theta_x, theta_y, theta_z) (rad), R = Rz(theta_z) Ry(theta_y) Rx(theta_x).
-        v : array_like, shape (..., 3)
-            Velocity of the reference point in the base frame (m/s).
-        theta_dot : array_like, shape (..., 3)
-            Time derivatives of the angles (rad/s), which differ from the angular velocity.
-        a : array_like, shape (..., 3), optional
-            Acceleration of the reference point in the base frame (m/s^2).
-        theta_ddot : array_like, shape (..., 3), optional
-            Second time derivatives of the angles (rad/s^2); required if and only if a is given.
+        v, theta_dot : array_like, shape (..., 3)
+            Velocity of the reference point (m/s), and time derivatives of the angles (rad/s), which differ
+            from the angular velocity.
+        a, theta_ddot : array_like, shape (..., 3), optional
+            Their time derivatives; required if and only if the other one is given.
         F_ext, M_ext : array_like, shape (..., 3), optional
             Load, as in ``Motion``.
 
