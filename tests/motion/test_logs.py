@@ -217,8 +217,9 @@ def test_poses_and_lengths_relative_to_the_home_pose_become_absolute(tmp_path: P
     path = log(tmp_path, text_of(["time", *LENGTHS], lengths))
     relative = Form(length_mode="relative")
     np.testing.assert_allclose(read_log_of(robot, path, relative).lengths[0], L, atol=2e-6)
-    path_of_zero = write(tmp_path / "zero.csv", ["time", *LENGTHS], np.zeros((9, 7)) + np.arange(9)[:, None])
-    rejects("line 2: L_1: 0 m is no length; check length_mode", read_log_of, robot, path_of_zero)
+    L[3, 1] = -0.1
+    wrong = write(tmp_path / "wrong.csv", ["time", *LENGTHS], np.column_stack([TABLE[:, 0], L]))
+    rejects("line 5: L_2: -0.1 m is no length; check length_mode", read_log_of, robot, wrong)
     bare = dataclasses.replace(robot, home_position=None)
     rejects("relative coordinates; add home_position", read_log_of, bare, path, relative)
 
