@@ -26,7 +26,12 @@ FEW_ROWS = 10
 
 def robot_of(source: Path) -> ss.Robot:
     """Read the robot of a file, and warn of implausible values."""
-    robot = ss.Robot.from_toml(source)
+    try:
+        robot = ss.Robot.from_toml(source)
+    except ValueError as error:
+        if source.suffix.lower() not in (".csv", ".txt", ".dat", ".log"):
+            raise
+        raise ValueError(f"{source}: expected a robot file (TOML); give the robot before the log") from error
     warn_of_doubts(robot, source)
     return robot
 

@@ -3,6 +3,7 @@
 import contextlib
 import math
 import os
+import re
 import shutil
 import sys
 import time
@@ -17,6 +18,10 @@ PROGRAM = "stewart-sym"
 _WIDTH = 24
 """Width of the progress bar (characters)."""
 _PAUSE = 0.2
+_VALUED = "length_unit|angle_unit|time_unit|length_mode|pose_mode"
+"""Parameters that messages state with a value."""
+_NAMED = "position_std|angle_std|drop_lines|row_rate|time_unit|length_unit|length_mode"
+"""Parameters that messages state without a value."""
 """Shortest time between two updates of the progress line (s)."""
 
 
@@ -86,7 +91,16 @@ def one_line(error: object) -> str:
         text = f"out of memory: {error}".removesuffix(": ")
     elif isinstance(error, OSError) and error.strerror:
         text = f"{error.filename or 'standard output'}: {error.strerror}"
-    return safe_text(" ".join(text.split())) or type(error).__name__
+    return safe_text(as_options(" ".join(text.split()))) or type(error).__name__
+
+
+def as_options(text: str) -> str:
+    """Replace names of parameters in the remedy of a message by options, such as ``--length-unit mm``."""
+    finding, mark, remedy = text.partition("; ")
+    remedy = re.sub(rf"\b({_VALUED})=(\w+)", r"--\1 \2", remedy)
+    remedy = re.sub(r"\bcolumns (?=\w+=)", "--columns ", remedy)
+    remedy = re.sub(rf"(?<!-)\b({_NAMED})\b", r"--\1", remedy)
+    return finding + mark + re.sub(r"--\w+", lambda option: option[0].replace("_", "-"), remedy)
 
 
 def give_up_stdout() -> None:

@@ -50,11 +50,14 @@ def log_of(
     Relative coordinates become absolute. Raises the errors of ``trajectory_of``. Warns if numbers do not fit
     the robot.
     """
-    log, form = trajectory_of(samples, smoothing, progress), samples.file_format
-    if form.length_mode == "relative" and log.in_joints:
-        log = _with_home(robot, log, leg_lengths(robot, np.eye(3), _home(robot, log.source)))
-    if form.pose_mode == "relative" and not log.in_joints:
-        log = _with_home(robot, log, np.concatenate([_home(robot, log.source) + robot.tool, np.zeros(3)]))
+    form, home = samples.file_format, np.zeros(6)
+    if "L" in samples.vectors:
+        if form.length_mode == "relative":
+            home = leg_lengths(robot, np.eye(3), _home(robot, samples.source))
+        _need_lengths(samples, home)
+    elif form.pose_mode == "relative":
+        home[:3] = _home(robot, samples.source) + robot.tool
+    log = _with_home(trajectory_of(samples, smoothing, progress), home)
     log = log.of_tool(robot.tool)
     for doubt in log_doubts(robot, log):
         warn(f"{log.source}: {doubt}", TrajectoryWarning)
@@ -78,14 +81,21 @@ def _home(robot: Robot, source: str) -> Array:
     return robot.home_position
 
 
-def _with_home(robot: Robot, log: Trajectory, home: Array) -> Trajectory:
+def _need_lengths(samples: LogSamples, home: Array) -> None:
+    """Raise ValueError unless leg lengths, with added lengths at home (m), (6,), are > 0."""
+    L = samples.vectors["L"] + home
+    if np.any(L <= 0.0):
+        i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
+        place = f"{samples.source}: line {samples.lines[i]}: L_{leg + 1}"
+        raise ValueError(f"{place}: {L[i, leg]:g} m is no length; check length_mode and length_unit")
+
+
+def _with_home(log: Trajectory, home: Array) -> Trajectory:
     """Return the log with coordinates, shape (6,), added to its values."""
+    if not home.any():
+        return log
     assert log.coordinates is not None
     found = log.coordinates.copy()
     found[0] += home
-    if log.in_joints and np.any(found[0] <= 0.0):
-        i, leg = (int(index) for index in np.argwhere(found[0] <= 0.0)[0])
-        place = f"{log.source}: line {log.rows[i]}: L_{leg + 1}"
-        raise ValueError(f"{place}: length {found[0, i, leg]:g} m with the length at home; check length_unit")
     noise = None if log.noise is None else replace(log.noise, coordinates=found)
     return replace(log, coordinates=found, noise=noise)

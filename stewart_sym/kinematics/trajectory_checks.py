@@ -1,5 +1,6 @@
 """Plausibility checks of a robot's log: units of lengths and angles, and the side of the base."""
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -11,7 +12,7 @@ from ..motion.log_samples import LogSamples
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import MOST_TURNS, Trajectory, angle_range
-from ..motion.trajectory_format import LENGTH_UNITS, TrajectoryWarning
+from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS, TrajectoryWarning
 from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
 from .mounting import platform_side
@@ -25,6 +26,8 @@ _NEAR = 0.2
 # Plausible ranges of leg lengths relative to the machine size and to the longest leg, and the usual range,
 # which determines the suggested units.
 _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0)
+# Typical distances from home, relative to the home position, that contradict it and that agree with it.
+_FAR, _CLOSE = 0.5, 0.2
 LEAST_TURN = 0.5
 """Smallest range of an angle (rad) that is checked for degrees."""
 
@@ -45,29 +48,83 @@ _RANGE = (0.05, 0.95)
 
 
 def need_units(robot: Robot, log: LogSamples) -> None:
-    """Raise ValueError with the remedy if numbers fit the robot only in another unit.
+    """Raise ValueError with the remedy if numbers fit the robot only in another unit, mode, or column.
 
-    A unit that the options state is used, with a warning.
+    Units, modes, and columns that the options state are used, with a warning.
     """
     some = np.linspace(0, len(log.lines) - 1, min(len(log.lines), _SOME)).astype(np.int64)
     few = replace(log, lines=log.lines[some], vectors={name: x[some] for name, x in log.vectors.items()})
-    found = [_length_error(robot, few)]
-    found += [_angle_error(robot, log, few)] if "theta" in log.vectors else []
+    found = [_angle_error(robot, log, few)] if "theta" in log.vectors else []
+    found.append(_home_error(robot, few) or _length_error(robot, few))
     for kind, error in filter(None, found):
-        if log.unit_places.get(kind) != "the options":
+        if log.places.get(kind) != "the options":
             raise ValueError(error)
         warn(error, TrajectoryWarning)
+
+
+def _home_error(robot: Robot, few: LogSamples) -> tuple[str, str] | None:
+    """Return "columns" or a mode, and an error text, if only another column or mode is near the home pose."""
+    home, mode, values = _home_and_values(robot, few)
+    relative = getattr(few.file_format, mode) == "relative"
+    if home is None or _away(values, home, relative) < _FAR:
+        return None
+    kind, remedy, unit = "columns", "", few.file_format.length_unit or "m"
+    if mode == "pose_mode" and not relative:
+        for order in list(itertools.permutations("xyz"))[1:]:
+            if _away(values[:, ["xyz".index(axis) for axis in order]], home, relative) < _CLOSE:
+                remedy = f"in the order {', '.join(order)}; correct them with columns t_x=HEADER"
+        if "theta" in few.vectors:
+            numbers = few.vectors["theta"] / ANGLE_UNITS[few.file_format.angle_unit or "rad"]
+            if _away(numbers * LENGTH_UNITS[unit], home, relative) < _CLOSE:
+                remedy = "by the columns of angles; correct them with columns t_x=HEADER"
+    if not remedy and _away(values, home, not relative) < _CLOSE:
+        other, present = ("absolute", "relative") if relative else ("relative", "absolute")
+        kind, remedy = mode, f"if {other}; state {mode}={other}, or {mode}={present} if it is right"
+    if not remedy:
+        return None
+    got, expected = (_vector_text(each) for each in (np.median(values, axis=0), home))
+    return kind, f"{few.source}: typical values {got} m fit the home values {expected} m only {remedy}"
+
+
+def _home_and_values(robot: Robot, few: LogSamples) -> tuple[Array | None, str, Array]:
+    """Return the coordinates at home (m), the name of the mode, and the samples (m), (n, 3) or (n, 6).
+
+    The coordinates are None if the home position is unknown or near the origin of the base.
+    """
+    home = robot.home_position
+    if "L" in few.vectors:
+        at_home = None if home is None else leg_lengths(robot, np.eye(3), home)
+        return at_home, "length_mode", few.vectors["L"]
+    near = home is None or np.linalg.norm(home + robot.tool) < _NEAR * np.ptp(robot.b, axis=0).max()
+    return None if home is None or near else home + robot.tool, "pose_mode", few.vectors["t"]
+
+
+def _away(values: Array, home: Array, relative: bool) -> float:
+    """Return the typical distance of samples, (n, k), from home, relative to the size of its coordinates."""
+    distance = np.linalg.norm(values if relative else values - home, axis=-1)
+    return float(np.median(distance) / np.linalg.norm(home))
+
+
+def _vector_text(values: Array) -> str:
+    return f"({', '.join(f'{value:.3g}' for value in values)})"
 
 
 def _length_error(robot: Robot, few: LogSamples) -> tuple[str, str] | None:
     """Return "length_unit" and an error text if lengths fit the robot only in another unit."""
     unit = few.file_format.length_unit or "m"
-    factor = LENGTH_UNITS[unit]
-    fits = [name for name, each in LENGTH_UNITS.items() if _fits(robot, few, each / factor)]
-    if not fits or unit in fits:
+    times = {name: each / LENGTH_UNITS[unit] for name, each in LENGTH_UNITS.items()}
+    fits = [name for name in LENGTH_UNITS if _fits(robot, few, times[name])]
+    if unit in fits:
         return None
     text = _beside_size(robot, _lengths(robot, few, 1.0))[3]
-    return "length_unit", _other_unit(few, "length_unit", text, fits)
+    home, mode, values = _home_and_values(robot, few)
+    if home is not None:
+        relative = getattr(few.file_format, mode) == "relative"
+        near = [name for name in fits if _away(times[name] * values, home, relative) < _FAR]
+        other = [name for name in LENGTH_UNITS if _away(times[name] * values, home, not relative) < _CLOSE]
+        with_mode = [f"{name} with {mode}={'absolute' if relative else 'relative'}" for name in other]
+        fits = near or [*fits, *with_mode]
+    return ("length_unit", _other_unit(few, "length_unit", text, fits)) if fits else None
 
 
 def _lengths(robot: Robot, few: LogSamples, times: float) -> Array:
@@ -110,22 +167,31 @@ def _angle_error(robot: Robot, log: LogSamples, few: LogSamples) -> tuple[str, s
     """Return "angle_unit" and an error text if angles fit the robot only in degrees."""
     theta = np.unwrap(log.vectors["theta"], axis=0)
     spans = np.ptp(np.quantile(theta, _RANGE, axis=0), axis=0)
-    if spans.max() <= LEAST_TURN or log.file_format.angle_unit != "rad":
+    if log.file_format.angle_unit != "rad":
         return None
     in_degrees = replace(few, vectors=few.vectors | {"theta": np.radians(few.vectors["theta"])})
-    wrong = np.any(spans > MOST_TURNS) or impossible(robot, *_poses(robot, few, 1.0)) is not None
-    if not wrong or impossible(robot, *_poses(robot, in_degrees, 1.0)) is not None:
+    t, R = _poses(robot, few, 1.0)
+    wrong = _far_beyond(robot, leg_lengths(robot, R, t))
+    wrong = wrong or (spans.max() > LEAST_TURN and impossible(robot, t, R) is not None)
+    wrong = wrong and impossible(robot, *_poses(robot, in_degrees, 1.0)) is None
+    if not wrong and np.all(spans <= MOST_TURNS):
         return None
     axis = int(np.argmax(spans))
     finding = f"{angle_range(theta, axis)}, which the legs allow only in degrees"
     return "angle_unit", _other_unit(few, "angle_unit", finding, ["deg"])
 
 
+def _far_beyond(robot: Robot, lengths: Array) -> bool:
+    """Return True if leg lengths (m) exceed their limits by more than a stroke."""
+    low, high = robot.length_limits.T
+    return bool(np.any(np.maximum(low - lengths, lengths - high) > high - low))
+
+
 def _other_unit(log: LogSamples, kind: str, finding: str, units: Sequence[str]) -> str:
     """Return the error text for numbers that fit other units."""
     unit = getattr(log.file_format, kind)
     remedies = " or ".join(f"{kind}={each}" for each in units)
-    place = log.unit_places.get(kind)
+    place = log.places.get(kind)
     stated = f" ({unit} in {place})" if place else ""
     return f"{log.source}: {finding}{stated}; state {remedies}, or {kind}={unit} if it is right"
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array
 from ..io.toml_reader import opened
 
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
@@ -18,15 +18,20 @@ DECIMALS = {"point": ".", "comma": ","}
 
 # Number of lines that are converted together.
 _PART = 4096
-# Number of digits of nanoseconds since 1970, which a double cannot represent.
+# Number of digits that a double represents; nanoseconds since 1970 have more.
 _LONG = 16
 _BETWEEN_NUMBERS = re.compile(r"[\s;]+|,(?=\s|[-+\d])")
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?")
 _INSTANT = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ])?(\d\d:\d\d:\d\d(?:\.\d{1,9})?)(?:Z|[-+]\d\d:?\d\d)?")
 _UNIT = re.compile(r"(.*?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]")
 
+# Nanoseconds of a day.
+_DAY = 86_400_000_000_000
+
 Lines = NDArray[np.int64]
 """Line numbers, from 1."""
+Instants = NDArray[np.datetime64]
+"""Dates, or times of day on 1970-01-01."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,36 +61,32 @@ class CsvTable:
     _delimiter: str
     _decimal: str
 
-    def columns(self, names: Sequence[str], clock: str | None = None) -> tuple[dict[str, Array], Flags]:
-        """Convert some columns to numbers.
-
-        Parameters
-        ----------
-        names : sequence of str
-            Names of ``header``.
-        clock : str, optional
-            Column of dates, times of day, or nanoseconds, which becomes seconds since the first row.
-
-        Returns
-        -------
-        dict of str to ndarray, shape (m,)
-            Numbers of the good rows.
-        good : ndarray of bool, shape (n,)
-            True for rows whose cells are all finite numbers.
-        """
-        names = [name for name in names if name != clock]
+    def numbers(self, names: Sequence[str]) -> Array:
+        """Return the numbers of columns of ``header``, shape (n, len(names)), NaN for other cells."""
         places = [self.header.index(name) for name in names]
-        found = dict(zip(names, _numbers(self._texts, places, self._delimiter, self._decimal).T, strict=True))
-        if clock is not None:
-            place = self.header.index(clock)
-            found[clock] = _seconds([_cells(text, self._delimiter)[place] for text in self._texts])
-        good = np.logical_and.reduce([np.isfinite(column) for column in found.values()])
-        return {name: column[good] for name, column in found.items()}, good
+        return _numbers(self._texts, places, self._delimiter, self._decimal)
+
+    def cells(self, name: str) -> list[str]:
+        """Return the texts of a column of ``header``, length n."""
+        place = self.header.index(name)
+        return [_cells(text, self._delimiter)[place] for text in self._texts]
 
     def has_instants(self, name: str) -> bool:
         """Return True if a column begins with a date, a time of day, or nanoseconds since 1970."""
         cell = _cells(self._texts[0], self._delimiter)[self.header.index(name)] if self._texts else ""
         return not np.isnat(_instant(cell)) and (not cell.isdigit() or len(cell) > _LONG)
+
+    def instants(self, name: str) -> Instants:
+        """Return dates (ISO 8601), times of day, or nanoseconds since 1970; NaT for other cells.
+
+        Times of day after midnight follow the ones before.
+        """
+        cells = self.cells(name)
+        found = np.array([_instant(cell) for cell in cells], "datetime64[ns]")
+        if cells[0][2:3] == ":":
+            known = ~np.isnat(found)
+            found[known] = np.unwrap(found[known].astype(np.int64), period=_DAY).astype("datetime64[ns]")
+        return found
 
 
 def read_table(
@@ -96,34 +97,22 @@ def read_table(
 ) -> CsvTable:
     """Read the text of a CSV file, and find its header.
 
-    Parameters
-    ----------
-    source : str
-        File with a header line. Blank lines, comments (``#`` or ``%``), and a line such as ``sep=;`` may be
-        above it; without it, the last comment above the numbers is the header. A row of units may follow.
-    delimiter : {"comma", "semicolon", "tab"}, optional
-        Delimiter; by default the mark that divides the header into most names.
-    decimal : {"point", "comma"}, optional
-        Decimal mark; by default a comma if numbers contain commas, no points, and other delimiters.
-    what : str
-        Kind of the file in messages.
-
-    Raises
-    ------
-    ValueError
-        If the file cannot be read, or has no header or no rows.
+    Blank lines, comments (``#`` or ``%``), and a line such as ``sep=;`` may be above the header; without a
+    header, the last comment above the numbers is used. A row of units may follow. By default, the delimiter
+    is the mark that divides the header into most names, and the decimal mark is a comma if numbers contain
+    commas, no points, and other delimiters. ``what`` is the kind of the file in messages. Raises ValueError
+    if the file cannot be read, or has no header or no rows.
     """
     with opened(source, what) as stream:
         text = _decoded(stream.read())
+    if text.lstrip().startswith(("{", "[{", "[[")):
+        raise ValueError(f"{source}: expected a CSV table, got JSON; write a header line and rows of numbers")
     lines = text.splitlines()
     place, header, mark = _header(lines, source, None if delimiter is None else DELIMITERS[delimiter])
-    names, stated_units = zip(*map(split_unit, header), strict=True)
+    names, units = zip(*map(split_unit, header), strict=True)
     below = [i for i in range(place + 1, len(lines)) if lines[i].strip(' \t;,"') and lines[i][0] not in "#%"]
-    stated = dict(zip(names, stated_units, strict=True))
-    if below and (row := _cells(lines[below[0]], mark)) and _is_unit_row(row, len(names)):
-        stated = {
-            name: unit or cell.strip("[]() ") for (name, unit), cell in zip(stated.items(), row, strict=True)
-        }
+    if below and _is_unit_row(row := _cells(lines[below[0]], mark), len(names)):
+        units = tuple(unit or cell.strip("[]() ") for unit, cell in zip(units, row, strict=True))
         below = below[1:]
     if not below:
         raise ValueError(f"{source}: no rows of numbers below the header; add rows")
@@ -132,9 +121,11 @@ def read_table(
     comma = _has_decimal_comma(texts, mark) if decimal is None else decimal == "comma"
     widths = (len(_cells(text, mark)) if '"' in text else text.count(mark) + 1 for text in texts)
     right = np.array([width == len(names) for width in widths])
-    units = {name: unit for name, unit in stated.items() if unit}
     texts = list(itertools.compress(texts, right))
-    return CsvTable(source, names, units, numbers[right], numbers[~right], texts, mark, "," if comma else ".")
+    stated = {name: unit for name, unit in zip(names, units, strict=True) if unit}
+    return CsvTable(
+        source, names, stated, numbers[right], numbers[~right], texts, mark, "," if comma else "."
+    )
 
 
 def split_unit(cell: str) -> tuple[str, str]:
@@ -218,14 +209,6 @@ def _numbers(texts: Sequence[str], places: list[int], delimiter: str, decimal: s
                 plain = [is_number(each) and "," not in each for each in numbers]
                 found[i] = [float(x) if good else np.nan for x, good in zip(numbers, plain, strict=True)]
     return found
-
-
-def _seconds(cells: Sequence[str]) -> Array:
-    """Convert dates (ISO 8601), times of day, or integers of nanoseconds to seconds since the first one."""
-    instants = np.array([_instant(cell) for cell in cells], "datetime64[ns]")
-    missing = np.isnat(instants)
-    since = (instants - instants[np.argmin(missing)]) / np.timedelta64(1, "ns")
-    return np.where(missing, np.nan, since) / 1e9
 
 
 def _instant(text: str) -> np.datetime64:

@@ -12,15 +12,13 @@ from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
 from .spline import DEGREE, PAIRS, SmoothCurves
-from .trajectory import Replaced, SmoothingOptions, Uncertainty, noise_text
+from .trajectory import LEAST_NOISE, Replaced, SmoothingOptions, Uncertainty, noise_text
 
 # Number of rows per period below which accelerations are inaccurate, and range of a moving column in standard
 # deviations of its noise.
 _FEWEST_PER_PERIOD, _VISIBLE = 6, 50.0
 # Ratio of the noise of columns, and fraction of the range, from which noise may be a fast motion.
 _UNLIKE, _TAKEN_FOR_NOISE = 30.0, 0.05
-# Ratio of removed differences to the scatter of adjacent rows from which a cut-off frequency removes motion.
-_REMOVED = 3.0
 FEWEST_ROWS = 4
 """Number of rows that a spline requires."""
 _FEWEST_SMOOTHED = 12
@@ -31,6 +29,8 @@ _VARIANCES = [0, 2, 5]
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
+# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction.
+_CONTRADICTS = 5.0
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
 
@@ -38,25 +38,9 @@ _GAP = 8.0
 def rates_of(
     log: LogSamples, options: SmoothingOptions, values: Array, steps: Array
 ) -> tuple[Array, Uncertainty | None]:
-    """Compute coordinates with rates and second rates, and their uncertainty.
+    """Compute coordinates with rates and second rates, (3, n, 6), and their uncertainty or None.
 
-    Parameters
-    ----------
-    log : LogSamples
-        Samples with their times.
-    options : SmoothingOptions
-        Known properties of the noise.
-    values : ndarray, shape (n, 6)
-        Poses or leg lengths (SI).
-    steps : ndarray, shape (6,)
-        Steps to which the values are rounded (SI).
-
-    Returns
-    -------
-    coordinates : ndarray, shape (3, n, 6)
-        Values, rates, and second rates.
-    uncertainty : Uncertainty or None
-        None if there is no noise.
+    ``values``, (n, 6), are poses or leg lengths (SI), which are rounded to ``steps``, (6,).
     """
     assert log.time is not None
     since = elapsed(log.time)
@@ -64,12 +48,16 @@ def rates_of(
         raise ValueError(
             f"{log.source}: too few rows for rates, {len(since)}; add rows, or columns of all rates"
         )
-    rounding = steps / math.sqrt(12.0)
-    if not options.enabled or len(since) < _FEWEST_SMOOTHED:
+    if not options.enabled:
+        return _interpolated(since, values), None
+    rounding, stated = steps / math.sqrt(12.0), _stated(log, options)
+    if len(since) < _FEWEST_SMOOTHED:
         found = _interpolated(since, values)
-        return found, _of_rounding(log, found, rounding) if options.enabled else None
-    stated = _stated(log, options)
+        return found, _of_few_rows(log, found, stated, rounding)
     fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
+    if options.cutoff_frequency is not None or not np.isnan(stated).all():
+        estimated = fit_good_rows(since, values, None, rounding).curves.noise_std
+        _check_options(log, options, fitted.curves.noise_std, estimated)
     used = ~(fitted.outliers | fitted.frozen)
     _warn_of_rows(log, used, fitted)
     found = fitted.curves.evaluate(since)
@@ -84,8 +72,6 @@ def rates_of(
     fastest = _SECOND_RATE * fitted.curves.noise_std / float(np.median(np.diff(since))) ** 2
     unknown = np.mean(found[2] ** 2, axis=0) + fastest**2
     uncertainty.covariance[:, coarse, -1] += unknown[coarse]
-    if options.cutoff_frequency is not None:
-        _warn_of_cutoff(log, values[used], fitted.curves.noise_std)
     if uncertainty.sigma[~clean].any():
         remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
         warn_of(log, f"{noise_text(uncertainty)}; the columns are smoothed{remedy}")
@@ -99,30 +85,59 @@ def as_given(
     sigma = np.array(steps) / math.sqrt(12.0)
     stated = _stated(log, options)
     sigma[0] = np.where(np.isnan(stated), sigma[0], stated)
-    if not sigma.any() or not options.enabled:
-        return None
+    return _constant(log, found, sigma) if options.enabled else None
+
+
+def _of_few_rows(log: LogSamples, found: Array, stated: Array, rounding: Array) -> Uncertainty | None:
+    """Return the uncertainty of interpolated rows that are too few for an estimate of their noise."""
+    unknown = np.isnan(stated) & (np.ptp(found[0], axis=0) > 0.0)
+    noise = np.where(np.isnan(stated), rounding, stated)
+    sigma = np.sqrt(_interpolated_variances(log.time, noise)).T
+    # Limits are then undecided.
+    sigma[2] = np.hypot(sigma[2], np.where(unknown, np.abs(found[2]).max(axis=0), 0.0))
+    if unknown.any():
+        finding = f"{len(found[0])} rows are too few for an estimate of their noise"
+        warn_of(log, f"{finding}; accelerations are unknown; add rows, or state position_std")
+    return _constant(log, found, sigma)
+
+
+def _constant(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | None:
+    """Return the uncertainty for standard deviations, (3, 6), that are equal at all times; None for 0."""
     assert log.time is not None
-    covariance = np.zeros((2, 6, 6))
-    covariance[:, :, [0, 2, 5]] = sigma.T**2
+    if not sigma.any():
+        return None
+    covariance = np.zeros((2, 6, len(PAIRS)))
+    covariance[..., _VARIANCES] = sigma.T**2
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0], "L" in log.vectors)
+
+
+def _check_options(log: LogSamples, options: SmoothingOptions, assumed: Array, estimated: Array) -> None:
+    """Warn of a stated noise, or of a cut-off frequency, that contradicts the estimated noise, both (6,)."""
+    ratio = np.where(estimated > LEAST_NOISE, assumed / np.maximum(estimated, LEAST_NOISE), 1.0)
+    column = int(np.argmax(np.abs(np.log(ratio))))
+    factor = f"{ratio[column]:.2g} times the scatter of the rows ({estimated[column]:.2g})"
+    if options.cutoff_frequency is not None and ratio.max() > _CONTRADICTS:
+        finding = f"the cut-off frequency removes {factor}"
+        warn_of(log, f"{finding}; the deviations do not include removed motion; raise the frequency")
+    elif options.cutoff_frequency is None and not 1.0 / _CONTRADICTS < ratio[column] < _CONTRADICTS:
+        name = "position_std" if column < 3 or "L" in log.vectors else "angle_std"
+        warn_of(log, f"{name} is {factor}; smoothing and deviations are wrong; check the unit of {name}")
 
 
 def _stated(log: LogSamples, options: SmoothingOptions) -> Array:
     """Return the stated standard deviation of each coordinate; NaN if none is stated."""
-    names = ("L", "L") if "L" in log.vectors else ("t", "theta")
-    stated = [options.angle_std if name == "theta" else options.position_std for name in names]
+    stated = (options.position_std, options.position_std if "L" in log.vectors else options.angle_std)
     return np.repeat([math.nan if each is None else each for each in stated], 3)
 
 
 def breaks(since: Array) -> list[int]:
     """Return the index of the first sample after each gap."""
     step = np.diff(since)
-    gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1 if step.size else step
-    edges = [0, *gaps.astype(int).tolist(), len(since)]
+    gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1
+    edges = [0, *gaps.tolist(), len(since)]
     # A spline requires a few rows on both sides.
-    if any(b - a < FEWEST_ROWS for a, b in itertools.pairwise(edges)):
-        return []
-    return edges[1:-1]
+    enough = all(b - a >= FEWEST_ROWS for a, b in itertools.pairwise(edges))
+    return edges[1:-1] if enough else []
 
 
 def _interpolated(since: Array, values: Array, at: Array | None = None) -> Array:
@@ -148,18 +163,9 @@ def _is_clean(since: Array, curves: SmoothCurves, second_rates: Array) -> Flags:
     return np.asarray(_SECOND_RATE * curves.noise_std / step**2 < _NEGLIGIBLE * largest)
 
 
-def _of_rounding(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | None:
-    """Return the uncertainty of interpolated rows with rounding of standard deviation sigma, (6,)."""
-    assert log.time is not None
-    if not sigma.any():
-        return None
-    covariance = np.zeros((2, 6, len(PAIRS)))
-    covariance[..., _VARIANCES] = _interpolated_variances(log.time, sigma)
-    return Uncertainty(found, log.time[[0, -1]], covariance, sigma, "L" in log.vectors)
-
-
-def _interpolated_variances(time: Array, sigma: Array) -> Array:
+def _interpolated_variances(time: Array | None, sigma: Array) -> Array:
     """Return variances of values, rates, and second rates of interpolated columns, (c, 3)."""
+    assert time is not None
     step = float(np.median(np.diff(time)))
     return np.asarray((sigma[:, None] * [1.0, _RATE / step, _SECOND_RATE / step**2]) ** 2)
 
@@ -207,27 +213,15 @@ def _coarse_columns(log: LogSamples, since: Array, found: Array, fitted: FittedR
     # Differences of noise have less than four rows per period.
     moves = np.ptp(found[0], axis=0) > _VISIBLE * np.maximum(fitted.curves.noise_std, 1e-12)
     rows = np.where(moves, 2.0 * math.pi * rate / np.maximum(second_rate, 1e-300), math.inf) / step
-    coarse = rows < _FEWEST_PER_PERIOD
     # The columns of a sensor have similar noise; columns at rest may be exact.
     noise = fitted.curves.noise_std
     least = np.repeat(np.where(moves & (noise > 0.0), noise, math.inf).reshape(2, 3).min(axis=1), 3)
     unlike = (noise > _UNLIKE * least) & (noise > _TAKEN_FOR_NOISE * np.ptp(found[0], axis=0))
-    if unlike.any():
-        ratio = float((noise / least).max())
-        finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
-        warn_of(log, f"{finding}; accelerations are unknown; log more rows per second")
-    coarse |= unlike
-    if rows.min() < _FEWEST_PER_PERIOD:
+    coarse = (rows < _FEWEST_PER_PERIOD) | unlike
+    if coarse.any():
         finding = f"about {rows.min():.2g} rows per period of the fastest motion"
+        if unlike.any():
+            ratio = float((noise / least).max())
+            finding = f"one column has {ratio:.2g} times the noise of the others, or a fast motion"
         warn_of(log, f"{finding}; accelerations are unknown; log {2 * _FEWEST_PER_PERIOD} rows or more")
-    return coarse
-
-
-def _warn_of_cutoff(log: LogSamples, values: Array, removed: Array) -> None:
-    """Warn of a cut-off frequency that removes more than the scatter of adjacent rows."""
-    scatter = np.mean(np.abs(np.diff(values, 4, axis=0)), axis=0) / math.sqrt(2.0 / math.pi * math.comb(8, 4))
-    column = int(np.argmax(removed / np.maximum(scatter, 1e-300)))
-    if removed[column] > _REMOVED * scatter[column] > 0.0:
-        ratio = removed[column] / scatter[column]
-        finding = f"the cut-off frequency removes {ratio:.2g} times the scatter of adjacent rows"
-        warn_of(log, f"{finding}; the deviations do not include removed motion; raise the frequency")
+    return np.asarray(coarse)

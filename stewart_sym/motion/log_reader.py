@@ -1,7 +1,5 @@
 """Trajectories read from CSV files, with rates from a smooth curve if the file has none."""
 
-import os
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -9,24 +7,20 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.progress import Progress, silent
-from .csv_table import read_table, split_unit
-from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, plain_unit, warn_of, warn_of_dropped
-from .rate_checks import rate_error
-from .rotation import angle_rates, motion_about_axes, rotation_about_axes
+from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, warn_of
+from .rotation import rotation_about_axes
 from .trajectory import SmoothingOptions, Trajectory, turn_doubt
-from .trajectory_format import TIME_UNITS, TrajectoryFormat
+from .trajectory_format import TIME_UNITS
 
 AS_SHOWN = SmoothingOptions()
-FORCES = tuple(f"F_{leg}" for leg in range(1, 7))
-"""Columns of actuator forces."""
-CURRENTS = tuple(f"current_{leg}" for leg in range(1, 7))
-"""Columns of the currents of the motors."""
 # Range of the largest acceleration (m/s^2) of a moving machine, and of accelerations that are possible.
-_ORDINARY, _POSSIBLE = (0.1, 30.0), (1e-4, 1e5)
+_ORDINARY, _POSSIBLE = (1e-3, 100.0), (3e-5, 1e5)
 # Range of the steps of loggers (s).
 _STEPS = (2e-4, 1.0)
+# Fraction of the speeds that are no outliers.
+_ALMOST_ALL = 0.98
 # Speed (m/s) below which accelerations may be too small because of the unit of time.
-_SLOW = 3e-3
+_SLOW = 2e-3
 
 
 def trajectory_of(
@@ -34,66 +28,35 @@ def trajectory_of(
 ) -> Trajectory:
     """Compute the trajectory of samples, with missing rates.
 
-    Parameters
-    ----------
-    samples : LogSamples
-        Samples of a file, see ``read_samples``.
-    smoothing : SmoothingOptions
-        Known properties of the noise.
-    progress : callable
-        Receives a text for each step.
-
-    Returns
-    -------
-    Trajectory
-        Coordinates as in the file: poses of the tool, or leg lengths.
-
-    Raises
-    ------
-    ValueError
-        If the samples are invalid; the message has one line with file, line, problem, and remedy.
-
-    Warns
-    -----
-    TrajectoryWarning
-        For an implausible unit, noise, rows without use, gaps, and rates that contradict positions.
+    Coordinates are as in the file: poses of the tool, or leg lengths. Raises ValueError if the samples are
+    invalid; the message has one line with file, line, problem, and remedy. Warns of an implausible unit,
+    noise, rows without use, gaps, and rates that contradict positions.
     """
     # SciPy is imported only for logs.
     from .log_rates import as_given, rates_of
+    from .rate_checks import rate_error
 
     progress(f"differentiating {len(samples.lines)} rows")
     in_joints = "L" in samples.vectors
     values, steps, order = _coordinates(samples)
+    _check_time_unit(samples, values)
     names = LENGTH_RATES if in_joints else RATES
     if samples.time is None:
         found, noise = np.stack([values, *np.zeros((2, *values.shape))]), None
     elif names[0] in samples.vectors:
-        found = np.stack([values, *_given_rates(samples, values, order)])
+        rates = np.concatenate([samples.vectors[name] for name in names], axis=-1)
+        found = np.stack([values, *np.hsplit(rates, 2)])
         rounding = [samples.steps[name] for name in names]
         noise = as_given(samples, smoothing, found, [steps, *np.reshape(rounding, (2, 6))])
-        _check_rates(samples, found)
+        _check_rates(samples, *rate_error(samples.time, found))
     else:
         found, noise = rates_of(samples, smoothing, values, steps)
     time = np.arange(float(len(values))) if samples.time is None else samples.time
-    _check_time_unit(samples, time, found)
     loads: dict[str, Any] = {name: samples.vectors[name] for name in LOADS if name in samples.vectors}
     noise = None if noise is None else replace(noise, order=order)
     lines = samples.lines.tolist()
     log = Trajectory(time, None, samples.source, lines, noise, found, in_joints=in_joints, order=order)
     return replace(log, **loads)
-
-
-def _given_rates(samples: LogSamples, values: Array, order: str) -> tuple[Array, Array]:
-    """Return the rates and second rates of the file, with angles in another order of rotations."""
-    vectors = samples.vectors
-    if "L" in vectors:
-        return vectors["L_dot"], vectors["L_ddot"]
-    theta_dot, theta_ddot = vectors["theta_dot"], vectors["theta_ddot"]
-    if order != samples.file_format.rotation_order:
-        given = (vectors["theta"], theta_dot, theta_ddot, samples.file_format.rotation_order)
-        _, omega, alpha = motion_about_axes(*given)
-        theta_dot, theta_ddot = angle_rates(values[:, 3:], omega, alpha, order)
-    return np.hstack([vectors["v"], theta_dot]), np.hstack([vectors["a"], theta_ddot])
 
 
 def poses_of(samples: LogSamples) -> tuple[Array, Array]:
@@ -104,37 +67,11 @@ def poses_of(samples: LogSamples) -> tuple[Array, Array]:
     return rotation_about_axes(values[:, 3:], order), values[:, :3]
 
 
-def read_leg_columns(
-    path: str | os.PathLike[str], form: TrajectoryFormat, groups: Sequence[tuple[str, ...]]
-) -> tuple[Array, Array, tuple[str, ...], Sequence[int]]:
-    """Read six columns over time (s): the first group of names that the file has.
-
-    Returns times (n,), the columns (n, 6), their names, and the lines of the file.
-    """
-    source = os.fsdecode(path)
-    table = read_table(source, form.delimiter, form.decimal, "forces")
-    names = next((each for each in groups if each[0] in table.header or each[0] in form.columns), groups[0])
-    cells = [split_unit(form.columns.get(name, name))[0] for name in ("time", *names)]
-    for name, cell in zip(("time", *names), cells, strict=True):
-        if cell not in table.header:
-            raise ValueError(f"{source}: no column {name}; name it with columns {name}=HEADER")
-    numbers, good = table.columns(cells)
-    warn_of_dropped(table, good)
-    unit = form.time_unit or plain_unit(table.units.get(cells[0], ""), "time") or "s"
-    time, *values = (numbers[cell] for cell in cells)
-    return time / round(1.0 / TIME_UNITS[unit]), np.stack(values, axis=-1), names, table.lines[good].tolist()
-
-
 def _coordinates(samples: LogSamples) -> tuple[Array, Array, str]:
     """Return lengths or poses, (n, 6), their steps of rounding, and the order of the rotations."""
     vectors = samples.vectors
     if "L" in vectors:
-        L = vectors["L"]
-        if np.any(L <= 0.0) and samples.file_format.length_mode != "relative":
-            i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
-            place = f"{samples.source}: line {samples.lines[i]}: L_{leg + 1}"
-            raise ValueError(f"{place}: {L[i, leg]:g} m is no length; use length_mode=relative for changes")
-        return L, samples.steps["L"], "zyx"
+        return vectors["L"], samples.steps["L"], "zyx"
     theta, step, order = samples.angles()
     doubt = turn_doubt(theta)
     if doubt is not None:
@@ -143,36 +80,44 @@ def _coordinates(samples: LogSamples) -> tuple[Array, Array, str]:
     return np.hstack([vectors["t"], theta]), np.concatenate([samples.steps["t"], step]), order
 
 
-def _check_time_unit(samples: LogSamples, time: Array, found: Array) -> None:
-    """Raise ValueError, or warn, if accelerations are possible only in another unit of time."""
-    lengths = found[..., : 6 if "L" in samples.vectors else 3]
-    largest = float(np.abs(lengths[2]).max())
+def _check_time_unit(samples: LogSamples, values: Array) -> None:
+    """Raise ValueError, or warn, if coordinates, (n, 6), have possible accelerations only in another unit."""
+    time, lengths = samples.time, values[:, : 6 if "L" in samples.vectors else 3]
     # In millimeters, lengths and accelerations are a thousand times as large: their ratio depends on time.
-    size = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
-    low, high = _POSSIBLE
-    slow = largest < low * size and float(np.abs(lengths[1]).max()) < _SLOW * size
-    moves = float(np.ptp(lengths[0], axis=0).max()) > 1e-9 * size
-    if samples.time is None or not moves or not (slow or largest > high * size):
+    size = max(1.0, float(np.median(np.linalg.norm(lengths, axis=-1))))
+    span = float(np.ptp(lengths, axis=0).max())
+    if time is None or span <= 1e-9 * size:
         return
-    step, present = float(np.median(np.diff(time))), TIME_UNITS[samples.file_format.time_unit or "s"]
+    speeds = np.linalg.norm(np.diff(lengths, axis=0), axis=-1) / np.diff(time)
+    speed = float(np.quantile(speeds, _ALMOST_ALL))
+    largest, (low, high) = speed**2 / span, _POSSIBLE
+    slow = largest < low * size and speed < _SLOW * size
+    if not slow and largest <= high * size:
+        return
+    unit = samples.file_format.time_unit or "s"
+    step, present = float(np.median(np.diff(time))), TIME_UNITS[unit]
     fits = [
         name
-        for name, unit in TIME_UNITS.items()
-        if _ORDINARY[0] * size <= largest * (present / unit) ** 2 <= _ORDINARY[1] * size
-        and _STEPS[0] <= step * unit / present <= _STEPS[1]
+        for name, each in TIME_UNITS.items()
+        if _ORDINARY[0] * size <= largest * (present / each) ** 2 <= _ORDINARY[1] * size
+        and _STEPS[0] <= step * each / present <= _STEPS[1]
     ]
-    finding = f"accelerations up to {largest:.2g} m/s^2 at steps of {step:.3g} s"
-    if fits and "time_unit" not in samples.unit_places:
-        raise ValueError(f"{samples.source}: {finding}; state time_unit={' or '.join(fits)}")
-    if largest > high * size:
-        warn_of(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
+    finding = f"accelerations of about {largest:.2g} m/s^2 at steps of {step:.3g} s"
+    if not fits:
+        if not slow:
+            warn_of(samples, f"{finding}; forces are implausible; check time_unit and length_unit")
+        return
+    remedy = f"state time_unit={' or '.join(fits)}"
+    if slow and samples.places.get("time_unit") == "the options":
+        warn_of(samples, f"{finding}; only forces at rest are computed; {remedy}")
+        return
+    remedy += f", or time_unit={unit} if it is right" if slow else ""
+    raise ValueError(f"{samples.source}: {finding}; {remedy}")
 
 
-def _check_rates(samples: LogSamples, found: Array) -> None:
-    """Raise ValueError, or warn, if the integrals of the rates, (3, n, 6), differ from the positions."""
-    assert samples.time is not None
-    text, unit = rate_error(samples.time, found)
-    if unit is not None and "time_unit" not in samples.unit_places:
+def _check_rates(samples: LogSamples, text: str, unit: str | None) -> None:
+    """Raise ValueError, or warn, if the integrals of the rates differ from the positions."""
+    if unit is not None and "time_unit" not in samples.places:
         raise ValueError(f"{samples.source}: {text}; state time_unit={unit}")
     if text:
         warn_of(samples, f"{text}; forces are wrong; correct the rates, or remove their columns")

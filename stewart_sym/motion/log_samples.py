@@ -9,18 +9,20 @@ from typing import Any
 import numpy as np
 
 from ..io.arguments import safe_text
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array
 from ..io.error_policy import warn
 from . import rotation
 from .csv_table import CsvTable, Lines, read_table, split_unit
-from .sample_times import time_text
+from .sample_times import elapsed, time_text
 from .trajectory_format import PLAIN, UNITS, TrajectoryFormat, TrajectoryWarning, combined
 
 POSE = ("t", "theta")
 RATES = ("v", "theta_dot", "a", "theta_ddot")
 LENGTH_RATES = ("L_dot", "L_ddot")
 LOADS = ("F_ext", "M_ext")
-_SUFFIXES = {"q": "wxyz", "L": "123456", "L_dot": "123456", "L_ddot": "123456"}
+FORCES = ("F", "current")
+"""Forces of the legs, or currents of their motors."""
+_SUFFIXES = {"q": "wxyz", **dict.fromkeys(("L", *LENGTH_RATES, *FORCES), "123456")}
 _VECTORS = (*POSE, "q", "L", *RATES, *LENGTH_RATES, *LOADS)
 # Other names of columns, in lower case and without separators.
 _ALIASES = {
@@ -28,20 +30,29 @@ _ALIASES = {
     **{"surge": "t_x", "sway": "t_y", "heave": "t_z", "x": "t_x", "y": "t_y", "z": "t_z"},
     **{"roll": "theta_x", "pitch": "theta_y", "yaw": "theta_z"},
     **{f"{name}{leg}": f"L_{leg}" for name in ("leg", "length") for leg in range(1, 7)},
+    **{f"force{leg}": f"F_{leg}" for leg in range(1, 7)},
+}
+# Units in SI units by kind, the SI unit first.
+_KNOWN_UNITS: dict[str, Mapping[str, float]] = {
+    **UNITS,
+    "unit of force": {"N": 1.0, "kN": 1e3},
+    "unit of moment": {"Nm": 1.0, "kNm": 1e3},
+    "unit of current": {"A": 1.0, "mA": 1e-3},
 }
 # Kind of unit and power of the time in its denominator, by vector.
 _QUANTITIES = {
     **{"time": ("time_unit", 0), "F_ext": ("unit of force", 0), "M_ext": ("unit of moment", 0)},
+    **{"F": ("unit of force", 0), "current": ("unit of current", 0)},
     **{name: ("length_unit", power) for power, name in enumerate("tva")},
     **{f"L{rate}": ("length_unit", power) for power, rate in enumerate(("", "_dot", "_ddot"))},
     **{f"theta{rate}": ("angle_unit", power) for power, rate in enumerate(("", "_dot", "_ddot"))},
 }
-_KNOWN_UNITS = {**UNITS, "unit of force": {"N": 1.0}, "unit of moment": {"Nm": 1.0}}
+_DEFAULTS = {kind: next(iter(units)) for kind, units in _KNOWN_UNITS.items()}
+_MODES = ("pose_mode", "length_mode", "columns")
 _PER_SECOND = ("", "/s", "/s2")
 _SPELLED = {"°": "deg", "degree": "deg", "degrees": "deg", "radians": "rad", "inch": "in", "sec": "s"}
-_SPELLED |= {"µs": "us", "μs": "us", "meters": "m", "seconds": "s", "n": "N", "nm": "Nm"}
-_DEFAULTS = {"length_unit": "m", "angle_unit": "rad", "time_unit": "s"}
-# Numbers of a year after 1970; a time since then in another unit is 1000 times as large.
+_SPELLED |= {"µs": "us", "μs": "us", "meters": "m", "seconds": "s"}
+# Seconds of a year. Larger numbers are times since 1970; in another unit they are 1000 times as large.
 _YEAR = 3.0e7
 _MOST_DECIMALS = 12
 # Number of different values that show the rounding of a column.
@@ -63,15 +74,18 @@ class LogSamples:
     lines : ndarray, shape (n,)
         Line of each sample.
     time : ndarray, shape (n,), or None
-        Increasing times (s); None for a list of static poses.
+        Increasing times (s), from the first row if they are dates, times of day, or times since 1970; None
+        for a list of static poses.
     vectors : dict of str to ndarray, shape (n, 3), (n, 4), or (n, 6)
-        Positions ``t`` with ``theta`` or ``q``, or lengths ``L``, their rates, and loads (SI).
+        Positions ``t`` with ``theta`` or ``q``, or lengths ``L``, their rates, and loads; or forces (SI).
     steps : dict of str to ndarray
         Step to which the components are rounded (SI), by vector.
     file_format : TrajectoryFormat
         Format with all units.
-    unit_places : dict of str to str
-        Origin of each unit, such as "line 3"; empty if the unit is the default.
+    places : dict of str to str
+        Origin of each unit, of the modes, and of the columns, such as "the options"; empty for defaults.
+    start : float
+        Time of the first row (s), since 1970 or midnight, if ``time`` is counted from it; otherwise 0.
     """
 
     source: str
@@ -80,12 +94,13 @@ class LogSamples:
     vectors: dict[str, Array]
     steps: dict[str, Array]
     file_format: TrajectoryFormat
-    unit_places: dict[str, str]
+    places: dict[str, str]
+    start: float = 0.0
 
     def angles(self) -> tuple[Array, Array, str]:
         """Return unwrapped angles (rad), (n, 3), their steps, (3,), and the order of the rotations.
 
-        The order is changed if two rotations nearly have one axis.
+        Without rates, the order is changed if two rotations nearly have one axis.
         """
         order = self.file_format.euler_order or "zyx"
         if "q" in self.vectors:
@@ -94,93 +109,139 @@ class LogSamples:
             step = np.full(3, 2.0 * self.steps["q"].max() / np.median(np.linalg.norm(q, axis=-1)))
         else:
             theta, step = self.vectors["theta"], self.steps["theta"]
-            if rotation.distance_from_lock(theta, order).min() < rotation.FAR_FROM_LOCK:
+            near_lock = rotation.distance_from_lock(theta, order).min() < rotation.FAR_FROM_LOCK
+            if near_lock and "theta_dot" not in self.vectors:
                 theta, order = rotation.far_from_lock(rotation.rotation_about_axes(theta, order))
                 step = np.full(3, step.max())
         return np.unwrap(theta, axis=0), step, order
 
 
 def read_samples(
-    source: str, form: TrajectoryFormat = PLAIN, defaults: TrajectoryFormat = PLAIN
+    source: str, form: TrajectoryFormat = PLAIN, defaults: TrajectoryFormat = PLAIN, forces: bool = False
 ) -> LogSamples:
-    """Read a CSV file of poses or leg lengths.
+    """Read a CSV file of poses or leg lengths, or of forces or currents of the legs.
 
-    Parameters
-    ----------
-    source : str
-        Name of the file.
-    form : TrajectoryFormat
-        Format of the file.
-    defaults : TrajectoryFormat
-        Format for properties that neither ``form`` nor the header states. A file with standard columns uses
-        only its order of rotations.
-
-    Returns
-    -------
-    LogSamples
-        Samples in SI units.
-
-    Raises
-    ------
-    ValueError
-        If columns are missing, times do not increase, or more than half of the rows are not numbers.
-
-    Warns
-    -----
-    TrajectoryWarning
-        If rows are dropped, or units contradict each other.
+    ``defaults`` is the format for properties that neither ``form`` nor the header states. A file with
+    standard columns uses only its order of rotations. Raises ValueError if columns are missing, times do
+    not increase, or more than half of the rows are not numbers. Warns of dropped rows, and of units that
+    contradict each other.
     """
     table = read_table(source, form.delimiter, form.decimal)
     if _is_standard(table, defaults):
         defaults = TrajectoryFormat(euler_order=defaults.euler_order)
     stated, form = form, combined(form, defaults)
-    found = _columns(table, form)
+    found = _columns(table, form, FORCES if forces else _VECTORS)
     if stated.row_rate is not None and "time" in found:
         raise ValueError(f"{source}: row_rate: the file has times; omit row_rate")
-    vectors = _needed(found, table.header, source)
+    vectors = _force_vectors(table, found) if forces else _needed(table, found)
     units, places = _units(table, found, stated, defaults)
-    clock = found.get("time")
-    if clock is not None and not table.has_instants(clock):
-        clock = None
     components = [each for name in vectors for each in components_of(name)]
     cells = [found[each] for each in (*components, "time") if each in found]
-    numbers, good = table.columns(cells, clock)
-    warn_of_dropped(table, good)
-    place = np.flatnonzero(good)
-    beyond = [line for line in form.drop_lines if line > table.lines[-1]]
-    if beyond:
-        raise ValueError(f"{source}: drop_lines: line {beyond[0]} is beyond the last line {table.lines[-1]}")
-    used = ~np.isin(table.lines[place], form.drop_lines)
-    numbers, place = {name: column[used] for name, column in numbers.items()}, place[used]
-    time = numbers.get(found.get("time", ""))
-    if time is None and form.row_rate is not None:
-        time = place / form.row_rate
-    elif time is None:
-        finding = f"{source}: no column of times; the rows are poses at rest"
-        warn(f"{finding}; state row_rate if they are samples over time", TrajectoryWarning)
-    elif clock is None:
-        unit = units.setdefault("time_unit", _unit_since_1970(time))
-        # A division has a smaller rounding error than a multiplication by a power of ten.
-        time = time / round(1.0 / UNITS["time_unit"][unit])
-    known: dict[str, Any] = {**_DEFAULTS, **units}
-    form = dataclasses.replace(form, **known)
+    numbers, origin = _numbers(table, cells, found.get("time"))
+    rows = _good_rows(table, cells, numbers, form.drop_lines)
+    numbers, lines = numbers[rows], table.lines[rows]
+    time: Array | None
+    if "time" in found:
+        time, start, units["time_unit"] = _times(numbers[:, -1], origin, units.get("time_unit"))
+    else:
+        time, start = _times_of_rows(table, found, lines, form.row_rate), 0.0
+    units = _DEFAULTS | units
     columns, steps = {}, {}
-    for each in components:
-        factor = UNITS.get(_quantity(each)[0], {}).get(getattr(form, _quantity(each)[0], ""), 1.0)
-        scale, offset = form.scales.get(each, 1.0), form.offsets.get(each, 0.0)
-        columns[each] = (numbers[found[each]] * scale + offset) * factor
-        steps[each] = _step(numbers[found[each]]) * abs(scale) * factor
-    rows = _increasing(time, columns, table.lines[place], source)
-    lines = table.lines[place[rows]]
+    for each, column in zip(components, numbers.T, strict=False):
+        kind, scale = _quantity(each)[0], form.scales.get(each, 1.0)
+        factor = _KNOWN_UNITS[kind][units[kind]] if kind else 1.0
+        columns[each] = (column * scale + form.offsets.get(each, 0.0)) * factor
+        steps[each] = _step(column) * abs(scale) * factor
+    rows = _increasing(time, columns, lines, source)
     return LogSamples(
         source,
-        lines,
+        lines[rows],
         None if time is None else time[rows],
         {name: np.stack([columns[each][rows] for each in components_of(name)], axis=-1) for name in vectors},
         {name: np.array([steps[each] for each in components_of(name)]) for name in vectors},
-        form,
+        dataclasses.replace(form, **{kind: units[kind] for kind in UNITS}),
         places,
+        start,
     )
+
+
+def _numbers(table: CsvTable, cells: Sequence[str], clock: str | None) -> tuple[Array, float | None]:
+    """Return the numbers of columns, (n, columns), with NaN for other cells.
+
+    Dates and times of day of a column ``clock`` become seconds after the first one, which is returned (s); it
+    is None for numbers.
+    """
+    if clock is None or not table.has_instants(clock):
+        return table.numbers(cells), None
+    instants = table.instants(clock)
+    first = instants[np.argmin(np.isnat(instants))]
+    since = (instants - first) / np.timedelta64(1, "ns") / 1e9
+    origin = float((first - np.datetime64(0, "ns")) / np.timedelta64(1, "ns") / 1e9)
+    return np.column_stack([table.numbers(cells[:-1]), since]), origin
+
+
+def _good_rows(table: CsvTable, cells: Sequence[str], numbers: Array, drop_lines: Sequence[int]) -> Lines:
+    """Return the indices of rows of numbers without dropped lines, with a warning about other rows."""
+    source = table.source
+    finite = np.isfinite(numbers)
+    good = np.asarray(finite.all(axis=1))
+    dropped = np.sort(np.concatenate([table.dropped, table.lines[~good]]))
+    most = _MOST_DROPPED * (len(good) + len(table.dropped))
+    if len(table.dropped) > most:
+        finding = f"line {dropped[0]}: expected {len(table.header)} cells as in the header"
+        raise ValueError(f"{source}: {finding}; check delimiter and decimal")
+    if len(dropped) > most:
+        worst = int(np.argmin(np.count_nonzero(finite, axis=0)))
+        row = int(np.argmin(finite[:, worst]))
+        text = safe_text(table.cells(cells[worst])[row][:40])
+        place = f"{source}: line {table.lines[row]}: column {cells[worst]}"
+        remedy = "check decimal; write dates as 2025-12-31 23:59:59.5"
+        raise ValueError(f"{place}: expected a number or a time, got {text!r}; {remedy}")
+    if len(dropped):
+        finding = f"{source}: rows without numbers ({line_ranges(dropped)})"
+        warn(f"{finding}; they are not used; complete them", TrajectoryWarning)
+    beyond = [line for line in drop_lines if line > table.lines[-1]]
+    if beyond:
+        raise ValueError(f"{source}: drop_lines: line {beyond[0]} is beyond the last line {table.lines[-1]}")
+    return np.flatnonzero(good & ~np.isin(table.lines, drop_lines))
+
+
+def _times(numbers: Array, origin: float | None, unit: str | None) -> tuple[Array, float, str]:
+    """Return times (s), the time (s) from which they are counted, and their unit.
+
+    Times since 1970 are counted from the first row; without a unit, their size determines it.
+    """
+    if origin is not None:
+        return numbers, origin, "s"
+    first = abs(numbers[0]) if len(numbers) else 0.0
+    sizes = {"us": 1e6 * _YEAR, "ms": 1e3 * _YEAR}
+    unit = unit or next((unit for unit, least in sizes.items() if first > least), "s")
+    # A division has a smaller rounding error than a multiplication by a power of ten.
+    time = numbers / round(1.0 / UNITS["time_unit"][unit])
+    if first * UNITS["time_unit"][unit] > _YEAR:
+        return elapsed(time), float(time[0]), unit
+    return time, 0.0, unit
+
+
+def _times_of_rows(
+    table: CsvTable, found: Mapping[str, str], lines: Lines, row_rate: float | None
+) -> Array | None:
+    """Return the times (s) of rows at a rate (Hz); None for static poses, with a warning.
+
+    Raises ValueError if an unnamed column contains times.
+    """
+    if row_rate is not None:
+        every = np.sort(np.concatenate([table.lines, table.dropped]))
+        return np.searchsorted(every, lines) / row_rate
+    for cell in [cell for cell in table.header if cell not in found.values()]:
+        unit = plain_unit(table.units.get(cell) or cell.rpartition("_")[2], "time")
+        if unit is not None or table.has_instants(cell):
+            remedy = f"state columns time={cell}, or remove this column for poses at rest"
+            raise ValueError(f"{table.source}: no column of times; {remedy}")
+    finding = f"{table.source}: no column of times; the rows are poses at rest"
+    remedy = "if they are samples over time, state row_rate or columns time=HEADER"
+    warn(f"{finding}; {remedy}", TrajectoryWarning)
+    return None
 
 
 def warn_of(samples: LogSamples, text: str) -> None:
@@ -193,7 +254,9 @@ def components_of(name: str) -> tuple[str, ...]:
     return tuple(f"{name}_{each}" for each in _SUFFIXES.get(name, "xyz"))
 
 
-_COMPONENTS = {each.replace("_", "").lower(): each for name in _VECTORS for each in components_of(name)}
+_COMPONENTS = {
+    each.replace("_", "").lower(): each for name in (*_VECTORS, *FORCES) for each in components_of(name)
+}
 
 
 def _is_standard(table: CsvTable, form: TrajectoryFormat) -> bool:
@@ -204,14 +267,13 @@ def _is_standard(table: CsvTable, form: TrajectoryFormat) -> bool:
     return not form.columns and not table.units and set(names) <= set(table.header)
 
 
-def _columns(table: CsvTable, form: TrajectoryFormat) -> dict[str, str]:
-    """Return the name in the header of each column that is known or given by the format."""
+def _columns(table: CsvTable, form: TrajectoryFormat, vectors: Sequence[str]) -> dict[str, str]:
+    """Return the name in the header of each column of vectors that is known or given by the format."""
     found = {}
+    names = ["time", *(each for name in vectors for each in components_of(name))]
     for name, given in form.columns.items():
-        if name != "time" and name not in _COMPONENTS.values():
-            raise ValueError(
-                f"columns: {name}: unknown name; use one of time, {', '.join(_COMPONENTS.values())}"
-            )
+        if name not in names:
+            raise ValueError(f"columns: {name}: unknown name; use one of {', '.join(names)}")
         plain = split_unit(given)[0]
         if plain not in table.header:
             raise ValueError(
@@ -219,8 +281,8 @@ def _columns(table: CsvTable, form: TrajectoryFormat) -> dict[str, str]:
             )
         found[name] = plain
     for cell in [cell for cell in table.header if cell not in found.values()]:
-        known = _name_and_unit(cell)[0]
-        if known is None or known in form.columns:
+        known = _known_name(cell)
+        if known not in names or known in form.columns:
             continue
         if known in found:
             finding = f"columns {found[known]!r} and {cell!r} are both {known}"
@@ -229,74 +291,97 @@ def _columns(table: CsvTable, form: TrajectoryFormat) -> dict[str, str]:
     return found
 
 
-def _name_and_unit(cell: str) -> tuple[str | None, str]:
-    """Return the known name that a header cell stands for, or None, and a unit at its end such as ``_ms``."""
+def _known_name(cell: str) -> str | None:
+    """Return the known name that a header cell stands for, also with a unit at its end such as ``_ms``."""
     for text, unit in ((cell, ""), cell.rpartition("_")[::2]):
         plain = re.sub(r"[\s_.\-]", "", text).lower()
         name = text if text == "time" else _COMPONENTS.get(plain) or _ALIASES.get(plain)
         if name is not None and (not unit or plain_unit(unit, name) is not None):
-            return name, unit
-    return None, ""
+            return name
+    return None
 
 
-def _needed(found: Mapping[str, str], header: Sequence[str], source: str) -> list[str]:
-    """Return the vectors that are read."""
+def _needed(table: CsvTable, found: Mapping[str, str]) -> list[str]:
+    """Return the vectors of a trajectory that are read."""
     lengths = any(each in found for each in components_of("L"))
     position = ("L",) if lengths else ("t", "q") if "q_w" in found else POSE
     if lengths and any(each in found for name in (*POSE, "q") for each in components_of(name)):
-        raise ValueError(f"{source}: columns of poses and of leg lengths; select one kind with columns")
+        raise ValueError(f"{table.source}: columns of poses and of leg lengths; select one kind with columns")
     rates = LENGTH_RATES if lengths else () if "q_w" in found else RATES
     if not all(components_of(name)[0] in found for name in rates):
         rates = ()
-    if {"omega_x", "kinetic_energy"} <= set(header):
+    if {"omega_x", "kinetic_energy"} <= set(table.header):
         raise ValueError(
-            f"{source}: a run of simulate (reference point; roll, pitch, yaw); display it with view, or "
-            "convert it to the tool and the rotation order of the robot"
+            f"{table.source}: a run of simulate (reference point; roll, pitch, yaw); display it with view, "
+            "or convert it to the tool and the rotation order of the robot"
         )
     if not set(found) - {"time"}:
         raise ValueError(
-            f"{source}: no columns of a trajectory in the header ({_few(header)}); expected time, t_x, t_y, "
-            "t_z, theta_x, theta_y, theta_z, or time and L_1 to L_6; name others with columns t_x=HEADER"
+            f"{table.source}: no columns of a trajectory in the header ({_few(table.header)}); expected "
+            "time, t_x, t_y, t_z, theta_x, theta_y, theta_z, or time and L_1 to L_6; name others with "
+            "columns t_x=HEADER"
         )
     loads = [name for name in LOADS if any(each in found for each in components_of(name))]
-    for name in (*position, *rates, *loads):
-        for each in components_of(name):
-            if each not in found:
-                raise ValueError(f"{source}: no column {each}; name it with columns {each}=HEADER")
-    return [*position, *rates, *loads]
+    return _complete(table, found, [*position, *rates, *loads])
+
+
+def _force_vectors(table: CsvTable, found: Mapping[str, str]) -> list[str]:
+    """Return the vector that is read from a file of forces or currents."""
+    name = next((name for name in FORCES if components_of(name)[0] in found), FORCES[0])
+    return _complete(table, found, [name])
+
+
+def _complete(table: CsvTable, found: Mapping[str, str], vectors: list[str]) -> list[str]:
+    """Return vectors whose columns are all in the file; raise ValueError for another one."""
+    for each in [each for name in vectors for each in components_of(name) if each not in found]:
+        others = _few([cell for cell in table.header if cell not in found.values()]) or "none"
+        remedy = f"name it with columns {each}=HEADER; other columns: {others}"
+        raise ValueError(f"{table.source}: no column {each}; {remedy}")
+    return vectors
 
 
 def _units(
     table: CsvTable, found: Mapping[str, str], stated: TrajectoryFormat, defaults: TrajectoryFormat
-) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the units by kind, from the options, the header, or the robot file, and their origins."""
-    units = {kind: unit for kind in UNITS if (unit := getattr(stated, kind)) is not None}
-    places = dict.fromkeys(units, "the options")
-    header: dict[str, str] = {}
-    contradicted: set[str] = set()
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """Return units, modes, and columns from the options, the header, or the robot file, and their places."""
+    header: dict[str, Any] = {}
     for name, cell in found.items():
-        ending = cell.rpartition("_")[2]
-        text = table.units.get(cell) or _name_and_unit(cell)[1]
-        # A column that the format names may have a unit at its end as well.
-        text = text or (ending if plain_unit(ending, name) else "")
-        kind = _quantity(name)[0]
-        if not text or not kind:
+        if name == "time" and table.has_instants(cell):
             continue
-        unit, place = plain_unit(text, name), f"{table.source}: column {cell}"
-        if unit is None:
-            known = ", ".join(_KNOWN_UNITS[kind])
-            raise ValueError(f"{place}: unknown unit {text!r}; convert it to one of {known}")
-        if header.setdefault(kind, unit) != unit:
-            raise ValueError(f"{place}: {unit} and {header[kind]} in one file; use one {kind}")
-        if units.get(kind, unit) != unit and kind not in contradicted:
-            contradicted.add(kind)
-            finding = f"{place}: unit {unit} contradicts {kind}={units[kind]}"
-            warn(f"{finding}, which is used; correct one of them", TrajectoryWarning)
+        unit, kind = _header_unit(table, cell, name), _quantity(name)[0]
+        if unit is not None and header.setdefault(kind, unit) != unit:
+            finding = f"{unit} and {header[kind]} in one file"
+            raise ValueError(f"{table.source}: column {cell}: {finding}; use one {kind}")
     for kind in UNITS:
-        for unit, place in ((header.get(kind), "the header"), (getattr(defaults, kind), "the robot file")):
-            if kind not in units and unit is not None:
-                units[kind], places[kind] = unit, place
+        unit = getattr(stated, kind) or header.get(kind)
+        if header.get(kind, unit) != unit:
+            finding = f"{table.source}: the header unit {header[kind]} contradicts {kind}={unit}"
+            warn(f"{finding}, which is used; correct one of them", TrajectoryWarning)
+    units: dict[str, Any] = {}
+    places: dict[str, str] = {}
+    for place, given in (
+        ("the robot file", vars(defaults)),
+        ("the header", header),
+        ("the options", vars(stated)),
+    ):
+        present = {name: given[name] for name in (*_KNOWN_UNITS, *_MODES) if given.get(name)}
+        units |= present
+        places |= dict.fromkeys(present, place)
     return units, places
+
+
+def _header_unit(table: CsvTable, cell: str, name: str) -> str | None:
+    """Return the unit of a column in brackets, in a row of units, or at the end of its header, or None."""
+    kind, text = _quantity(name)[0], table.units.get(cell)
+    if not text or not kind:
+        return plain_unit(cell.rpartition("_")[2], name)
+    unit = plain_unit(text, name)
+    if unit is None:
+        known = ", ".join(_KNOWN_UNITS[kind])
+        raise ValueError(
+            f"{table.source}: column {cell}: unknown unit {text!r}; convert it to one of {known}"
+        )
+    return unit
 
 
 def _quantity(name: str) -> tuple[str, int]:
@@ -307,15 +392,9 @@ def _quantity(name: str) -> tuple[str, int]:
 def plain_unit(text: str, name: str) -> str | None:
     """Return a key of the known units for a text, without the denominator of rates; None for another unit."""
     kind, times = _quantity(name)
-    plain = re.sub(r"[\s·*^()\[\]]", "", text.replace("²", "2")).removesuffix(_PER_SECOND[times])
-    unit = _SPELLED.get(plain.lower(), plain if plain in ("N", "Nm") else plain.lower())
-    return unit if unit in _KNOWN_UNITS.get(kind, {}) else None
-
-
-def _unit_since_1970(time: Array) -> str:
-    """Return the unit of times since 1970, which their size determines; s for smaller times."""
-    sizes = {"us": 1e6 * _YEAR, "ms": 1e3 * _YEAR}
-    return next((unit for unit, least in sizes.items() if len(time) and abs(time[0]) > least), "s")
+    plain = re.sub(r"[\s·*^()\[\]]", "", text.replace("²", "2")).removesuffix(_PER_SECOND[times]).lower()
+    spelled = _SPELLED.get(plain, plain)
+    return next((unit for unit in _KNOWN_UNITS.get(kind, {}) if unit.lower() == spelled), None)
 
 
 def _step(values: Array) -> float:
@@ -331,16 +410,6 @@ def _step(values: Array) -> float:
         if np.all(np.abs(count - np.rint(count)) <= _ROUNDING * np.abs(count)):
             return 10.0**-decimals
     return 0.0
-
-
-def warn_of_dropped(table: CsvTable, good: Flags) -> None:
-    """Warn of rows that are not numbers; raise ValueError if they are too many."""
-    dropped = np.sort(np.concatenate([table.dropped, table.lines[~good]]))
-    if len(dropped) > _MOST_DROPPED * (len(dropped) + np.count_nonzero(good)):
-        raise ValueError(f"{table.source}: line {dropped[0]}: no row of numbers; check delimiter and decimal")
-    if len(dropped):
-        finding = f"{table.source}: rows without numbers ({line_ranges(dropped)})"
-        warn(f"{finding}; they are not used; complete them", TrajectoryWarning)
 
 
 def line_ranges(lines: Lines, most: int = 8) -> str:

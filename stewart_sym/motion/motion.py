@@ -221,14 +221,11 @@ class Motion(Frozen):
             Position of the reference point in the base frame (m).
         theta : array_like, shape (..., 3)
             Angles (theta_x, theta_y, theta_z) (rad), R = Rz(theta_z) Ry(theta_y) Rx(theta_x).
-        v : array_like, shape (..., 3)
-            Velocity of the reference point in the base frame (m/s).
-        theta_dot : array_like, shape (..., 3)
-            Time derivatives of the angles (rad/s), which differ from the angular velocity.
-        a : array_like, shape (..., 3), optional
-            Acceleration of the reference point in the base frame (m/s^2).
-        theta_ddot : array_like, shape (..., 3), optional
-            Second time derivatives of the angles (rad/s^2); required if and only if a is given.
+        v, theta_dot : array_like, shape (..., 3)
+            Velocity of the reference point (m/s), and time derivatives of the angles (rad/s), which differ
+            from the angular velocity.
+        a, theta_ddot : array_like, shape (..., 3), optional
+            Their time derivatives; required if and only if the other one is given.
         F_ext, M_ext : array_like, shape (..., 3), optional
             Load, as in ``Motion``.
 
@@ -297,14 +294,10 @@ class Motion(Frozen):
             Position of the reference point in the base frame (m).
         e : array_like, shape (..., 4)
             Quaternions from the platform frame to the base frame, scalar first, of any length except zero.
-        v : array_like, shape (..., 3)
-            Velocity of the reference point in the base frame (m/s).
-        e_dot : array_like, shape (..., 4)
-            Time derivatives of e (1/s).
-        a : array_like, shape (..., 3), optional
-            Acceleration of the reference point in the base frame (m/s^2).
-        e_ddot : array_like, shape (..., 4), optional
-            Second time derivatives of e (1/s^2); required if and only if a is given.
+        v, e_dot : array_like
+            Velocity of the reference point (m/s), and time derivative of e (1/s).
+        a, e_ddot : array_like, optional
+            Their time derivatives; required if and only if the other one is given.
         F_ext, M_ext : array_like, shape (..., 3), optional
             Load, as in ``Motion``.
 
@@ -342,14 +335,10 @@ class Motion(Frozen):
             Position of the reference point in the base frame (m).
         phi : array_like, shape (..., 3)
             Rotation vectors (rad): rotation about the direction of phi by its magnitude. phi may be zero.
-        v : array_like, shape (..., 3)
-            Velocity of the reference point in the base frame (m/s).
-        phi_dot : array_like, shape (..., 3)
-            Time derivatives of phi (rad/s).
-        a : array_like, shape (..., 3), optional
-            Acceleration of the reference point in the base frame (m/s^2).
-        phi_ddot : array_like, shape (..., 3), optional
-            Second time derivatives of phi (rad/s^2); required if and only if a is given.
+        v, phi_dot : array_like
+            Velocity of the reference point (m/s), and time derivative of phi (rad/s).
+        a, phi_ddot : array_like, optional
+            Their time derivatives; required if and only if the other one is given.
         F_ext, M_ext : array_like, shape (..., 3), optional
             Load, as in ``Motion``.
 

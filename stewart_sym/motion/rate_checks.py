@@ -3,10 +3,13 @@
 import math
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
+from scipy.interpolate import make_interp_spline
 
 from ..io.array_types import Array
 from .sample_times import elapsed
 
+_FEWEST = 4
 # Distance (decades) from a power of 1000 of the ratio of changes to integrals if a unit is wrong.
 _NEAR_UNIT = 0.2
 # Largest differences of changes and integrals, relative to the changes, in addition to noise: of positions
@@ -23,64 +26,34 @@ _BIAS = 0.05
 def rate_error(time: Array, found: Array) -> tuple[str, str | None]:
     """Compare the integrals of rates with changes of positions, and of second rates with changes of rates.
 
-    A linear drift, for example due to a bias of the rates, is no contradiction.
-
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        Increasing times (s).
-    found : ndarray, shape (3, n, c)
-        Positions, rates, and second rates.
-
-    Returns
-    -------
-    text : str
-        Contradiction, or an empty text.
-    time_unit : str or None
-        Unit of time in which there is no contradiction.
+    ``found``, (3, n, c), are positions, rates, and second rates at increasing times (s). Returns the
+    contradiction or an empty text, and the unit of time in which there is none, or None. A linear drift,
+    for example due to a bias of the rates, is no contradiction. The tolerance includes the difference of
+    two rules of integration, which is large for coarse samples.
     """
-    if len(time) < 2 or not found[1:].any():
+    if len(time) < _FEWEST or not found[1:].any():
         return "", None
-    steps = np.diff(elapsed(time))[:, None]
-    # The trapezoidal rule with the derivatives at both ends has an error of fifth order.
-    ends = steps**2 / 12.0 * np.diff(found[2], axis=0)
-    for value, rate, names, correction, most in (
-        (found[0], found[1], ("positions", "rates"), ends, _CONTRADICTS),
-        (found[1], found[2], ("rates", "second rates"), np.zeros(ends.shape), _CONTRADICTS_RATES),
+    since = elapsed(time)
+    span, spread = float(since[-1]), float(np.sqrt(np.sum(np.diff(since) ** 2)))
+    for value, rate, names, most in (
+        (found[0], found[1], ("positions", "rates"), _CONTRADICTS),
+        (found[1], found[2], ("rates", "second rates"), _CONTRADICTS_RATES),
     ):
-        integral = np.cumsum(0.5 * steps * (rate[1:] + rate[:-1]) - correction, axis=0)
-        noise = _SURE * (_noise(value) + _noise(rate) * _spread(steps)) + _rms(_remainder(rate, steps))
-        bias = _BIAS * _rms(rate) * float(steps.sum())
-        text, unit = _difference((value[1:] - value[0], integral), (most, noise, bias), names)
-        if text:
-            return text, unit
-    return "", None
-
-
-def _remainder(rate: Array, steps: Array) -> Array:
-    """Return the error of the trapezoidal rule from the integral with half of the samples."""
-    middle, (before, after) = rate[1:-1:2], (steps[0:-1:2], steps[1::2])
-    chord = (rate[:-2:2] * after + rate[2::2] * before) / (before + after)
-    return np.cumsum(0.5 * (middle - chord) * (before + after), axis=0) / 3.0
-
-
-def _difference(
-    changes: tuple[Array, Array], tolerances: tuple[float, float, float], names: tuple[str, str]
-) -> tuple[str, str | None]:
-    """Compare changes with integrals; tolerances are a fraction of the changes, noise, and a bias."""
-    (change, integral), (share, noise, bias) = changes, tolerances
-    size, expected = _rms(change), _rms(integral)
-    if max(size, expected) <= noise:
-        return "", None
-    decades = math.log10(size / expected) if size and expected else 0.0
-    nearest = 3 * round(decades / 3)
-    if nearest and abs(decades - nearest) < _NEAR_UNIT:
-        unit = {-3: "ms", -6: "us"}.get(nearest)
-        return f"{names[0]} change by {size / expected:.2g} times the integral of {names[1]}", unit
-    off = _rms(_without_drift(change - integral, bias))
-    if off > share * size + noise + 1e-9 * float(np.abs(change).max()):
-        difference = f"{off / size:.0%} of the changes" if size else "a part"
-        return f"the integral of {names[1]} differs from the {names[0]} by {difference}", None
+        change, integral = value - value[0], make_interp_spline(since, rate).antiderivative()(since)
+        coarse = _rms(integral - cumulative_trapezoid(rate, since, axis=0, initial=0.0))
+        noise = _SURE * (_noise(value) + _noise(rate) * spread) + coarse
+        size, expected = _rms(change), _rms(integral)
+        if max(size, expected) <= noise:
+            continue
+        decades = math.log10(size / expected) if size and expected else 0.0
+        nearest = 3 * round(decades / 3)
+        if nearest and abs(decades - nearest) < _NEAR_UNIT:
+            unit = {-3: "ms", -6: "us"}.get(nearest)
+            return f"{names[0]} change by {size / expected:.2g} times the integral of {names[1]}", unit
+        off = _rms(_without_drift(change - integral, _BIAS * _rms(rate) * span))
+        if off > most * size + noise + 1e-9 * float(np.abs(change).max()):
+            difference = f"{off / size:.0%} of the changes" if size else "a part"
+            return f"the integral of {names[1]} differs from the {names[0]} by {difference}", None
     return "", None
 
 
@@ -94,11 +67,6 @@ def _noise(values: Array) -> float:
         return 0.0
     scatter = np.median(np.abs(np.diff(values, _ORDER, axis=0)), axis=0)
     return _rms(scatter) / (_MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER)))
-
-
-def _spread(steps: Array) -> float:
-    """Return the spread (s) of the integral of noise of standard deviation 1."""
-    return float(np.sqrt(np.sum(steps**2)))
 
 
 def _without_drift(values: Array, most: float) -> Array:

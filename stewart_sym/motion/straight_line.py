@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import real_array, shown
+from ..io.arguments import finite_array, real_array
 from ..io.array_types import Array
 from ..io.toml_reader import number
 from .motion import Motion, rotations
@@ -221,10 +221,7 @@ def _line(
 
 
 def _triple(value: object, name: str) -> Vector:
-    items = value.tolist() if isinstance(value, np.ndarray) else value
-    if not isinstance(items, list | tuple) or len(items) != 3:
-        raise ValueError(f"{name}: expected three numbers, got {shown(value)}")
-    x, y, z = (number(item, name) for item in items)
+    x, y, z = finite_array(value, (3,), name, batch=False).tolist()
     return x, y, z
 
 

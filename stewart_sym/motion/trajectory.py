@@ -93,12 +93,8 @@ class Uncertainty:
         found = np.stack([np.interp(time, self.grid, column) for column in flat.T], axis=-1)
         return found.reshape(-1, *self.covariance.shape[1:])
 
-    def variances(self, time: Array) -> Array:
-        """Return the variance of the value of each coordinate at n times, shape (n, 6)."""
-        return self.covariances(time)[..., 0]
 
-
-_LEAST_NOISE = 1e-15
+LEAST_NOISE = 1e-15
 """Noise (m, rad) below which a column is exact in messages."""
 
 
@@ -108,7 +104,7 @@ def noise_text(noise: Uncertainty) -> str:
     texts = [
         f"{noise.sigma[part].max():.2g} {unit}"
         for part, unit in parts
-        if noise.sigma[part].max() > _LEAST_NOISE
+        if noise.sigma[part].max() > LEAST_NOISE
     ]
     return f"noise of {' and '.join(texts)} in the log"
 

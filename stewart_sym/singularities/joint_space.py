@@ -180,7 +180,7 @@ def on_platform(
 ) -> Trajectory:
     """Convert a joint-space trajectory to a platform trajectory; errors contain its file and line."""
     L, L_dot, L_ddot = joints.lengths
-    std = None if joints.noise is None else np.sqrt(joints.noise.variances(joints.time))
+    std = None if joints.noise is None else np.sqrt(joints.noise.covariances(joints.time)[..., 0])
     given = (joints.F_ext, joints.M_ext, joints.time, std, progress)
     try:
         motion = motion_from_lengths(robot, L, L_dot, L_ddot, guess, *given)

@@ -186,7 +186,7 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
     for name in names:
         if name not in table.header:
             raise ValueError(f"{source}: no column {name}; use a file run.csv of simulate")
-    columns, _ = table.columns(names)
+    columns = dict(zip(names, table.numbers(names).T, strict=True))
     t, theta, v, omega, F, L = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
     return columns["time"], Motion(R=rotation_from_rpy(theta), t=t, omega=omega, v=v), F, L
 

@@ -121,9 +121,20 @@ def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, traject
     assert error.startswith("stewart-sym: error: ")
     assert all(line.startswith("stewart-sym: warning: ") for line in warned)
     assert (
-        len([line for line in warned if "compared with a machine" in line and "length_unit=mm" in line]) == 1
+        len([line for line in warned if "compared with a machine" in line and "--length-unit mm" in line])
+        == 1
     )
-    assert "length_unit=mm" not in error
+    assert "--length-unit mm" not in error
+
+
+def test_exchanged_files_are_named_and_remedies_are_options(
+    robot: Path, trajectory: Path, fails: Fails
+) -> None:
+    line = fails("forces", trajectory, robot, "-o", "-")
+    assert line.endswith(f"{trajectory}: expected a robot file (TOML); give the robot before the log")
+    trajectory.write_text(trajectory.read_text().replace("theta_z", "turn", 1))
+    line = fails("forces", robot, trajectory, "-o", "-")
+    assert line.endswith("no column theta_z; name it with --columns theta_z=HEADER; other columns: turn")
 
 
 @pytest.mark.slow

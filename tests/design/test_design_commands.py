@@ -80,7 +80,7 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
     for unit, doubted in (("m", False), ("mm", True)):
         units = ("--length-unit", unit, "-o", "f.csv")
         told = run("forces", "hexapod.toml", "trajectory.csv", *units).err
-        assert ("state length_unit=" in told) == doubted
+        assert ("state --length-unit " in told) == doubted
 
 
 @pytest.mark.slow

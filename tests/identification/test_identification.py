@@ -241,6 +241,20 @@ def test_bad_forces_are_rejected_in_one_line(
     assert not (tmp_path / "out").exists()
 
 
+def test_forces_with_dates_and_units_are_read_and_their_sign_is_checked(
+    simulated: Path, tmp_path: Path, run: Run
+) -> None:
+    time, *F = np.loadtxt(simulated / "forces.csv", delimiter=",", skiprows=1, unpack=True)
+    start, forces = np.datetime64("2025-11-29T23:59:59", "ns"), tmp_path / "forces.csv"
+    rows = [
+        ";".join([str(start + round(1e9 * x)), *(f"{-1e-3 * f:.9g}" for f in row)])
+        for x, *row in zip(time, *F, strict=True)
+    ]
+    forces.write_text("\n".join(["stamp;" + ";".join(f"Force{leg} [kN]" for leg in range(1, 7)), *rows]))
+    told = run("identify", PAPERS, "--measured", simulated / "trajectory.csv", forces, "-o", tmp_path / "out")
+    assert "forces: opposite to the forces by the robot file; change their sign" in told.err
+
+
 def test_swapped_measurements_are_told(simulated: Path, tmp_path: Path, fails: Fails) -> None:
     trajectory, forces = (simulated / name for name in ("trajectory.csv", "forces.csv"))
     line = fails("identify", PAPERS, "--measured", forces, trajectory, "-o", tmp_path / "out")

@@ -3,7 +3,6 @@
 The fuzzer of fuzz_files.py starts from sound files; what it can't reach by changing bytes stands here.
 """
 
-import functools
 import importlib.util
 import os
 import resource
@@ -22,9 +21,7 @@ from robot_files import PAPERS
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.motion.log_reader import FORCES as FORCE_NAMES
-from stewart_sym.motion.log_reader import read_leg_columns
-from stewart_sym.motion.trajectory_format import PLAIN
+from stewart_sym.motion.log_samples import read_samples
 from stewart_sym.simulation.scene import read_scene
 
 ROBOT = PAPERS.read_bytes()
@@ -41,14 +38,13 @@ stiffness = 2e5
 POSES = b"time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + b"".join(
     b"%d,0.2,0,0.5,0,0,0\n" % i for i in range(6)
 )
-read_forces = functools.partial(read_leg_columns, form=PLAIN, groups=(FORCE_NAMES,))
 FORCES = b"time,F_1,F_2,F_3,F_4,F_5,F_6\n0,1,2,3,4,5,6\n"
 
 READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
     "robot": (ss.Robot.from_toml, ROBOT),
     "scene": (read_scene, SCENE),
     "motion": (read_log, POSES),
-    "forces": (read_forces, FORCES),
+    "forces": (lambda path: read_samples(os.fsdecode(path), forces=True), FORCES),
 }
 MASS = b"mass = 40.0"
 

@@ -17,8 +17,7 @@ from plain_logs import read_log, read_poses
 import stewart_sym as ss
 from stewart_sym.kinematics.offset_legs import leg_lengths
 from stewart_sym.kinematics.robot_logs import read_log_of
-from stewart_sym.motion.log_reader import FORCES, read_leg_columns
-from stewart_sym.motion.log_samples import line_ranges
+from stewart_sym.motion.log_samples import components_of, line_ranges, read_samples
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.TrajectoryWarning")
 TABLE = poses()
@@ -146,12 +145,20 @@ def test_dates_and_times_since_1970_are_times(tmp_path: Path, form: str) -> None
     same_poses(log(tmp_path, "\n".join(f"{a},{b}" for a, b in zip(times, rows, strict=True))))
 
 
+def test_times_of_day_continue_after_midnight(tmp_path: Path) -> None:
+    rows = text_of(NAMES[1:], TABLE[:, 1:]).splitlines()
+    times = [str(np.datetime64("2025-12-31T23:59:59.5", "ms") + round(1e3 * x))[11:] for x in TABLE[:, 0]]
+    same_poses(
+        log(tmp_path, "\n".join(f"{a},{b}" for a, b in zip(["time [hh:mm:ss]", *times], rows, strict=True)))
+    )
+
+
 def test_rows_at_a_rate_have_times_also_behind_a_row_without_numbers(tmp_path: Path) -> None:
     lines = text_of(NAMES[1:], TABLE[:, 1:]).splitlines()
-    lines[10] = "0.1,,0.3,0,0,0"
+    lines[9], lines[10] = "0.1,0", "0.1,,0.3,0,0,0"
     found = read_log(log(tmp_path, "\n".join(lines)), Form(row_rate=20.0))
-    np.testing.assert_allclose(found.time, np.delete(TABLE[:, 0], 9), atol=1e-12)
-    assert list(found.rows[:10]) == [*range(2, 11), 12]
+    np.testing.assert_allclose(found.time, np.delete(TABLE[:, 0], [8, 9]), atol=1e-12)
+    assert list(found.rows[:10]) == [*range(2, 10), 12, 13]
 
 
 def test_poses_without_times_are_static(tmp_path: Path) -> None:
@@ -210,6 +217,9 @@ def test_poses_and_lengths_relative_to_the_home_pose_become_absolute(tmp_path: P
     path = log(tmp_path, text_of(["time", *LENGTHS], lengths))
     relative = Form(length_mode="relative")
     np.testing.assert_allclose(read_log_of(robot, path, relative).lengths[0], L, atol=2e-6)
+    L[3, 1] = -0.1
+    wrong = write(tmp_path / "wrong.csv", ["time", *LENGTHS], np.column_stack([TABLE[:, 0], L]))
+    rejects("line 5: L_2: -0.1 m is no length; check length_mode", read_log_of, robot, wrong)
     bare = dataclasses.replace(robot, home_position=None)
     rejects("relative coordinates; add home_position", read_log_of, bare, path, relative)
 
@@ -222,13 +232,27 @@ def test_wrapped_angles_give_smooth_rates(tmp_path: Path) -> None:
     np.testing.assert_allclose(motion.omega, np.tile([0.0, 0.0, 2.0], (60, 1)), atol=1e-7)
 
 
-def test_columns_of_forces_are_read_with_times(tmp_path: Path) -> None:
-    table = np.column_stack([np.arange(5.0) * 1e3, np.arange(30.0).reshape(5, 6)])
-    path = log(tmp_path, text_of(["time [ms]", *FORCES], table))
-    time, F, names, rows = read_leg_columns(path, Form(), [FORCES])
-    assert (names, list(rows)) == (FORCES, [2, 3, 4, 5, 6])
-    np.testing.assert_allclose(time, np.arange(5.0))
-    np.testing.assert_allclose(F, table[:, 1:])
+@pytest.mark.parametrize(
+    ("names", "vector", "factor"),
+    [
+        (components_of("F"), "F", 1.0),
+        ([f"Force{leg} [kN]" for leg in range(1, 7)], "F", 1e3),
+        ([f"current_{leg}_mA" for leg in range(1, 7)], "current", 1e-3),
+    ],
+)
+def test_forces_and_currents_are_read_with_units_and_dates(
+    names: list[str], vector: str, factor: float, tmp_path: Path
+) -> None:
+    numbers = np.arange(30.0).reshape(5, 6)
+    table = np.column_stack([np.arange(5.0) * 1e3, numbers])
+    path = log(tmp_path, text_of(["t_ms", *names], table, ";", ","))
+    found = read_samples(str(path), forces=True)
+    np.testing.assert_allclose(found.time, np.arange(5.0))
+    np.testing.assert_allclose(found.vectors[vector], factor * numbers)
+    rows = [f"2025-11-29T23:59:{57 + i}Z,0,1,2,3,4,5" for i in range(3)]
+    dated = read_samples(str(log(tmp_path, "\n".join([",".join(["time", *names]), *rows]))), forces=True)
+    np.testing.assert_allclose(dated.time, np.arange(3.0))
+    assert dated.start == 1_764_460_797.0
 
 
 # Errors
@@ -248,15 +272,27 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
     "no header": ("0,1,2,3\n1,2,3,4\n", Form(), ": line 1: no header line; name the columns"),
     "no rows": (HEAD + "\n", Form(), ": no rows of numbers below the header; add rows"),
     "few rows": ("\n".join(lines().splitlines()[:4]), Form(), ": too few rows for rates, 3; add rows"),
+    "JSON": ('{"time": [0, 1], "t_x": [1, 2]}', Form(), ": expected a CSV table, got JSON; write "),
+    "other cells": (HEAD + "\n1;2\n3;4\n", Form(), ": line 2: expected 7 cells as in the header; check "),
     "no numbers": (
-        HEAD + "\n" + "\n".join(["a,b,c,d,e,f,g12345678901"] * 9),
+        HEAD + "\n" + "\n".join(f"{i},0,0,nan,0,0,0" for i in range(9)),
         Form(),
-        ": line 2: no row of numbers; check delimiter and decimal",
+        ": line 2: column t_z: expected a number or a time, got 'nan'; check decimal",
+    ),
+    "other dates": (
+        HEAD + "\n" + "\n".join(f"31.12.2025 10:00:0{i},0,0,0,0,0,0" for i in range(9)),
+        Form(),
+        ": line 2: column time: expected a number or a time, got '31.12.2025 10:00:00'; check ",
+    ),
+    "other name of times": (
+        lines(line_1=HEAD.replace("time", "Zeit_ms")),
+        Form(),
+        ": no column of times; state columns time=Zeit_ms, or remove this column",
     ),
     "missing column": (
         lines(line_1=HEAD.replace("theta_z", "turn")),
         Form(),
-        ": no column theta_z; name it with columns theta_z=HEADER",
+        ": no column theta_z; name it with columns theta_z=HEADER; other columns: turn",
     ),
     "two columns": (
         lines(line_1=HEAD.replace("theta_z", "Surge")),
@@ -290,11 +326,6 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
         ": line 5: time: 0.01 follows 0.1; sort the rows or drop the line",
     ),
     "rate and times": (lines(), Form(row_rate=5.0), ": row_rate: the file has times; omit row_rate"),
-    "negative length": (
-        text_of(["time", *LENGTHS], np.full((9, 7), -1.0) * np.arange(9)[:, None] * [-1, 1, 1, 1, 1, 1, 1]),
-        Form(),
-        ": line 2: L_1: 0 m is no length; use length_mode=relative for changes",
-    ),
 }
 
 

@@ -56,6 +56,13 @@ def test_a_stated_noise_replaces_the_estimate() -> None:
     np.testing.assert_allclose(found.noise.sigma, np.repeat([3.0, 2.0], 3) * WHITE)
 
 
+@pytest.mark.parametrize("factor", [0.01, 100.0])
+def test_a_stated_noise_that_contradicts_the_rows_is_named(factor: float) -> None:
+    one = case(1)
+    _, said = read(one.time, logged(one, "white", 1), ss.SmoothingOptions(factor * WHITE, WHITE))
+    assert sum(text.startswith("position_std is ") for text in said) == 1
+
+
 @pytest.mark.parametrize("even", [True, False])
 def test_a_cutoff_halves_the_amplitude_without_a_phase(even: bool) -> None:
     rng = np.random.default_rng(2)
@@ -113,8 +120,13 @@ def test_deviations_grow_in_a_gap() -> None:
 def test_logs_of_few_rows_are_read(count: int) -> None:
     one = case(3)
     few = Case(one.robot, one.time[:count], one.true[:, :count], one.F[:count])
-    found, _ = read(few.time, logged(few, "4", 3))
-    assert np.isfinite(errors(few, found)).all()
+    found, said = read(few.time, logged(few, "4", 3))
+    off, std = errors(few, found)
+    assert np.isfinite(off).all()
+    assert np.all(std > 0.0)
+    assert any("too few for an estimate" in text for text in said) == (count < 12)
+    if count < 12:
+        assert not any(read(few.time, logged(few, "4", 3), ss.SmoothingOptions(1e-4, 1e-4))[1])
 
 
 def test_rates_that_contradict_positions_are_found_with_the_unit_of_time() -> None:

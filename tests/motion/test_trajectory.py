@@ -131,7 +131,7 @@ def test_steps_and_times_outside_of_the_path_and_no_numbers_are_named(
         ({"tau_f": 0.0}, "tau_f: expected a duration > 0 s"),
         ({"axes": -np.eye(3)}, "axes: expected a rotation matrix, this one is a reflection"),
         ({"tau_f": "2"}, "tau_f: expected a finite number, got '2'"),
-        ({"t0": (0.0, 1.0)}, "t0: expected three numbers, got (0.0, 1.0)"),
+        ({"t0": (0.0, 1.0)}, "t0: expected shape (3,), got (2,)"),
     ],
 )
 def test_impossible_path_is_named(changes: dict[str, Any], expected: str) -> None:

@@ -137,7 +137,7 @@ def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run) 
     text = 'schema = 1\nrobot = "hexapod.toml"\nvia_file = "poses.csv"\n'
     (error,) = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
     assert "poses.csv: lengths of 6" in error
-    assert "state length_unit=mm" in error
+    assert "state --length-unit mm" in error
 
 
 @pytest.mark.slow

@@ -19,14 +19,14 @@ with atheris.instrument_imports(include=READ):
 with atheris.instrument_imports(include=["stewart_sym.simulation.scene", "stewart_sym.motion.trajectory"]):
     from plain_logs import read_log
 
-    from stewart_sym.motion import log_reader, trajectory_format
+    from stewart_sym.motion import log_samples
     from stewart_sym.simulation import scene
 
 READERS = (
     stewart_sym.robot.robot.Robot.from_toml,
     scene.read_scene,
     read_log,
-    lambda path: log_reader.read_leg_columns(path, trajectory_format.PLAIN, (log_reader.FORCES,)),
+    lambda path: log_samples.read_samples(str(path), forces=True),
 )
 LONGEST = 1000
 

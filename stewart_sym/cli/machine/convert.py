@@ -43,6 +43,6 @@ def _report(trajectory: Trajectory) -> Report:
     noise = trajectory.noise
     data = {"rows": len(time), "start_s": time[0], "end_s": time[-1], "rate_Hz": rate, "content": kind}
     if noise is not None and noise.sigma.any():
-        lines.append(noise_text(noise))
+        lines.append(f"{noise_text(noise)}; the file does not contain it: use the log itself for limits")
         data["noise_std"] = noise.sigma
     return Report("\n".join(lines), data=data)

@@ -20,7 +20,7 @@ from ...drives.noise import at_replaced
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...kinematics.robot_logs import log_of, samples_of
-from ...motion.log_reader import CURRENTS, FORCES, read_leg_columns
+from ...motion.log_samples import FORCES, LogSamples, components_of, read_samples
 from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS
 from ...studies.common.report import Report
@@ -79,27 +79,43 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
     form = log_format(arguments)
-    of_forces = {name: form.columns[name] for name in (*FORCES, *CURRENTS) if name in form.columns}
+    leg_columns = [each for name in FORCES for each in components_of(name)]
+    of_forces = {name: form.columns[name] for name in leg_columns if name in form.columns}
     of_poses = {name: header for name, header in form.columns.items() if name not in of_forces}
     samples = samples_of(robot, poses, replace(form, columns=of_poses))
     std = stated_noise(arguments, samples.file_format)
     log = log_of(robot, samples, ss.SmoothingOptions(*std), progress)
-    noisy = arguments.position_std is not None
+    # The noise of leg lengths is known to the reader; the fit expects noise of poses.
+    noisy = arguments.position_std is not None and not log.in_joints
     if noisy:
         log = _measured_rows(log, log_of(robot, samples, ss.SmoothingOptions(enabled=False)))
     trajectory = poses_of(robot, log, arguments, progress)
-    time, F, columns, lines = read_leg_columns(forces, replace(form, columns=of_forces), (FORCES, CURRENTS))
+    measured = _forces(forces, of_forces, form, samples)
+    time = np.arange(float(len(measured.lines))) if measured.time is None else measured.time
+    if samples.start and measured.start:
+        time = time + (measured.start - samples.start)
+    ((kind, F),) = measured.vectors.items()
     sigma = np.asarray(arguments.force_std)
-    if columns == CURRENTS:
+    if kind == "current":
         F, sigma = ss.motor_forces(robot, F), np.abs(ss.motor_forces(robot, np.full(LEGS, sigma)))
     noise = None
     if noisy:
         harmonics = arguments.harmonics if arguments.period is not None else None
         noise = ss.PoseNoise(trajectory.time, *cast("tuple[float, float]", std), arguments.period, harmonics)
     model = (not arguments.no_friction, arguments.enforce_physical, arguments.identical_legs)
-    options = (noise, *model, arguments.drive_terms, lines)
+    options = (noise, *model, arguments.drive_terms, measured.lines.tolist())
     found = from_measurement(robot, trajectory, time, F, sigma, str(forces), *options)
-    return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
+    return measured_report(robot, found, sigma, noise, kind == "current"), found
+
+
+def _forces(
+    source: Path, columns: dict[str, str], form: ss.TrajectoryFormat, motion: LogSamples
+) -> LogSamples:
+    """Read forces or currents, whose file may have other units, times, and delimiters than the motion."""
+    clock = {name: header for name, header in motion.file_format.columns.items() if name == "time"}
+    row_rate = motion.file_format.row_rate
+    defaults = ss.TrajectoryFormat(clock, time_unit=form.time_unit, row_rate=row_rate)
+    return read_samples(str(source), ss.TrajectoryFormat(columns), defaults, forces=True)
 
 
 def _measured_rows(smooth: Trajectory, measured: Trajectory) -> Trajectory:

@@ -43,6 +43,8 @@ _SHOWN = {
 }
 # Largest ratio of the measured forces to the forces of the robot file, or its inverse, in equal units.
 _MOST_TIMES = 100.0
+# Correlation with the negative forces of the robot file from which the measured forces have the other sign.
+_OPPOSITE = 0.5
 
 
 def from_measurement(
@@ -114,8 +116,11 @@ def _dry_friction(robot: Robot) -> list[str]:
 
 
 def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> list[str]:
-    """Return a warning about forces of another magnitude."""
-    got, expected = (np.sqrt(np.mean(each**2)) for each in (F, inverse_dynamics(robot, found.motion).F))
+    """Return a warning about forces of another magnitude or sign."""
+    model = inverse_dynamics(robot, found.motion).F
+    got, expected = (np.sqrt(np.mean(each**2)) for each in (F, model))
+    if np.mean(F * model) < -_OPPOSITE * got * expected:
+        return ["forces: opposite to the forces by the robot file; change their sign: positive extends a leg"]
     if expected / _MOST_TIMES < got < expected * _MOST_TIMES:
         return []
     finding = f"RMS of {got:.3g} N, but {expected:.3g} N by the robot file along this motion"

@@ -138,6 +138,7 @@ def read(time: Array, values: Array, smoothing: SmoothingOptions = AS_SHOWN) -> 
 
 def errors(one: Case, found: Trajectory) -> tuple[Array, Array]:
     """Return errors of the forces (N) and their standard deviations, (n, 6), at the times of the log."""
-    start = found.time[0] - one.time[0]
-    rows = np.searchsorted(one.time, found.time - (0.0 if abs(start) < 1e6 else 1.7e9) - 1e-4 * one.time[1])
+    # Times since 1970 are counted from the first row of the file.
+    start = found.time[0] - one.time[found.rows[0] - 2]
+    rows = np.searchsorted(one.time, found.time - start - 1e-4 * one.time[1])
     return ss.inverse_dynamics(one.robot, found.motion).F - one.F[rows], ss.force_std(one.robot, found)
