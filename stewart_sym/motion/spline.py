@@ -88,11 +88,6 @@ class SmoothCurve:
         """Times of the knots in the range of the samples (s)."""
         return np.asarray(self.start + self.step * np.arange(len(self.coefficients) - DEGREE + 1.0))
 
-    def evaluate(self, time: Array) -> Array:
-        """Return values, rates, and second rates at n times, shape (3, n)."""
-        spline = BSpline(_knots(self.step, len(self.coefficients)), self.coefficients, DEGREE)
-        return np.array([spline(self._since(time), order) for order in range(3)])
-
     def covariance(self, time: Array) -> Array:
         """Return the covariances ``PAIRS`` of value, rate, and second rate at n times, shape (n, 6)."""
         found = np.empty((len(time), len(PAIRS)))
@@ -100,7 +95,7 @@ class SmoothCurve:
         low, distance = np.minimum.outer(offsets, offsets), np.abs(np.subtract.outer(offsets, offsets))
         splines = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
         for part in (slice(i, i + _CHUNK) for i in range(0, len(time), _CHUNK)):
-            place = self._since(time[part]) / self.step
+            place = self.since(time[part]) / self.step
             cell = np.minimum(place.astype(int), len(self.coefficients) - DEGREE - 1)
             C = self.band[cell[:, None, None] + low, distance]
             centers = np.arange(len(self.coefficients)) - DEGREE // 2
@@ -112,7 +107,8 @@ class SmoothCurve:
                 found[part, k] = np.einsum("np,npq,nq->n", rows[i], C, rows[j], optimize=True)
         return found
 
-    def _since(self, time: Array) -> Array:
+    def since(self, time: Array) -> Array:
+        """Return times since the first knot (s), limited to the range of the samples."""
         end = self.step * (len(self.coefficients) - DEGREE)
         return np.clip(time - self.start, 0.0, end * (1.0 - 1e-15))
 
@@ -128,9 +124,22 @@ class SmoothCurves:
         """Standard deviation of the noise of each column, shape (c,)."""
         return np.array([curve.noise_std for curve in self.columns])
 
-    def evaluate(self, time: Array) -> Array:
-        """Return values, rates, and second rates at n times, shape (3, n, c)."""
-        return np.stack([curve.evaluate(time) for curve in self.columns], axis=-1)
+    def evaluate(self, time: Array, orders: int = 3) -> Array:
+        """Return values, rates, and second rates, or fewer orders, at n times, shape (orders, n, c).
+
+        The derivative of a spline on even knots has the differences of its coefficients, and one degree less.
+        """
+        found = np.empty((orders, len(time), len(self.columns)))
+        steps = np.array([curve.step for curve in self.columns])
+        for step in np.unique(steps):
+            columns = np.flatnonzero(steps == step)
+            curve = self.columns[columns[0]]
+            since, knots = curve.since(time), _knots(step, len(curve.coefficients))
+            c = np.stack([self.columns[column].coefficients for column in columns], axis=-1)
+            for order in range(orders):
+                B = BSpline.design_matrix(since, knots[order : len(knots) - order], DEGREE - order)
+                found[order][:, columns] = B @ np.diff(c, order, axis=0) / step**order
+        return found
 
     def covariance(self, time: Array) -> Array:
         """Return the covariances ``PAIRS`` of value, rate, and second rate at n times, shape (n, c, 6)."""
