@@ -43,6 +43,8 @@ _FEWEST_CELLS = 32
 _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
 # Number of cells per period of the cut-off frequency.
 _CELLS_PER_PERIOD = 8.0
+# Largest number of rows for each independent error of rounding, and smallest number of such errors.
+_MOST_ROWS, _FEWEST_ERRORS = 64, 64
 _CHUNK = 1 << 14
 _BLOCK = 64
 # Parts of the largest diagonal element and of the samples per cell that keep a matrix definite in gaps.
@@ -50,11 +52,16 @@ _ROUNDING, _RIDGE = 4e-16, 1e-11
 
 
 class Smoothness(NamedTuple):
-    """Distance of knots (s), order of the penalty, and logarithm of its weight."""
+    """Distance of knots (s), order and logarithm of the weight of the penalty, and rows for each error.
+
+    Rounding errors of adjacent rows are nearly equal where the motion is slower than a step of rounding per
+    row. Then several rows contain one independent error.
+    """
 
     step: float
     order: int
     log_weight: float
+    rows: int = 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,7 +191,7 @@ def smooth_columns(
         samples = _Samples(time - time[0], values[:, columns] - mean[columns], step, noise.of(columns))
         for i, k in enumerate(columns):
             problem = _Problem(samples, smoothness[k].order)
-            curves[k] = problem.curve(i, smoothness[k].log_weight, float(time[0]), float(mean[k]))
+            curves[k] = problem.curve(i, smoothness[k], float(time[0]), float(mean[k]))
     return SmoothCurves(tuple(curves[k] for k in range(len(smoothness))))
 
 
@@ -198,15 +205,20 @@ def likeliest(
     """Estimate the smoothness of each column of samples; arguments as of ``smooth_columns``."""
     since = time - time[0]
     if cutoff is None:
-        noise, trial = _noise(values, noise_std, least_std), min(len(since), _TRIAL_SAMPLES)
-        firsts = np.array([_busiest(u, trial) for u in values.T])
-        found: dict[int, Smoothness] = {}
-        for first in np.unique(firsts):
-            columns, rows = np.flatnonzero(firsts == first).tolist(), slice(first, first + trial)
-            u = values[rows, columns]
-            step = float(since[-1]) * trial / len(since) / _FEWEST_CELLS
-            some = _likeliest(since[rows] - since[first], u - u.mean(axis=0), noise.of(columns), step)
-            found |= dict(zip(columns, some, strict=True))
+        noise, found = _noise(values, noise_std, least_std), {}
+        rows = [_rows_for_each_error(u, std) for u, std in zip(values.T, np.sqrt(noise.least), strict=True)]
+        trials = [min(len(since) // each, _TRIAL_SAMPLES) for each in rows]
+        firsts = [_busiest(u, n * each) for u, n, each in zip(values.T, trials, rows, strict=True)]
+        for first, every, trial in set(zip(firsts, rows, trials, strict=True)):
+            columns = [k for k, each in enumerate(zip(firsts, rows, strict=True)) if each == (first, every)]
+            some = slice(first, first + trial * every, every)
+            t, u = since[some] - since[first], values[some, columns]
+            step = float(since[-1]) * trial * every / len(since) / _FEWEST_CELLS
+            each = _likeliest(t, u - u.mean(axis=0), noise.of(columns), step)
+            found |= {
+                k: one._replace(rows=every, log_weight=one.log_weight + math.log(every))
+                for k, one in zip(columns, each, strict=True)
+            }
         return [found[k] for k in range(values.shape[1])]
     half, step = math.pi / _CELLS_PER_PERIOD, 1.0 / (_CELLS_PER_PERIOD * cutoff)
     # Frequency responses of the B-splines and of the differences at the cut-off frequency.
@@ -372,13 +384,14 @@ class _Problem:
         residuals = (self.samples.values[:, only] - self.samples.B @ self.solve(log_weight, only)[0])[:, 0]
         return float(residuals[1:] @ residuals[:-1]) <= _MOST_CORRELATED * float(residuals @ residuals)
 
-    def curve(self, column: int, log_weight: float, start: float, mean: float) -> SmoothCurve:
+    def curve(self, column: int, smoothness: Smoothness, start: float, mean: float) -> SmoothCurve:
         """Return the curve through the samples of a column, with its covariance."""
         only = slice(column, column + 1)
-        c, factor, squares = self.solve(log_weight, only)
+        c, factor, squares = self.solve(smoothness.log_weight, only)
         noise = self.samples.noise.of([column])
         variance = float(noise.variances(squares / (self.samples.count - self.order))[0])
-        band, factors = variance * inverse_band(factor), self._factors(c[:, 0], log_weight)
+        band = smoothness.rows * variance * inverse_band(factor)
+        factors = self._factors(c[:, 0], smoothness.log_weight)
         return SmoothCurve(start, self.samples.step, c[:, 0] + mean, math.sqrt(variance), band, factors)
 
     def _factors(self, c: Array, log_weight: float) -> Array:
@@ -421,6 +434,19 @@ def _likeliest(since: Array, values: Array, noise: _Noise, step: float) -> list[
                 found[k] = Smoothness(step, *min(refined)[1:])
         step /= 2.0
     return [found[k] for k in range(values.shape[1])]
+
+
+def _rows_for_each_error(u: Array, rounding: float) -> int:
+    """Return the number of rows, a power of 2, in which a moving column changes by a step of rounding.
+
+    Noise also changes a column, and makes rounding errors of adjacent rows independent.
+    """
+    count = _MOST_ROWS * ((len(u) - 1) // _MOST_ROWS)
+    speeds = np.abs(np.diff(u[: count + 1 : _MOST_ROWS])) / _MOST_ROWS
+    usual = float(np.sum(speeds**2) / max(float(np.sum(speeds)), 1e-300))
+    change = max(usual, float(np.mean(np.abs(np.diff(u)))), 1e-300)
+    rows = min(math.sqrt(12.0) * rounding / change, len(u) / _FEWEST_ERRORS)
+    return int(2 ** min(max(round(math.log2(max(rows, 1.0))), 0), round(math.log2(_MOST_ROWS))))
 
 
 def _busiest(u: Array, trial: int) -> int:
