@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial.polynomial import polyder
+from scipy import sparse
 from scipy.interpolate import BSpline
 from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded, solveh_banded
 from scipy.linalg.lapack import dtbtrs
@@ -21,7 +23,7 @@ from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from scipy.optimize import minimize_scalar
 from scipy.special import gammaln
 
-from ..io.array_types import Array
+from ..io.array_types import Array, Indices
 
 DEGREE = 5
 ORDERS = (3, 4, 6, 8)
@@ -30,6 +32,9 @@ ORDERS = (3, 4, 6, 8)
 _BIAS = {3: 1.0, 4: 1.0, 6: 0.25, 8: 0.1}
 # A coefficient with less than this fraction of the usual number of samples is in a gap.
 _EMPTY = 0.1
+# Coefficients of powers of the fraction of a cell, for each of the six B-splines on the cell.
+_SPLINES = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
+_POLYNOMIALS = np.array([_SPLINES(0.0, power) / math.factorial(power) for power in range(DEGREE + 1)])
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Orders of the derivatives to which the components of a covariance belong."""
 # Logarithms of weights relative to the samples per cell: the smallest one, and the smallest one for which the
@@ -99,14 +104,13 @@ class SmoothCurve:
         found = np.empty((len(time), len(PAIRS)))
         offsets = np.arange(DEGREE + 1)
         low, distance = np.minimum.outer(offsets, offsets), np.abs(np.subtract.outer(offsets, offsets))
-        splines = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
+        size = len(self.coefficients)
+        centers = self.step * (np.arange(size) - DEGREE // 2)
         for part in (slice(i, i + _CHUNK) for i in range(0, len(time), _CHUNK)):
-            place = self.since(time[part]) / self.step
-            cell = np.minimum(place.astype(int), len(self.coefficients) - DEGREE - 1)
-            C = self.band[cell[:, None, None] + low, distance]
-            centers = np.arange(len(self.coefficients)) - DEGREE // 2
+            since = self.since(time[part])
+            C = self.band[_cells(since, self.step, size)[:, None, None] + low, distance]
             rows = [
-                splines(place - cell, order) * np.interp(place, centers, f)[:, None] / self.step**order
+                _weights(since, self.step, size, order) * np.interp(since, centers, f)[:, None]
                 for order, f in enumerate(self.factors)
             ]
             for k, (i, j) in enumerate(PAIRS):
@@ -131,20 +135,15 @@ class SmoothCurves:
         return np.array([curve.noise_std for curve in self.columns])
 
     def evaluate(self, time: Array, orders: int = 3) -> Array:
-        """Return values, rates, and second rates, or fewer orders, at n times, shape (orders, n, c).
-
-        The derivative of a spline on even knots has the differences of its coefficients, and one degree less.
-        """
+        """Return values, rates, and second rates, or fewer orders, at n times, shape (orders, n, c)."""
         found = np.empty((orders, len(time), len(self.columns)))
         steps = np.array([curve.step for curve in self.columns])
         for step in np.unique(steps):
             columns = np.flatnonzero(steps == step)
-            curve = self.columns[columns[0]]
-            since, knots = curve.since(time), _knots(step, len(curve.coefficients))
+            since = self.columns[columns[0]].since(time)
             c = np.stack([self.columns[column].coefficients for column in columns], axis=-1)
             for order in range(orders):
-                B = BSpline.design_matrix(since, knots[order : len(knots) - order], DEGREE - order)
-                found[order][:, columns] = B @ np.diff(c, order, axis=0) / step**order
+                found[order][:, columns] = _matrix(since, float(step), len(c), order) @ c
         return found
 
     def covariance(self, time: Array) -> Array:
@@ -285,8 +284,25 @@ def inverse_band(factor: Array) -> Array:
     return found
 
 
-def _knots(step: float, size: int) -> Array:
-    return np.asarray(step * np.arange(-DEGREE, size + 1.0))
+def _cells(since: Array, step: float, size: int) -> Indices:
+    """Return the indices of the cells between knots that contain times (s) since the first knot."""
+    return np.minimum((since / step).astype(int), size - DEGREE - 1)
+
+
+def _weights(since: Array, step: float, size: int, order: int = 0) -> Array:
+    """Return a derivative of the six B-splines that are not zero at each time, shape (n, 6)."""
+    fraction = since / step - _cells(since, step, size)
+    powers = np.vander(fraction, DEGREE + 1 - order, increasing=True)
+    return np.asarray(powers @ polyder(_POLYNOMIALS, order) / step**order)
+
+
+def _matrix(since: Array, step: float, size: int, order: int = 0) -> sparse.csr_matrix:
+    """Return a derivative of all B-splines at each time, shape (n, size)."""
+    count, width = len(since), DEGREE + 1
+    indices = (_cells(since, step, size)[:, None] + np.arange(width)).astype(np.int32)
+    ends = np.arange(0, width * count + 1, width, dtype=np.int32)
+    weights = _weights(since, step, size, order)
+    return sparse.csr_matrix((weights.ravel(), indices.ravel(), ends), shape=(count, size))
 
 
 class _Samples:
@@ -300,8 +316,7 @@ class _Samples:
         self.count, self.step, self.values, self.noise = len(since), step, values, noise
         self.cells = max(1, math.ceil(float(since[-1]) / step * (1.0 - 1e-9)))
         self.size, self.density = self.cells + DEGREE, math.log(self.count / self.cells)
-        t = np.minimum(since, step * self.cells * (1.0 - 1e-15))
-        self.B = BSpline.design_matrix(t, _knots(step, self.size), DEGREE)
+        self.B = _matrix(since, step, self.size)
         gram, self.products = self.B.T @ self.B, self.B.T @ values
         self.gram = np.zeros((ORDERS[-1] + 1, self.size))
         for k in range(DEGREE + 1):
