@@ -31,8 +31,8 @@ ORDERS = (3, 4, 7)
 
 Order 8 had 0.7 times the errors of order 7 inside of sums of sines, but 2 times at their ends.
 """
-# Mean square of the bias relative to its expectation, by order, fitted to 48 random motions with noise (sums of
-# sines, minimum jerk, and trapezoids; 3, 4, and 5 decimals, and white noise).
+# Mean square of the bias relative to its expectation, by order, fitted to 48 random motions: sums of sines,
+# minimum jerk, and trapezoids, with 3, 4, and 5 decimals or white noise.
 _BIAS = {3: 0.7, 4: 0.7, 7: 0.1}
 # A coefficient with less than this fraction of the usual number of samples is in a gap.
 _EMPTY = 0.1
