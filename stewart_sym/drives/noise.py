@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..dynamics.force_noise import CHUNK, displaced, forces_of
+from ..dynamics.force_noise import CHUNK, between, displaced, forces_of, near_knots
 from ..dynamics.inverse_dynamics import Backend, Formulation
 from ..io.array_types import Array, Flags
 from ..kinematics.clearance import angles_between, neutral_directions
@@ -87,15 +87,21 @@ def deviations_in_parts(
 
     def deviations(part: slice) -> Deviations:
         at = _State(robot, trajectory.at(part), forces, neutral)
-        found = {name: np.zeros(values.shape) for name, values in at.values.items()}
-        products = {name: np.zeros(at.F.shape) for name in at.products(at)}
-        for motion in displaced(robot, trajectory, part):
-            other = _State(robot, motion, forces, neutral, at.sign)
+        rows, time = near_knots(trajectory, part), trajectory.time
+        some = at if len(rows) == len(at.F) else _State(robot, trajectory.at(rows), forces, neutral)
+        found = {name: np.zeros(values.shape) for name, values in some.values.items()}
+        products = {name: np.zeros(some.F.shape) for name in some.products(some)}
+        for motion in displaced(robot, trajectory, rows):
+            other = _State(robot, motion, forces, neutral, some.sign)
             with np.errstate(all="ignore"):
                 for name, values in other.values.items():
-                    found[name] = np.hypot(found[name], _open(values, values - at.values[name]))
-                for name, values in at.products(other).items():
+                    found[name] = np.hypot(found[name], _open(values, values - some.values[name]))
+                for name, values in some.products(other).items():
                     products[name] = np.hypot(products[name], _open(values, values))
+        found, products = (
+            {name: between(time[part], time[rows], sd) for name, sd in each.items()}
+            for each in (found, products)
+        )
         return _finished(robot, at, found, products)
 
     return deviations

@@ -2,7 +2,7 @@
 
 The standard deviations of the six coordinates and their derivatives, after smoothing or rounding, are
 propagated one at a time through kinematics and dynamics. Therefore every formulation and every robot is
-supported.
+supported. Between the knots of a smooth log, standard deviations are interpolated.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from ..io.arguments import instance
-from ..io.array_types import Array
+from ..io.array_types import Array, Indices
 from ..kinematics.forward_kinematics import twist_per_rates
 from ..kinematics.inverse_kinematics import legs_or_overflow
 from ..motion.motion import Motion
@@ -94,12 +94,45 @@ def force_std(
 def _deviations_of_forces(
     robot: Robot, trajectory: Trajectory, part: slice, forces: Callable[[Motion], Array]
 ) -> Array:
-    F = forces(trajectory.at(part))
+    rows = near_knots(trajectory, part)
+    F = forces(trajectory.at(rows))
     deviation = np.zeros(F.shape)
-    for other in displaced(robot, trajectory, part):
+    for other in displaced(robot, trajectory, rows):
         moved = forces(other)
         deviation = np.hypot(deviation, np.where(np.isfinite(moved), moved - F, np.inf))
-    return np.where(np.isfinite(F), deviation, np.nan)
+    deviation = np.where(np.isfinite(F), deviation, np.nan)
+    if len(rows) == len(trajectory.time[part]):
+        return deviation
+    known = np.isfinite(forces(trajectory.at(part)))
+    return np.where(known, between(trajectory.time[part], trajectory.time[rows], deviation), np.nan)
+
+
+def near_knots(trajectory: Trajectory, part: slice) -> Indices:
+    """Return the samples of a slice at which standard deviations are computed, with both ends.
+
+    They are two for each step of the covariances of a smooth log; all samples of other logs.
+    """
+    rows = np.arange(len(trajectory.time))[part]
+    noise, time = trajectory.noise, trajectory.time[part]
+    if noise is None or len(noise.grid) <= 2 or len(rows) <= 2:
+        return rows
+    wanted = np.concatenate([noise.grid, 0.5 * (noise.grid[1:] + noise.grid[:-1])])
+    wanted = wanted[(wanted >= time[0]) & (wanted <= time[-1])]
+    return rows[np.unique([0, len(rows) - 1, *np.searchsorted(time, wanted).tolist()])]
+
+
+def between(time: Array, known: Array, deviations: Array) -> Array:
+    """Interpolate standard deviations (m, 6), given at some times (m,), as covariances, linearly in squares.
+
+    They are infinite beside an unknown one.
+    """
+    if len(known) == len(time):
+        return deviations
+    i = np.clip(np.searchsorted(known, time, side="right") - 1, 0, len(known) - 2)
+    share = ((time - known[i]) / (known[i + 1] - known[i]))[:, None]
+    with np.errstate(invalid="ignore"):
+        found = np.sqrt((1.0 - share) * deviations[i] ** 2 + share * deviations[i + 1] ** 2)
+    return np.where(np.isfinite(found), found, np.inf)
 
 
 def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
@@ -138,7 +171,7 @@ def _quotient(x: Array, y: Array) -> Array:
     return np.divide(x, y, out=np.zeros_like(x), where=y > 0.0)
 
 
-def displaced(robot: Robot, trajectory: Trajectory, part: slice) -> Iterator[Motion]:
+def displaced(robot: Robot, trajectory: Trajectory, part: slice | Indices) -> Iterator[Motion]:
     """Yield motions that are each displaced by one independent standard deviation, except zero displacements.
 
     The square root of the sum of the squared changes of a quantity is its standard deviation.

@@ -87,7 +87,8 @@ def _near_predictions(values: Array) -> Flags:
         predicted = (far**2 * sums[0] - near**2 * sums[1]) / (2.0 * (far**2 - near**2))
         off = np.minimum(off, np.abs(values - predicted))
     starts = np.arange(0, max(count - _BLOCK_ROWS // 2, 1), _BLOCK_ROWS)
-    medians = [np.median(block, axis=0) for block in np.split(off, starts[1:])]
+    whole = off[: starts[-1]].reshape(-1, _BLOCK_ROWS, off.shape[1])
+    medians = np.vstack([np.median(whole, axis=1), np.median(off[starts[-1] :], axis=0)])
     usual = np.repeat(maximum_filter1d(medians, 3, axis=0), np.diff([*starts, count]), axis=0)
     return np.asarray((off <= LIMIT * 1.4826 * usual).all(axis=1))
 
@@ -114,12 +115,13 @@ def _agree(curves: SmoothCurves, time: Array, values: Array, runs: Flags, near: 
     A row where the curves are uncertain, inside a gap, is compared only if it is near other rows.
     """
     agree, certain = np.ones((2, len(time)), dtype=bool)
-    for curve, column in zip(curves.columns, values.T, strict=True):
+    errors = np.abs(values - curves.evaluate(time, 1)[0])
+    for curve, column, error in zip(curves.columns, values.T, errors.T, strict=True):
         knots = curve.knots
         variance = np.interp(time, knots, np.maximum(curve.covariance(knots)[:, 0], 0.0))
         bend = float(np.median(np.abs(np.diff(column, 2))))
         noise = max(curve.noise_std, _NEGLIGIBLE * bend, 1e-12 * float(np.abs(column).max()))
-        agree &= np.abs(column - curve.evaluate(time)[0]) <= LIMIT * np.sqrt(noise**2 + variance)
+        agree &= error <= LIMIT * np.sqrt(noise**2 + variance)
         certain &= variance <= (_MOST_UNCERTAIN * noise) ** 2
     found = agree & (certain | near)
     for first, end in zip(*flagged_spans(runs), strict=True):

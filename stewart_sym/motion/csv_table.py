@@ -4,8 +4,10 @@ import contextlib
 import csv
 import itertools
 import re
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,9 +18,12 @@ from ..io.toml_reader import opened
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
 
-# Number of lines that are converted together.
-_PART = 4096
-# Number of digits that a double represents; nanoseconds since 1970 have more.
+# Number of characters that are searched for the header, and of those that are converted together.
+_HEAD, _BLOCK = 1 << 20, 1 << 18
+# Largest integer, and largest power of ten, that a double represents without rounding error.
+_MOST_EXACT, _POWERS = 2**53, 10.0 ** np.arange(23)
+_DIGITS = b"0123456789+-"
+# Number of digits of nanoseconds since 1970, which a double cannot represent.
 _LONG = 16
 _BETWEEN_NUMBERS = re.compile(r"[\s;]+|,(?=\s|[-+\d])")
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?")
@@ -57,23 +62,26 @@ class CsvTable:
     units: dict[str, str]
     lines: Lines
     dropped: Lines
-    _texts: Sequence[str]
+    _blocks: Sequence[Array | list[str]]
     _delimiter: str
     _decimal: str
 
     def numbers(self, names: Sequence[str]) -> Array:
         """Return the numbers of columns of ``header``, shape (n, len(names)), NaN for other cells."""
         places = [self.header.index(name) for name in names]
-        return _numbers(self._texts, places, self._delimiter, self._decimal)
+        parts = [_numbers(block, places, self._delimiter, self._decimal) for block in self._blocks]
+        return np.concatenate([np.zeros((0, len(places))), *parts])
 
     def cells(self, name: str) -> list[str]:
-        """Return the texts of a column of ``header``, length n."""
+        """Return the texts of a column of ``header``, length n; blocks of plain numbers have no texts."""
         place = self.header.index(name)
-        return [_cells(text, self._delimiter)[place] for text in self._texts]
+        rows = itertools.chain(*([""] * len(x) if isinstance(x, np.ndarray) else x for x in self._blocks))
+        return [_cells(row, self._delimiter)[place] if row else "" for row in rows]
 
     def has_instants(self, name: str) -> bool:
         """Return True if a column begins with a date, a time of day, or nanoseconds since 1970."""
-        cell = _cells(self._texts[0], self._delimiter)[self.header.index(name)] if self._texts else ""
+        first = next((block for block in self._blocks if len(block)), "")
+        cell = _cells(first[0], self._delimiter)[self.header.index(name)] if isinstance(first, list) else ""
         return not np.isnat(_instant(cell)) and (not cell.isdigit() or len(cell) > _LONG)
 
     def instants(self, name: str) -> Instants:
@@ -107,25 +115,27 @@ def read_table(
         text = _decoded(stream.read())
     if text.lstrip().startswith(("{", "[{", "[[")):
         raise ValueError(f"{source}: expected a CSV table, got JSON; write a header line and rows of numbers")
-    lines = text.splitlines()
-    place, header, mark = _header(lines, source, None if delimiter is None else DELIMITERS[delimiter])
-    names, units = zip(*map(split_unit, header), strict=True)
-    below = [i for i in range(place + 1, len(lines)) if lines[i].strip(' \t;,"') and lines[i][0] not in "#%"]
-    if below and _is_unit_row(row := _cells(lines[below[0]], mark), len(names)):
-        units = tuple(unit or cell.strip("[]() ") for unit, cell in zip(units, row, strict=True))
-        below = below[1:]
-    if not below:
+    above = text[:_HEAD].split("\n")
+    place, header, mark = _header(above, source, None if delimiter is None else DELIMITERS[delimiter])
+    names, stated_units = zip(*map(split_unit, header), strict=True)
+    below = next((i for i in range(place + 1, len(above)) if _is_row(above[i])), None)
+    stated = dict(zip(names, stated_units, strict=True))
+    if below is not None and (row := _cells(above[below], mark)) and _is_unit_row(row, len(names)):
+        stated = {
+            name: unit or cell.strip("[]() ") for (name, unit), cell in zip(stated.items(), row, strict=True)
+        }
+        place = below
+    blocks = list(_blocks(text, place + 1))
+    comma = _has_decimal_comma(blocks, mark) if decimal is None else decimal == "comma"
+    point = "," if comma else "."
+    numbers = np.cumsum([place + 2, *(block.count("\n") + 1 for block in blocks)])
+    rows = [_rows(block, int(i), mark, point, len(names)) for i, block in zip(numbers, blocks, strict=False)]
+    lines = np.concatenate([np.zeros(0, int), *(row.lines for row in rows)])
+    dropped = np.concatenate([np.zeros(0, int), *(row.dropped for row in rows)])
+    if not len(lines) + len(dropped):
         raise ValueError(f"{source}: no rows of numbers below the header; add rows")
-    numbers = np.array(below) + 1
-    texts = [lines[i] for i in below]
-    comma = _has_decimal_comma(texts, mark) if decimal is None else decimal == "comma"
-    widths = (len(_cells(text, mark)) if '"' in text else text.count(mark) + 1 for text in texts)
-    right = np.array([width == len(names) for width in widths])
-    texts = list(itertools.compress(texts, right))
-    stated = {name: unit for name, unit in zip(names, units, strict=True) if unit}
-    return CsvTable(
-        source, names, stated, numbers[right], numbers[~right], texts, mark, "," if comma else "."
-    )
+    units = {name: unit for name, unit in stated.items() if unit}
+    return CsvTable(source, names, units, lines, dropped, [row.cells for row in rows], mark, point)
 
 
 def split_unit(cell: str) -> tuple[str, str]:
@@ -140,13 +150,14 @@ def is_number(cell: str) -> bool:
 
 
 def _decoded(data: bytes) -> str:
-    """Decode UTF-8, UTF-16 with a byte order mark, or the Windows code page 1252."""
+    """Decode UTF-8, UTF-16 with a byte order mark, or the Windows code page 1252, with ends of lines \\n."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return data.decode("utf-16", errors="replace")
+        data = data.decode("utf-16", errors="replace").encode()
     try:
-        return data.decode("utf-8-sig")
+        text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return data.decode("cp1252", errors="replace")
+        text = data.decode("cp1252", errors="replace")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _header(lines: Sequence[str], source: str, given: str | None) -> tuple[int, list[str], str]:
@@ -183,32 +194,100 @@ def _is_unit_row(cells: Sequence[str], width: int) -> bool:
     return len(cells) == width and any(cells) and short
 
 
-def _has_decimal_comma(texts: Sequence[str], delimiter: str) -> bool:
+def _is_row(line: str) -> bool:
+    """Return True for a line that is not blank and no comment."""
+    return bool(line.strip(' \t;,"')) and line[0] not in "#%"
+
+
+def _blocks(text: str, first: int) -> Iterator[str]:
+    """Yield lines from the line with index ``first``, in blocks without the last line feed."""
+    start = 0
+    for _ in range(first):
+        start = text.find("\n", start) + 1 or len(text)
+    while start < len(text):
+        end = text.find("\n", start + _BLOCK)
+        end = len(text) if end < 0 else end
+        yield text[start:end].rstrip("\n") if end == len(text) else text[start:end]
+        start = end + 1
+
+
+def _has_decimal_comma(blocks: Sequence[str], delimiter: str) -> bool:
     """Return True if numbers contain commas and no points."""
     if delimiter == ",":
         return False
-    cells = [cell for text in texts[:: max(1, len(texts) // 1000)] for cell in _cells(text, delimiter)]
+    some = [line for block in blocks[:: max(1, len(blocks) // 16)] for line in block.split("\n")]
+    cells = [cell for line in some[:: max(1, len(some) // 1000)] for cell in _cells(line, delimiter)]
     numbers = [cell for cell in cells if is_number(cell)]
     return any("," in cell for cell in numbers) and not any("." in cell for cell in numbers)
 
 
-def _numbers(texts: Sequence[str], places: list[int], delimiter: str, decimal: str) -> Array:
-    """Convert columns of lines to numbers, NaN for other cells, shape (n, places)."""
-    found = np.full((len(texts), len(places)), np.nan)
-    for start in range(0, len(texts), _PART):
-        part = texts[start : start + _PART]
-        lines = part if decimal == "." else [text.replace(decimal, ".") for text in part]
+class _Rows(NamedTuple):
+    """Rows of a block: numbers of their lines and of other lines, and numbers or texts of the rows."""
+
+    lines: Lines
+    dropped: Lines
+    cells: Array | list[str]
+
+
+def _rows(block: str, first: int, delimiter: str, decimal: str, width: int) -> _Rows:
+    """Return the rows of a block, whose first line has the number ``first``."""
+    numbers = _plain_numbers(block, delimiter, decimal, width)
+    if numbers is not None:
+        return _Rows(first + np.arange(len(numbers)), np.zeros(0, int), numbers)
+    texts = [(first + i, line) for i, line in enumerate(block.split("\n")) if _is_row(line)]
+    right = np.array([len(_cells(line, delimiter)) == width for _, line in texts], dtype=bool)
+    lines = np.array([number for number, _ in texts], dtype=int)
+    return _Rows(lines[right], lines[~right], [line for _, line in itertools.compress(texts, right)])
+
+
+def _plain_numbers(block: str, delimiter: str, decimal: str, width: int) -> Array | None:
+    """Convert decimal numbers in rows with the same marks, shape (n, width); None for other rows.
+
+    A number is an integer divided by a power of ten. Both are exact, so that the quotient is the nearest
+    double.
+    """
+    text, count = block.encode() + b"\n", block.count("\n") + 1
+    marks = text[: text.index(b"\n") + 1].translate(None, _DIGITS)
+    cells = marks.decode().rstrip("\n").split(delimiter)
+    known = len(cells) == width and set(cells) <= {"", decimal}
+    if not known or text.translate(None, _DIGITS) != marks * count:
+        return None
+    digits = text.translate(bytes.maketrans(f"{delimiter}\n".encode(), b",,"), decimal.encode())
+    if any(empty in b"," + digits for empty in (b",,", b"-,", b"+,")):
+        return None
+    with warnings.catch_warnings(action="error", category=DeprecationWarning):
         try:
-            found[start : start + _PART] = np.loadtxt(
-                lines, delimiter=delimiter, comments=None, usecols=places, ndmin=2, quotechar='"'
-            )
-        except ValueError:
-            for i, text in enumerate(part, start):
-                cells = _cells(text, delimiter)
-                numbers = [cells[place].replace(decimal, ".") for place in places]
-                plain = [is_number(each) and "," not in each for each in numbers]
-                found[i] = [float(x) if good else np.nan for x, good in zip(numbers, plain, strict=True)]
-    return found
+            integers = np.fromstring(digits, np.int64, sep=",")
+        except (DeprecationWarning, ValueError):
+            return None
+    if integers.size != count * width or np.abs(integers).max() >= _MOST_EXACT:
+        return None
+    is_mark = np.frombuffer(text.translate(bytes(i in marks for i in range(256))), bool)
+    length = np.diff(np.flatnonzero(is_mark).reshape(count, -1), prepend=0)
+    ends = np.cumsum([len(cell) + 1 for cell in cells]) - 1
+    decimals = np.where([bool(cell) for cell in cells], length[:, ends] - 1, 0)
+    if decimals.max() >= len(_POWERS):
+        return None
+    return np.asarray(integers.reshape(count, width) / _POWERS[decimals])
+
+
+def _numbers(block: Array | list[str], places: list[int], delimiter: str, decimal: str) -> Array:
+    """Return columns of numbers of a block, NaN for other cells, shape (n, places)."""
+    if isinstance(block, np.ndarray):
+        return block[:, places]
+    if not block:
+        return np.zeros((0, len(places)))
+    lines = block if decimal == "." else [text.replace(decimal, ".") for text in block]
+    try:
+        return np.loadtxt(lines, delimiter=delimiter, comments=None, usecols=places, ndmin=2, quotechar='"')
+    except ValueError:
+        found = np.full((len(block), len(places)), np.nan)
+        for i, text in enumerate(block):
+            cells = _cells(text, delimiter)
+            numbers = [cells[place].replace(decimal, ".") for place in places]
+            plain = [is_number(each) and "," not in each for each in numbers]
+            found[i] = [float(x) if good else np.nan for x, good in zip(numbers, plain, strict=True)]
+        return found
 
 
 def _instant(text: str) -> np.datetime64:

@@ -96,8 +96,8 @@ def test_a_move_after_a_long_rest_is_not_smoothed_away() -> None:
 
 def test_the_band_of_an_inverse_is_accurate_in_a_gap() -> None:
     time = np.delete(np.arange(3000) / 200.0, slice(1000, 1150))
-    samples = spline._Samples(time, time[-1] / 400)
-    problem = spline._Problem(samples, 6, spline._Noise(np.nan, 0.0))
+    noise = spline._Noise(np.array([np.nan]), np.zeros(1))
+    problem = spline._Problem(spline._Samples(time, np.ones((len(time), 1)), time[-1] / 400, noise), 6)
     matrix = problem.gram + np.exp(9.0) * problem.penalty
     dense = np.zeros((problem.size, problem.size))
     for k, band in enumerate(matrix[::-1]):

@@ -49,6 +49,8 @@ _LIMITS = {
 
 # Number of samples that are computed at a time, because the outputs of all samples could exceed the memory.
 _PART = 1 << 14
+# Number of written digits of the largest value of a column, if a log has noise.
+_DIGITS = 10
 
 
 class Part(NamedTuple):
@@ -153,7 +155,8 @@ class Digest:
         count = len(self.time)
         progress(f"computing {count} samples", 0.0)
         for part in parts:
-            yield from csv_lines(part.columns, header=part.where.start == 0)
+            digits = None if part.sd is None else _DIGITS
+            yield from csv_lines(part.columns, header=part.where.start == 0, digits=digits)
             self.add(part)
             progress(f"computing {count} samples", min(1.0, part.where.stop / count))
 
