@@ -110,15 +110,17 @@ def _deviations_of_forces(
 def near_knots(trajectory: Trajectory, part: slice) -> Indices:
     """Return the samples of a slice at which standard deviations are computed, with both ends.
 
-    They are two for each step of the covariances of a smooth log; all samples of other logs.
+    They are the samples on both sides of each time of the covariances of a smooth log, where these bend, and
+    one between two such times; all samples of other logs.
     """
     rows = np.arange(len(trajectory.time))[part]
     noise, time = trajectory.noise, trajectory.time[part]
     if noise is None or len(noise.grid) <= 2 or len(rows) <= 2:
         return rows
-    wanted = np.concatenate([noise.grid, 0.5 * (noise.grid[1:] + noise.grid[:-1])])
-    wanted = wanted[(wanted >= time[0]) & (wanted <= time[-1])]
-    return rows[np.unique([0, len(rows) - 1, *np.searchsorted(time, wanted).tolist()])]
+    after = np.searchsorted(time, noise.grid)
+    middle = np.searchsorted(time, 0.5 * (noise.grid[1:] + noise.grid[:-1]))
+    wanted = np.concatenate([after - 1, after, middle, [0, len(rows) - 1]])
+    return rows[np.unique(np.clip(wanted, 0, len(rows) - 1))]
 
 
 def between(time: Array, known: Array, deviations: Array) -> Array:
