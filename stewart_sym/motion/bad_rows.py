@@ -19,6 +19,8 @@ _MOST_ESTIMATES, _MOST_PASSES = 2, 12
 _MOST_UNCERTAIN = 5.0
 # Errors below this fraction of the usual second difference have no effect.
 _NEGLIGIBLE = 1e-3
+# Rounding error of a curve relative to the largest value of its column.
+_ROUNDING = 1e-10
 _FROZEN_ROWS = 3
 _FEWEST_ROWS = 12
 
@@ -120,7 +122,7 @@ def _agree(curves: SmoothCurves, time: Array, values: Array, runs: Flags, near: 
         knots = curve.knots
         variance = np.interp(time, knots, np.maximum(curve.covariance(knots)[:, 0], 0.0))
         bend = float(np.median(np.abs(np.diff(column, 2))))
-        noise = max(curve.noise_std, _NEGLIGIBLE * bend, 1e-12 * float(np.abs(column).max()))
+        noise = max(curve.noise_std, _NEGLIGIBLE * bend, _ROUNDING * float(np.abs(column).max()))
         agree &= error <= LIMIT * np.sqrt(noise**2 + variance)
         certain &= variance <= (_MOST_UNCERTAIN * noise) ** 2
     found = agree & (certain | near)

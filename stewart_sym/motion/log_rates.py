@@ -68,7 +68,7 @@ def rates_of(
     if clean.all() and used.all() and np.isnan(stated).all() and not coarse.any():
         return found, None
     uncertainty = _of_curve(log, found, fitted.curves, used, clean)
-    # Accelerations of such a column are unknown, so that limits are undecided.
+    # Accelerations of such a column are unknown, so that limits are inconclusive.
     fastest = _SECOND_RATE * fitted.curves.noise_std / float(np.median(np.diff(since))) ** 2
     unknown = np.mean(found[2] ** 2, axis=0) + fastest**2
     uncertainty.covariance[:, coarse, -1] += unknown[coarse]
@@ -93,7 +93,7 @@ def _of_few_rows(log: LogSamples, found: Array, stated: Array, rounding: Array) 
     unknown = np.isnan(stated) & (np.ptp(found[0], axis=0) > 0.0)
     noise = np.where(np.isnan(stated), rounding, stated)
     sigma = np.sqrt(_interpolated_variances(log.time, noise)).T
-    # Limits are then undecided.
+    # Limits are then inconclusive.
     sigma[2] = np.hypot(sigma[2], np.where(unknown, np.abs(found[2]).max(axis=0), 0.0))
     if unknown.any():
         finding = f"{len(found[0])} rows are too few for an estimate of their noise"
