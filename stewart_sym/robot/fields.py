@@ -9,7 +9,7 @@ import numpy as np
 from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
-from ..motion.trajectory_format import TrajectoryFormat
+from ..motion.trajectory_format import LENGTH_UNITS, TrajectoryFormat
 
 LEGS = 6
 DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
@@ -228,12 +228,16 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
 POSE_FIELDS: dict[str, Check] = {
     "home_position": lambda value, where: None if value is None else toml_reader.vector(value, where),
     "tool": toml_reader.vector,
+    "length_unit": lambda value, where: option(value, tuple(LENGTH_UNITS), where),
+    "angle_unit": lambda value, where: option(value, ("rad", "deg"), where),
 }
-"""Check of each field that defines the representation of poses."""
+"""Check of each field that defines the representation of poses and numbers."""
 
 DEFAULTS: dict[str, Any] = {
     "home_position": None,
     "tool": np.zeros(3),
+    "length_unit": "m",
+    "angle_unit": "rad",
     "trajectory_format": TrajectoryFormat(),
     "drive": None,
     "offsets": None,

@@ -90,6 +90,9 @@ class Robot(Frozen):
         Drives of the legs; None if not given.
     offsets : JointOffsets, optional
         Offset joints; None for legs whose axes intersect.
+    length_unit, angle_unit : str, optional
+        Units of lengths and angles in texts and plots of reports, from the robot file; by default "m" and
+        "rad". All attributes have SI units.
 
     Raises
     ------
@@ -140,6 +143,8 @@ class Robot(Frozen):
     trajectory_format: TrajectoryFormat = field(default_factory=TrajectoryFormat)
     drive: Drive | None = None
     offsets: JointOffsets | None = None
+    length_unit: str = "m"
+    angle_unit: str = "rad"
 
     def __post_init__(self) -> None:
         base_joint(self.base_joint, "robot: base_joint")
@@ -259,7 +264,8 @@ class Robot(Frozen):
         Returns
         -------
         dict
-            Tables of schema 2 in SI units. ``from_dict`` restores the robot to the bit.
+            Tables of schema 2 in SI units, with ``length_unit`` "m" and ``angle_unit`` "rad". ``from_dict``
+            restores all other fields to the bit.
         """
         return schema_2.tables_of(vars(self))
 

@@ -57,8 +57,11 @@ _MOST_TURNS = 2.0
 def values(d: object, file: str) -> dict[str, Any]:
     """Return the checked fields of a robot by name; every message begins with ``file``."""
     top = toml_reader.checked_table(d, file, _TOP_KEYS, _NEEDED)
-    meters = _meters(option(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
-    degrees = option(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
+    units = {
+        name: fields.POSE_FIELDS[name](top.get(name, fields.DEFAULTS[name]), f"{file}{name}")
+        for name in ("length_unit", "angle_unit")
+    }
+    meters, degrees = _meters(units["length_unit"]), units["angle_unit"] == "deg"
     joint = fields.base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     home = (
         meters(toml_reader.vector(top["home_position"], f"{file}home_position"))
@@ -71,6 +74,7 @@ def values(d: object, file: str) -> dict[str, Any]:
         "g": toml_reader.vector(top.get("gravity", fields.DEFAULT_GRAVITY), f"{file}gravity"),
         "suppressed_warnings": fields.accepted(top.get("suppress_warnings", ()), f"{file}suppress_warnings"),
         "home_position": home,
+        **units,
         **_trajectory(top.get("trajectory", {}), f"{file}trajectory.", meters, home),
     }
     platform = toml_reader.checked_table(

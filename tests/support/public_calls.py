@@ -23,7 +23,7 @@ Experiment ForceDerivativesResult InverseDynamicsResult LinearizationResult Para
 ForwardKinematicsResult JointReactionsResult SimulationResult StopEvent StateHistory SingularityApproach
 PoseCertificate SingularityCrossing ForceErrorBoundsResult LegExtreme PathSingularitiesResult
 SingularityResult Polytope JointAnglesResult ActuatorRequirementsResult WorkspaceResult WorkspaceWarning
-DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
+AxisTravelResult DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
 ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult PlanCertificate PlannedPath PosePath
 TimedPath Trajectory Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning results robots
 """
@@ -174,6 +174,7 @@ def calls() -> dict[str, Call]:
         "seed": 0,
     }
     add(ss.workspace, robot=at_home, kind="six_dof", limits=ss.PoseLimits(), **region)
+    add(ss.axis_travel, robot=at_home, limits=ss.PoseLimits())
     add(ss.capability_polytope, robot=at_home, motion=motion, quantity="force", complement="zero")
     needs = {"motions": [([0.0], motion[None])], "margin": 0.1, "quantiles": [0.5, 1.0]}
     add(ss.actuator_requirements, robot=robot, **needs, formulation="exact")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...design.axis_travel import axis_travel
 from ...design.pose_limits import CONDITION, INSIDE, LENGTH, REASONS, PoseExaminer, PoseLimits, at_reference
 from ...design.workspace import WorkspaceResult
 from ...io.arguments import status_text
@@ -16,9 +17,11 @@ from ...io.progress import Progress, tracked
 from ...kinematics.offset_legs import leg_lengths
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
+from ..common.axis_table import axis_data, axis_text
 from ..common.drawing import DARK, Z_DOWN, Axes, Figure, as_written, legend_below, new_figure, vertical
 from ..common.output import Columns, aligned
 from ..common.report import SMALL, Picture, Report
+from ..common.units import Units
 
 POINTS = 121
 """Number of poses of a slice along each axis."""
@@ -103,8 +106,9 @@ def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: P
 
 
 def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: list[Slice]) -> Report:
-    """Create the report: text, data, and the planes as a table and a plot."""
+    """Create the report: text, data, and the planes as a table and a plot, and the axis travel from home."""
     varying, unit, _ = _KINDS[found.kind]
+    travel = axis_travel(robot, limits)
     data = {
         "robot": robot.name,
         "kind": found.kind,
@@ -120,9 +124,11 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
         **{"tool_m": found.tool, "position_m": found.position, "rpy_rad": found.rpy},
         **{name: getattr(found, name) for name in ("distance_to_limit", "limit_fractions", "samples")},
         "units": {"bounds": _NAMES[varying], "extent": _NAMES[varying], "distance_to_limit": unit},
+        "axis_travel": axis_data(travel),
     }
     figures = {"slices": Picture(lambda: figure(robot, found, planes), SMALL)}
-    return Report(_text(robot, limits, found), {"slices": _table(planes)}, data, figures)
+    text = f"{_text(robot, limits, found)}\n\n{axis_text(travel, Units.of(robot))}"
+    return Report(text, {"slices": _table(planes)}, data, figures)
 
 
 def _title(found: WorkspaceResult) -> str:
