@@ -55,7 +55,8 @@ class AxisTravelResult(Frozen):
         Largest speeds at the home pose (m/s, rad/s) within the speed limits of the legs and motors.
     acceleration : ndarray, shape (6, 2), or None
         Extreme accelerations from rest at the home pose (m/s^2, rad/s^2) under gravity, within the limits of
-        force, motor torque, and motor current; NaN if the limits do not suffice to hold the platform.
+        force, motor torque, and motor current; NaN if the limits do not suffice to hold the platform. None if
+        the robot file contains no masses.
     """
 
     position: Array
@@ -118,7 +119,7 @@ def axis_travel(robot: Robot, limits: PoseLimits | None = None) -> AxisTravelRes
         travel=np.array([[end for end, _ in both] for both in ends]),
         limits=tuple((both[0][1], both[1][1]) for both in ends),
         speed=_speeds(robot, position),
-        acceleration=_accelerations(robot, limits, position),
+        acceleration=None if robot.missing_bodies else _accelerations(robot, limits, position),
     )
 
 

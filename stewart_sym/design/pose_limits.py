@@ -45,7 +45,8 @@ class PoseLimits(Frozen):
     Attributes
     ----------
     lengths, joint_angles, forces : bool, optional
-        Flags that apply the robot's limits of leg lengths, joint angles, and actuator forces.
+        Flags that apply the robot's limits of leg lengths, joint angles, and actuator forces. Force limits
+        are ignored for a robot file without masses.
     max_condition : float, optional
         Largest scaled condition number of H (dimensionless). If it is finite, det H must also have the same
         sign as at the home pose, because other poses can be reached only through a singular pose.
@@ -82,6 +83,11 @@ def at_reference(robot: Robot, limits: PoseLimits) -> PoseLimits:
     """Return the limits with the load moved from the robot's tool to the reference point."""
     force, moment = limits.load[:3], limits.load[3:]
     return replace(limits, load=np.concatenate([force, moment + np.cross(robot.tool, force)]))
+
+
+def applies_forces(robot: Robot, limits: PoseLimits) -> bool:
+    """Return True if the force limits apply: they are given, and so are all masses."""
+    return limits.forces and bool(np.isfinite(robot.force_limit).any()) and not robot.missing_bodies
 
 
 def need_clearance(robot: Robot, clearance: float) -> None:
@@ -182,7 +188,7 @@ class PoseExaminer(Frozen):
             keep(np.all(distances_of(robot.b, S[left])[:, apart] >= limits.min_clearance, axis=-1), CLEARANCE)
         if limits.max_condition < math.inf:
             keep(self._conditions_kept(R[left], t[left], q[left], S[left], L[left]), CONDITION)
-        if limits.forces and np.isfinite(robot.force_limit).any():
+        if applies_forces(robot, limits):
             keep(self._forces_kept(R[left], t[left]), FORCE)
         return codes
 

@@ -44,7 +44,7 @@ class Robot(Frozen):
     g : ndarray, shape (3,)
         Gravity (m/s^2), base frame.
     M : float
-        Mass (kg) of the platform with payload.
+        Mass (kg) of the platform with payload. Mass properties that the robot file does not contain are NaN.
     R_0 : ndarray, shape (3,)
         Center of mass (m) of the platform, platform frame.
     I_p : ndarray, shape (3, 3)
@@ -337,6 +337,13 @@ class Robot(Frozen):
         return self.drive is not None and bool(np.any(self.drive.rotor_inertia))
 
     @property
+    def missing_bodies(self) -> tuple[str, ...]:
+        """Keys of the bodies whose mass properties the robot file does not contain; () with all masses."""
+        return tuple(
+            key for key, (mass, *_) in fields.MASS_FIELDS.items() if np.isnan(getattr(self, mass)).any()
+        )
+
+    @property
     def has_joint_angle_limits(self) -> bool:
         """True if any joint angle has a limit."""
         return bool(np.isfinite(self.joint_angle_limit).any())
@@ -364,6 +371,15 @@ _SYMBOLS = {
 }
 
 
+def need_masses(robot: Robot, used_for: str = "this function") -> None:
+    """Raise ValueError for a robot file without all masses; ``used_for`` names what requires them."""
+    missing = robot.missing_bodies
+    if missing:
+        raise ValueError(
+            f"robot: {', '.join(missing)}: missing; {used_for} requires mass, center_of_mass, and inertia"
+        )
+
+
 def has_symbol(owner: Any, symbol: str) -> bool:
     """Return True if a robot, its offsets, or its numbers have a symbol of the generated code."""
     return hasattr(owner, symbol) or hasattr(owner, _SYMBOLS.get(symbol, symbol))
@@ -379,10 +395,13 @@ def of_symbol(owner: Any, symbol: str) -> Any:
 
 def impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
     """Return the warning name (from ``WARNING_NAMES``) and the message of each impossible inertia."""
-    found = [("platform-inertia", f"platform: inertia: {fault}") for fault in inertia_fault(robot.I_p)]
+    missing = robot.missing_bodies
+    found = []
+    if "platform.body" not in missing:
+        found = [("platform-inertia", f"platform: inertia: {fault}") for fault in inertia_fault(robot.I_p)]
     for part, tensors in (("lower", robot.I_d0), ("upper", robot.I_u0)):
         alike: dict[bytes, list[int]] = {}
-        for i, tensor in enumerate(tensors):
+        for i, tensor in enumerate(tensors if f"legs.{part}" not in missing else ()):
             alike.setdefault(tensor.tobytes(), []).append(i)
         for legs in alike.values():
             for fault in inertia_fault(tensors[legs[0]]):

@@ -89,6 +89,7 @@ def calls() -> dict[str, Call]:
         found[function.__qualname__] = Call(function, given, free, other or {})
 
     add(ss.Motion, **parts)
+    add(ss.Motion.at_rest, **{name: parts[name] for name in ("R", "t", "F_ext", "M_ext")})
     by_angles = ("t", "theta", "v", "theta_dot", "a", "theta_ddot", "F_ext", "M_ext")
     add(ss.Motion.from_rpy, **dict.fromkeys(by_angles, vector))
     add(ss.Robot.from_dict, d=robot.to_dict(), other={"d": "robot"})

@@ -9,7 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...design.axis_travel import axis_travel
-from ...design.pose_limits import CONDITION, INSIDE, LENGTH, REASONS, PoseExaminer, PoseLimits, at_reference
+from ...design.pose_limits import (
+    CONDITION,
+    INSIDE,
+    LENGTH,
+    REASONS,
+    PoseExaminer,
+    PoseLimits,
+    applies_forces,
+    at_reference,
+)
 from ...design.workspace import WorkspaceResult
 from ...io.arguments import status_text
 from ...io.array_types import Array
@@ -177,8 +186,10 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
         yield f"leg clearance {limits.min_clearance:g} m"
     if limits.max_condition < math.inf:
         yield f"scaled condition number {limits.max_condition:g}"
-    if limits.forces and np.isfinite(robot.force_limit).any():
+    if applies_forces(robot, limits):
         yield "actuator forces at rest" + (" under the load" if limits.load.any() else "")
+    elif limits.forces and np.isfinite(robot.force_limit).any():
+        yield f"not actuator forces: {robot.missing_bodies[0]} is missing"
 
 
 def _table(planes: list[Slice]) -> Columns:

@@ -89,24 +89,34 @@ def _with_units(prefix: str, part: object, units: dict[str, str]) -> dict[str, A
 def _description(robot: Robot, home: HomePose, unit: Units) -> str:
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
     bad = f"not physically possible: {', '.join(bodies)}"
-    masses = robot.m_d + robot.m_u
     sizes = [f"{radius(points) / unit.meters:.4g} {unit.length}" for points in (robot.b, robot.p)]
     rows = [
         ("name", robot.name),
         ("joints", f"{robot.base_joint} at the base, {_platform_joint(robot)} at the platform"),
         *_offsets(robot, unit),
         ("gravity", f"{vector_text(robot.g)} m/s^2"),
-        ("platform", f"{robot.M:g} kg, center of mass {unit.lengths(robot.R_0)} {unit.length}"),
-        ("legs", f"{_range(masses)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})"),
-        ("mass ratio", f"platform mass / leg mass {robot.M / np.mean(masses):.3g}"),
+        *_masses(robot, unit),
         ("size", f"base points {sizes[0]}, platform points {sizes[1]} (RMS radius)"),
         *_conventions(robot, unit),
         ("friction", _friction(robot)),
         *([] if robot.drive is None else _drives(robot.drive, unit)),
         ("limits", _limits(robot, unit)),
-        ("inertias", bad if bodies else "physically possible"),
+        *([] if robot.missing_bodies else [("inertias", bad if bodies else "physically possible")]),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
+
+
+def _masses(robot: Robot, unit: Units) -> list[tuple[str, str]]:
+    """Return rows about the masses, or the keys that are missing for forces."""
+    missing = robot.missing_bodies
+    if missing:
+        return [("masses", f"missing: {', '.join(missing)}; kinematics only, no forces")]
+    masses = robot.m_d + robot.m_u
+    return [
+        ("platform", f"{robot.M:g} kg, center of mass {unit.lengths(robot.R_0)} {unit.length}"),
+        ("legs", f"{_range(masses)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})"),
+        ("mass ratio", f"platform mass / leg mass {robot.M / np.mean(masses):.3g}"),
+    ]
 
 
 def _platform_joint(robot: Robot) -> str:
@@ -169,7 +179,8 @@ def _home_lines(robot: Robot, home: HomePose, unit: Units) -> list[str]:
         by = f"{characteristic_length(robot) / unit.meters:.4g} {unit.length}"
         scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
-        rows.append(("leg forces", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
+        if not robot.missing_bodies:
+            rows.append(("leg forces", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
     what = "platform centered above the base; " if robot.home_position is None else ""
     return [f"home pose: {what}{home.rule}", *_rows(rows)]
 

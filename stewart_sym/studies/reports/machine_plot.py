@@ -112,17 +112,19 @@ def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> lis
     for bar in bars if robot.base_joint == "universal" else ():
         axes.plot(*bar.T, color=MARK, linewidth=1.2)
     drawn_joints = _offset_legs(axes, robot, home)
-    center = home.t + robot.R_0
-    axes.plot(*center[:, None], marker="o", color=PLATFORM, markersize=5.0, linestyle="")
+    # Without masses, gravity acts at the platform points' mean in the drawing.
+    center = home.t + (robot.p.mean(axis=0) if robot.missing_bodies else robot.R_0)
+    if not robot.missing_bodies:
+        axes.plot(*center[:, None], marker="o", color=PLATFORM, markersize=5.0, linestyle="")
     drawn = [bars.reshape(-1, 3), center[None], *drawn_joints]
     text = "red: fixed axes of the universal joints\n" if robot.base_joint == "universal" else ""
     text += "green: lines of sliding and the offsets to them\n" if drawn_joints else ""
-    text += "dot: center of mass of the platform"
+    text += "dot: center of mass of the platform" if not robot.missing_bodies else "arrow: gravity"
     if np.any(robot.g):
         arrow = 3.0 * _AXIS * size * robot.g / np.linalg.norm(robot.g)
         axes.quiver(*center, *arrow, color=BASE, linewidth=1.2, arrow_length_ratio=0.25)
         drawn.append((center + arrow)[None])
-        text += ", with gravity"
+        text += "" if robot.missing_bodies else ", with gravity"
     if robot.tool.any():
         tool = home.t + robot.tool
         line = np.stack([tips.mean(axis=0), tool])

@@ -37,7 +37,7 @@ _MOST_DRAWN = 6
 class Examination:
     """Results for a path: its singular poses, and the force residue A (N s) at each crossing.
 
-    Near a crossing at time t_0, the forces are F = A / (t - t_0).
+    Near a crossing at time t_0, the forces are F = A / (t - t_0). A is NaN for a robot without masses.
     """
 
     robot: Robot
@@ -54,7 +54,10 @@ def examine(
     """Find the singular poses of a path; ``path`` and ``times`` as in ``singularity_crossings``."""
     along = path_singularities(robot, path, times)
     poses = [path(np.array([crossing.time])) for crossing in along.crossings]
-    residues = tuple(singular_force_residue(robot, pose, formulation)[0] for pose in poses)
+    residues = tuple(
+        np.full(LEGS, np.nan) if robot.missing_bodies else singular_force_residue(robot, pose, formulation)[0]
+        for pose in poses
+    )
     return Examination(robot, name, path, formulation, along, residues)
 
 
@@ -187,7 +190,9 @@ def _curves(found: Examination) -> Columns:
     length = characteristic_length(robot) or 1.0
     H = moments_over(np.swapaxes(rates_per_twist(robot, motion.R, motion.t), -1, -2), length)
     s = np.linalg.svd(H, compute_uv=False)
-    forces = inverse_dynamics(robot, motion, found.formulation, on_singular="nan")
+    F = np.full((len(times), LEGS), np.nan)
+    if not robot.missing_bodies:
+        F = inverse_dynamics(robot, motion, found.formulation, on_singular="nan").F
     _, S, L = leg_vectors(robot, motion.R, motion.t)
     # Rounding errors are set to zero, because the curve would be noise along singular poses.
     smallest = np.where(s[:, -1] > ROUNDING * s[:, 0], s[:, -1], 0.0)
@@ -195,7 +200,7 @@ def _curves(found: Examination) -> Columns:
         condition = s[:, 0] / smallest
         sine = np.linalg.norm(np.cross(robot.k, S), axis=-1) / L
     columns = {"time": times, "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest}
-    columns |= {"scaled_condition": condition} | of_legs("F", forces.F)
+    columns |= {"scaled_condition": condition} | of_legs("F", F)
     columns |= {} if robot.base_joint == "spherical" else of_legs("joint_sine", sine)
     return columns | of_legs("L", L)
 
@@ -212,6 +217,8 @@ def _crossing_lines(found: Examination, number: int) -> list[str]:
         *_pose_lines(crossing.singularity),
         f"  leg rates            at most {np.max(np.abs(rates)):.1e} m/s for this twist",
     ]
+    if found.robot.missing_bodies:
+        return [*lines, f"  force residue        unknown: {found.robot.missing_bodies[0]} is missing"]
     if not np.isfinite(A).all():
         return [*lines, "  force residue        none: the path is at rest there, or follows singular poses"]
     values = ", ".join(f"{value:.6g}" for value in A)
