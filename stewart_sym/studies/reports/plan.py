@@ -1,7 +1,7 @@
 """Report of ``plan``: trajectory, summary, JSON data, and plots."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -25,15 +25,16 @@ from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
-from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure, plot_legs
+from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure
 from ..common.output import Columns, by_leg, of_legs
-from ..common.report import Picture, Report
+from ..common.report import SMALL, Picture, Report
 from .drives import DriveDigest
+from .leg_plot import leg_figure
 
 # Number of samples of the work, because accelerations jump between them if another limit becomes active.
 _INSTANTS = 10_001
 # Number of drawn samples of the forces, and of poses for the condition numbers of a path.
-_DRAWN, _POSES = 4001, 801
+_DRAWN, _POSES = 4000, 801
 _CERTIFIED = ("is_valid", "samples", "max_utilization", "lengths_ok", "angles_ok", "active_fraction")
 
 
@@ -111,7 +112,7 @@ def report(plan: Plan) -> Report:
     text = _summary(plan) if plan.motors is None else f"{_summary(plan)}\n\n{plan.motors.table()}"
     figures = {
         "condition": Picture(lambda: _condition_figure(plan)),
-        "forces": Picture(lambda: _forces_figure(plan)),
+        "forces": Picture(lambda: _forces_figure(plan), SMALL),
         "phase_plane": Picture(lambda: _phase_figure(plan)),
     }
     view = {"motion": lambda: Viewer(robot, of_motion(robot, motion, times, "planned motion"))}
@@ -234,20 +235,12 @@ def _condition_figure(plan: Plan) -> Figure:
 
 
 def _forces_figure(plan: Plan) -> Figure:
-    """Plot the forces of the legs relative to their limits, or in N if a leg has no limit."""
-    figure = new_figure(8.0, 4.6)
-    axes = figure.subplots()
-    limits = force_limits(plan.robot, plan.timed.limits)
-    bounded = bool(np.isfinite(limits).all())
+    """Plot the forces, and with drives the motor torques, with their limits."""
     times = np.linspace(0.0, plan.timed.duration, _DRAWN)
+    limits = force_limits(plan.robot, plan.timed.limits)
     forces = inverse_dynamics(plan.robot, plan.timed.sample(times), plan.timed.formulation).F
-    plot_legs(axes, times, forces / limits if bounded else forces, linewidth=1.2)
-    for bound in (-1.0, 1.0) if bounded else ():
-        axes.axhline(bound, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
-    label = "force over its limit" if bounded else "force, N"
-    axes.set(xlim=(0.0, plan.timed.duration), xlabel="time, s", ylabel=label)
-    legend_below(figure)
-    return figure
+    motors = None if plan.motors is None else (plan.motors.torque, plan.motors.speed)
+    return leg_figure(replace(plan.robot, force_limit=limits), times, forces, motors)
 
 
 def _phase_figure(plan: Plan) -> Figure:

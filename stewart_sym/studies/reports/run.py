@@ -18,11 +18,13 @@ from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.scene import Scene
 from ...simulation.state_history import SimulationResult, StateHistory, leg_states
-from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
+from ..common.drawing import BLUE, DARK, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.output import Columns, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
+from ..common.units import Units
 from ..paper.reproduce import without_friction
 from .drives import DriveDigest
+from .leg_plot import LIMIT, draw_limit
 
 _EVEN = 1001
 """Number of evenly spaced samples for the mean kinetic energy."""
@@ -50,7 +52,7 @@ def report(
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
     if len(run.time) > 1:
-        figures["run"] = Picture(lambda: figure(run, law))
+        figures["run"] = Picture(lambda: figure(robot, run, law))
     for name, drift in drifts.items():
         text += f"\n{name:<10} without friction, in {drift['time'][-1]:.6g} s: {_drift_text(drift['drift'])}"
     data = _data(run, fine, law, motors)
@@ -190,18 +192,21 @@ def _taken(run: SimulationResult, law: LegSprings) -> str:
     return f", by {' and '.join(filter(None, (', '.join(found[:-1]), found[-1])))}" if found else ""
 
 
-def figure(run: SimulationResult, law: ForceLaw) -> Figure:
-    """Plot motion since the start, rates, forces, lengths, and energies over time."""
-    legs = tuple(f"leg {leg + 1}" for leg in range(6))
+def figure(robot: Robot, run: SimulationResult, law: ForceLaw) -> Figure:
+    """Plot motion since the start, rates, forces, lengths, and energies over time.
+
+    The planned motion of a controller is dashed, and so are the force limits.
+    """
+    legs, units = tuple(f"leg {leg + 1}" for leg in range(6)), Units.of(robot)
     # Angles are unwrapped, because a jump of 2 pi would be drawn as a line across the panel.
-    theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
+    moved = _since_start(run.motion, run.motion)
     panels = (
-        (1e3 * (run.t - run.t[0]), tuple("xyz"), "position since start, mm"),
-        (np.degrees(theta - theta[0]), ("roll", "pitch", "yaw"), "attitude since start, degrees"),
-        (run.v, tuple("xyz"), "velocity, m/s"),
-        (run.omega, tuple("xyz"), "angular velocity, rad/s"),
+        (moved[0] / units.meters, tuple("xyz"), f"position since start, {units.length}"),
+        (moved[1] / units.radians, ("roll", "pitch", "yaw"), f"attitude since start, {units.angle}"),
+        (run.v / units.meters, tuple("xyz"), f"velocity, {units.length}/s"),
+        (run.omega / units.radians, tuple("xyz"), f"angular velocity, {units.angle}/s"),
         (run.F, legs, "force, N"),
-        (1e3 * (run.L - run.L[0]), legs, "leg length since start, mm"),
+        ((run.L - run.L[0]) / units.meters, legs, f"leg length since start, {units.length}"),
         (run.kinetic_energy[:, None], ("kinetic",), "kinetic energy, J"),
         (*_gained(run, law), "energy since start, J"),
     )
@@ -212,12 +217,42 @@ def figure(run: SimulationResult, law: ForceLaw) -> Figure:
             axes.plot(run.time, column, linewidth=1.1, label=name)
         axes.set_ylabel(label)
         axes.margins(x=0.0)
+    if np.isfinite(robot.force_limit).any():
+        grid.flat[4].plot([], [], label="limit", **LIMIT)
+    for limit in np.unique(robot.force_limit):
+        draw_limit(grid.flat[4].axhline, float(limit), run.F, LIMIT)
+    _draw_planned(grid.flat, units, run, law)
+    for axes in grid.flat:
         # The legend is next to the panel, because curves could cover it inside.
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
     for axes in grid[-1]:
         axes.set_xlabel("time, s")
     picture.suptitle(run.stop.message, fontsize=10.0)
     return picture
+
+
+def _since_start(motion: Motion, start: Motion) -> tuple[Array, Array]:
+    """Return changes of position (m) and roll, pitch, and yaw (rad), (n, 3), from the first pose of a run."""
+    first = rpy_from_rotation(start.R[:1])
+    theta = np.unwrap(np.concatenate([first, rpy_from_rotation(motion.R)]), axis=0)
+    return motion.t - start.t[0], theta[1:] - theta[0]
+
+
+def _draw_planned(panels: Any, units: Units, run: SimulationResult, law: ForceLaw) -> None:
+    """Draw the reference motion of a controller, if any, over position, attitude, and rates."""
+    reference = getattr(law, "reference", None)
+    if reference is None:
+        return
+    time = run.time[:: max(1, len(run.time) // _EVEN)]
+    poses = [reference(float(each)) for each in time]
+    names = ("R", "t", "omega", "v")
+    planned = Motion._unchecked(*(np.stack([getattr(pose, name) for pose in poses]) for name in names))
+    position, attitude = _since_start(planned, run.motion)
+    lines = (position, units.meters), (attitude, units.radians), (planned.v, units.meters)
+    for axes, (values, scale) in zip(panels, (*lines, (planned.omega, units.radians)), strict=False):
+        for number, column in enumerate(values.T):
+            style: Any = {"color": DARK, "linewidth": 0.9, "linestyle": (0, (3, 3))}
+            axes.plot(time, column / scale, label="planned" if number == 0 else None, **style)
 
 
 def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...]]:
