@@ -380,6 +380,12 @@ def need_masses(robot: Robot, used_for: str = "this function") -> None:
         )
 
 
+def need_drive(robot: Robot) -> None:
+    """Raise ValueError for a robot without a drive."""
+    if robot.drive is None:
+        raise ValueError("robot: drive: missing; motor torques require [legs.drive] in the robot file")
+
+
 def has_symbol(owner: Any, symbol: str) -> bool:
     """Return True if a robot, its offsets, or its numbers have a symbol of the generated code."""
     return hasattr(owner, symbol) or hasattr(owner, _SYMBOLS.get(symbol, symbol))

@@ -23,7 +23,7 @@ GEOMETRY = "".join(
 MASS_FIELDS = ("M", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0")
 # Public functions with a robot that work without masses; all others name the missing keys.
 KINEMATICS = """
-axis_travel base_parameters certify_pose characteristic_length
+ArrayKernel axis_travel base_parameters certify_pose characteristic_length
 equations_by_parameter forward_acceleration forward_kinematics forward_velocity inverse_jacobian
 inverse_kinematics jacobian joint_angles leg_distances motion_from_lengths motor_angles motor_forces
 path_singularities plan_path pose_from_motor_angles regressor rotor_regressor singularity
@@ -43,7 +43,7 @@ def is_finite(value: Any) -> bool:
     """Return False if a result contains NaN."""
     if isinstance(value, np.ndarray) and value.dtype.kind == "f":
         return not np.isnan(value).any()
-    inside = dataclasses.is_dataclass(value) and not isinstance(value, ss.Robot | ss.ForceKernel)
+    inside = dataclasses.is_dataclass(value) and not isinstance(value, ss.Robot | ss.ArrayKernel)
     return not inside or all(map(is_finite, vars(value).values()))
 
 

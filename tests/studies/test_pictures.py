@@ -112,10 +112,8 @@ def test_each_leg_has_a_panel_of_forces_and_of_torques_with_the_limits() -> None
         forces, motors = (
             [axes for axes in figure.axes if axes.get_title().startswith(name)] for name in ("leg", "motor")
         )
-        at = [
-            sorted({float(y) for line in axes.lines[has_curve:] for y in line.get_ydata()}) for axes in forces
-        ]
-        assert at == [[-30.0, 30.0]] * 5 + [[]]
+        places = [{float(y) for line in axes.lines[has_curve:] for y in line.get_ydata()} for axes in forces]
+        assert places == [{-30.0, 30.0}] * 5 + [set()]
         assert motors[0].get_title() == "motor 1, rated 0.4 N m, peak 0.8 N m, speed 5729.58 deg/s"
         assert [len(axes.lines) - has_curve for axes in motors] == [6] * 5 + [4]
         assert all(bool(axes.collections) != has_curve for axes in figure.axes)
