@@ -6,8 +6,8 @@ import numpy as np
 
 from ...design.axis_travel import AXES, AxisTravelResult
 from ...io.arguments import status_text
+from ...robot.units import Units
 from .output import aligned
-from .units import Units
 
 _NO_LIMIT = "no limit"
 

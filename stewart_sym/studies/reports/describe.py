@@ -14,9 +14,9 @@ from ...results import STATUS_TEXT
 from ...robot.drive import Drive
 from ...robot.robot import Robot
 from ...robot.schema_2 import format_table
+from ...robot.units import Units, vector_text
 from ..common.axis_table import axis_data, axis_text
 from ..common.report import SMALL, Picture, Report
-from ..common.units import Units, vector_text
 from .machine_plot import figure
 
 

@@ -35,7 +35,7 @@ class DriveDigest:
         assert robot.drive is not None
         self.drive, self.time = robot.drive, time
         self._weights = trapezoids(elapsed(time)) if weights is None else weights
-        self.summary = Summary(robot.drive, least_step(time))
+        self.summary = Summary(robot, least_step(time))
         self.torque, self.speed = np.full((2, len(time), LEGS), np.nan, dtype=np.float32)
 
     def add(
@@ -56,7 +56,9 @@ class DriveDigest:
         columns = {}
         for name in self._known():
             limit, sd = getattr(drive, f"{name}_limit"), found.peak_sd.get(name)
-            columns[f"{_HEADINGS.get(name, name)}, {PEAKS[name]}"] = _cells(found.peaks[name], limit, sd)
+            scale, unit = found.units.of_unit(PEAKS[name])
+            cells = _cells(scale * found.peaks[name], scale * limit, None if sd is None else scale * sd)
+            columns[f"{_HEADINGS.get(name, name)}, {unit}"] = cells
         means = {"RMS torque, N m": ["-"] * LEGS, "electrical energy, J": ["-"] * LEGS}
         if self.lasts:
             rms = _cells(found.rms_torque, drive.rated_torque, found.rms_torque_sd)

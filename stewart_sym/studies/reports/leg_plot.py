@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...robot.robot import LEGS, Robot
+from ...robot.units import Units
 from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_below, legend_line, new_figure
-from ..common.units import Units
 
 _MOST = 4000
 """Number of samples above which the range of the samples is drawn instead of a curve."""

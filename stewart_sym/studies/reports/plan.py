@@ -23,6 +23,7 @@ from ...planning.plan_file import RATE
 from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
+from ...robot.units import Units
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
 from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure
@@ -121,7 +122,7 @@ def report(plan: Plan) -> Report:
 
 def _summary(plan: Plan) -> str:
     """Format duration, condition numbers, extremes, distance to singular poses, and the certificate."""
-    found, planned = plan.certificate, plan.planned
+    found, planned, units = plan.certificate, plan.planned, Units.of(plan.robot)
     over = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
     beyond = " and ".join(name for name, exceeded in over.items() if exceeded)
     verdict = "valid" if found.is_valid else f"not valid{beyond and f': {beyond} beyond their limits'}"
@@ -134,26 +135,27 @@ def _summary(plan: Plan) -> str:
         f"condition  {_condition_text(planned.condition_numbers)}",
         f"straight   {_condition_text(planned.initial_condition_numbers)}",
         f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
-        f"speed      up to {found.speed.value[fast]:.6g} m/s, leg {fast + 1} "
+        f"speed      up to {found.speed.value[fast] / units.meters:.6g} {units.length}/s, leg {fast + 1} "
         f"at {found.speed.time[fast]:.6g} s",
         f"energy     {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
-        f"length     {found.shortest.value.min():.6g} to {found.longest.value.max():.6g} m",
-        *_angles(found),
+        f"length     {found.shortest.value.min() / units.meters:.6g} to "
+        f"{found.longest.value.max() / units.meters:.6g} {units.length}",
+        *_angles(found, units),
         f"limits     used to {100.0 * found.max_utilization:.5f} % at {found.samples:,} samples, "
         f"one is active in {100.0 * found.active_fraction:.4g} % of the time",
         f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
         f"smallest singular value {found.nearest.smallest:.4g}",
         f"certificate  {verdict}",
-        *_moved(planned),
+        *_moved(planned, units),
     ]
     return "\n".join(lines)
 
 
-def _angles(found: PlanCertificate) -> Iterator[str]:
+def _angles(found: PlanCertificate, units: Units) -> Iterator[str]:
     for name, angle in (("base", found.base_angle), ("platform", found.platform_angle)):
         if angle is not None:
             leg = int(np.argmax(angle.value))
-            most = f"up to {np.degrees(angle.value[leg]):.6g} degrees, leg {leg + 1}"
+            most = f"up to {angle.value[leg] / units.radians:.6g} {units.angle}, leg {leg + 1}"
             yield f"angle      at the {name} {most} at {angle.time[leg]:.6g} s"
 
 
@@ -162,7 +164,7 @@ def _condition_text(found: Conditions) -> str:
     return f"number of H: mean {found.mean:.5g}, peak {peak}"
 
 
-def _moved(planned: PlannedPath) -> Iterator[str]:
+def _moved(planned: PlannedPath, units: Units) -> Iterator[str]:
     """Yield the displacement of the path from each via pose with a tolerance."""
     pairs = zip(planned.requested_poses, planned.reached_poses, strict=True)
     for number, (given, passed) in enumerate(pairs, start=1):
@@ -170,9 +172,10 @@ def _moved(planned: PlannedPath) -> Iterator[str]:
             moves = np.concatenate([passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)])
             # Small rotations are rounding errors.
             moves[3:][np.abs(moves[3:]) <= 1e-12] = 0.0
+            moves /= np.repeat([units.meters, units.radians], 3)
             named = zip(("x", "y", "z", "roll", "pitch", "yaw"), moves, strict=True)
             parts = ", ".join(f"{name} {value:+.4g}" for name, value in named if value)
-            yield f"via pose {number}  moved by {parts or 'nothing'}"
+            yield f"via pose {number}  moved by {parts or 'nothing'} ({units.length}, {units.angle})"
 
 
 def _data(plan: Plan) -> dict[str, Any]:

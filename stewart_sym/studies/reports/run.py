@@ -15,13 +15,13 @@ from ...motion.motion import Motion
 from ...motion.rotation import rpy_from_rotation
 from ...motion.sample_times import least_step, time_text
 from ...robot.robot import Robot
+from ...robot.units import Units
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.scene import Scene
 from ...simulation.state_history import SimulationResult, StateHistory, leg_states
 from ..common.drawing import BLUE, DARK, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.output import Columns, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
-from ..common.units import Units
 from ..paper.reproduce import without_friction
 from .drives import DriveDigest
 from .leg_plot import LIMIT, draw_limit
@@ -47,7 +47,7 @@ def report(
 ) -> Report:
     """Create the report of a run; ``drifts`` is the result of ``energy_drift``, if any."""
     drifts, fine = drifts or {}, run.dense_history
-    text, figures = summary(run, fine, law), {}
+    text, figures = summary(robot, run, fine, law), {}
     motors = motors_of(robot, fine, run.dense_weights)
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
@@ -153,16 +153,17 @@ def _drift_text(drift: Array | float) -> str:
     return f"energy with that of the springs changes by up to {largest:.2e} of the mean kinetic energy"
 
 
-def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
+def summary(robot: Robot, run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
     """Format the end, force, lengths, and energy of a run; ``fine`` is its dense history."""
     i, leg = np.unravel_index(int(np.argmax(np.abs(fine.F))), fine.F.shape)
     first, last, most = run.energy[0], run.energy[-1], fine.kinetic_energy.max()
-    when = time_text(fine.time[i], least_step(fine.time))
+    when, units = time_text(fine.time[i], least_step(fine.time)), Units.of(robot)
+    shortest, longest = fine.L.min() / units.meters, fine.L.max() / units.meters
     lines = [
         f"stopped    {run.stop.message}",
         f"steps      {run.step_count}",
         f"force      up to {fine.F[i, leg]:.6g} N, leg {leg + 1} at {when} s",
-        f"length     {fine.L.min():.6g} to {fine.L.max():.6g} m",
+        f"length     {shortest:.6g} to {longest:.6g} {units.length}",
         f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
     ]
     if run.drive_work is not None:

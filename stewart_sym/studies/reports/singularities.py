@@ -14,6 +14,7 @@ from ...kinematics.pose_search import rates_per_twist
 from ...motion.interpolation import Path
 from ...motion.sample_times import time_text
 from ...robot.robot import LEGS, Robot
+from ...robot.units import Units
 from ...singularities.path_singularities import (
     PathSingularitiesResult,
     path_singularities,
@@ -62,7 +63,7 @@ def examine(
 
 
 def _text(found: Examination) -> str:
-    """Format all results as text in SI units."""
+    """Format all results as text in the units of the robot file."""
     along = found.along
     lines = [
         f"robot      {found.robot.name}",
@@ -77,7 +78,7 @@ def _text(found: Examination) -> str:
         lines += ["", *_crossing_lines(found, number)]
     if not along.crossings:
         lines += ["", f"Nearest approach at {along.nearest.time:.9f} s"]
-        lines += _pose_lines(along.nearest.singularity)
+        lines += _pose_lines(along.nearest.singularity, Units.of(found.robot))
     others = [approach for approach in along.approaches if approach is not along.nearest]
     if others:
         lines += ["", "Other minima of the smallest singular value"]
@@ -208,14 +209,16 @@ def _curves(found: Examination) -> Columns:
 def _crossing_lines(found: Examination, number: int) -> list[str]:
     crossing, A = found.along.crossings[number], found.residues[number]
     pose, leg = found.path(np.array([crossing.time])), int(np.argmax(np.abs(A)))
+    units = Units.of(found.robot)
     rates = wrench_matrix(found.robot, pose)[0].T @ crossing.singularity.twist
+    fastest = np.max(np.abs(rates)) / units.meters
     at = f"{crossing.time:.12f} s (rounding error up to {crossing.time_error:.1e} s)"
     before, after = sign_text(crossing.sign_before), sign_text(crossing.sign_after)
     lines = [
         f"Crossing {number + 1} at {at}",
         f"  det H                {before} before, {after} after",
-        *_pose_lines(crossing.singularity),
-        f"  leg rates            at most {np.max(np.abs(rates)):.1e} m/s for this twist",
+        *_pose_lines(crossing.singularity, units),
+        f"  leg rates            at most {fastest:.1e} {units.length}/s for this twist",
     ]
     if found.robot.missing_bodies:
         return [*lines, f"  force residue        unknown: {found.robot.missing_bodies[0]} is missing"]
@@ -227,7 +230,7 @@ def _crossing_lines(found: Examination, number: int) -> list[str]:
     return [*lines, residue, f"  most affected        leg {leg + 1}: {ends[0]} before, {ends[1]} after"]
 
 
-def _pose_lines(at: SingularityResult) -> list[str]:
+def _pose_lines(at: SingularityResult, units: Units) -> list[str]:
     pitch, axis = float(at.screw_pitch), triple_text(at.screw_axis)
     motion, wrench, idle = "least-rate twist", "largest-force wrench", "least-wrench forces"
     if at.lost_dof:
@@ -235,12 +238,14 @@ def _pose_lines(at: SingularityResult) -> list[str]:
     screw = f"translation along {axis}"
     if np.isfinite(pitch):
         pitch = round(pitch, 9) + 0.0
-        screw = f"rotation about {axis} through {triple_text(at.screw_point)} m, pitch {pitch:.6g} m/rad"
+        point, pitch = at.screw_point / units.meters, pitch * units.radians / units.meters
+        screw = f"rotation about {axis} through {triple_text(point)} {units.length}, "
+        screw += f"pitch {pitch:.6g} {units.length}/{units.angle}"
     lines = [
         f"  condition number     {float(at.condition_number):.6g} "
-        f"with moments divided by {at.characteristic_length:.6g} m; smallest "
+        f"with moments divided by {at.characteristic_length / units.meters:.6g} {units.length}; smallest "
         f"singular value {float(at.smallest_singular_value):.3g}",
-        f"  {motion:<20} {twist_text(at)}",
+        f"  {motion:<20} {twist_text(at, units)}",
         f"  as a screw           {screw}",
         f"  {wrench:<20} force {triple_text(at.wrench[:3])} N, moment {triple_text(at.wrench[3:])} N m",
         f"  {idle:<20} {triple_text(at.leg_forces)} N",
@@ -251,17 +256,27 @@ def _pose_lines(at: SingularityResult) -> list[str]:
 
 
 def _legs_table(found: Examination) -> str:
-    along, limits = found.along, found.robot.length_limits
+    along, units = found.along, Units.of(found.robot)
+    extremes = along.min_joint_sine, along.min_length, along.max_length
+    limits, scale = found.robot.length_limits / units.meters, 1.0 / units.meters
     rows = []
     for leg, (low, high) in enumerate(limits):
-        below = f"{along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none"
-        above = f"{high - along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
+        below = f"{scale * along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none"
+        above = f"{high - scale * along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
         sine, least, most = (
-            (f"{extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}")
-            for extreme in (along.min_joint_sine, along.min_length, along.max_length)
+            (f"{size * extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}")
+            for size, extreme in zip((1.0, scale, scale), extremes, strict=True)
         )
         rows.append((str(leg + 1), *sine, *least, below, *most, above))
-    of_lengths = ("min L, m", "time, s", "margin, m", "max L, m", "time, s", "margin, m")
+    unit = units.length
+    of_lengths = (
+        f"min L, {unit}",
+        "time, s",
+        f"margin, {unit}",
+        f"max L, {unit}",
+        "time, s",
+        f"margin, {unit}",
+    )
     header = ("leg", "min |k x s|", "time, s", *of_lengths)
     title = "Smallest sine of the angle between leg and universal axis; extreme lengths and margins to limits"
     return f"{title}\n{aligned(header, rows)}"

@@ -33,6 +33,7 @@ from ...motion.sample_times import least_step, time_text
 from ...motion.trajectory import Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, SingularPoseWarning
 from ...robot.robot import LEGS, Robot
+from ...robot.units import Units
 from ..common.drawing import Figure
 from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .drives import DriveDigest, drive_columns
@@ -196,7 +197,9 @@ class Digest:
         time, F, _, F_sd = self.legs.forces()
         verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
         low, high, speed = self._extremes()
-        angles = [found.scaled(BASE.scale).texts() for found in self._angles().values()]
+        units = Units.of(self.robot)
+        low, high, speed = (found.scaled(1.0 / units.meters) for found in (low, high, speed))
+        angles = [found.scaled(1.0 / units.radians).texts() for found in self._angles().values()]
         peak = _largest(F)
         columns = {
             "peak force, N": _Extreme(_at(F, peak), None if F_sd is None else _at(F_sd, peak)).texts(6),
@@ -205,11 +208,13 @@ class Digest:
                 f"{most:g}" + (f" {status_text(verdict)}" if np.isfinite(most) else "")
                 for most, verdict in zip(limit, verdicts, strict=True)
             ],
-            "length, m": [" to ".join(ends) for ends in zip(low.texts(), high.texts(), strict=True)],
-            "speed, m/s": speed.texts(),
+            f"length, {units.length}": [
+                " to ".join(ends) for ends in zip(low.texts(), high.texts(), strict=True)
+            ],
+            f"speed, {units.length}/s": speed.texts(),
         }
         if angles:
-            columns["joint angles, degrees"] = [", ".join(both) for both in zip(*angles, strict=True)]
+            columns[f"joint angles, {units.angle}"] = [", ".join(both) for both in zip(*angles, strict=True)]
         first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self._worst()[0]))
         every = self.legs.all_verdicts()
         every += [] if self.drive is None else self.drive.summary.all_verdicts()

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...io.array_types import Array
-from ...motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS
-from ...robot.robot import Robot
+from ..io.array_types import Array
+from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS
+from .robot import Robot
 
 
 class Units(NamedTuple):
@@ -23,6 +23,13 @@ class Units(NamedTuple):
         """Return the units of the file of a robot."""
         angle = robot.angle_unit
         return cls(robot.length_unit, LENGTH_UNITS[robot.length_unit], angle, ANGLE_UNITS[angle])
+
+    def of_unit(self, unit: str) -> tuple[float, str]:
+        """Return the factor from an SI unit, such as m/s, to the unit of the file, and its name."""
+        base, per, rest = unit.partition("/")
+        sizes = {"m": (self.meters, self.length), "rad": (self.radians, self.angle)}
+        size, name = sizes.get(base, (1.0, base))
+        return 1.0 / size, f"{name}{per}{rest}"
 
     def lengths(self, values: Array) -> str:
         """Format a vector of lengths (m) with a resolution of a tenth of a millimeter or finer."""
