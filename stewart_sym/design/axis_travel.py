@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from ..drives.friction import dry_sign, friction_force
@@ -129,7 +130,7 @@ def axis_travel(robot: Robot, limits: PoseLimits | None = None) -> AxisTravelRes
 def _travel(examiner: PoseExaminer, position: Array, axis: Array) -> list[tuple[float, str]]:
     """Return the displacement to the first violated limit, and its name, in both directions of an axis."""
 
-    def codes(distance: Array) -> Array:
+    def codes(distance: Array) -> NDArray[np.int8]:
         twist = distance[:, None] * axis
         R = rotation_from_vector(twist[:, 3:])
         return examiner.broken_limits(R, position + twist[:, :3] - R @ examiner.robot.tool)
@@ -156,7 +157,7 @@ def _name(examiner: PoseExaminer, code: int) -> str:
     return "singularity" if singular else REASONS[code]
 
 
-def _boundary(codes: Callable[[Array], Array], inside: float, outside: float) -> tuple[float, int]:
+def _boundary(codes: Callable[[Array], NDArray[np.int8]], inside: float, outside: float) -> tuple[float, int]:
     """Locate the first violated limit between a pose within the limits and a pose beyond them."""
 
     def side(distance: float) -> float:

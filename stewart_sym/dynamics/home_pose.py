@@ -59,7 +59,8 @@ def home_pose(robot: Robot) -> HomePose:
         rule = "height with the smallest scaled condition number, because no length limits are given"
     rest = Motion.at_rest(np.eye(3), t)
     if robot.missing_bodies:
-        H, F, status = wrench_matrix(robot, rest), np.full((len(t), 6), np.nan), np.zeros(len(t))
+        H, F = wrench_matrix(robot, rest), np.full((len(t), 6), np.nan)
+        status = np.zeros(len(t), dtype=np.int32)
     else:
         forces = inverse_dynamics(robot, rest, backend="numpy", on_singular="nan")
         H, F, status = forces.H, forces.F, forces.status

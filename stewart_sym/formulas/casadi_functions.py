@@ -132,7 +132,7 @@ def _results(
         return {"torque": motor_torques(on, robot, motion, found["F"]), **found}
     program, _, model = prepared(robot, quantity, quantity, formulation)
     more = [F] if quantity == "forward_dynamics" else []
-    return vars(Interpreter(program, _arithmetic(checked)).run(quantity, model, motion, *more))
+    return dict(vars(Interpreter(program, _arithmetic(checked)).run(quantity, model, motion, *more)))
 
 
 def _matrix(value: Any) -> Any:

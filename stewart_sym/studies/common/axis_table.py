@@ -14,7 +14,7 @@ _NO_LIMIT = "no limit"
 
 def axis_text(found: AxisTravelResult, units: Units) -> str:
     """Format the table with a header that names its units."""
-    header = ("axis", "travel from", "to", "limit at lower end", "at upper end", "speed")
+    header: tuple[str, ...] = ("axis", "travel from", "to", "limit at lower end", "at upper end", "speed")
     header += () if found.acceleration is None else ("acceleration from", "to")
     rows = [_row(found, i, units) for i in range(len(AXES))]
     title = "axis travel: from the home pose, at the tool, along and about the axes of the base frame"

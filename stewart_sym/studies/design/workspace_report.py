@@ -84,7 +84,7 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
     if code == LENGTH:
         L = leg_lengths(examiner.robot, R, t)
         units = Units.of(robot)
-        lengths = f"{L.min() / units.meters:.4g} to {L.max() / units.meters:.4g} {units.length}"
+        lengths = f"{L.min() / units.meters:.6g} to {L.max() / units.meters:.6g} {units.length}"
         return f"its legs are {lengths} long: change --position (m)"
     if code == CONDITION:
         number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
