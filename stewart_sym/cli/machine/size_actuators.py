@@ -2,7 +2,8 @@
 
 All trajectories count together; columns as for `forces`.
 The report lists peaks, quantiles over time, and largest values with a margin, also for motors.
-It names limits that are exceeded, lack the margin, or are undecided due to noise. SI units, degrees.
+It names limits that are exceeded, lack the margin, or are undecided due to noise.
+The report has the units of the robot file; the table has SI units.
 
 Example: stewart-sym size-actuators hexapod.toml trajectory.csv -o size --margin 0.3
 """
