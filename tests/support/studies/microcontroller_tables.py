@@ -61,9 +61,9 @@ def kinematics_tables(found: Figures) -> dict[str, str]:
     assert not any(row["failed"] for row in rows)
     said = paragraph(
         "The next table lists the instructions of the kinematics for the same robot, the largest number over "
-        f"{rows[0]['poses']} poses. `stewart_forward_kinematics` starts from a guess that differs from the pose "
-        "by 1/1000 rad and 1/1000 of the size of the platform, as from the previous cycle of a controller. Flash "
-        "is in bytes."
+        f"{rows[0]['poses']} poses. `stewart_forward_kinematics` starts from a guess that differs from the "
+        "pose by 1/1000 rad and 1/1000 of the size of the platform, as from the previous cycle of a "
+        "controller. Flash is in bytes."
     )
     header = ("kit", "processor", "lengths", "lengths and rates", "forward kinematics", "flash")
     cells = []
