@@ -199,6 +199,11 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
     if course.torque is not None and course.motor_speed is not None and drive is not None:
         speed, torque = (np.asarray(limit) for limit in (drive.speed_limit, drive.torque_limit))
         _plane(panels[3], course.motor_speed / units.radians, course.torque, speed / units.radians, torque)
+        for rated in np.unique(drive.rated_torque[np.isfinite(drive.rated_torque)]):
+            for side in (-rated, rated):
+                panels[3].axhline(side, color=DARK, linewidth=1.0, linestyle=(0, (1, 1.5)))
+        if np.isfinite(drive.rated_torque).any():
+            panels[3].set_title("dotted: rated torque, limit of the root mean square", fontsize=8.0)
         panels[3].set(xlabel=f"motor speed, {units.angle}/s", ylabel="motor torque, N m")
     margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
     title = f"{as_written(robot.name)}: requirements of the motions; limits dashed; {margin}"
