@@ -105,7 +105,7 @@ def axis_travel(robot: Robot, limits: PoseLimits | None = None) -> AxisTravelRes
     >>> import stewart_sym as ss
     >>> result = ss.axis_travel(ss.robots.load("rubin_camera"))
     >>> (1e3 * result.travel[2]).round(2).tolist(), result.limits[2]
-    ([-14.54, 14.62], ('leg_length', 'leg_length'))
+    ([-17.1, 17.35], ('leg_length', 'leg_length'))
     """
     instance(robot, Robot, "robot")
     limits = PoseLimits() if limits is None else limits

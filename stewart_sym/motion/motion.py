@@ -232,7 +232,7 @@ class Motion(Frozen):
         >>> import stewart_sym as ss
         >>> pose = ss.Motion.at_rest(R=np.eye(3), t=[0.0, 0.0, 0.7])
         >>> ss.inverse_kinematics(ss.robots.load("unal"), pose).L.round(3).tolist()
-        [0.627, 0.627, 0.627, 0.627, 0.627, 0.627]
+        [0.617, 0.617, 0.617, 0.617, 0.617, 0.617]
         """
         zero = np.zeros(3)
         return cls(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero, F_ext=F_ext, M_ext=M_ext)  # type: ignore[arg-type]
