@@ -11,8 +11,8 @@ from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_b
 
 _MOST = 4000
 """Number of samples above which the range of the samples is drawn instead of a curve."""
-_INTERVALS = 800
-"""Number of intervals of this range along the horizontal axis."""
+_TIMES, _SPEEDS = 800, 200
+"""Number of intervals of this range along the axes of time and of speed."""
 _FAR = 5.0
 """Ratio of a limit to the largest value of all legs above which the limit is not drawn."""
 LIMIT: dict[str, Any] = {"color": RED, "linewidth": 1.1, "linestyle": (0, (4, 2))}
@@ -46,7 +46,7 @@ def _forces(panels: NDArray[Any], robot: Robot, time: NDArray[Any], F: NDArray[A
     """Draw a panel of each leg with its force over time."""
     for leg, axes in enumerate(panels):
         _share_scales(axes, panels[0])
-        _curve(axes, time, F[:, leg])
+        _curve(axes, time, F[:, leg], _TIMES)
         limit = float(robot.force_limit[leg])
         draw_limit(axes.axhline, limit, F, LIMIT)
         axes.set_title(f"leg {leg + 1}{_named('limit', limit, 'N')}", fontsize=9.0)
@@ -61,7 +61,7 @@ def _motors(panels: NDArray[Any], robot: Robot, torque: NDArray[Any], speed: NDA
     rates = speed / units.radians
     for leg, axes in enumerate(panels):
         _share_scales(axes, panels[0])
-        _curve(axes, rates[:, leg], torque[:, leg])
+        _curve(axes, rates[:, leg], torque[:, leg], _SPEEDS)
         rated, peak = float(drive.rated_torque[leg]), float(drive.torque_limit[leg])
         fastest = float(drive.speed_limit[leg]) / units.radians
         draw_limit(axes.axhline, rated, torque, _RATED)
@@ -95,15 +95,15 @@ def draw_limit(line: Any, limit: float, values: NDArray[Any], style: dict[str, A
             line(side * limit, **style)
 
 
-def _curve(axes: Axes, x: NDArray[Any], y: NDArray[Any]) -> None:
+def _curve(axes: Axes, x: NDArray[Any], y: NDArray[Any], intervals: int) -> None:
     """Draw values (n,) over x, (n,); for many samples, their range in each interval of x."""
     known = np.isfinite(x) & np.isfinite(y)
     if len(x) <= _MOST or not known.any():
         axes.plot(x, y, color=BLUE, linewidth=1.0)
         return
-    edges = np.linspace(x[known].min(), x[known].max(), _INTERVALS + 1)
-    place = np.clip(np.searchsorted(edges, x[known], side="right") - 1, 0, _INTERVALS - 1)
-    low, high = np.full(_INTERVALS, np.inf), np.full(_INTERVALS, -np.inf)
+    edges = np.linspace(x[known].min(), x[known].max(), intervals + 1)
+    place = np.clip(np.searchsorted(edges, x[known], side="right") - 1, 0, intervals - 1)
+    low, high = np.full(intervals, np.inf), np.full(intervals, -np.inf)
     np.minimum.at(low, place, y[known])
     np.maximum.at(high, place, y[known])
     empty = low > high
