@@ -4,6 +4,8 @@ from . import results as results
 from . import robots as robots
 from .design.actuator_requirements import ActuatorRequirementsResult as ActuatorRequirementsResult
 from .design.actuator_requirements import actuator_requirements as actuator_requirements
+from .design.axis_travel import AxisTravelResult as AxisTravelResult
+from .design.axis_travel import axis_travel as axis_travel
 from .design.capability import Polytope as Polytope
 from .design.capability import capability_polytope as capability_polytope
 from .design.pose_limits import PoseLimits as PoseLimits

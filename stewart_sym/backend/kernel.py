@@ -10,7 +10,7 @@ from ..generated.interface import STRUCTS
 from ..io.arguments import option
 from ..io.array_types import Array
 from ..robot.offsets import JointOffsets, need_no_offsets
-from ..robot.robot import Robot, of_symbol
+from ..robot.robot import Robot, need_masses, of_symbol
 
 FORMULATIONS = ("exact", "paper")
 MOTION = STRUCTS["motion"]
@@ -34,6 +34,7 @@ def robot_kernel(robot: Robot, formulation: str) -> str:
     """Return the name of the kernel of a robot with its rotors; raise ValueError if there is none."""
     name = kernel_name(formulation, robot.base_joint)
     need_no_offsets(robot)
+    need_masses(robot)
     if not robot.has_rotors:
         return name
     need_exact(formulation, "whose drive has rotor_inertia")
@@ -44,6 +45,7 @@ def force_kernel(robot: Robot, formulation: str) -> str:
     """Return the name of the force kernel of a robot, which may have offsets; raise ValueError if none."""
     if robot.offsets is None:
         return robot_kernel(robot, formulation)
+    need_masses(robot)
     need_exact(formulation, "with offset joints")
     if robot.offsets.has_spinning_parts:
         raise ValueError(

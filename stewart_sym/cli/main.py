@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from importlib.metadata import version
 from importlib.resources import files
+from pathlib import Path
 from typing import NoReturn
 
 from ..backend.native import CompilerError
@@ -61,7 +62,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return 130
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
-        print(f"{PROGRAM}: error: {one_line(error)}", file=sys.stderr)
+        text, file = one_line(error), getattr(arguments, "robot", None)
+        if isinstance(file, Path) and text.startswith("robot: "):
+            text = f"{file}: {text.removeprefix('robot: ')}"
+        print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()
         except OSError:

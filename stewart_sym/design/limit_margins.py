@@ -11,17 +11,15 @@ from ..drives.limit_status import EXCEEDED, WITHIN, Sides, amount_text, farthest
 from ..io.arguments import status_text
 from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
+from ..robot.units import Units
 from .actuator_requirements import ActuatorRequirementsResult, sides
-
-_DEGREES = 180.0 / np.pi
 
 
 class _Limited(NamedTuple):
-    """Limit: name, unit, factor from SI, magnitudes and standard deviations (n, 6), and values (6,)."""
+    """Limit: name, SI unit, magnitudes and standard deviations (n, 6), and values (6,)."""
 
     name: str
     unit: str
-    scale: float
     sizes: Array
     sd: Sides | None
     limits: Array
@@ -58,7 +56,7 @@ class LimitMargins(NamedTuple):
 
 def compared(robot: Robot, needs: ActuatorRequirementsResult) -> LimitMargins:
     """Compare the requirements with the robot's limits; limits that are sufficient also with the margin."""
-    found, more = LimitMargins([], [], [], []), 1.0 + needs.margin
+    found, more, units = LimitMargins([], [], [], []), 1.0 + needs.margin, Units.of(robot)
     for limited in _limited(robot, needs):
         there = needs.history.replaced if len(limited.sizes) > 1 else None
         alone, margin = (
@@ -66,9 +64,9 @@ def compared(robot: Robot, needs: ActuatorRequirementsResult) -> LimitMargins:
         )
         for leg in range(LEGS):
             if alone[leg] == WITHIN:
-                found.add(margin[leg], _line(limited, leg, margin[leg], more), "margin ")
+                found.add(margin[leg], _line(limited, leg, margin[leg], units, more), "margin ")
             else:
-                found.add(alone[leg], _line(limited, leg, alone[leg]))
+                found.add(alone[leg], _line(limited, leg, alone[leg], units))
     for verdict, line in _lengths(robot, needs):
         found.add(verdict, line)
     return found
@@ -80,12 +78,13 @@ def states_limits(robot: Robot, needs: ActuatorRequirementsResult) -> bool:
     return shortest or any(np.isfinite(each.limits).any() for each in _limited(robot, needs))
 
 
-def _line(limited: _Limited, leg: int, verdict: str, more: float | None = None) -> str:
+def _line(limited: _Limited, leg: int, verdict: str, units: Units, more: float | None = None) -> str:
     """Return the text of a limit with the requirement that determines its status.
 
     ``more`` is the factor of the margin.
     """
-    name, unit, scale, sizes, sd, limits = limited
+    name, si_unit, sizes, sd, limits = limited
+    scale, unit = units.of_unit(si_unit)
     off = None if sd is None else (sd[0][:, leg], sd[1][:, leg])
     i = farthest(sizes[:, leg], off, verdict)
 
@@ -100,14 +99,18 @@ def _line(limited: _Limited, leg: int, verdict: str, more: float | None = None) 
 def _lengths(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str]]:
     """Yield the status of each leg's length limits and a text."""
     (low, high), course = robot.length_limits.T, needs.history
+    scale, unit = Units.of(robot).of_unit("m")
     sd = None if course.std is None else np.tile(course.std["L"], (2, 1))
     there = None if course.replaced is None else np.tile(course.replaced, 2)
     beyond = np.concatenate([low - course.L, course.L - high])
     for leg, verdict in enumerate(limit_status(beyond, np.zeros(LEGS), sd, there)):
         off = (None, None) if needs.std is None else needs.std["length"][leg]
-        least, most = (amount_text(*each) for each in zip(needs.length[leg], off, strict=True))
-        limits = f"{low[leg]:g} to {high[leg]:g} m"
-        yield verdict, f"length_limits of leg {leg + 1}: {limits}, needed {least} to {most} m"
+        least, most = (
+            amount_text(scale * end, None if spread is None else scale * spread)
+            for end, spread in zip(needs.length[leg], off, strict=True)
+        )
+        limits = f"{scale * low[leg]:g} to {scale * high[leg]:g} {unit}"
+        yield verdict, f"length_limits of leg {leg + 1}: {limits}, needed {least} to {most} {unit}"
 
 
 def _limited(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[_Limited]:
@@ -125,15 +128,15 @@ def _limited(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[_Limit
         sd = None if needs.std is None else needs.std[name][None]
         return need[None], None if sd is None else (sd, sd)
 
-    yield _Limited("force_limit", "N", 1.0, *peak("F"), robot.force_limit)
-    yield _Limited("speed_limit", "m/s", 1.0, *peak("L_dot"), robot.speed_limit)
-    yield _Limited("stroke", "m", 1.0, *whole(needs.stroke, "stroke"), high - low)
+    yield _Limited("force_limit", "N", *peak("F"), robot.force_limit)
+    yield _Limited("speed_limit", "m/s", *peak("L_dot"), robot.speed_limit)
+    yield _Limited("stroke", "m", *whole(needs.stroke, "stroke"), high - low)
     for end, limits in zip(("base", "platform"), robot.joint_angle_limit.T, strict=True):
-        yield _Limited(f"joint_angle_limit at the {end}", "degrees", _DEGREES, *peak(f"{end}_angle"), limits)
+        yield _Limited(f"joint_angle_limit at the {end}", "rad", *peak(f"{end}_angle"), limits)
     if drive is not None and needs.rms_torque is not None:
         rms = whole(needs.rms_torque, "rms_torque")
-        yield _Limited("drive.torque_limit", "N m", 1.0, *peak("torque"), np.asarray(drive.torque_limit))
-        yield _Limited("drive.rated_torque", "N m", 1.0, *rms, np.asarray(drive.rated_torque))
-        yield _Limited("drive.speed_limit", "rad/s", 1.0, *peak("motor_speed"), np.asarray(drive.speed_limit))
-        yield _Limited("drive.current_limit", "A", 1.0, *peak("current"), np.asarray(drive.current_limit))
-        yield _Limited("drive.power_limit", "W", 1.0, *peak("motor_power"), np.asarray(drive.power_limit))
+        yield _Limited("drive.torque_limit", "N m", *peak("torque"), np.asarray(drive.torque_limit))
+        yield _Limited("drive.rated_torque", "N m", *rms, np.asarray(drive.rated_torque))
+        yield _Limited("drive.speed_limit", "rad/s", *peak("motor_speed"), np.asarray(drive.speed_limit))
+        yield _Limited("drive.current_limit", "A", *peak("current"), np.asarray(drive.current_limit))
+        yield _Limited("drive.power_limit", "W", *peak("motor_power"), np.asarray(drive.power_limit))

@@ -19,7 +19,9 @@ from ..kinematics.clearance import PAIRS, distances_of, joined, neutral_directio
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import leg_vectors, length_rows
 from ..kinematics.mounting import up_direction
+from ..kinematics.offset_legs import inverse_jacobians, leg_axes
 from ..motion.motion import Motion
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, legs_text
 
 REASONS = (
@@ -43,7 +45,8 @@ class PoseLimits(Frozen):
     Attributes
     ----------
     lengths, joint_angles, forces : bool, optional
-        Flags that apply the robot's limits of leg lengths, joint angles, and actuator forces.
+        Flags that apply the robot's limits of leg lengths, joint angles, and actuator forces. Force limits
+        are ignored for a robot file without masses.
     max_condition : float, optional
         Largest scaled condition number of H (dimensionless). If it is finite, det H must also have the same
         sign as at the home pose, because other poses can be reached only through a singular pose.
@@ -82,6 +85,11 @@ def at_reference(robot: Robot, limits: PoseLimits) -> PoseLimits:
     return replace(limits, load=np.concatenate([force, moment + np.cross(robot.tool, force)]))
 
 
+def applies_forces(robot: Robot, limits: PoseLimits) -> bool:
+    """Return True if the force limits apply: they are given, and so are all masses."""
+    return limits.forces and bool(np.isfinite(robot.force_limit).any()) and not robot.missing_bodies
+
+
 def need_clearance(robot: Robot, clearance: float) -> None:
     """Raise ValueError for a clearance (m) that two neighboring joints exclude in every pose."""
     distances = joined(robot)
@@ -116,7 +124,8 @@ class PoseExaminer(Frozen):
         instance(self.robot, Robot, "robot")
         instance(self.limits, PoseLimits, "limits")
         t = home_pose(self.robot).t
-        H = self._rows(*leg_vectors(self.robot, np.eye(3), t))
+        R, t = np.eye(3)[None], t[None]
+        H = self._rows(R, t, *self._legs(R, t))[0]
         self._set({"up": up_direction(self.robot).copy(), "side": float(np.sign(np.linalg.det(H)))})
         need_clearance(self.robot, self.limits.min_clearance)
 
@@ -152,13 +161,13 @@ class PoseExaminer(Frozen):
 
     def conditions(self, R: Array, t: Array) -> Array:
         """Return the scaled condition numbers of H at poses R (n, 3, 3) and t (n, 3), shape (n,)."""
-        H = np.swapaxes(self._rows(*leg_vectors(self.robot, R, t)), -1, -2)
+        H = np.swapaxes(self._rows(R, t, *self._legs(R, t)), -1, -2)
         return scaled_condition_number(H, 1.0)
 
     def _block(self, R: Array, t: Array) -> NDArray[np.int8]:
         robot, limits = self.robot, self.limits
         codes = np.zeros(len(t), dtype=np.int8)
-        q, S, L = leg_vectors(robot, R, t)
+        q, S, L = self._legs(R, t)
         over = (q.mean(axis=-2) + t - robot.b.mean(axis=0)) @ self.up
         codes[over < 0.0] = SIDE
         left = np.flatnonzero(over >= 0.0)
@@ -175,10 +184,11 @@ class PoseExaminer(Frozen):
             keep(self._angles_kept(R[left], S[left], L[left]), ANGLE)
         if limits.min_clearance > 0.0:
             apart = _apart(robot)
+            need_no_offsets(robot)
             keep(np.all(distances_of(robot.b, S[left])[:, apart] >= limits.min_clearance, axis=-1), CLEARANCE)
         if limits.max_condition < math.inf:
-            keep(self._conditions_kept(q[left], S[left], L[left]), CONDITION)
-        if limits.forces and np.isfinite(robot.force_limit).any():
+            keep(self._conditions_kept(R[left], t[left], q[left], S[left], L[left]), CONDITION)
+        if applies_forces(robot, limits):
             keep(self._forces_kept(R[left], t[left]), FORCE)
         return codes
 
@@ -190,14 +200,18 @@ class PoseExaminer(Frozen):
             np.all(cosines >= np.cos(np.minimum(self.robot.joint_angle_limit, np.pi)), axis=(-2, -1))
         )
 
-    def _rows(self, q: Array, S: Array, L: Array) -> Array:
-        """Return H^T, shape (..., 6, 6), with moments divided by the characteristic length."""
-        rows = length_rows(q, S, L)
+    def _legs(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
+        """Return q and vectors along the legs (m), (n, 6, 3), and lengths (m), (n, 6); NaN if unsolvable."""
+        return leg_vectors(self.robot, R, t) if self.robot.offsets is None else leg_axes(self.robot, R, t)
+
+    def _rows(self, R: Array, t: Array, q: Array, S: Array, L: Array) -> Array:
+        """Return H^T, shape (n, 6, 6), with moments divided by the characteristic length."""
+        rows = length_rows(q, S, L) if self.robot.offsets is None else inverse_jacobians(self.robot, R, t)
         rows[..., 3:] /= characteristic_length(self.robot) or 1.0
         return rows
 
-    def _conditions_kept(self, q: Array, S: Array, L: Array) -> Flags:
-        rows, most = self._rows(q, S, L), self.limits.max_condition
+    def _conditions_kept(self, R: Array, t: Array, q: Array, S: Array, L: Array) -> Flags:
+        rows, most = self._rows(R, t, q, S, L), self.limits.max_condition
         kept = np.sign(np.linalg.det(rows)) == self.side
         rows = rows[kept]
         # The condition number in the Frobenius norm is between one and six times the exact value.

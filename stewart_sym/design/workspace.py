@@ -19,6 +19,7 @@ from ..io.frozen import Frozen
 from ..io.progress import Progress, silent
 from ..kinematics.conditioning import characteristic_length
 from ..motion.rotation import rotation_from_rpy
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from . import parallel, stratified_sampling
 from .pose_limits import REASONS, PoseExaminer, PoseLimits, at_reference
@@ -173,6 +174,7 @@ def workspace(
     {'feasible': 0.55, 'leg_length': 0.45}
     """
     instance(robot, Robot, "robot")
+    need_no_offsets(robot)
     option(kind, KINDS, "kind")
     limits = PoseLimits() if limits is None else limits
     instance(limits, PoseLimits, "limits")

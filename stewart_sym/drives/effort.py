@@ -21,6 +21,7 @@ from ..motion.trajectory import Trajectory
 from ..results import SingularPoseWarning
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
+from ..robot.units import Units
 from .limit_status import USED_UP, Beyond, Extremes, Sides, amount_text, limit_status, status_codes
 from .motor_states import MotorStates, motor_states
 from .noise import MotorDeviations, all_deviations, at_replaced
@@ -165,7 +166,7 @@ def drive_effort(
     F = inverse_dynamics(robot, motion, formulation, backend).F
     found = motor_states(robot, robot.drive, motion, F, inverse_kinematics(robot, motion).L_dot)
     weights = np.full(motion.shape, 1.0) if when is None else trapezoids(when)
-    summary = Summary(robot.drive, 0.0 if when is None else least_step(when))
+    summary = Summary(robot, 0.0 if when is None else least_step(when))
     sd = there = None
     if trajectory is not None and trajectory.noise is not None:
         sd = all_deviations(robot, trajectory, formulation, backend).motors
@@ -274,9 +275,10 @@ PEAKS = {"torque": "N m", "speed": "rad/s", "current": "A", "power": "W"}
 class Summary:
     """Peaks, root mean squares, and energy of a sequence of samples that is processed in parts."""
 
-    def __init__(self, drive: Drive, step: float) -> None:
-        """Start a sequence. ``step`` is the smallest time step (s), or 0 without times."""
-        self.drive, self.step = drive, step
+    def __init__(self, robot: Robot, step: float) -> None:
+        """Start a sequence for a robot with a drive; ``step`` is the smallest time step (s), or 0."""
+        assert robot.drive is not None
+        self.drive, self.step, self.units = robot.drive, step, Units.of(robot)
         self.extremes = {name: Extremes() for name in PEAKS}
         self.energy, self.squares, self.span, self.count = np.zeros(LEGS), np.zeros(LEGS), 0.0, 0
         # Upper bounds: errors of all samples are added, because their correlation is unknown.
@@ -361,7 +363,7 @@ class Summary:
         for name, what, unit, extremes in limits:
             limit = getattr(self.drive, name.removeprefix("drive."))
             for beyond in extremes.beyond(limit * (1.0 + share)):
-                yield beyond.verdict, _line(name, what, unit, beyond, limit)
+                yield beyond.verdict, _line(name, what, self.units.of_unit(unit), beyond, limit)
 
     def all_verdicts(self) -> list[list[str]]:
         """Return the status of each leg for all limits of the drive."""
@@ -406,10 +408,12 @@ def _row(values: Array | None) -> Array | None:
     return None if values is None else values[None]
 
 
-def _line(name: str, what: str, unit: str, beyond: Beyond, limits: Array) -> str:
-    at = f" at {beyond.when}" if beyond.when else ""
-    value = f"{amount_text(beyond.size, beyond.sd)} {unit}{at}"
+def _line(name: str, what: str, unit: tuple[float, str], beyond: Beyond, limits: Array) -> str:
+    """Return the text about a limit; ``unit`` is the factor from the SI unit, and the name of the unit."""
+    at, (scale, per) = f" at {beyond.when}" if beyond.when else "", unit
+    sd = None if beyond.sd is None else scale * beyond.sd
+    value = f"{amount_text(scale * beyond.size, sd)} {per}{at}"
     return (
         f"{name} {status_text(beyond.verdict)} by {beyond.legs_text}: {beyond.worst_text}{what} {value}, "
-        f"limit {limits[beyond.worst]:g} {unit}{beyond.needed_noise(limits[beyond.worst])}"
+        f"limit {scale * limits[beyond.worst]:g} {per}{beyond.needed_noise(limits[beyond.worst])}"
     )

@@ -14,20 +14,19 @@ from ..motion.motion import Motion
 from ..motion.sample_times import elapsed, least_step, time_text
 from ..motion.trajectory import Replaced, Trajectory
 from ..robot.robot import LEGS, Robot
+from ..robot.units import Units
 from .effort import trapezoids
 from .limit_status import INCONCLUSIVE_REPLACED_ROWS, USED_UP, Beyond, Extremes, amount_text, status_codes
 from .noise import Deviations, reached_legs
 
 # Largest number of replaced rows in one line.
 _MOST_NAMED = 4
-_DEGREES = 180.0 / np.pi
 
 
 class LegLimit(NamedTuple):
     """Limit of the legs: name, unit, and the quantity (F, L, L_dot, base, or platform) that it limits.
 
-    end: column of the bounds; None for one bound of the magnitude. sign: -1 for a lower bound. scale: factor
-    from SI to the unit.
+    end: column of the bounds; None for one bound of the magnitude. sign: -1 for a lower bound. unit: SI unit.
     """
 
     name: str
@@ -35,7 +34,6 @@ class LegLimit(NamedTuple):
     values: str
     end: int | None = None
     sign: float = 1.0
-    scale: float = 1.0
 
     def bound(self, robot: Robot) -> Array:
         """Return the bound of the magnitudes of each leg, shape (6,)."""
@@ -62,8 +60,8 @@ FORCE, SPEED, LONGEST, SHORTEST, BASE, PLATFORM = LEG_LIMITS = (
     LegLimit("speed_limit", "m/s", "L_dot"),
     LegLimit("length_limits", "m", "L", 1),
     LegLimit("length_limits", "m", "L", 0, sign=-1.0),
-    LegLimit("joint_angle_limit at the base", "degrees", "base", 0, scale=_DEGREES),
-    LegLimit("joint_angle_limit at the platform", "degrees", "platform", 1, scale=_DEGREES),
+    LegLimit("joint_angle_limit at the base", "rad", "base", 0),
+    LegLimit("joint_angle_limit at the platform", "rad", "platform", 1),
 )
 
 
@@ -136,10 +134,11 @@ class LegLimits:
     def _line(self, k: int, limit: LegLimit, found: Beyond) -> str:
         """Return the text about a limit and its legs."""
         worst, (time, values) = found.worst, found.when
-        bound = limit.scale * limit.sign * limit.bound(self.robot)[worst]
-        sd = None if found.sd is None else limit.scale * found.sd
-        value = f"{amount_text(limit.scale * values[worst], sd)} {limit.unit}"
-        value += f" at {time_text(time, self.step)} s, limit {bound:g} {limit.unit}"
+        scale, unit = Units.of(self.robot).of_unit(limit.unit)
+        bound = scale * limit.sign * limit.bound(self.robot)[worst]
+        sd = None if found.sd is None else scale * found.sd
+        value = f"{amount_text(scale * values[worst], sd)} {unit}"
+        value += f" at {time_text(time, self.step)} s, limit {bound:g} {unit}"
         text = f"{limit.name} {status_text(found.verdict)} by {found.legs_text}: {found.worst_text}{value}"
         if self._count[k, worst]:
             share = f"at {int(self._count[k, worst])} of {len(self.time)} samples"

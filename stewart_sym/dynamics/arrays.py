@@ -5,7 +5,7 @@ Arguments and results are arrays of the library; ``jit``, ``vmap``, and ``grad``
 
 from dataclasses import dataclass, field
 from importlib import import_module
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -15,8 +15,9 @@ from ..io.arguments import instance, leading_shape
 from ..io.frozen import Frozen
 from ..results import OK
 from ..robot.offsets import need_no_offsets
-from ..robot.robot import Robot, of_symbol
+from ..robot.robot import Robot, need_drive, need_masses, of_symbol
 from .inverse_dynamics import Formulation
+from .leg_formulas import Functions, leg_motions, motor_torques
 
 
 class ArrayForces(NamedTuple):
@@ -49,6 +50,13 @@ class ArrayAccelerations(NamedTuple):
 
     a: Any
     alpha: Any
+    status: Any
+
+
+class ArrayTorques(NamedTuple):
+    """Motor torques (N m), shape (..., 6), and status, shape (...)."""
+
+    torque: Any
     status: Any
 
 
@@ -93,7 +101,8 @@ class ArrayKernel(Frozen):
 
     def __post_init__(self) -> None:
         instance(self.robot, Robot, "robot")
-        name = force_kernel(self.robot, self.formulation)
+        geometry_alone = bool(self.robot.missing_bodies)
+        name = "exact" if geometry_alone else force_kernel(self.robot, self.formulation)
         if not hasattr(self.xp, "asarray"):
             got = type(self.xp).__name__
             raise ValueError(f"xp: expected an array namespace such as numpy or jax.numpy, got {got}")
@@ -106,7 +115,7 @@ class ArrayKernel(Frozen):
             raise ValueError(f"dtype: expected a type of real numbers, got {self.dtype}")
         with np.errstate(all="ignore"):
             model = source.prepare(on_numpy, robot_structure(source.Robot(), self.robot))
-        if model.status != OK:
+        if model.status != OK and not geometry_alone:
             raise overflows("double")
         self._set({"_source": source, "_on": on, "_model": _converted(model, on), "dtype": on.type})
 
@@ -219,7 +228,109 @@ class ArrayKernel(Frozen):
         given = {"R": R, "t": t, "omega": omega, "v": v, "F_ext": F_ext, "M_ext": M_ext}
         return self._run("forward_dynamics", ArrayAccelerations, given, F)
 
+    def lengths(self, R: Any, t: Any) -> Any:
+        """Compute the leg lengths, (2).
+
+        Parameters
+        ----------
+        R : array_like, shape (..., 3, 3)
+            Orientation, from the platform frame to the base frame.
+        t : array_like, shape (..., 3)
+            Position of the reference point (m), base frame.
+
+        Returns
+        -------
+        array, shape (..., 6)
+            Leg lengths (m).
+
+        Raises
+        ------
+        ValueError
+            If an argument is not real or has another shape, or if the robot has joint offsets.
+        """
+        motion, shape = self._motion({"R": R, "t": t})
+        return stacked(self.xp, [leg.L for leg in leg_motions(self._functions, self.robot, motion)], shape)
+
+    def rates(self, R: Any, t: Any, omega: Any = None, v: Any = None) -> Any:
+        """Compute the leg rates, (5).
+
+        Parameters
+        ----------
+        R : array_like, shape (..., 3, 3)
+            Orientation, from the platform frame to the base frame.
+        t : array_like, shape (..., 3)
+            Position of the reference point (m), base frame.
+        omega, v : array_like, shape (..., 3), optional
+            Angular velocity (rad/s) and velocity of the reference point (m/s), base frame; by default 0.
+
+        Returns
+        -------
+        array, shape (..., 6)
+            Leg rates (m/s), positive when the leg extends.
+
+        Raises
+        ------
+        ValueError
+            If an argument is not real or has another shape, or if the robot has joint offsets.
+        """
+        motion, shape = self._motion({"R": R, "t": t, "omega": omega, "v": v})
+        legs = leg_motions(self._functions, self.robot, motion)
+        return stacked(self.xp, [leg.L_dot for leg in legs], shape)
+
+    def torques(
+        self,
+        R: Any,
+        t: Any,
+        omega: Any = None,
+        v: Any = None,
+        alpha: Any = None,
+        a: Any = None,
+        F_ext: Any = None,
+        M_ext: Any = None,
+    ) -> ArrayTorques:
+        """Compute the motor torques that produce a motion of the platform, including the drive's losses.
+
+        Parameters
+        ----------
+        R, t, omega, v, alpha, a, F_ext, M_ext : array_like
+            Motion and load, as in ``forces``.
+
+        Returns
+        -------
+        ArrayTorques
+            Named tuple: motor torques ``torque`` (N m), shape (..., 6), and ``status``, shape (...).
+
+        Raises
+        ------
+        ValueError
+            If an argument is not real or has another shape, or if the robot has joint offsets or no drive.
+        """
+        need_drive(self.robot)
+        given = {"R": R, "t": t, "omega": omega, "v": v, "alpha": alpha, "a": a}
+        motion, _ = self._motion(given)
+        F, status = self.forces(**given, F_ext=F_ext, M_ext=M_ext)
+        forces = [F[..., i] for i in range(6)]
+        torque = motor_torques(self._functions, self.robot, motion, forces)
+        return ArrayTorques(stacked(self.xp, torque, tuple(F.shape[:-1])), status)
+
+    @property
+    def _functions(self) -> Functions:
+        return Functions(self._on.sqrt, self._on.size, self.xp.exp, self._on.where)
+
+    def _motion(self, fields: dict[str, Any]) -> tuple[SimpleNamespace, tuple[int, ...]]:
+        """Return the components of a motion, zeros for omitted ones, and its leading shape."""
+        need_no_offsets(self.robot)
+        zero = {name: np.zeros(3) for name in ("omega", "v", "alpha", "a")}
+        given = zero | {name: value for name, value in fields.items() if value is not None}
+        arrays = {name: self._array(name, value) for name, value in given.items()}
+        shapes = {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in arrays.items()}
+        R = arrays.pop("R")
+        parts = {name: [each[..., i] for i in range(3)] for name, each in arrays.items()}
+        rows = [R[..., i, j] for i in range(3) for j in range(3)]
+        return SimpleNamespace(R=rows, **parts), leading_shape(shapes)
+
     def _run(self, function: str, kind: type[Result], fields: dict[str, Any], F: Any = None) -> Result:
+        need_masses(self.robot)
         if not hasattr(self._source, function):
             raise ValueError(
                 f'{function}: expected formulation "exact" and universal base joints without offsets, '

@@ -6,9 +6,10 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
+from ..kinematics.inverse_kinematics import wrench_matrix
 from ..kinematics.mounting import Side, level_positions, platform_side, radius, up_direction, upright
 from ..kinematics.offset_legs import leg_lengths
-from ..motion.motion import at_rest
+from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .inverse_dynamics import inverse_dynamics
 
@@ -21,8 +22,8 @@ class HomePose:
 
     side: side of the base on which the platform is. rule: rule by which the position was chosen. t: position
     of the reference point (m), (3,). L: leg lengths (m), (6,). F: forces that balance the platform (N), (6,),
-    NaN if there are none. condition, scaled_condition: condition numbers of H. status: code of
-    ``STATUS_TEXT``.
+    NaN if there are none or masses are missing. condition, scaled_condition: condition numbers of H. status:
+    code of ``STATUS_TEXT``.
     """
 
     side: Side
@@ -56,18 +57,24 @@ def home_pose(robot: Robot) -> HomePose:
         t, L = t[amid, None], L[amid, None]
     else:
         rule = "height with the smallest scaled condition number, because no length limits are given"
-    forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")
-    scaled = scaled_condition_number(forces.H, length)
+    rest = Motion.at_rest(np.eye(3), t)
+    if robot.missing_bodies:
+        H, F = wrench_matrix(robot, rest), np.full((len(t), 6), np.nan)
+        status = np.zeros(len(t), dtype=np.int32)
+    else:
+        forces = inverse_dynamics(robot, rest, backend="numpy", on_singular="nan")
+        H, F, status = forces.H, forces.F, forces.status
+    scaled = scaled_condition_number(H, length)
     best = int(np.argmin(np.nan_to_num(scaled, nan=np.inf)))
     return HomePose(
         side=platform_side(robot),
         rule=rule,
         t=t[best],
         L=L[best],
-        F=forces.F[best],
-        condition=float(condition_number(forces.H[best])),
+        F=F[best],
+        condition=float(condition_number(H[best])),
         scaled_condition=float(scaled[best]),
-        status=int(forces.status[best]),
+        status=int(status[best]),
     )
 
 

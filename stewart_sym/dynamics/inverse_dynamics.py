@@ -27,7 +27,7 @@ from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
 from ..results import ON_SINGULAR, OnSingular
 from ..robot.offsets import need_no_offsets
-from ..robot.robot import Robot
+from ..robot.robot import Robot, need_masses
 from .damped_least_squares import damped_least_squares
 
 Formulation = Literal["exact", "paper"]
@@ -274,6 +274,7 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
     [2.72, 3.66, 6.2, 2.88, 2.59, 5.37]
     """
     need_motion(robot, motion)
+    need_masses(robot)
     of = newton_euler if robot.offsets is None else offset_joints
     F0 = of.massless_forces(robot, motion)
     return np.where(np.isfinite(F0).all(axis=-1, keepdims=True), F0, np.nan)
@@ -348,6 +349,7 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
     """Return the kernel of a formulation and a backend for a robot; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
     option(backend, ("c", "numpy", "reference"), "backend")
+    need_masses(robot)
     if robot.offsets is not None or backend == "reference":
         return _VectorKernel(robot, formulation)
     if backend == "numpy":

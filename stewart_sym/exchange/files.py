@@ -20,7 +20,7 @@ from ..io.toml_reader import read_text
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.fields import LEGS
-from ..robot.robot import Robot, RobotWarning, impossible_inertias
+from ..robot.robot import Robot, RobotWarning, impossible_inertias, need_masses
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .formats.xml_text import HEADER, at_line, line_named, parsed
 from .model import Model
@@ -128,6 +128,7 @@ def export_model(robot: Robot, format: str) -> ExportedModel:  # noqa: A002 # th
     6
     """
     instance(robot, Robot, "robot")
+    need_masses(robot, "a model")
     option(format, tuple(PROGRAMS), "format")
     if robot.offsets is not None and robot.offsets.has_spinning_parts:
         # No format has an actuator whose force rotates the body that it moves.

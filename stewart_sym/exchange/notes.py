@@ -32,7 +32,7 @@ _SILENT = (
         "trajectory_format",
         "joint_angle_limit",
     ),
-    *("lower_length", "upper_length"),
+    *("lower_length", "upper_length", "length_unit", "angle_unit"),
 )
 """Fields that are independent of bodies and joints, so that the note has priority."""
 _LIMITS = ("length_limits", "force_limit", "speed_limit", "joint_angle_limit")

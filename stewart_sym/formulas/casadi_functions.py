@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 from ..backend.kernel import MOTION
 from ..dynamics.inverse_dynamics import Formulation
-from ..io.arguments import option, truth
+from ..dynamics.leg_formulas import Functions, leg_motions, motor_torques
+from ..io.arguments import instance, option, truth
 from ..io.extras import needed_for
-from ..robot.robot import Robot
+from ..robot.offsets import need_no_offsets
+from ..robot.robot import Robot, need_drive
 from .symbols import prepared
 
 if TYPE_CHECKING:
@@ -21,6 +23,9 @@ ARGUMENTS = {
     "forces": tuple(MOTION),
     "equations": _RATES,
     "forward_dynamics": (*_RATES, "F", "F_ext", "M_ext"),
+    "lengths": _RATES[:2],
+    "rates": _RATES,
+    "torques": tuple(MOTION),
 }
 """Functions and their arguments, in order."""
 
@@ -28,13 +33,13 @@ ARGUMENTS = {
 def casadi_function(
     robot: Robot, quantity: str = "forces", formulation: Formulation = "exact", checked: bool = True
 ) -> "casadi.Function":
-    """Build a CasADi function (SX) of forces, equations of motion, or forward dynamics of one robot.
+    """Build a CasADi function (SX) of the kinematics, the dynamics, or the motor torques of one robot.
 
     Parameters
     ----------
     robot : Robot
         Robot model without offset joints.
-    quantity : {"forces", "equations", "forward_dynamics"}, optional
+    quantity : {"forces", "equations", "forward_dynamics", "lengths", "rates", "torques"}, optional
         Function to build; see Returns. "equations" and "forward_dynamics" require formulation "exact" and
         universal base joints.
     formulation : {"exact", "paper"}, optional
@@ -55,6 +60,11 @@ def casadi_function(
         - "equations": R, t, omega, v to M, C (6, 6), g, friction, bias, bias_and_friction (6,), H, and its
           rate H_dot (6, 6).
         - "forward_dynamics": R, t, omega, v, F, F_ext, M_ext to a and alpha (3,).
+        - "lengths": R, t to the leg lengths L (m) (6,).
+        - "rates": R, t, omega, v to the leg rates L_dot (m/s) (6,).
+        - "torques": the arguments of "forces" to the motor torques torque (N m) and F (N) (6,).
+
+        "lengths" and "rates" have no status.
 
     Raises
     ------
@@ -84,21 +94,45 @@ def casadi_function(
     truth(checked, "checked")
     with needed_for("a CasADi function"):
         import casadi
-    from ..derive.kernel.tree.interpret import Interpreter
-
-    program, _, model = prepared(robot, quantity, quantity, formulation)
     given = {name: casadi.SX.sym(name, 3, 3 if name == "R" else 1) for name in MOTION}
     # CasADi stores columns, but the kernels read components row by row.
     parts = {name: casadi.vertsplit(casadi.vec(value.T)) for name, value in given.items()}
     motion = SimpleNamespace(**parts)
     given["F"] = casadi.SX.sym("F", 6)
-    more = [casadi.vertsplit(given["F"])] if quantity == "forward_dynamics" else []
-    found = Interpreter(program, _arithmetic(checked)).run(quantity, model, motion, *more)
-    results = {name: _matrix(value) for name, value in vars(found).items() if checked or name != "status"}
+    found = _results(robot, quantity, formulation, checked, motion, casadi.vertsplit(given["F"]))
+    results = {name: _matrix(value) for name, value in found.items() if checked or name != "status"}
     names = ARGUMENTS[quantity]
     return casadi.Function(
         quantity, [given[name] for name in names], list(results.values()), list(names), list(results)
     )
+
+
+def _results(
+    robot: Robot,
+    quantity: str,
+    formulation: Formulation,
+    checked: bool,
+    motion: SimpleNamespace,
+    F: list[Any],
+) -> dict[str, Any]:
+    """Return the results of a function by name; ``F`` are the forces of forward dynamics."""
+    import casadi
+
+    from ..derive.kernel.tree.interpret import Interpreter
+
+    instance(robot, Robot, "robot")
+    on = Functions(casadi.sqrt, casadi.fabs, casadi.exp, casadi.if_else)
+    if quantity in ("lengths", "rates"):
+        need_no_offsets(robot)
+        name = {"lengths": "L", "rates": "L_dot"}[quantity]
+        return {name: [getattr(leg, name) for leg in leg_motions(on, robot, motion)]}
+    if quantity == "torques":
+        need_drive(robot)
+        found = _results(robot, "forces", formulation, checked, motion, F)
+        return {"torque": motor_torques(on, robot, motion, found["F"]), **found}
+    program, _, model = prepared(robot, quantity, quantity, formulation)
+    more = [F] if quantity == "forward_dynamics" else []
+    return dict(vars(Interpreter(program, _arithmetic(checked)).run(quantity, model, motion, *more)))
 
 
 def _matrix(value: Any) -> Any:

@@ -307,7 +307,7 @@ def _limits_kept(robot: Robot, motion: Motion, F: Array) -> bool:
         return False
     if robot.drive is None:
         return True
-    used = Summary(robot.drive, 0.0)
+    used = Summary(robot, 0.0)
     used.add(motor_states(robot, robot.drive, motion, F, legs.L_dot), np.ones(len(F)), None)
     return not used.exceeded(0.0)
 

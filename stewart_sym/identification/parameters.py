@@ -28,7 +28,7 @@ from ..motion.motion import Motion
 from ..reference.equations_of_motion import coriolis, with_rates
 from ..reference.equations_of_motion import regressor as reference_regressor
 from ..results import NOT_FINITE, OK, ON_FAULT, OnFault
-from ..robot.robot import LEGS, Robot
+from ..robot.robot import LEGS, Robot, need_masses
 
 _UPPER = np.triu_indices(3)
 # Number of parameters of a body: mass, first moment, and inertia.
@@ -406,6 +406,7 @@ def inertial_parameters(robot: Robot) -> ParameterVector:
     (('M', 'h_P_x', 'h_P_y', 'h_P_z'), array([40. ,  1.6,  1.2, -2.4]))
     """
     need_universal(robot)
+    need_masses(robot, "the parameter vector")
     lower = body_parameters(robot.m_d, robot.r_d0, robot.I_d0)
     upper = body_parameters(robot.m_u, robot.r_u0, robot.I_u0)
     friction = np.column_stack([robot.C_u, robot.C_p, robot.C_s])

@@ -224,6 +224,22 @@ def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
         return np.asarray(chain.chains(robot, _still(R, t)).L[..., 0])
 
 
+def leg_axes(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
+    """Return q and vectors along the prismatic joints (m), (..., 6, 3), and lengths (m), (..., 6).
+
+    NaN if a leg has no solution.
+    """
+    with np.errstate(all="ignore"):
+        at = chain.chains(robot, _still(R, t))
+    return at.q, at.s * at.L, at.L[..., 0]
+
+
+def inverse_jacobians(robot: Robot, R: Array, t: Array) -> Array:
+    """Return H^T of legs with offsets, shape (..., 6, 6); NaN if a leg has no solution."""
+    with np.errstate(all="ignore"):
+        return np.swapaxes(chain.columns_of_H(robot, joint_motion(robot, _still(R, t)).G), -1, -2)
+
+
 def length_jacobian(robot: Robot, R: Array, t: Array) -> Array:
     """Return the derivative of the lengths by the twist, shape (..., 6, 6); NaN if a leg has no solution."""
     with np.errstate(all="ignore"):

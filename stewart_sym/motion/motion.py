@@ -202,6 +202,42 @@ class Motion(Frozen):
         return motion
 
     @classmethod
+    def at_rest(
+        cls, R: ArrayLike, t: ArrayLike, F_ext: ArrayLike | None = None, M_ext: ArrayLike | None = None
+    ) -> Motion:
+        """Create poses at rest, optionally under a load: all rates and accelerations are 0.
+
+        Parameters
+        ----------
+        R : array_like, shape (..., 3, 3)
+            Rotation matrix from the platform frame to the base frame.
+        t : array_like, shape (..., 3)
+            Position of the reference point in the base frame (m).
+        F_ext, M_ext : array_like, shape (..., 3), optional
+            Load, as in ``Motion``.
+
+        Returns
+        -------
+        Motion
+            Motion with zero rates and accelerations.
+
+        Raises
+        ------
+        ValueError
+            If an argument is invalid, as in ``Motion``.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import stewart_sym as ss
+        >>> pose = ss.Motion.at_rest(R=np.eye(3), t=[0.0, 0.0, 0.7])
+        >>> ss.inverse_kinematics(ss.robots.load("unal"), pose).L.round(3).tolist()
+        [0.617, 0.617, 0.617, 0.617, 0.617, 0.617]
+        """
+        zero = np.zeros(3)
+        return cls(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero, F_ext=F_ext, M_ext=M_ext)  # type: ignore[arg-type]
+
+    @classmethod
     def from_rpy(
         cls,
         t: ArrayLike,
@@ -357,12 +393,7 @@ class Motion(Frozen):
         return cls._turned(rotation.motion_of_vector, turns, given)
 
 
-def at_rest(
-    R: ArrayLike, t: ArrayLike, F_ext: ArrayLike | None = None, M_ext: ArrayLike | None = None
-) -> Motion:
-    """Create poses at rest under a load: all rates and accelerations are 0."""
-    zero = np.zeros(3)
-    return Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero, F_ext=F_ext, M_ext=M_ext)  # type: ignore[arg-type]
+at_rest = Motion.at_rest
 
 
 def pose_of(value: object, name: str, expected: str) -> Motion:

@@ -30,7 +30,7 @@ def of_home(robot: Robot, t: Array) -> Iterator[Finding]:
     L = level_lengths(robot, t)
     found = list(_of_limits(robot, L)) or list(_of_parts(robot, L))
     yield from found
-    if not found:
+    if not found and not robot.missing_bodies:
         F = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan").F
         yield from _of_forces(robot, F)
         yield from _of_torques(robot, F)

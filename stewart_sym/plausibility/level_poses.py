@@ -43,7 +43,7 @@ def level_home(robot: Robot) -> Array:
         score = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
         score[found > max(GOOD_CONDITION, found.min())] = np.inf
     else:
-        passing = np.all(lengths >= robot.r_d0[:, 0] - robot.r_u0[:, 0], axis=-1)
+        passing = np.all(lengths >= np.nan_to_num(robot.r_d0[:, 0] - robot.r_u0[:, 0]), axis=-1)
         score = np.where(passing | ~passing.any(), found, np.inf)
     best = int(np.argmin(score))
     if not limited or MISPAIRED * found[best] < condition:

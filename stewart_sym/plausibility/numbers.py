@@ -146,6 +146,8 @@ def _of_gyration(name: str, masses: Array, inertias: Array, size: float, least: 
 
 def _gyration(inertias: Array, masses: Array | float) -> Array:
     """Return the largest radii of gyration of bodies (m)."""
+    if np.isnan(inertias).any():
+        return np.full(np.shape(masses), np.nan)
     return np.asarray(np.sqrt(np.linalg.eigvalsh(inertias)[..., -1].clip(min=0.0) / masses))
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
-from ..motion.trajectory_format import TrajectoryFormat
+from ..motion.trajectory_format import LENGTH_UNITS, TrajectoryFormat
 
 LEGS = 6
 DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
@@ -94,6 +94,17 @@ def _or_unlimited(key: str, check: Check) -> Check:
         if isinstance(row, list | tuple) and tuple(row) == none:
             return np.array(row)
         return none if isinstance(row, float) and row == none else check(row, where)
+
+    return checked
+
+
+def _or_missing(check: Check, shape: tuple[int, ...] = ()) -> Check:
+    """Extend the check of a mass property to NaN, which means that the robot file does not contain it."""
+
+    def checked(value: object, where: str) -> Any:
+        if isinstance(value, float | list | np.ndarray) and np.all(np.isnan(np.asarray(value, dtype=float))):
+            return np.full(shape, math.nan)[()]
+        return check(value, where)
 
     return checked
 
@@ -197,9 +208,9 @@ class LegTables(NamedTuple):
 
 FIELDS: dict[str, tuple[str, Check]] = {
     "g": ("gravity", toml_reader.vector),
-    "M": ("platform.mass", toml_reader.positive),
-    "R_0": ("platform.center_of_mass", toml_reader.vector),
-    "I_p": ("platform.inertia", inertia),
+    "M": ("platform.mass", _or_missing(toml_reader.positive)),
+    "R_0": ("platform.center_of_mass", _or_missing(toml_reader.vector, (3,))),
+    "I_p": ("platform.inertia", _or_missing(inertia, (3, 3))),
 }
 """Path in a robot file, without the folder of the body, and check of each field."""
 
@@ -207,12 +218,12 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
     "b": ("base_point", toml_reader.vector),
     "p": ("platform_point", toml_reader.vector),
     "k": ("universal_axis", direction),
-    "m_d": ("lower.mass", toml_reader.positive),
-    "r_d0": ("lower.center_of_mass", toml_reader.vector),
-    "I_d0": ("lower.inertia", inertia),
-    "m_u": ("upper.mass", toml_reader.positive),
-    "r_u0": ("upper.center_of_mass", toml_reader.vector),
-    "I_u0": ("upper.inertia", inertia),
+    "m_d": ("lower.mass", _or_missing(toml_reader.positive)),
+    "r_d0": ("lower.center_of_mass", _or_missing(toml_reader.vector, (3,))),
+    "I_d0": ("lower.inertia", _or_missing(inertia, (3, 3))),
+    "m_u": ("upper.mass", _or_missing(toml_reader.positive)),
+    "r_u0": ("upper.center_of_mass", _or_missing(toml_reader.vector, (3,))),
+    "I_u0": ("upper.inertia", _or_missing(inertia, (3, 3))),
     "C_u": ("damping.universal", toml_reader.not_negative),
     "C_p": ("damping.prismatic", toml_reader.not_negative),
     "C_s": ("damping.spherical", toml_reader.not_negative),
@@ -225,15 +236,26 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
 }
 """Path in the table of a leg, and check of each field with an entry per leg."""
 
+MASS_FIELDS = {
+    "platform.body": ("M", "R_0", "I_p"),
+    "legs.lower": ("m_d", "r_d0", "I_d0"),
+    "legs.upper": ("m_u", "r_u0", "I_u0"),
+}
+"""Fields of mass properties, NaN if not given, by their key in a robot file."""
+
 POSE_FIELDS: dict[str, Check] = {
     "home_position": lambda value, where: None if value is None else toml_reader.vector(value, where),
     "tool": toml_reader.vector,
+    "length_unit": lambda value, where: option(value, tuple(LENGTH_UNITS), where),
+    "angle_unit": lambda value, where: option(value, ("rad", "deg"), where),
 }
-"""Check of each field that defines the representation of poses."""
+"""Check of each field that defines the representation of poses and numbers."""
 
 DEFAULTS: dict[str, Any] = {
     "home_position": None,
     "tool": np.zeros(3),
+    "length_unit": "m",
+    "angle_unit": "rad",
     "trajectory_format": TrajectoryFormat(),
     "drive": None,
     "offsets": None,

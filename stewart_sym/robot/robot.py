@@ -44,7 +44,7 @@ class Robot(Frozen):
     g : ndarray, shape (3,)
         Gravity (m/s^2), base frame.
     M : float
-        Mass (kg) of the platform with payload.
+        Mass (kg) of the platform with payload. Mass properties that the robot file does not contain are NaN.
     R_0 : ndarray, shape (3,)
         Center of mass (m) of the platform, platform frame.
     I_p : ndarray, shape (3, 3)
@@ -90,6 +90,9 @@ class Robot(Frozen):
         Drives of the legs; None if not given.
     offsets : JointOffsets, optional
         Offset joints; None for legs whose axes intersect.
+    length_unit, angle_unit : str, optional
+        Units of lengths and angles in texts and plots of reports, from the robot file; by default "m" and
+        "rad". All attributes have SI units.
 
     Raises
     ------
@@ -140,6 +143,8 @@ class Robot(Frozen):
     trajectory_format: TrajectoryFormat = field(default_factory=TrajectoryFormat)
     drive: Drive | None = None
     offsets: JointOffsets | None = None
+    length_unit: str = "m"
+    angle_unit: str = "rad"
 
     def __post_init__(self) -> None:
         base_joint(self.base_joint, "robot: base_joint")
@@ -259,7 +264,8 @@ class Robot(Frozen):
         Returns
         -------
         dict
-            Tables of schema 2 in SI units. ``from_dict`` restores the robot to the bit.
+            Tables of schema 2 in SI units, with ``length_unit`` "m" and ``angle_unit`` "rad". ``from_dict``
+            restores all other fields to the bit.
         """
         return schema_2.tables_of(vars(self))
 
@@ -331,6 +337,13 @@ class Robot(Frozen):
         return self.drive is not None and bool(np.any(self.drive.rotor_inertia))
 
     @property
+    def missing_bodies(self) -> tuple[str, ...]:
+        """Keys of the bodies whose mass properties the robot file does not contain; () with all masses."""
+        return tuple(
+            key for key, (mass, *_) in fields.MASS_FIELDS.items() if np.isnan(getattr(self, mass)).any()
+        )
+
+    @property
     def has_joint_angle_limits(self) -> bool:
         """True if any joint angle has a limit."""
         return bool(np.isfinite(self.joint_angle_limit).any())
@@ -358,6 +371,21 @@ _SYMBOLS = {
 }
 
 
+def need_masses(robot: Robot, used_for: str = "this function") -> None:
+    """Raise ValueError for a robot file without all masses; ``used_for`` names what requires them."""
+    missing = robot.missing_bodies
+    if missing:
+        raise ValueError(
+            f"robot: {', '.join(missing)}: missing; {used_for} requires mass, center_of_mass, and inertia"
+        )
+
+
+def need_drive(robot: Robot) -> None:
+    """Raise ValueError for a robot without a drive."""
+    if robot.drive is None:
+        raise ValueError("robot: drive: missing; motor torques require [legs.drive] in the robot file")
+
+
 def has_symbol(owner: Any, symbol: str) -> bool:
     """Return True if a robot, its offsets, or its numbers have a symbol of the generated code."""
     return hasattr(owner, symbol) or hasattr(owner, _SYMBOLS.get(symbol, symbol))
@@ -373,10 +401,13 @@ def of_symbol(owner: Any, symbol: str) -> Any:
 
 def impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
     """Return the warning name (from ``WARNING_NAMES``) and the message of each impossible inertia."""
-    found = [("platform-inertia", f"platform: inertia: {fault}") for fault in inertia_fault(robot.I_p)]
+    missing = robot.missing_bodies
+    found = []
+    if "platform.body" not in missing:
+        found = [("platform-inertia", f"platform: inertia: {fault}") for fault in inertia_fault(robot.I_p)]
     for part, tensors in (("lower", robot.I_d0), ("upper", robot.I_u0)):
         alike: dict[bytes, list[int]] = {}
-        for i, tensor in enumerate(tensors):
+        for i, tensor in enumerate(tensors if f"legs.{part}" not in missing else ()):
             alike.setdefault(tensor.tobytes(), []).append(i)
         for legs in alike.values():
             for fault in inertia_fault(tensors[legs[0]]):

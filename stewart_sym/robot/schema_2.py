@@ -57,8 +57,11 @@ _MOST_TURNS = 2.0
 def values(d: object, file: str) -> dict[str, Any]:
     """Return the checked fields of a robot by name; every message begins with ``file``."""
     top = toml_reader.checked_table(d, file, _TOP_KEYS, _NEEDED)
-    meters = _meters(option(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
-    degrees = option(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
+    units = {
+        name: fields.POSE_FIELDS[name](top.get(name, fields.DEFAULTS[name]), f"{file}{name}")
+        for name in ("length_unit", "angle_unit")
+    }
+    meters, degrees = _meters(units["length_unit"]), units["angle_unit"] == "deg"
     joint = fields.base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     home = (
         meters(toml_reader.vector(top["home_position"], f"{file}home_position"))
@@ -71,18 +74,19 @@ def values(d: object, file: str) -> dict[str, Any]:
         "g": toml_reader.vector(top.get("gravity", fields.DEFAULT_GRAVITY), f"{file}gravity"),
         "suppressed_warnings": fields.accepted(top.get("suppress_warnings", ()), f"{file}suppress_warnings"),
         "home_position": home,
+        **units,
         **_trajectory(top.get("trajectory", {}), f"{file}trajectory.", meters, home),
     }
-    platform = toml_reader.checked_table(
-        top["platform"], f"{file}platform.", (*_POINT_KEYS, "body"), ("body",)
-    )
+    platform = toml_reader.checked_table(top["platform"], f"{file}platform.", (*_POINT_KEYS, "body"))
     base = toml_reader.checked_table(top["base"], f"{file}base.", _POINT_KEYS)
     rings = [
         points(table, f"{file}{name}.", meters, degrees)
         for name, table in (("base", base), ("platform", platform))
     ]
-    on_top = body(platform["body"], f"{file}platform.body", meters, None)
-    toml_reader.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
+    on_top = _NO_BODY
+    if "body" in platform:
+        on_top = body(platform["body"], f"{file}platform.body", meters, None)
+        toml_reader.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
     legs = _Legs(top, file, meters, degrees, joint, home)
     offsets = offsets_of_tables(legs.tables, meters)
@@ -91,9 +95,10 @@ def values(d: object, file: str) -> dict[str, Any]:
     drive = drive_of_tables(legs.tables, meters, degrees, offsets is not None and offsets.has_spinning_parts)
     found = own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
     # Conversions and sums may overflow.
+    missing = {name for names in fields.MASS_FIELDS.values() for name in names if np.isnan(found[name]).all()}
     for name, value in found.items():
         if (
-            name not in fields.UNSTATED
+            name not in (*fields.UNSTATED, *missing)
             and isinstance(value, float | np.ndarray)
             and not np.all(np.isfinite(value))
         ):
@@ -118,6 +123,9 @@ def _trajectory(value: object, prefix: str, meters: Meters, home: Array | None) 
     fields.need_home(form, home, prefix)
     return {"tool": meters(tool), "trajectory_format": form}
 
+
+_NO_BODY = {"mass": math.nan, "center_of_mass": np.full(3, math.nan), "inertia": np.full((3, 3), math.nan)}
+"""Mass properties of a body that the file does not contain."""
 
 _SECTIONS = {"b": "base", "p": "platform", "M": "platform", "R_0": "platform", "I_p": "platform"}
 _SECTIONS |= {"home_position": "home_position", "tool": "trajectory", "g": "gravity"}
@@ -217,6 +225,8 @@ class _Legs:
                 found, reason = own, f"missing, since legs.{part} is by shape"
             else:
                 found = found | own
+        elif shared is None and not any(part in table for table in self.tables.tables):
+            found = _NO_BODY
         elif shared is None:
             raise ValueError(f"{self.file}legs.{part}: missing")
         toml_reader.require(found, INERTIA_KEYS, f"{self.tables.where(i, part)}.", reason)
@@ -266,8 +276,14 @@ class _Legs:
 
 def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
     """Return the tables of a robot file, plain values in SI units; ``values`` restores them to the bit."""
-    body = _nested(
-        {name.partition(".")[2]: given[key] for key, (name, _) in fields.FIELDS.items() if key != "g"}
+    body = (
+        {}
+        if math.isnan(given["M"])
+        else {
+            "body": _nested(
+                {name.partition(".")[2]: given[key] for key, (name, _) in fields.FIELDS.items() if key != "g"}
+            )
+        }
     )
     home, drive, offsets = given["home_position"], given["drive"], given["offsets"]
     trajectory = {"tool": np.asarray(given["tool"]).tolist()} | format_table(given["trajectory_format"])
@@ -282,7 +298,7 @@ def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
         **({"suppress_warnings": list(accepted)} if accepted else {}),
         **({} if home is None else {"home_position": home.tolist()}),
         "base": {"points": np.asarray(given["b"]).tolist()},
-        "platform": {"points": np.asarray(given["p"]).tolist(), "body": body},
+        "platform": {"points": np.asarray(given["p"]).tolist(), **body},
         "legs": shared,
         "leg": {
             n: _leg_table(given, i) | own | joint
@@ -306,7 +322,9 @@ def _leg_table(given: Mapping[str, Any], i: int) -> dict[str, Any]:
     if given["base_joint"] == "spherical":
         del found["universal_axis"]
     stated = (
-        path for path, value in found.items() if not np.array_equal(value, fields.UNSTATED.get(path, np.nan))
+        path
+        for path, value in found.items()
+        if not (np.array_equal(value, fields.UNSTATED.get(path, np.nan)) or np.isnan(value).all())
     )
     return _nested({path: found[path] for path in stated})
 

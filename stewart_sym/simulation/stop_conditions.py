@@ -18,6 +18,7 @@ from ..kinematics.pose_search import platform_size
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
+from ..robot.units import Units
 from .state_history import WATCHED, Actuators, LegStates, Piece, StopEvent, leg_states, motion_of
 
 NEAR_SINGULAR, CROSSING = 48, 49
@@ -173,19 +174,22 @@ class Watch:
         at = np.array([time])
         state = motion_of(piece.interpolant(at).T, piece.center)
         legs = leg_states(robot, state)
-        low, high = robot.length_limits[leg]
-        length = f"{legs.L[0, leg]:.6g} m"
-        angles = np.degrees([self._angles(legs, state)[:, 0, leg], robot.joint_angle_limit[leg]]).T
+        units = Units.of(robot)
+        unit, turn = units.length, units.angle
+        low, high = robot.length_limits[leg] / units.meters
+        speed, fastest = legs.L_dot[0, leg] / units.meters, robot.speed_limit[leg] / units.meters
+        length = f"{legs.L[0, leg] / units.meters:.6g} {unit}"
+        angles = np.array([self._angles(legs, state)[:, 0, leg], robot.joint_angle_limit[leg]]).T
         if row >= NEAR_SINGULAR:
             condition = condition_number(_scaled_H(legs, platform_size(robot)))[0]
             text = f"condition number of H reaches {condition:.4g} at {time:.9g} s"
             return StopEvent("singular", time, None, f"near a singular pose: {text}")
         kind, text = (
-            ("length_limits", f"length {length} reaches its lower limit {low:g} m"),
-            ("length_limits", f"length {length} reaches its upper limit {high:g} m"),
+            ("length_limits", f"length {length} reaches its lower limit {low:g} {unit}"),
+            ("length_limits", f"length {length} reaches its upper limit {high:g} {unit}"),
             (
                 "speed_limit",
-                f"speed {legs.L_dot[0, leg]:.6g} m/s reaches its limit {robot.speed_limit[leg]:g} m/s",
+                f"speed {speed:.6g} {unit}/s reaches its limit {fastest:g} {unit}/s",
             ),
             (
                 "force_limit",
@@ -197,9 +201,9 @@ class Watch:
             *(
                 (
                     "joint_angle_limit",
-                    f"joint angle at the {end} {angle:.6g} degrees reaches its limit {most:g} degrees",
+                    f"joint angle at the {end} {angle:.6g} {turn} reaches its limit {most:g} {turn}",
                 )
-                for end, (angle, most) in zip(("base", "platform"), angles, strict=True)
+                for end, (angle, most) in zip(("base", "platform"), angles / units.radians, strict=True)
             ),
         )[row // 6]
         return StopEvent(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")

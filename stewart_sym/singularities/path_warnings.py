@@ -9,6 +9,7 @@ from ..kinematics.trajectory_checks import side_change
 from ..motion.interpolation import interpolate
 from ..motion.trajectory import Trajectory
 from ..robot.robot import Robot
+from ..robot.units import Units
 from .path_singularities import singularity_crossings
 from .singular_poses import SingularityResult
 
@@ -32,7 +33,7 @@ def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
         f"det H goes from {sign_text(first.sign_before)} to {sign_text(first.sign_after)}, "
         f"scaled condition number {float(first.singularity.condition_number):.3g}, "
         "leg forces grow without bound; "
-        f"unconstrained twist{of} {twist_text(first.singularity)}{more}"
+        f"unconstrained twist{of} {twist_text(first.singularity, Units.of(robot))}{more}"
     )
 
 
@@ -51,9 +52,10 @@ def row_warning(robot: Robot, log: Trajectory, places: str = "lines") -> str | N
     )
 
 
-def twist_text(at: SingularityResult) -> str:
+def twist_text(at: SingularityResult, units: Units) -> str:
     """Return the unconstrained twist [v; omega] as text."""
-    return f"v = {triple_text(at.twist[:3])} m/s, omega = {triple_text(at.twist[3:])} rad/s"
+    v, omega = triple_text(at.twist[:3] / units.meters), triple_text(at.twist[3:] / units.radians)
+    return f"v = {v} {units.length}/s, omega = {omega} {units.angle}/s"
 
 
 def sign_text(side: int) -> str:

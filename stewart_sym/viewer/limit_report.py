@@ -65,7 +65,7 @@ def limits(robot: Robot, shown: MotionHistory) -> LimitReport:
     of = motor_states if name in FORMULATIONS else of_motor_forces
     motors = of(robot, robot.drive, shown.motion, F, shown.L_dot)
     motors_sd = None if sd is None else sd.motors
-    summary = Summary(robot.drive, least_step(shown.time))
+    summary = Summary(robot, least_step(shown.time))
     summary.add(motors, trapezoids(elapsed(shown.time)), shown.time, motors_sd, there)
     codes |= motor_codes(robot.drive, motors, motors_sd, there)
     return LimitReport(_stated(robot), (*told, *summary.told()), codes, F, motors, summary)

@@ -230,6 +230,8 @@ def _history(
         length = characteristic_length(robot) or 1.0
         H = np.swapaxes(rates_per_twist(robot, motion.R, motion.t), -1, -2)
         condition = scaled_condition_number(H, length)
+    if forces is None and robot.missing_bodies:
+        forces = {}
     if forces is None:
         # The formulation of the paper has neither rotors nor offsets.
         exact_alone = robot.has_rotors or robot.offsets is not None

@@ -209,7 +209,7 @@ def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     assert picture.read_bytes()[:4] == b"\x89PNG"
     page = (tmp_path / "F.html").read_text(encoding="utf-8")
     assert f'data-value="{leg["motor_rms_torque_N_m"]!r}"' in page
-    assert 'alt="motor torque"' in page
+    assert 'alt="forces"' in page
     assert "use --force" in run(*command, code=2).err
     run(*command, "--force")
 

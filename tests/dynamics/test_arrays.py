@@ -9,7 +9,15 @@ import array_api_strict
 import numpy as np
 import pytest
 from command_line import rejects
-from machines import MACHINES, dasgupta, machine_in_motion, random_motion, upside_down_in_millimeters
+from machines import (
+    MACHINES,
+    dasgupta,
+    machine_in_motion,
+    random_motion,
+    random_robot,
+    upside_down_in_millimeters,
+    with_random_drives,
+)
 from motion_fields import FIELDS
 from sweeps import FULL
 
@@ -42,6 +50,30 @@ def test_numbers_on_arrays_are_those_of_the_c(xp: Any, machine: str) -> None:
     moved = kernel.forward_dynamics(F=F.F, **fields(motion, (*RATES, "F_ext", "M_ext")))
     by_force = np.abs(ss.linearize(robot, motion, np.asarray(F.F)).B).max() * np.abs(np.asarray(F.F)).max()
     np.testing.assert_allclose(np.asarray(moved.a), motion.a, rtol=0, atol=30 * EPSILON * by_force)
+
+
+@pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
+def test_lengths_rates_and_torques_on_arrays_are_those_of_numpy(xp: Any) -> None:
+    rng = np.random.default_rng(34)
+    for joint in ("universal", "spherical"):
+        robot = with_random_drives(rng, random_robot(rng, joint), rotors=True)
+        motion = random_motion(rng, robot, (3, 2))
+        kernel = ss.ArrayKernel(robot, xp)
+        legs, effort = ss.inverse_kinematics(robot, motion), ss.drive_effort(robot, motion)
+        found = kernel.torques(**fields(motion))
+        assert found.status.shape == (3, 2)
+        for values, expected in (
+            (kernel.lengths(motion.R, motion.t), legs.L),
+            (kernel.rates(**fields(motion, RATES)), legs.L_dot),
+            (found.torque, effort.torque),
+        ):
+            atol = 1e-12 * np.abs(expected).max()
+            np.testing.assert_allclose(np.asarray(values), expected, rtol=0, atol=atol)
+        one = kernel.torques(R=motion.R[0, 0], t=motion.t).torque
+        assert one.shape == (3, 2, 6)
+    rejects(
+        "^robot: drive: missing", ss.ArrayKernel(replace(robot, drive=None), np).torques, np.eye(3), motion.t
+    )
 
 
 @pytest.mark.slow

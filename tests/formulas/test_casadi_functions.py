@@ -1,5 +1,6 @@
 """CasADi functions of one machine: the C's numbers and statuses and our derivatives."""
 
+import dataclasses
 import re
 import sys
 from typing import Any
@@ -9,7 +10,14 @@ import numpy as np
 import pytest
 from command_line import rejects
 from leaning_legs import leaning
-from machines import MACHINES, dasgupta, machine_in_motion, random_motion
+from machines import (
+    MACHINES,
+    dasgupta,
+    machine_in_motion,
+    random_motion,
+    random_robot,
+    with_random_drives,
+)
 from motion_fields import FIELDS
 from sweeps import slow_but
 
@@ -53,6 +61,20 @@ def test_values_are_those_of_the_c(machine: str, checked: bool) -> None:
     for results in (found, terms, moved):
         assert results.get("status", 0) == 0
         assert ("status" in results) is checked
+
+
+@pytest.mark.parametrize("joint", ["universal", "spherical"])
+def test_lengths_rates_and_torques_are_those_of_numpy(joint: str) -> None:
+    rng = np.random.default_rng(54)
+    robot = with_random_drives(rng, random_robot(rng, joint), rotors=True)
+    motion = random_motion(rng, robot)
+    legs, effort = ss.inverse_kinematics(robot, motion), ss.drive_effort(robot, motion)
+    found = called(ss.casadi_function(robot, "lengths"), motion)
+    found |= called(ss.casadi_function(robot, "rates"), motion)
+    found |= called(ss.casadi_function(robot, "torques", checked=False), motion)
+    for name, expected in (("L", legs.L), ("L_dot", legs.L_dot), ("torque", effort.torque)):
+        np.testing.assert_allclose(found[name], expected, rtol=0, atol=1e-12 * np.abs(expected).max())
+    rejects(r"^robot: drive: missing", ss.casadi_function, dataclasses.replace(robot, drive=None), "torques")
 
 
 @pytest.mark.slow
@@ -108,7 +130,7 @@ def test_jacobians_of_forward_dynamics_are_the_linearization() -> None:
 
 def test_a_missing_casadi_and_other_names_are_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(
-        ValueError, match=r'^quantity: expected "forces", "equations" or "forward_dynamics", got'
+        ValueError, match=r'^quantity: expected "forces", "equations", "forward_dynamics", "lengths", "rates"'
     ):
         ss.casadi_function(dasgupta(), "inertia")
     rejects(r"^checked: expected True or False", ss.casadi_function, dasgupta(), checked="no")

@@ -89,7 +89,7 @@ def test_clipped_forces_move_the_machine_as_given_ones_do(rate: float | None) ->
     np.testing.assert_allclose(run.saturation.duration[[1, 4]], 0.05, atol=5e-3)
     assert not run.saturation.max_excess[[0, 2, 3, 5]].any()
     assert not run.saturation.duration[[0, 2, 3, 5]].any()
-    assert "saturated  leg 2 for 0.05" in summary(run, run.dense_history, law)
+    assert "saturated  leg 2 for 0.05" in summary(limited, run, run.dense_history, law)
     stopped = ss.simulate(limited, state, law, 0.1, control_rate=rate)
     assert (stopped.stop.reason, stopped.stop.leg, stopped.stop.time) == ("force_limit", 2, 0.0)
     assert not stopped.saturation.max_excess.any()

@@ -60,7 +60,7 @@ def test_a_machine_at_rest_has_no_drift_and_says_that_nothing_moved() -> None:
     robot = machine(friction=False)
     springs = ss.LegSprings.in_equilibrium(robot, home(robot), stiffness(robot, 1.6))
     done = ss.simulate(robot, home(robot), springs, 0.5)
-    assert "nothing moved" in run_summary(done, done.dense_history, springs)
+    assert "nothing moved" in run_summary(robot, done, done.dense_history, springs)
 
 
 def test_friction_and_dampers_take_the_energy_they_should() -> None:
@@ -76,11 +76,13 @@ def test_friction_and_dampers_take_the_energy_they_should() -> None:
     )
     lost = run.energy[0] - run.energy[-1]
     assert 0.25 * weights @ taken == pytest.approx(lost, rel=1e-7, abs=1e-8 * run.kinetic_energy.max())
-    assert run_summary(run, run.dense_history, springs).endswith(
+    assert run_summary(robot, run, run.dense_history, springs).endswith(
         "of the mean kinetic energy, by dampers and friction"
     )
     pushed = ss.simulate(robot, dataclasses.replace(state, F_ext=np.array([1.0, 0.0, 0.0])), springs, 0.01)
-    assert run_summary(pushed, pushed.dense_history, springs).endswith(", by dampers, friction and the load")
+    assert run_summary(robot, pushed, pushed.dense_history, springs).endswith(
+        ", by dampers, friction and the load"
+    )
 
 
 def test_start_and_accelerations_are_those_asked_for() -> None:
@@ -189,7 +191,7 @@ def test_a_joint_at_its_largest_angle_stops_the_run_at_the_root(end: str, joint:
     angles = getattr(ss.joint_angles(robot, run.motion), end)
     assert angles[-1, run.stop.leg - 1] == pytest.approx(0.1, abs=1e-12)
     assert angles[:-1].max() < 0.1
-    text = f"leg {run.stop.leg}: joint angle at the {end} 5.72958 degrees reaches its limit 5.72958 degrees"
+    text = f"leg {run.stop.leg}: joint angle at the {end} 0.1 rad reaches its limit 0.1 rad"
     assert run.stop.message == f"{text} at {run.stop.time:.9g} s"
 
 

@@ -162,3 +162,14 @@ def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPa
     assert (row["failed"], row["rejected_wrongly"]) == (1, 1)
     assert row["worst"] > 1
     assert not right(row)
+
+
+def test_the_committed_figures_of_the_kinematics_are_those_found_today() -> None:
+    rows = [measure.measured_kinematics(dasgupta(), precision) for precision in toolchain.CORES]
+    for row in rows:
+        assert row["failed"] == 0
+        # A search has at least two steps, each with the lengths and a solution of six equations.
+        assert 500 < row["lengths"][1] <= row["rates"][0] < 0.2 * row["search"][0]
+    committed = json.loads((DOCS / "controller_kinematics.json").read_text(encoding="utf-8"))
+    if committed["tools"] == toolchain.versions():
+        assert committed == json.loads(json_text(measure.of_kinematics(dasgupta(), rows)))

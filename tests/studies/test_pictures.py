@@ -12,7 +12,7 @@ import stewart_sym as ss
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies.design import workspace_report
-from stewart_sym.studies.reports import machine_plot, run
+from stewart_sym.studies.reports import leg_plot, machine_plot, run
 
 Array = NDArray[np.float64]
 
@@ -20,7 +20,8 @@ Array = NDArray[np.float64]
 def test_the_energies_of_a_run_are_all_shown_and_their_sum_is_kept() -> None:
     start = ss.PAPER_PATHS["I"].path.sample([3.0])[0]
     law = ss.LegSprings.in_equilibrium(dasgupta1998(), start, stiffness=5e4)
-    panels = run.figure(ss.simulate(dasgupta1998(), start, law, duration=0.05), law).axes
+    robot = dasgupta1998()
+    panels = run.figure(robot, ss.simulate(robot, start, law, duration=0.05), law).axes
     (axes,) = (axes for axes in panels if axes.get_ylabel() == "energy since start, J")
     curves = {line.get_label(): np.asarray(line.get_ydata(), dtype=float) for line in axes.get_lines()}
     assert list(curves) == ["kinetic", "potential", "springs", "sum"]
@@ -97,3 +98,40 @@ def test_planes_through_a_workspace_have_up_upwards(upright: str) -> None:
     for axes, down in zip(panels, [False] + [upright == "-z"] * 2, strict=False):
         assert axes.yaxis_inverted() == down
         assert ("z points down" in axes.get_ylabel()) == down
+
+
+def test_each_leg_has_a_panel_of_forces_and_of_torques_with_the_limits() -> None:
+    drive = ss.Drive(lead=0.01, rated_torque=0.4, torque_limit=0.8, speed_limit=[100.0] * 5 + [1e4])
+    limits = {"force_limit": [30.0] * 5 + [1e6], "angle_unit": "deg", "drive": drive}
+    robot = dataclasses.replace(dasgupta1998(), **limits)
+    for count, has_curve in ((100, True), (20_001, False)):
+        time = np.linspace(0.0, 10.0, count)
+        wave = np.sin(time)[:, None] * np.linspace(1.0, 1.5, 6)
+        figure = leg_plot.leg_figure(robot, time, 20.0 * wave, (0.5 * wave, 80.0 * wave))
+        assert len(figure.axes) == 12
+        forces, motors = (
+            [axes for axes in figure.axes if axes.get_title().startswith(name)] for name in ("leg", "motor")
+        )
+        places = [{float(y) for line in axes.lines[has_curve:] for y in line.get_ydata()} for axes in forces]
+        assert places == [{-30.0, 30.0}] * 5 + [set()]
+        assert motors[0].get_title() == "motor 1, rated 0.4 N m, peak 0.8 N m, speed 5729.58 deg/s"
+        assert [len(axes.lines) - has_curve for axes in motors] == [6] * 5 + [4]
+        assert all(bool(axes.collections) != has_curve for axes in figure.axes)
+        if not has_curve:
+            range_of_samples = forces[1].collections[0].get_paths()[0].vertices[:, 1]
+            peak = 20.0 * np.abs(wave[:, 1]).max()
+            np.testing.assert_allclose([range_of_samples.min(), range_of_samples.max()], [-peak, peak])
+
+
+def test_the_planned_motion_is_drawn_over_the_actual_motion_in_the_units_of_the_file() -> None:
+    robot = dataclasses.replace(dasgupta1998(), length_unit="mm", angle_unit="deg")
+    path, _ = ss.PAPER_PATHS["I"]
+    law = ss.ComputedTorque(robot, lambda time: path.sample([time])[0], k_p=100.0, k_d=20.0)
+    start = path.sample([0.0])[0]
+    panels = run.figure(robot, ss.simulate(robot, start, law, duration=0.02), law).axes
+    for axes, label in zip(panels, ("mm", "deg", "mm/s", "deg/s"), strict=False):
+        assert axes.get_ylabel().endswith(f", {label}")
+        actual, planned = (np.array([line.get_ydata() for line in axes.lines[i : i + 3]]) for i in (0, 3))
+        np.testing.assert_allclose(actual, planned, atol=1e-3 * np.abs(planned).max())
+    moved = 1e3 * (path.sample([0.02])[0].t - start.t)
+    np.testing.assert_allclose([line.get_ydata()[-1] for line in panels[0].lines[3:]], moved, rtol=1e-6)

@@ -23,7 +23,7 @@ Experiment ForceDerivativesResult InverseDynamicsResult LinearizationResult Para
 ForwardKinematicsResult JointReactionsResult SimulationResult StopEvent StateHistory SingularityApproach
 PoseCertificate SingularityCrossing ForceErrorBoundsResult LegExtreme PathSingularitiesResult
 SingularityResult Polytope JointAnglesResult ActuatorRequirementsResult WorkspaceResult WorkspaceWarning
-DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
+AxisTravelResult DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
 ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult PlanCertificate PlannedPath PosePath
 TimedPath TrackingError Trajectory Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning
 results robots
@@ -90,6 +90,7 @@ def calls() -> dict[str, Call]:
         found[function.__qualname__] = Call(function, given, free, other or {})
 
     add(ss.Motion, **parts)
+    add(ss.Motion.at_rest, **{name: parts[name] for name in ("R", "t", "F_ext", "M_ext")})
     by_angles = ("t", "theta", "v", "theta_dot", "a", "theta_ddot", "F_ext", "M_ext")
     add(ss.Motion.from_rpy, **dict.fromkeys(by_angles, vector))
     add(ss.Robot.from_dict, d=robot.to_dict(), other={"d": "robot"})
@@ -181,6 +182,7 @@ def calls() -> dict[str, Call]:
         "seed": 0,
     }
     add(ss.workspace, robot=at_home, kind="six_dof", limits=ss.PoseLimits(), **region)
+    add(ss.axis_travel, robot=at_home, limits=ss.PoseLimits())
     add(ss.capability_polytope, robot=at_home, motion=motion, quantity="force", complement="zero")
     needs = {"motions": [([0.0], motion[None])], "margin": 0.1, "quantiles": [0.5, 1.0]}
     add(ss.actuator_requirements, robot=robot, **needs, formulation="exact")

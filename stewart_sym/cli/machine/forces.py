@@ -18,7 +18,7 @@ from ...io.error_policy import warn
 from ...io.extras import need
 from ...motion.trajectory import noise_text
 from ...singularities.path_warnings import crossing_warning
-from ...studies.common.report import Picture, Report, draw
+from ...studies.common.report import SMALL, Picture, Report, draw
 from ...studies.reports.track import NOISE_THRESHOLD, Digest, header_lines, in_parts
 from ..inputs import robot_of, trajectory_of
 from ..options import Arguments, Parser, positive
@@ -31,7 +31,7 @@ def add_arguments(parser: Parser) -> None:
     parser.formulation()
     parser.chosen("backend", ("c", "numpy", "reference"), "implementation")
     parser.flag("reactions", "add columns of the joint reactions")
-    text = "drawing of the motor torques, for a robot with a drive; requires Matplotlib"
+    text = "plot of the forces, and with a drive of the motor torques, with the limits; requires Matplotlib"
     parser.valued("plot", Path, text, metavar="FILE.png")
     parser.chosen("on-singular", ("raise", "nan"), "treatment of unsolvable poses: an error, or rows of nan")
     text = "fraction of the peak force of a leg that three standard deviations may reach without a warning"
@@ -43,7 +43,7 @@ def add_arguments(parser: Parser) -> None:
 def run(arguments: Arguments) -> None:
     robot = robot_of(arguments.robot)
     if arguments.plot is not None:
-        _need_plot(arguments, robot)
+        _need_plot(arguments)
     with results(arguments, beginnings=header_lines()) as (take, progress):
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
@@ -58,9 +58,9 @@ def run(arguments: Arguments) -> None:
         if trajectory.noise is not None and trajectory.noise.sigma.any():
             lines.append(f"{noise_text(trajectory.noise)}; F_std is the remaining standard deviation")
         figures = {}
-        if digest.drive is not None and arguments.plot is not None:
-            figures["motor_torque"] = Picture(digest.drive.figure)
-            draw(figures["motor_torque"], arguments.plot.with_suffix(""))
+        if arguments.plot is not None:
+            figures["forces"] = Picture(digest.figure, SMALL)
+            draw(figures["forces"], arguments.plot.with_suffix(""))
             lines.append(f"Drawn as {arguments.plot}")
         doubts = digest.doubts(arguments.noise_threshold)
         views = {"motion": lambda: ss.view(robot, trajectory)}
@@ -70,12 +70,10 @@ def run(arguments: Arguments) -> None:
         warn(line)
 
 
-def _need_plot(arguments: Arguments, robot: ss.Robot) -> None:
-    """Reject ``--plot`` for a robot without drives, for other formats than PNG, or over an existing file."""
+def _need_plot(arguments: Arguments) -> None:
+    """Reject ``--plot`` for other formats than PNG, or over an existing file."""
     need("matplotlib", "drawing")
     path = arguments.plot
-    if robot.drive is None:
-        raise ValueError(f"--plot {path}: the robot has no drive; add [legs.drive]")
     if path.suffix != ".png":
         raise ValueError(f"--plot {path}: the file name must end in .png")
     must_be_replaceable(path, False, arguments.force, [arguments.robot, arguments.trajectory])

@@ -2,7 +2,8 @@
 
 The keys of the file of via poses are on page "Files" of the documentation.
 Output: trajectory.csv for `forces`, a report with the certificate of the limits, and drawings.
-Exit code: 0, 1 if the certificate is not valid, 2 for an error. SI units.
+Exit code: 0, 1 if the certificate is not valid, 2 for an error.
+The report has the units of the robot file; tables have SI units.
 
 Example: stewart-sym plan via.toml -o plan
 """

@@ -3,7 +3,8 @@
 All keys of the scene are on page "Files" of the documentation.
 Actuation: constant forces, springs, or computed torque along a path.
 A run stops at a limit of leg length, speed, force, or joint angle.
-Output: summary.txt, run.csv, and drawings. SI units.
+Output: summary.txt, run.csv, and drawings.
+Text and drawings have the units of the robot file; run.csv has SI units.
 
 Example: stewart-sym simulate swing.toml -o swing
 """

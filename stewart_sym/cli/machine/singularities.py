@@ -1,7 +1,8 @@
 """Find singular poses along a path and their unconstrained twists.
 
 Between samples of a trajectory, the path is the quintic through poses, rates, and accelerations.
-Output: report, tables of events and of the path, and drawings. SI units.
+Output: report, tables of events and of the path, and drawings.
+The report has the units of the robot file; tables have SI units.
 
 Example: stewart-sym singularities hexapod.toml trajectory.csv -o singularities
 """

@@ -2,7 +2,8 @@
 
 All trajectories are evaluated together; columns as for `forces`.
 The report lists peaks, quantiles over time, and largest values with a margin, also for motors.
-It names limits that are exceeded, exceeded with the margin, or inconclusive due to noise. SI units, degrees.
+It names limits that are exceeded, exceeded with the margin, or inconclusive due to noise.
+The report has the units of the robot file; the table has SI units.
 
 Example: stewart-sym size-actuators hexapod.toml trajectory.csv -o size --margin 0.3
 """

@@ -14,6 +14,7 @@ from ...drives.limit_status import shows, spread_text, unknown_forces
 from ...io.array_types import Array
 from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS, Robot
+from ...robot.units import Units
 from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
 from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
@@ -45,8 +46,8 @@ _ROWS: tuple[tuple[str, str, Callable[[Array], Array] | None], ...] = (
     ("stroke", "stroke", np.asarray),
     ("shortest leg", "length", lambda length: length[:, 0]),
     ("longest leg", "length", lambda length: length[:, 1]),
-    ("base joint", "base_angle", np.degrees),
-    ("platform joint", "platform_angle", np.degrees),
+    ("base joint", "base_angle", np.asarray),
+    ("platform joint", "platform_angle", np.asarray),
 )
 """Name and attribute of the rows, and the function that selects values of the legs; None: all quantiles."""
 
@@ -106,7 +107,7 @@ def rows(needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str, Array, A
     """Yield name, unit, values, and standard deviations, if any, shape (6,), of every requirement."""
     for name, attribute, pick in _ROWS:
         values, sd = getattr(needs, attribute), (needs.std or {}).get(attribute)
-        unit = _UNITS[attribute].replace("rad", "degrees") if pick is np.degrees else _UNITS[attribute]
+        unit = _UNITS[attribute]
         if values is not None and pick is not None:
             yield name, unit, pick(values), None if sd is None else pick(sd)
         elif values is not None:
@@ -119,7 +120,9 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     no_margin = ("shortest leg", "longest leg")
     more = 1.0 + needs.margin
     cells, noisy = [], False
-    for name, unit, values, sd in rows(needs):
+    for name, si_unit, values, sd in rows(needs):
+        scale, unit = Units.of(robot).of_unit(si_unit)
+        values, sd = scale * values, None if sd is None else scale * sd
         last = "" if name in no_margin else f"{more * np.nanmax(values):.{_DIGITS}g}"
         cells.append((f"{name}, {unit}", *(f"{value:.{_DIGITS}g}" for value in values), last))
         seen = np.zeros(LEGS, dtype=bool) if sd is None else shows(values, sd, _DIGITS)
@@ -184,17 +187,24 @@ def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
 
 def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
     """Draw force over speed, strokes, joint angles, and with drives the motor torque over the motor speed."""
-    course, drive = needs.history, robot.drive
+    course, drive, units = needs.history, robot.drive, Units.of(robot)
     drawn = new_figure(15.0, 4.8) if drive is None else new_figure(11.0, 8.6)
     panels = drawn.subplots(1, 3) if drive is None else drawn.subplots(2, 2).ravel()
-    _plane(panels[0], course.L_dot, course.F, robot.speed_limit, robot.force_limit)
-    panels[0].set(xlabel="rate of length, m/s", ylabel="actuator force, N")
+    _plane(
+        panels[0], course.L_dot / units.meters, course.F, robot.speed_limit / units.meters, robot.force_limit
+    )
+    panels[0].set(xlabel=f"rate of length, {units.length}/s", ylabel="actuator force, N")
     _strokes(panels[1], robot, needs)
     _angles(panels[2], robot, needs)
     if course.torque is not None and course.motor_speed is not None and drive is not None:
         speed, torque = (np.asarray(limit) for limit in (drive.speed_limit, drive.torque_limit))
-        _plane(panels[3], course.motor_speed, course.torque, speed, torque)
-        panels[3].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
+        _plane(panels[3], course.motor_speed / units.radians, course.torque, speed / units.radians, torque)
+        for rated in np.unique(drive.rated_torque[np.isfinite(drive.rated_torque)]):
+            for side in (-rated, rated):
+                panels[3].axhline(side, color=DARK, linewidth=1.0, linestyle=(0, (1, 1.5)))
+        if np.isfinite(drive.rated_torque).any():
+            panels[3].set_title("dotted: rated torque, limit of the root mean square", fontsize=8.0)
+        panels[3].set(xlabel=f"motor speed, {units.angle}/s", ylabel="motor torque, N m")
     margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
     title = f"{as_written(robot.name)}: requirements of the motions; limits dashed; {margin}"
     drawn.suptitle(title, fontsize=10.0)
@@ -204,8 +214,9 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
 
 def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
     """Draw the lengths of each leg, its stroke with the margin, and the limits of the lengths."""
-    (low, high), (least, most) = needs.length.T, robot.length_limits.T
-    stroke = (1.0 + needs.margin) * needs.stroke
+    units = Units.of(robot)
+    (low, high), (least, most) = needs.length.T / units.meters, robot.length_limits.T / units.meters
+    stroke = (1.0 + needs.margin) * needs.stroke / units.meters
     # Half of the margin is at each end, unless a limit shifts it to the other end.
     bottom = np.minimum(np.maximum(0.5 * (low + high - stroke), least), most - stroke)
     bottom = np.minimum(np.maximum(bottom, high - stroke), low)
@@ -214,18 +225,19 @@ def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> Non
     _dashes(axes, _LEGS, least, 0.4)
     _dashes(axes, _LEGS, most, 0.4)
     axes.use_sticky_edges = False
-    axes.set(xlabel="leg", ylabel="length, m", xticks=_LEGS)
+    axes.set(xlabel="leg", ylabel=f"length, {units.length}", xticks=_LEGS)
 
 
 def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
     """Draw the largest angles of the joints at the base, left, and at the platform, right and hatched."""
     style: dict[str, Any] = {"color": LEG_COLORS, "width": 0.36}
+    size, unit = Units.of(robot).of_unit("rad")
     ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
     for (angles, shift, hatch), limits in zip(ends, robot.joint_angle_limit.T, strict=True):
-        axes.bar(_LEGS + shift, np.degrees((1.0 + needs.margin) * angles), alpha=0.3, **style)
-        axes.bar(_LEGS + shift, np.degrees(angles), hatch=hatch, edgecolor="white", **style)
-        _dashes(axes, _LEGS + shift, np.degrees(limits), 0.2)
-    axes.set(xlabel="leg; base joint left, platform joint right, hatched", ylabel="joint angle, degrees")
+        axes.bar(_LEGS + shift, size * (1.0 + needs.margin) * angles, alpha=0.3, **style)
+        axes.bar(_LEGS + shift, size * angles, hatch=hatch, edgecolor="white", **style)
+        _dashes(axes, _LEGS + shift, size * limits, 0.2)
+    axes.set(xlabel="leg; base joint left, platform joint right, hatched", ylabel=f"joint angle, {unit}")
     axes.set_xticks(_LEGS)
 
 

@@ -8,7 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...design.pose_limits import CONDITION, INSIDE, LENGTH, REASONS, PoseExaminer, PoseLimits, at_reference
+from ...design.axis_travel import axis_travel
+from ...design.pose_limits import (
+    CONDITION,
+    INSIDE,
+    LENGTH,
+    REASONS,
+    PoseExaminer,
+    PoseLimits,
+    applies_forces,
+    at_reference,
+)
 from ...design.workspace import WorkspaceResult
 from ...io.arguments import status_text
 from ...io.array_types import Array
@@ -16,6 +26,8 @@ from ...io.progress import Progress, tracked
 from ...kinematics.offset_legs import leg_lengths
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
+from ...robot.units import Units
+from ..common.axis_table import axis_data, axis_text
 from ..common.drawing import DARK, Z_DOWN, Axes, Figure, as_written, legend_below, new_figure, vertical
 from ..common.output import Columns, aligned
 from ..common.report import SMALL, Picture, Report
@@ -28,8 +40,8 @@ _FARTHEST = np.array([math.inf, math.inf, math.inf, math.pi, 0.5 * math.pi, math
 """Largest values of the axes."""
 _PAIRS = ((0, 1), (0, 2), (1, 2), (3, 4), (3, 5), (4, 5))
 _KINDS = {
-    "constant_orientation": (slice(0, 3), "m", "constant orientation, roll, pitch, yaw ({theta}) rad"),
-    "orientation": (slice(3, 6), "rad", "orientation, at ({t}) m"),
+    "constant_orientation": (slice(0, 3), "m", "constant orientation, roll, pitch, yaw ({theta}) {angle}"),
+    "orientation": (slice(3, 6), "rad", "orientation, at ({t}) {length}"),
     "six_dof": (slice(0, 6), "", "six degrees of freedom, positions and orientations"),
 }
 """Varying axes, unit of the distance to a limit, and title of each kind of workspace."""
@@ -71,7 +83,9 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
     text = status_text(REASONS[code])
     if code == LENGTH:
         L = leg_lengths(examiner.robot, R, t)
-        return f"its legs are {L.min():.4g} to {L.max():.4g} m long: change --position (m)"
+        units = Units.of(robot)
+        lengths = f"{L.min() / units.meters:.6g} to {L.max() / units.meters:.6g} {units.length}"
+        return f"its legs are {lengths} long: change --position (m)"
     if code == CONDITION:
         number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
         if number <= most:
@@ -103,8 +117,9 @@ def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: P
 
 
 def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: list[Slice]) -> Report:
-    """Create the report: text, data, and the planes as a table and a plot."""
+    """Create the report: text, data, and the planes as a table and a plot, and the axis travel from home."""
     varying, unit, _ = _KINDS[found.kind]
+    travel = axis_travel(robot, limits)
     data = {
         "robot": robot.name,
         "kind": found.kind,
@@ -120,34 +135,40 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
         **{"tool_m": found.tool, "position_m": found.position, "rpy_rad": found.rpy},
         **{name: getattr(found, name) for name in ("distance_to_limit", "limit_fractions", "samples")},
         "units": {"bounds": _NAMES[varying], "extent": _NAMES[varying], "distance_to_limit": unit},
+        "axis_travel": axis_data(travel),
     }
     figures = {"slices": Picture(lambda: figure(robot, found, planes), SMALL)}
-    return Report(_text(robot, limits, found), {"slices": _table(planes)}, data, figures)
+    text = f"{_text(robot, limits, found)}\n\n{axis_text(travel, Units.of(robot))}"
+    return Report(text, {"slices": _table(planes)}, data, figures)
 
 
-def _title(found: WorkspaceResult) -> str:
+def _title(found: WorkspaceResult, units: Units) -> str:
     """Describe the kind of workspace."""
-    t, theta = (", ".join(f"{x:.4g}" for x in values) for values in (found.position, found.rpy))
-    return _KINDS[found.kind][2].format(t=t, theta=theta)
+    pairs = (found.position, units.meters), (found.rpy, units.radians)
+    t, theta = (", ".join(f"{x / size:.4g}" for x in values) for values, size in pairs)
+    return _KINDS[found.kind][2].format(t=t, theta=theta, length=units.length, angle=units.angle)
 
 
 def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
-    lines = [f"robot      {robot.name}", f"workspace  {_title(found)}"]
+    units = Units.of(robot)
+    lines = [f"robot      {robot.name}", f"workspace  {_title(found, units)}"]
     if found.tool.any():
-        point = ", ".join(f"{x:.4g}" for x in found.tool)
-        lines.append(f"point      tool of the robot file, ({point}) m, platform frame: positions and load")
+        point = f"{units.lengths(found.tool)} {units.length}"
+        lines.append(f"point      tool of the robot file, {point}, platform frame: positions and load")
     lines.append(f"limits     {', '.join(_limits(robot, limits)) or 'none'}")
-    lines.append(f"volume     {_size(found)}, from {found.samples:,} random poses")
+    lines.append(f"volume     {_size(found, units)}, from {found.samples:,} random poses")
     if found.kind != "six_dof":
-        distance = f"{found.distance_to_limit:.4g} {_KINDS[found.kind][1]}"
+        scale, unit = units.of_unit(_KINDS[found.kind][1])
+        distance = f"{scale * found.distance_to_limit:.4g} {unit}"
         nearest = f"at most {distance} from the center pose to the nearest pose beyond a limit"
         known = np.isfinite(found.distance_to_limit)
         lines.append(f"distance   {nearest if known else 'no random pose is beyond a limit'}")
+    varying = _KINDS[found.kind][0]
+    sizes = np.repeat([units.meters, units.radians], 3)[varying, None]
+    names = [f"{name}, {units.length if name[1] == '_' else units.angle}" for name in AXES[varying]]
     rows = [
         (name, *("-" if np.isnan(end) else f"{end:.4g}" for end in ends))
-        for name, ends in zip(
-            _NAMES[_KINDS[found.kind][0]], np.hstack([found.extent, found.bounds]), strict=True
-        )
+        for name, ends in zip(names, np.hstack([found.extent, found.bounds]) / sizes, strict=True)
     ]
     header = ("coordinate", "at least from", "to", "searched from", "to")
     lines += ["", aligned(header, rows), ""]
@@ -155,11 +176,14 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
     return "\n".join([*lines, aligned(("first limit that breaks", "% of poses"), shares)])
 
 
-def _size(found: WorkspaceResult) -> str:
+def _size(found: WorkspaceResult, units: Units) -> str:
     """Return the volume with its error; only an upper bound if the error is larger."""
+    sizes = [units.of_unit(part.removesuffix("^3")) for part in found.unit.split()]
+    scale, unit = math.prod(size**3 for size, _ in sizes), " ".join(f"{name}^3" for _, name in sizes)
+    volume, error = scale * found.volume, scale * found.error
     if not found.is_known:
-        return f"at most {found.volume + found.error:.2g} {found.unit}"
-    return f"{found.volume:.6g} +- {found.error:.1g} {found.unit}"
+        return f"at most {volume + error:.2g} {unit}"
+    return f"{volume:.6g} +- {error:.1g} {unit}"
 
 
 def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
@@ -168,11 +192,14 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
     if limits.joint_angles and robot.has_joint_angle_limits:
         yield "joint angles"
     if limits.min_clearance > 0.0:
-        yield f"leg clearance {limits.min_clearance:g} m"
+        units = Units.of(robot)
+        yield f"leg clearance {limits.min_clearance / units.meters:g} {units.length}"
     if limits.max_condition < math.inf:
         yield f"scaled condition number {limits.max_condition:g}"
-    if limits.forces and np.isfinite(robot.force_limit).any():
+    if applies_forces(robot, limits):
         yield "actuator forces at rest" + (" under the load" if limits.load.any() else "")
+    elif limits.forces and np.isfinite(robot.force_limit).any():
+        yield f"not actuator forces: {robot.missing_bodies[0]} is missing"
 
 
 def _table(planes: list[Slice]) -> Columns:
@@ -203,21 +230,21 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     )
     norm = _norm(planes)
     mesh: Any = None
+    units = Units.of(robot)
     for axes, plane in zip(panels.ravel(), planes, strict=True):
-        mesh = _draw(axes, plane, norm)
+        mesh = _draw(axes, plane, norm, units)
         if plane.axes[1] == AXES.index("t_z") and vertical(robot) == Z_DOWN:
             axes.invert_yaxis()
-            axes.set_ylabel("t_z, m (z points down)")
+            axes.set_ylabel(f"t_z, {units.length} (z points down)")
         middle = np.concatenate([found.position, found.rpy])[list(plane.axes)]
-        axes.plot(*(_scale(plane) * middle), marker="+", color=DARK, markersize=9.0)
+        axes.plot(*(_scale(plane, units) * middle), marker="+", color=DARK, markersize=9.0)
     bar = drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")
     bar.ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
     bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
-    size = _size(found).replace("+-", "±").replace("^3", "³")
-    drawn.suptitle(
-        f"{as_written(robot.name)}: {_title(found)}\n{size}; planes through the pose marked +", fontsize=10.0
-    )
+    size = _size(found, units).replace("+-", "±").replace("^3", "³")
+    title = f"{as_written(robot.name)}: {_title(found, units)}"
+    drawn.suptitle(f"{title}\n{size}; planes through the pose marked +", fontsize=10.0)
     broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
     handles = [Patch(facecolor=_OUTSIDE[code], label=status_text(REASONS[code])) for code in broken]
     if handles:
@@ -235,14 +262,14 @@ def _norm(planes: list[Slice]) -> Any:
     return LogNorm(low, min(max(high, _LEAST_RATIO * low), max(_MOST, _LEAST_RATIO * low)))
 
 
-def _scale(plane: Slice) -> float:
-    return 1.0 if plane.axes[0] < 3 else float(np.degrees(1.0))
+def _scale(plane: Slice, units: Units) -> float:
+    return 1.0 / (units.meters if plane.axes[0] < 3 else units.radians)
 
 
-def _draw(axes: Axes, plane: Slice, norm: Any) -> Any:
+def _draw(axes: Axes, plane: Slice, norm: Any, units: Units) -> Any:
     from matplotlib.colors import ListedColormap
 
-    at = _scale(plane) * plane.first, _scale(plane) * plane.second
+    at = _scale(plane, units) * plane.first, _scale(plane, units) * plane.second
     colors: Any = {"cmap": ListedColormap(list(_OUTSIDE)), "vmin": -0.5, "vmax": len(_OUTSIDE) - 0.5}
     axes.grid(False)
     axes.pcolormesh(*at, plane.codes.T, rasterized=True, **colors)
@@ -252,7 +279,7 @@ def _draw(axes: Axes, plane: Slice, norm: Any) -> Any:
     if 0 < np.count_nonzero(inside) < inside.size:
         axes.contour(*at, inside.T.astype(float), levels=[0.5], colors=DARK, linewidths=0.9)
     axes.set_aspect("equal")
-    unit = "m" if plane.axes[0] < 3 else "degrees"
+    unit = units.length if plane.axes[0] < 3 else units.angle
     names = [AXES[i] if i < 3 else ("roll", "pitch", "yaw")[i - 3] for i in plane.axes]
     axes.set(xlabel=f"{names[0]}, {unit}", ylabel=f"{names[1]}, {unit}")
     return mesh

@@ -1,45 +1,37 @@
 """Report of ``check``: dimensions, masses, and limits of a robot, and its condition at the home pose."""
 
-import math
 import warnings
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from ...design.axis_travel import axis_travel
 from ...dynamics.home_pose import HomePose, home_pose, radius
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.mounting import DECISIVE, AssemblyModeWarning
-from ...motion.trajectory_format import LENGTH_UNITS
 from ...results import STATUS_TEXT
 from ...robot.drive import Drive
 from ...robot.robot import Robot
 from ...robot.schema_2 import format_table
+from ...robot.units import Units, vector_text
+from ..common.axis_table import axis_data, axis_text
 from ..common.report import SMALL, Picture, Report
 from .machine_plot import figure
 
 
-class _Unit(NamedTuple):
-    """Length unit of the text."""
-
-    name: str
-    meters: float
-
-    def vector(self, values: Array) -> str:
-        """Format lengths (m) in this unit with a resolution of a tenth of a millimeter or finer."""
-        digits = 4 if self.meters == 1.0 else 5 + round(math.log10(self.meters))
-        return _vector(values / self.meters, digits)
-
-
-def report(robot: Robot, length_unit: str = "m") -> Report:
-    """Describe the robot, with a plot; ``length_unit`` is the unit of lengths in the text."""
+def report(robot: Robot) -> Report:
+    """Describe the robot in the units of its file, with its axis travel and a plot."""
     with warnings.catch_warnings():
         # The row "side" lists both sides if they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         home = home_pose(robot)
-    unit = _Unit(length_unit, LENGTH_UNITS[length_unit])
+        travel = axis_travel(robot)
+    unit = Units.of(robot)
     figures = {"machine": Picture(lambda: figure(robot, home), SMALL)}
-    return Report(_description(robot, home, unit), data=_data(robot, home), figures=figures)
+    text = f"{_description(robot, home, unit)}\n\n{axis_text(travel, unit)}"
+    data = _data(robot, home) | {"axis_travel": axis_data(travel)}
+    return Report(text, data=data, figures=figures)
 
 
 def _data(robot: Robot, home: HomePose) -> dict[str, Any]:
@@ -94,27 +86,37 @@ def _with_units(prefix: str, part: object, units: dict[str, str]) -> dict[str, A
     return {} if part is None else {key: getattr(part, name) for name, key in keys.items()}
 
 
-def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
+def _description(robot: Robot, home: HomePose, unit: Units) -> str:
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
     bad = f"not physically possible: {', '.join(bodies)}"
-    masses = robot.m_d + robot.m_u
-    sizes = [f"{radius(points) / unit.meters:.4g} {unit.name}" for points in (robot.b, robot.p)]
+    sizes = [f"{radius(points) / unit.meters:.4g} {unit.length}" for points in (robot.b, robot.p)]
     rows = [
         ("name", robot.name),
         ("joints", f"{robot.base_joint} at the base, {_platform_joint(robot)} at the platform"),
         *_offsets(robot, unit),
-        ("gravity", f"{_vector(robot.g)} m/s^2"),
-        ("platform", f"{robot.M:g} kg, center of mass {unit.vector(robot.R_0)} {unit.name}"),
-        ("legs", f"{_range(masses)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})"),
-        ("mass ratio", f"platform mass / leg mass {robot.M / np.mean(masses):.3g}"),
+        ("gravity", f"{vector_text(robot.g)} m/s^2"),
+        *_masses(robot, unit),
         ("size", f"base points {sizes[0]}, platform points {sizes[1]} (RMS radius)"),
         *_conventions(robot, unit),
         ("friction", _friction(robot)),
         *([] if robot.drive is None else _drives(robot.drive, unit)),
         ("limits", _limits(robot, unit)),
-        ("inertias", bad if bodies else "physically possible"),
+        *([] if robot.missing_bodies else [("inertias", bad if bodies else "physically possible")]),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
+
+
+def _masses(robot: Robot, unit: Units) -> list[tuple[str, str]]:
+    """Return rows about the masses, or the keys that are missing for forces."""
+    missing = robot.missing_bodies
+    if missing:
+        return [("masses", f"missing: {', '.join(missing)}; kinematics only, no forces")]
+    masses = robot.m_d + robot.m_u
+    return [
+        ("platform", f"{robot.M:g} kg, center of mass {unit.lengths(robot.R_0)} {unit.length}"),
+        ("legs", f"{_range(masses)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})"),
+        ("mass ratio", f"platform mass / leg mass {robot.M / np.mean(masses):.3g}"),
+    ]
 
 
 def _platform_joint(robot: Robot) -> str:
@@ -129,13 +131,13 @@ _OFFSETS = {
 }
 
 
-def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
+def _offsets(robot: Robot, unit: Units) -> list[tuple[str, str]]:
     """Return rows about offset joints and the crosses of the joints, if any."""
     offsets = robot.offsets
     if offsets is None:
         return []
     lengths = {where: getattr(offsets, name) / unit.meters for name, where in _OFFSETS.items()}
-    parts = [f"{_range(each)} {unit.name} {where}" for where, each in lengths.items() if np.any(each)]
+    parts = [f"{_range(each)} {unit.length} {where}" for where, each in lengths.items() if np.any(each)]
     rows = [("offsets", ", ".join(parts) or "all zero; delete them to use every feature")]
     if np.any(offsets.cross_mass) or np.any(offsets.cross_inertia):
         text = f"{_range(offsets.cross_mass)} kg, {_range(offsets.cross_inertia)} kg m^2 about the fixed axis"
@@ -143,11 +145,11 @@ def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
     return rows
 
 
-def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
+def _conventions(robot: Robot, unit: Units) -> list[tuple[str, str]]:
     """Return a row about the trajectory format of the robot, if it is not the default."""
     parts = []
     if robot.tool.any():
-        parts.append(f"poses of the tool at {unit.vector(robot.tool)} {unit.name} in the platform frame")
+        parts.append(f"poses of the tool at {unit.lengths(robot.tool)} {unit.length} in the platform frame")
     form = robot.trajectory_format
     if form.rotation_order != "zyx":
         parts.append(f"R = {' '.join(f'R{axis}' for axis in form.rotation_order)}")
@@ -158,26 +160,27 @@ def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
     return [("trajectories", ", ".join(parts))] if parts else []
 
 
-def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
+def _home_lines(robot: Robot, home: HomePose, unit: Units) -> list[str]:
     shortest, longest = robot.length_limits.T
     legs = ", ".join(str(i + 1) for i in np.flatnonzero((home.L < shortest) | (home.L > longest)))
     outside = f"; outside the limits: leg {legs}" if legs else ""
     rows = [
         ("side", _side(robot, home)),
-        ("position", f"{unit.vector(home.t)} {unit.name}, level, at rest"),
-        ("leg lengths", f"{unit.vector(home.L)} {unit.name}{outside}"),
+        ("position", f"{unit.lengths(home.t)} {unit.length}, level, at rest"),
+        ("leg lengths", f"{unit.lengths(home.L)} {unit.length}{outside}"),
     ]
     if np.isfinite(longest).all() and not legs:
         back, forth = np.min(home.L - shortest), np.min(longest - home.L)
-        span = f"{-back / unit.meters:.4g} to {forth / unit.meters:+.4g} {unit.name}"
+        span = f"{-back / unit.meters:.4g} to {forth / unit.meters:+.4g} {unit.length}"
         rows.append(("stroke", f"{span} from here"))
     if home.status:
         rows.append(("condition", f"unsolvable: {STATUS_TEXT[home.status]}"))
     else:
-        by = f"{characteristic_length(robot) / unit.meters:.4g} {unit.name}"
+        by = f"{characteristic_length(robot) / unit.meters:.4g} {unit.length}"
         scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
-        rows.append(("leg forces", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
+        if not robot.missing_bodies:
+            rows.append(("leg forces", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
     what = "platform centered above the base; " if robot.home_position is None else ""
     return [f"home pose: {what}{home.rule}", *_rows(rows)]
 
@@ -185,12 +188,12 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
 def _side(robot: Robot, home: HomePose) -> str:
     """Describe the side of the base at home, and the sign of the leg load if gravity determines it."""
     direction, rule, _ = home.side
-    text = f"{_vector(direction)} of the base, {rule}"
+    text = f"{vector_text(direction)} of the base, {rule}"
     pull = float(direction @ robot.g)
     if abs(pull) <= DECISIVE * np.linalg.norm(robot.g):
         return text
     here, there = ("stands on its legs", "hangs below its base")[:: 1 if pull < 0.0 else -1]
-    return f"{text}; the platform {here} (on the other side, {_vector(-direction)}, it {there})"
+    return f"{text}; the platform {here} (on the other side, {vector_text(-direction)}, it {there})"
 
 
 def _rows(rows: list[tuple[str, str]]) -> list[str]:
@@ -219,16 +222,17 @@ _DRIVE_LIMITS = {
 """Text and unit of the numbers of a drive."""
 
 
-def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
+def _drives(drive: Drive, unit: Units) -> list[tuple[str, str]]:
     """Return rows about the drives and, if any are given, the limits of their motors."""
     parts = [
-        f"{_range(drive.lead / drive.gear_ratio / unit.meters)} {unit.name} per motor revolution",
+        f"{_range(drive.lead / drive.gear_ratio / unit.meters)} {unit.length} per motor revolution",
         f"reflected mass {_range(drive.reflected_mass, 4)} kg",
         f"efficiency {_range(drive.efficiency)} driving, {_range(drive.backdrive_efficiency, 4)} backdriving",
     ]
     values = {name: getattr(drive, name) for name in (*_DRIVE_FRICTION, *_DRIVE_LIMITS)}
     friction = [(values[name], *words) for name, words in _DRIVE_FRICTION.items()]
-    limits = [(values[name], *words) for name, words in _DRIVE_LIMITS.items()]
+    limits = [(values[name], *words) for name, words in _DRIVE_LIMITS.items() if name != "speed_limit"]
+    limits.insert(2, (drive.speed_limit / unit.radians, "speed", f"{unit.angle}/s"))
     parts += [f"{words} {_range(each)} {per}" for each, words, per in friction if np.any(each)]
     most = [
         f"{words} up to {_range(each, 4)} {per}" for each, words, per in limits if np.isfinite(each).any()
@@ -236,21 +240,21 @@ def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
     return [("drives", ", ".join(parts)), *([("motors", ", ".join(most))] if most else [])]
 
 
-def _limits(robot: Robot, length: _Unit) -> str:
-    angles = np.degrees(robot.joint_angle_limit).T
+def _limits(robot: Robot, unit: Units) -> str:
+    angles = (robot.joint_angle_limit / unit.radians).T
     parts = []
-    for name, limits, unit in (
-        ("length", (robot.length_limits / length.meters).T, length.name),
+    for name, limits, per in (
+        ("length", (robot.length_limits / unit.meters).T, unit.length),
         ("force", robot.force_limit[None], "N"),
-        ("speed", robot.speed_limit[None] / length.meters, f"{length.name}/s"),
-        ("joint angles from home", angles, "degrees (base and platform joint)"),
+        ("speed", robot.speed_limit[None] / unit.meters, f"{unit.length}/s"),
+        ("joint angles from home", angles, f"{unit.angle} (base and platform joint)"),
     ):
         given = np.isfinite(limits[-1])
         if given.any():
             some = "" if given.all() else f" ({np.count_nonzero(given)} of 6 legs)"
             between, digits = (" and ", 4) if limits is angles else (" to ", 6)
             span = between.join(_range(end[given], digits) for end in limits)
-            parts.append(f"{name} {span} {unit}{some}")
+            parts.append(f"{name} {span} {per}{some}")
         elif limits is not angles:
             parts.append(f"{name} none")
     return "; ".join(parts)
@@ -260,7 +264,3 @@ def _range(values: Array, digits: int = 6) -> str:
     low, high = (f"{value:.{digits}g}" for value in (np.min(values), np.max(values)))
     between = " to " if low.startswith("-") else "-"
     return low if low == high else f"{low}{between}{high}"
-
-
-def _vector(values: Array, digits: int = 4) -> str:
-    return "(" + ", ".join(f"{round(value, digits) + 0.0:g}" for value in values.tolist()) + ")"

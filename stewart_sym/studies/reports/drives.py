@@ -1,9 +1,8 @@
-"""Motors along a trajectory for ``forces`` and ``plan``: columns, a table with the limits, and a plot."""
+"""Motors along a trajectory for ``forces`` and ``plan``: columns, and a table with the limits."""
 
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...drives.effort import PEAKS, Summary, trapezoids
 from ...drives.limit_status import amount_text
@@ -12,13 +11,10 @@ from ...drives.noise import MotorDeviations
 from ...io.array_types import Array, Flags
 from ...motion.sample_times import elapsed, least_step
 from ...robot.robot import LEGS, Robot
-from ..common.drawing import DARK, Figure, as_written, new_figure, plot_legs
 from ..common.output import Columns, leg_table, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 _HEADINGS = {"power": "shaft power"}
-# Ratio of a limit to the largest value above which the limit is not drawn.
-_FAR = 3.0
 
 
 def drive_columns(part: MotorStates, sd: MotorDeviations | None = None) -> Columns:
@@ -37,17 +33,17 @@ class DriveDigest:
     def __init__(self, robot: Robot, time: Array, weights: Array | None = None) -> None:
         """Start a run of a robot with a drive at times (s) with weights in integrals (s), shape (n,)."""
         assert robot.drive is not None
-        self.drive, self.name, self.time = robot.drive, robot.name, time
+        self.drive, self.time = robot.drive, time
         self._weights = trapezoids(elapsed(time)) if weights is None else weights
-        self.summary = Summary(robot.drive, least_step(time))
-        self._torque, self._speed = np.full((2, len(time), LEGS), np.nan, dtype=np.float32)
+        self.summary = Summary(robot, least_step(time))
+        self.torque, self.speed = np.full((2, len(time), LEGS), np.nan, dtype=np.float32)
 
     def add(
         self, part: MotorStates, where: slice, sd: MotorDeviations | None = None, there: Flags | None = None
     ) -> None:
         """Add the next samples; ``sd`` and ``there`` are the arguments of ``Summary.add``."""
         self.summary.add(part, self._weights[where], self.time[where], sd, there)
-        self._torque[where], self._speed[where] = part.torque, part.speed
+        self.torque[where], self.speed[where] = part.torque, part.speed
 
     @property
     def lasts(self) -> bool:
@@ -60,7 +56,9 @@ class DriveDigest:
         columns = {}
         for name in self._known():
             limit, sd = getattr(drive, f"{name}_limit"), found.peak_sd.get(name)
-            columns[f"{_HEADINGS.get(name, name)}, {PEAKS[name]}"] = _cells(found.peaks[name], limit, sd)
+            scale, unit = found.units.of_unit(PEAKS[name])
+            cells = _cells(scale * found.peaks[name], scale * limit, None if sd is None else scale * sd)
+            columns[f"{_HEADINGS.get(name, name)}, {unit}"] = cells
         means = {"RMS torque, N m": ["-"] * LEGS, "electrical energy, J": ["-"] * LEGS}
         if self.lasts:
             rms = _cells(found.rms_torque, drive.rated_torque, found.rms_torque_sd)
@@ -94,30 +92,6 @@ class DriveDigest:
         found: dict[str, Any] = {f"motor_{name}_limit": self.summary.verdicts(name) for name in self._known()}
         rated = self.summary.verdicts("rated_torque") if self.lasts else [None] * LEGS
         return found | {"motor_rated_torque": rated}
-
-    def figure(self) -> Figure:
-        """Plot torque over time, and torque over speed with the limits of the motor as a frame."""
-        figure = new_figure(9.0, 4.4)
-        over_time, over_speed = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
-        plot_legs(over_time, self.time, self._torque, linewidth=1.1)
-        plot_legs(over_speed, self._speed, self._torque, linewidth=1.1)
-        over_time.set(xlabel="time, s", ylabel="motor torque, N m", xlim=(self.time[0], self.time[-1]))
-        over_speed.set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
-        style: Any = {"color": DARK, "linewidth": 0.9, "linestyle": (0, (4, 2))}
-        for torque in _near(self.drive.torque_limit, self._torque):
-            over_time.axhline(torque, **style)
-            over_speed.axhline(torque, **style)
-        for speed in _near(self.drive.speed_limit, self._speed):
-            over_speed.axvline(speed, **style)
-        figure.legend(*over_time.get_legend_handles_labels(), loc="outside lower center", ncols=LEGS)
-        figure.suptitle(f"{as_written(self.name)}: motors", fontsize=11.0)
-        return figure
-
-
-def _near(limits: Array, values: NDArray[np.float32]) -> tuple[float, ...]:
-    """Return the smallest limit in both directions, or nothing if it is too far from the values."""
-    narrowest, largest = float(limits.min()), float(np.nanmax(np.abs(values), initial=0.0))
-    return (-narrowest, narrowest) if narrowest <= _FAR * largest else ()
 
 
 def _cells(values: Array, limits: Array, sd: Array | None) -> list[str]:

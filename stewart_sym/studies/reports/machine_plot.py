@@ -9,6 +9,7 @@ from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
+from ...robot.units import Units
 from ...singularities.singular_poses import SingularityResult
 from ...viewer.content import around
 from ..common.drawing import BLUE as PLATFORM
@@ -53,7 +54,9 @@ def twist_figure(robot: Robot, pose: Motion, at: SingularityResult, title: str) 
     extent.append(points + arrows)
     screw = "a translation"
     if np.isfinite(at.screw_pitch):
-        screw = f"screw axis dashed, pitch {float(at.screw_pitch):.4g} m/rad"
+        units = Units.of(robot)
+        pitch = float(at.screw_pitch) * units.radians / units.meters
+        screw = f"screw axis dashed, pitch {pitch:.4g} {units.length}/{units.angle}"
         line = at.screw_point + np.outer([-0.45 * size, 0.45 * size], at.screw_axis)
         if np.linalg.norm(at.screw_point - pose.t) < size:
             axes.plot(*line.T, color=MARK, linewidth=1.0, linestyle=(0, (4, 2)))
@@ -89,7 +92,8 @@ def _frame(axes: Any, robot: Robot, extent: Array) -> None:
     half = 0.54 * float(np.max(high - low))
     for name, middle in zip("xyz", 0.5 * (low + high), strict=True):
         getattr(axes, f"set_{name}lim")(middle - half, middle + half)
-        getattr(axes, f"set_{name}label")(f"{name}, m", fontsize=8.0)
+        getattr(axes, f"set_{name}label")(f"{name}, {robot.length_unit}", fontsize=8.0)
+        _number_in_units(getattr(axes, f"{name}axis"), robot)
         axes.locator_params(name, nbins=4)
         axes.tick_params(name, labelsize=7.0)
     axes.set_box_aspect((1.0, 1.0, 1.0), zoom=0.9)
@@ -105,6 +109,12 @@ def _frame(axes: Any, robot: Robot, extent: Array) -> None:
             label.set_horizontalalignment(side)
 
 
+def _number_in_units(axis: Any, robot: Robot) -> None:
+    """Set tick labels of an axis in m to the length unit of the robot file."""
+    meters = Units.of(robot).meters
+    axis.set_major_formatter(lambda value, _: f"{value / meters:.4g}")
+
+
 def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
     """Draw the fixed axes of the universal joints, the center of mass with gravity, and the tool point."""
     size = radius(robot.b) + radius(robot.p)
@@ -112,17 +122,19 @@ def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> lis
     for bar in bars if robot.base_joint == "universal" else ():
         axes.plot(*bar.T, color=MARK, linewidth=1.2)
     drawn_joints = _offset_legs(axes, robot, home)
-    center = home.t + robot.R_0
-    axes.plot(*center[:, None], marker="o", color=PLATFORM, markersize=5.0, linestyle="")
+    # Without masses, gravity acts at the platform points' mean in the drawing.
+    center = home.t + (robot.p.mean(axis=0) if robot.missing_bodies else robot.R_0)
+    if not robot.missing_bodies:
+        axes.plot(*center[:, None], marker="o", color=PLATFORM, markersize=5.0, linestyle="")
     drawn = [bars.reshape(-1, 3), center[None], *drawn_joints]
     text = "red: fixed axes of the universal joints\n" if robot.base_joint == "universal" else ""
     text += "green: lines of sliding and the offsets to them\n" if drawn_joints else ""
-    text += "dot: center of mass of the platform"
+    text += "dot: center of mass of the platform" if not robot.missing_bodies else "arrow: gravity"
     if np.any(robot.g):
         arrow = 3.0 * _AXIS * size * robot.g / np.linalg.norm(robot.g)
         axes.quiver(*center, *arrow, color=BASE, linewidth=1.2, arrow_length_ratio=0.25)
         drawn.append((center + arrow)[None])
-        text += ", with gravity"
+        text += "" if robot.missing_bodies else ", with gravity"
     if robot.tool.any():
         tool = home.t + robot.tool
         line = np.stack([tips.mean(axis=0), tool])
@@ -160,7 +172,9 @@ def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
         axes.plot(*zip(one, other, strict=True), color=LEG, linewidth=1.2)
     axes.set_aspect("equal")
     axes.margins(0.12)
-    axes.set(xlabel="x, m", ylabel="y, m")
+    axes.set(xlabel=f"x, {robot.length_unit}", ylabel=f"y, {robot.length_unit}")
+    for axis in (axes.xaxis, axes.yaxis):
+        _number_in_units(axis, robot)
     if vertical(robot) == Z_DOWN:
         axes.invert_yaxis()
     name_points(axes, names, places, bars, size=9.0)

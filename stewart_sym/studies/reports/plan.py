@@ -1,7 +1,7 @@
 """Report of ``plan``: trajectory, summary, JSON data, and plots."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -23,17 +23,19 @@ from ...planning.plan_file import RATE
 from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
+from ...robot.units import Units
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
-from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure, plot_legs
+from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure
 from ..common.output import Columns, by_leg, of_legs
-from ..common.report import Picture, Report
+from ..common.report import SMALL, Picture, Report
 from .drives import DriveDigest
+from .leg_plot import leg_figure
 
 # Number of samples of the work, because accelerations jump between them if another limit becomes active.
 _INSTANTS = 10_001
 # Number of drawn samples of the forces, and of poses for the condition numbers of a path.
-_DRAWN, _POSES = 4001, 801
+_DRAWN, _POSES = 4000, 801
 _CERTIFIED = ("is_valid", "samples", "max_utilization", "lengths_ok", "angles_ok", "active_fraction")
 
 
@@ -111,7 +113,7 @@ def report(plan: Plan) -> Report:
     text = _summary(plan) if plan.motors is None else f"{_summary(plan)}\n\n{plan.motors.table()}"
     figures = {
         "condition": Picture(lambda: _condition_figure(plan)),
-        "forces": Picture(lambda: _forces_figure(plan)),
+        "forces": Picture(lambda: _forces_figure(plan), SMALL),
         "phase_plane": Picture(lambda: _phase_figure(plan)),
     }
     view = {"motion": lambda: Viewer(robot, of_motion(robot, motion, times, "planned motion"))}
@@ -120,7 +122,7 @@ def report(plan: Plan) -> Report:
 
 def _summary(plan: Plan) -> str:
     """Format duration, condition numbers, extremes, distance to singular poses, and the certificate."""
-    found, planned = plan.certificate, plan.planned
+    found, planned, units = plan.certificate, plan.planned, Units.of(plan.robot)
     over = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
     beyond = " and ".join(name for name, exceeded in over.items() if exceeded)
     verdict = "valid" if found.is_valid else f"not valid{beyond and f': {beyond} beyond their limits'}"
@@ -133,26 +135,27 @@ def _summary(plan: Plan) -> str:
         f"condition  {_condition_text(planned.condition_numbers)}",
         f"straight   {_condition_text(planned.initial_condition_numbers)}",
         f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
-        f"speed      up to {found.speed.value[fast]:.6g} m/s, leg {fast + 1} "
+        f"speed      up to {found.speed.value[fast] / units.meters:.6g} {units.length}/s, leg {fast + 1} "
         f"at {found.speed.time[fast]:.6g} s",
         f"energy     {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
-        f"length     {found.shortest.value.min():.6g} to {found.longest.value.max():.6g} m",
-        *_angles(found),
+        f"length     {found.shortest.value.min() / units.meters:.6g} to "
+        f"{found.longest.value.max() / units.meters:.6g} {units.length}",
+        *_angles(found, units),
         f"limits     used to {100.0 * found.max_utilization:.5f} % at {found.samples:,} samples, "
         f"one is active in {100.0 * found.active_fraction:.4g} % of the time",
         f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
         f"smallest singular value {found.nearest.smallest:.4g}",
         f"certificate  {verdict}",
-        *_moved(planned),
+        *_moved(planned, units),
     ]
     return "\n".join(lines)
 
 
-def _angles(found: PlanCertificate) -> Iterator[str]:
+def _angles(found: PlanCertificate, units: Units) -> Iterator[str]:
     for name, angle in (("base", found.base_angle), ("platform", found.platform_angle)):
         if angle is not None:
             leg = int(np.argmax(angle.value))
-            most = f"up to {np.degrees(angle.value[leg]):.6g} degrees, leg {leg + 1}"
+            most = f"up to {angle.value[leg] / units.radians:.6g} {units.angle}, leg {leg + 1}"
             yield f"angle      at the {name} {most} at {angle.time[leg]:.6g} s"
 
 
@@ -161,7 +164,7 @@ def _condition_text(found: Conditions) -> str:
     return f"number of H: mean {found.mean:.5g}, peak {peak}"
 
 
-def _moved(planned: PlannedPath) -> Iterator[str]:
+def _moved(planned: PlannedPath, units: Units) -> Iterator[str]:
     """Yield the displacement of the path from each via pose with a tolerance."""
     pairs = zip(planned.requested_poses, planned.reached_poses, strict=True)
     for number, (given, passed) in enumerate(pairs, start=1):
@@ -169,9 +172,10 @@ def _moved(planned: PlannedPath) -> Iterator[str]:
             moves = np.concatenate([passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)])
             # Small rotations are rounding errors.
             moves[3:][np.abs(moves[3:]) <= 1e-12] = 0.0
+            moves /= np.repeat([units.meters, units.radians], 3)
             named = zip(("x", "y", "z", "roll", "pitch", "yaw"), moves, strict=True)
             parts = ", ".join(f"{name} {value:+.4g}" for name, value in named if value)
-            yield f"via pose {number}  moved by {parts or 'nothing'}"
+            yield f"via pose {number}  moved by {parts or 'nothing'} ({units.length}, {units.angle})"
 
 
 def _data(plan: Plan) -> dict[str, Any]:
@@ -234,20 +238,12 @@ def _condition_figure(plan: Plan) -> Figure:
 
 
 def _forces_figure(plan: Plan) -> Figure:
-    """Plot the forces of the legs relative to their limits, or in N if a leg has no limit."""
-    figure = new_figure(8.0, 4.6)
-    axes = figure.subplots()
-    limits = force_limits(plan.robot, plan.timed.limits)
-    bounded = bool(np.isfinite(limits).all())
+    """Plot the forces, and with drives the motor torques, with their limits."""
     times = np.linspace(0.0, plan.timed.duration, _DRAWN)
+    limits = force_limits(plan.robot, plan.timed.limits)
     forces = inverse_dynamics(plan.robot, plan.timed.sample(times), plan.timed.formulation).F
-    plot_legs(axes, times, forces / limits if bounded else forces, linewidth=1.2)
-    for bound in (-1.0, 1.0) if bounded else ():
-        axes.axhline(bound, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
-    label = "force over its limit" if bounded else "force, N"
-    axes.set(xlim=(0.0, plan.timed.duration), xlabel="time, s", ylabel=label)
-    legend_below(figure)
-    return figure
+    motors = None if plan.motors is None else (plan.motors.torque, plan.motors.speed)
+    return leg_figure(replace(plan.robot, force_limit=limits), times, forces, motors)
 
 
 def _phase_figure(plan: Plan) -> Figure:

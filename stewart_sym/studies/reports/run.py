@@ -15,15 +15,17 @@ from ...motion.motion import Motion
 from ...motion.rotation import rpy_from_rotation
 from ...motion.sample_times import least_step, time_text
 from ...robot.robot import Robot
+from ...robot.units import Units
 from ...simulation.actuator_models import ForceLaw, LegSprings, Reference
 from ...simulation.scene import Scene
 from ...simulation.state_history import SimulationResult, StateHistory, leg_states
 from ...simulation.tracking import TrackingError, tracking_error
-from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
+from ..common.drawing import BLUE, DARK, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
 from ..paper.reproduce import without_friction
 from .drives import DriveDigest
+from .leg_plot import LIMIT, draw_limit
 
 _EVEN = 1001
 """Number of evenly spaced samples for the mean kinetic energy."""
@@ -55,16 +57,16 @@ def report(
     ``drifts`` is the result of ``energy_drift``, if any.
     """
     drifts, fine = drifts or {}, run.dense_history
-    text, figures = summary(run, fine, law), {}
+    text, figures = summary(robot, run, fine, law), {}
     error = None if reference is None else tracking_error(fine, reference)
     if error is not None:
-        text = "\n".join([text, "", tracking_table(error)])
-        figures["tracking"] = Picture(lambda: tracking_figure(fine, error))
+        text = "\n".join([text, "", tracking_table(robot, error)])
+        figures["tracking"] = Picture(lambda: tracking_figure(robot, error))
     motors = motors_of(robot, fine, run.dense_weights)
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
     if len(run.time) > 1:
-        figures["run"] = Picture(lambda: figure(run, law))
+        figures["run"] = Picture(lambda: figure(robot, run, law))
     for name, drift in drifts.items():
         text += f"\n{name:<10} without friction, in {drift['time'][-1]:.6g} s: {_drift_text(drift['drift'])}"
     data = _data(run, fine, law, motors)
@@ -167,16 +169,17 @@ def _drift_text(drift: Array | float) -> str:
     return f"energy with that of the springs changes by up to {largest:.2e} of the mean kinetic energy"
 
 
-def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
+def summary(robot: Robot, run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
     """Format the end, force, lengths, and energy of a run; ``fine`` is its dense history."""
     i, leg = np.unravel_index(int(np.argmax(np.abs(fine.F))), fine.F.shape)
     first, last, most = run.energy[0], run.energy[-1], fine.kinetic_energy.max()
-    when = time_text(fine.time[i], least_step(fine.time))
+    when, units = time_text(fine.time[i], least_step(fine.time)), Units.of(robot)
+    shortest, longest = fine.L.min() / units.meters, fine.L.max() / units.meters
     lines = [
         f"stopped    {run.stop.message}",
         f"steps      {run.step_count}",
         f"force      up to {fine.F[i, leg]:.6g} N, leg {leg + 1} at {when} s",
-        f"length     {fine.L.min():.6g} to {fine.L.max():.6g} m",
+        f"length     {shortest:.6g} to {longest:.6g} {units.length}",
         f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
     ]
     if run.drive_work is not None:
@@ -206,18 +209,21 @@ def _taken(run: SimulationResult, law: LegSprings) -> str:
     return f", by {' and '.join(filter(None, (', '.join(found[:-1]), found[-1])))}" if found else ""
 
 
-def figure(run: SimulationResult, law: ForceLaw) -> Figure:
-    """Plot motion since the start, rates, forces, lengths, and energies over time."""
-    legs = tuple(f"leg {leg + 1}" for leg in range(6))
+def figure(robot: Robot, run: SimulationResult, law: ForceLaw) -> Figure:
+    """Plot motion since the start, rates, forces, lengths, and energies over time.
+
+    The planned motion of a controller is dashed, and so are the force limits.
+    """
+    legs, units = tuple(f"leg {leg + 1}" for leg in range(6)), Units.of(robot)
     # Angles are unwrapped, because a jump of 2 pi would be drawn as a line across the panel.
-    theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
+    moved = _since_start(run.motion, run.motion)
     panels = (
-        (1e3 * (run.t - run.t[0]), tuple("xyz"), "position since start, mm"),
-        (np.degrees(theta - theta[0]), ("roll", "pitch", "yaw"), "attitude since start, degrees"),
-        (run.v, tuple("xyz"), "velocity, m/s"),
-        (run.omega, tuple("xyz"), "angular velocity, rad/s"),
+        (moved[0] / units.meters, tuple("xyz"), f"position since start, {units.length}"),
+        (moved[1] / units.radians, ("roll", "pitch", "yaw"), f"attitude since start, {units.angle}"),
+        (run.v / units.meters, tuple("xyz"), f"velocity, {units.length}/s"),
+        (run.omega / units.radians, tuple("xyz"), f"angular velocity, {units.angle}/s"),
         (run.F, legs, "force, N"),
-        (1e3 * (run.L - run.L[0]), legs, "leg length since start, mm"),
+        ((run.L - run.L[0]) / units.meters, legs, f"leg length since start, {units.length}"),
         (run.kinetic_energy[:, None], ("kinetic",), "kinetic energy, J"),
         (*_gained(run, law), "energy since start, J"),
     )
@@ -228,12 +234,42 @@ def figure(run: SimulationResult, law: ForceLaw) -> Figure:
             axes.plot(run.time, column, linewidth=1.1, label=name)
         axes.set_ylabel(label)
         axes.margins(x=0.0)
+    if np.isfinite(robot.force_limit).any():
+        grid.flat[4].plot([], [], label="limit", **LIMIT)
+    for limit in np.unique(robot.force_limit):
+        draw_limit(grid.flat[4].axhline, float(limit), run.F, LIMIT)
+    _draw_planned(grid.flat, units, run, law)
+    for axes in grid.flat:
         # The legend is next to the panel, because curves could cover it inside.
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
     for axes in grid[-1]:
         axes.set_xlabel("time, s")
     picture.suptitle(run.stop.message, fontsize=10.0)
     return picture
+
+
+def _since_start(motion: Motion, start: Motion) -> tuple[Array, Array]:
+    """Return changes of position (m) and roll, pitch, and yaw (rad), (n, 3), from the first pose of a run."""
+    first = rpy_from_rotation(start.R[:1])
+    theta = np.unwrap(np.concatenate([first, rpy_from_rotation(motion.R)]), axis=0)
+    return motion.t - start.t[0], theta[1:] - theta[0]
+
+
+def _draw_planned(panels: Any, units: Units, run: SimulationResult, law: ForceLaw) -> None:
+    """Draw the reference motion of a controller, if any, over position, attitude, and rates."""
+    reference = getattr(law, "reference", None)
+    if reference is None:
+        return
+    time = run.time[:: max(1, len(run.time) // _EVEN)]
+    poses = [reference(float(each)) for each in time]
+    names = ("R", "t", "omega", "v")
+    planned = Motion._unchecked(*(np.stack([getattr(pose, name) for pose in poses]) for name in names))
+    position, attitude = _since_start(planned, run.motion)
+    lines = (position, units.meters), (attitude, units.radians), (planned.v, units.meters)
+    for axes, (values, scale) in zip(panels, (*lines, (planned.omega, units.radians)), strict=False):
+        for number, column in enumerate(values.T):
+            style: Any = {"color": DARK, "linewidth": 0.9, "linestyle": (0, (3, 3))}
+            axes.plot(time, column / scale, label="planned" if number == 0 else None, **style)
 
 
 def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...]]:
@@ -245,13 +281,13 @@ def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...
     return np.column_stack([gained, gained.sum(axis=-1)]), (*parts, "sum")
 
 
-def tracking_table(error: TrackingError) -> str:
+def tracking_table(robot: Robot, error: TrackingError) -> str:
     """Format the RMS and the peak of the tracking error of each axis."""
-    step = least_step(error.time)
-    rows = [
-        (name, f"{rms:.3g} {unit}", f"{peak:.3g} {unit}", f"{time_text(when, step)} s")
-        for (name, unit), rms, peak, when in zip(_AXES, error.rms, error.peak, error.peak_time, strict=True)
-    ]
+    units, step, rows = Units.of(robot), least_step(error.time), []
+    for (name, si), rms, peak, when in zip(_AXES, error.rms, error.peak, error.peak_time, strict=True):
+        factor, unit = units.of_unit(si)
+        sizes = (f"{factor * size:.3g} {unit}" for size in (rms, peak))
+        rows.append((name, *sizes, f"{time_text(when, step)} s"))
     return aligned(("tracking error", "RMS", "peak", "time of the peak"), rows)
 
 
@@ -263,30 +299,25 @@ def _tracking_data(error: TrackingError) -> list[dict[str, Any]]:
     ]
 
 
-def tracking_figure(run: StateHistory, error: TrackingError) -> Figure:
-    """Plot reference and simulated motion since the start, and their differences over time."""
-    start, angles, wanted = error.reference.t[0], ("roll", "pitch", "yaw"), error.reference.t
-    planned = np.degrees(np.unwrap(rpy_from_rotation(error.reference.R), axis=0))
-    actual = np.degrees(np.unwrap(rpy_from_rotation(run.R), axis=0))
+def tracking_figure(robot: Robot, error: TrackingError) -> Figure:
+    """Plot the tracking error along and about each axis over time."""
+    units = Units.of(robot)
     panels = (
-        (1e3 * (run.t - start), 1e3 * (wanted - start), tuple("xyz"), "position since start, mm"),
-        (actual - planned[0], planned - planned[0], angles, "attitude since start, degrees"),
-        (1e3 * error.position, None, tuple("xyz"), "position error, mm"),
-        (np.degrees(error.rotation), None, ("about x", "about y", "about z"), "rotation error, degrees"),
+        (error.position / units.meters, tuple("xyz"), f"position error, {units.length}"),
+        (
+            error.rotation / units.radians,
+            tuple(f"about {axis}" for axis in "xyz"),
+            f"rotation error, {units.angle}",
+        ),
     )
-    picture = new_figure(10.0, 6.0)
-    grid = picture.subplots(2, 2, sharex=True)
-    for axes, (values, reference, names, label) in zip(grid.flat, panels, strict=True):
-        for i, name in enumerate(names):
-            (line,) = axes.plot(error.time, values[:, i], linewidth=1.1, label=name)
-            if reference is not None:
-                axes.plot(error.time, reference[:, i], linewidth=2.5, alpha=0.35, color=line.get_color())
-        axes.set_ylabel(label)
+    picture = new_figure(8.0, 6.0)
+    for axes, (values, names, label) in zip(picture.subplots(2, sharex=True), panels, strict=True):
+        for name, column in zip(names, values.T, strict=True):
+            axes.plot(error.time, column, linewidth=1.1, label=name)
+        axes.set(xlabel="time, s", ylabel=label)
         axes.margins(x=0.0)
+        axes.label_outer()
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
-    for axes in grid[-1]:
-        axes.set_xlabel("time, s")
-    picture.suptitle("simulated motion (thin) and reference motion (wide, pale)", fontsize=10.0)
     return picture
 
 

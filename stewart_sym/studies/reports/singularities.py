@@ -14,6 +14,7 @@ from ...kinematics.pose_search import rates_per_twist
 from ...motion.interpolation import Path
 from ...motion.sample_times import time_text
 from ...robot.robot import LEGS, Robot
+from ...robot.units import Units
 from ...singularities.path_singularities import (
     PathSingularitiesResult,
     path_singularities,
@@ -37,7 +38,7 @@ _MOST_DRAWN = 6
 class Examination:
     """Results for a path: its singular poses, and the force residue A (N s) at each crossing.
 
-    Near a crossing at time t_0, the forces are F = A / (t - t_0).
+    Near a crossing at time t_0, the forces are F = A / (t - t_0). A is NaN for a robot without masses.
     """
 
     robot: Robot
@@ -54,12 +55,15 @@ def examine(
     """Find the singular poses of a path; ``path`` and ``times`` as in ``singularity_crossings``."""
     along = path_singularities(robot, path, times)
     poses = [path(np.array([crossing.time])) for crossing in along.crossings]
-    residues = tuple(singular_force_residue(robot, pose, formulation)[0] for pose in poses)
+    residues = tuple(
+        np.full(LEGS, np.nan) if robot.missing_bodies else singular_force_residue(robot, pose, formulation)[0]
+        for pose in poses
+    )
     return Examination(robot, name, path, formulation, along, residues)
 
 
 def _text(found: Examination) -> str:
-    """Format all results as text in SI units."""
+    """Format all results as text in the units of the robot file."""
     along = found.along
     lines = [
         f"robot      {found.robot.name}",
@@ -74,7 +78,7 @@ def _text(found: Examination) -> str:
         lines += ["", *_crossing_lines(found, number)]
     if not along.crossings:
         lines += ["", f"Nearest approach at {along.nearest.time:.9f} s"]
-        lines += _pose_lines(along.nearest.singularity)
+        lines += _pose_lines(along.nearest.singularity, Units.of(found.robot))
     others = [approach for approach in along.approaches if approach is not along.nearest]
     if others:
         lines += ["", "Other minima of the smallest singular value"]
@@ -187,7 +191,9 @@ def _curves(found: Examination) -> Columns:
     length = characteristic_length(robot) or 1.0
     H = moments_over(np.swapaxes(rates_per_twist(robot, motion.R, motion.t), -1, -2), length)
     s = np.linalg.svd(H, compute_uv=False)
-    forces = inverse_dynamics(robot, motion, found.formulation, on_singular="nan")
+    F = np.full((len(times), LEGS), np.nan)
+    if not robot.missing_bodies:
+        F = inverse_dynamics(robot, motion, found.formulation, on_singular="nan").F
     _, S, L = leg_vectors(robot, motion.R, motion.t)
     # Rounding errors are set to zero, because the curve would be noise along singular poses.
     smallest = np.where(s[:, -1] > ROUNDING * s[:, 0], s[:, -1], 0.0)
@@ -195,7 +201,7 @@ def _curves(found: Examination) -> Columns:
         condition = s[:, 0] / smallest
         sine = np.linalg.norm(np.cross(robot.k, S), axis=-1) / L
     columns = {"time": times, "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest}
-    columns |= {"scaled_condition": condition} | of_legs("F", forces.F)
+    columns |= {"scaled_condition": condition} | of_legs("F", F)
     columns |= {} if robot.base_joint == "spherical" else of_legs("joint_sine", sine)
     return columns | of_legs("L", L)
 
@@ -203,15 +209,19 @@ def _curves(found: Examination) -> Columns:
 def _crossing_lines(found: Examination, number: int) -> list[str]:
     crossing, A = found.along.crossings[number], found.residues[number]
     pose, leg = found.path(np.array([crossing.time])), int(np.argmax(np.abs(A)))
+    units = Units.of(found.robot)
     rates = wrench_matrix(found.robot, pose)[0].T @ crossing.singularity.twist
+    fastest = np.max(np.abs(rates)) / units.meters
     at = f"{crossing.time:.12f} s (rounding error up to {crossing.time_error:.1e} s)"
     before, after = sign_text(crossing.sign_before), sign_text(crossing.sign_after)
     lines = [
         f"Crossing {number + 1} at {at}",
         f"  det H                {before} before, {after} after",
-        *_pose_lines(crossing.singularity),
-        f"  leg rates            at most {np.max(np.abs(rates)):.1e} m/s for this twist",
+        *_pose_lines(crossing.singularity, units),
+        f"  leg rates            at most {fastest:.1e} {units.length}/s for this twist",
     ]
+    if found.robot.missing_bodies:
+        return [*lines, f"  force residue        unknown: {found.robot.missing_bodies[0]} is missing"]
     if not np.isfinite(A).all():
         return [*lines, "  force residue        none: the path is at rest there, or follows singular poses"]
     values = ", ".join(f"{value:.6g}" for value in A)
@@ -220,7 +230,7 @@ def _crossing_lines(found: Examination, number: int) -> list[str]:
     return [*lines, residue, f"  most affected        leg {leg + 1}: {ends[0]} before, {ends[1]} after"]
 
 
-def _pose_lines(at: SingularityResult) -> list[str]:
+def _pose_lines(at: SingularityResult, units: Units) -> list[str]:
     pitch, axis = float(at.screw_pitch), triple_text(at.screw_axis)
     motion, wrench, idle = "least-rate twist", "largest-force wrench", "least-wrench forces"
     if at.lost_dof:
@@ -228,12 +238,14 @@ def _pose_lines(at: SingularityResult) -> list[str]:
     screw = f"translation along {axis}"
     if np.isfinite(pitch):
         pitch = round(pitch, 9) + 0.0
-        screw = f"rotation about {axis} through {triple_text(at.screw_point)} m, pitch {pitch:.6g} m/rad"
+        point, pitch = at.screw_point / units.meters, pitch * units.radians / units.meters
+        screw = f"rotation about {axis} through {triple_text(point)} {units.length}, "
+        screw += f"pitch {pitch:.6g} {units.length}/{units.angle}"
     lines = [
         f"  condition number     {float(at.condition_number):.6g} "
-        f"with moments divided by {at.characteristic_length:.6g} m; smallest "
+        f"with moments divided by {at.characteristic_length / units.meters:.6g} {units.length}; smallest "
         f"singular value {float(at.smallest_singular_value):.3g}",
-        f"  {motion:<20} {twist_text(at)}",
+        f"  {motion:<20} {twist_text(at, units)}",
         f"  as a screw           {screw}",
         f"  {wrench:<20} force {triple_text(at.wrench[:3])} N, moment {triple_text(at.wrench[3:])} N m",
         f"  {idle:<20} {triple_text(at.leg_forces)} N",
@@ -244,17 +256,27 @@ def _pose_lines(at: SingularityResult) -> list[str]:
 
 
 def _legs_table(found: Examination) -> str:
-    along, limits = found.along, found.robot.length_limits
+    along, units = found.along, Units.of(found.robot)
+    extremes = along.min_joint_sine, along.min_length, along.max_length
+    limits, scale = found.robot.length_limits / units.meters, 1.0 / units.meters
     rows = []
     for leg, (low, high) in enumerate(limits):
-        below = f"{along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none"
-        above = f"{high - along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
+        below = f"{scale * along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none"
+        above = f"{high - scale * along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
         sine, least, most = (
-            (f"{extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}")
-            for extreme in (along.min_joint_sine, along.min_length, along.max_length)
+            (f"{size * extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}")
+            for size, extreme in zip((1.0, scale, scale), extremes, strict=True)
         )
         rows.append((str(leg + 1), *sine, *least, below, *most, above))
-    of_lengths = ("min L, m", "time, s", "margin, m", "max L, m", "time, s", "margin, m")
+    unit = units.length
+    of_lengths = (
+        f"min L, {unit}",
+        "time, s",
+        f"margin, {unit}",
+        f"max L, {unit}",
+        "time, s",
+        f"margin, {unit}",
+    )
     header = ("leg", "min |k x s|", "time, s", *of_lengths)
     title = "Smallest sine of the angle between leg and universal axis; extreme lengths and margins to limits"
     return f"{title}\n{aligned(header, rows)}"

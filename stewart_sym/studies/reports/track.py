@@ -33,8 +33,11 @@ from ...motion.sample_times import least_step, time_text
 from ...motion.trajectory import Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, SingularPoseWarning
 from ...robot.robot import LEGS, Robot
+from ...robot.units import Units
+from ..common.drawing import Figure
 from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .drives import DriveDigest, drive_columns
+from .leg_plot import leg_figure
 
 NOISE_THRESHOLD = 0.02
 """Fraction of the peak force that ``SURE`` standard deviations may reach without a warning."""
@@ -140,7 +143,7 @@ def in_parts(
 
 
 class Digest:
-    """Data for the summary and the warnings of a run, whose size is independent of the number of samples."""
+    """Data for the summary, the warnings, and the plot of a run."""
 
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
         """Start a run at all these times (s), shape (n,); ``replaced`` are the replaced rows of the log."""
@@ -149,6 +152,7 @@ class Digest:
         # Time and value of the largest condition number of each part.
         self.conditions: list[tuple[float, float]] = []
         self.drive = None if robot.drive is None else DriveDigest(robot, time)
+        self.F = np.full((len(time), LEGS), np.nan, dtype=np.float32)
 
     def rows(self, parts: Iterable[Part], progress: Progress) -> Iterator[str]:
         """Add all parts, and yield the text of their CSV file."""
@@ -166,6 +170,7 @@ class Digest:
         if self.drive is not None and part.effort is not None:
             self.drive.add(part.effort, part.where, None if sd is None else sd.motors, part.there)
         self.legs.add(part.where, part.limited, sd, part.there)
+        self.F[part.where] = part.F
         i = int(_largest(part.condition))
         self.conditions.append((float(part.time[i]), float(part.condition[i])))
 
@@ -185,12 +190,19 @@ class Digest:
         unknown = unknown_forces(F, np.where(there[:, None], 0.0, F_sd))
         return [line for line in (unknown, *beyond, *noisy) if line]
 
+    def figure(self) -> Figure:
+        """Plot the forces, and with drives the motor torques, with their limits."""
+        motors = None if self.drive is None else (self.drive.torque, self.drive.speed)
+        return leg_figure(self.robot, self.time, self.F, motors)
+
     def summary(self) -> str:
         """Format the summary as lines of text."""
         time, F, _, F_sd = self.legs.forces()
         verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
         low, high, speed = self._extremes()
-        angles = [found.scaled(BASE.scale).texts() for found in self._angles().values()]
+        units = Units.of(self.robot)
+        low, high, speed = (found.scaled(1.0 / units.meters) for found in (low, high, speed))
+        angles = [found.scaled(1.0 / units.radians).texts() for found in self._angles().values()]
         peak = _largest(F)
         columns = {
             "peak force, N": _Extreme(_at(F, peak), None if F_sd is None else _at(F_sd, peak)).texts(6),
@@ -199,11 +211,13 @@ class Digest:
                 f"{most:g}" + (f" {status_text(verdict)}" if np.isfinite(most) else "")
                 for most, verdict in zip(limit, verdicts, strict=True)
             ],
-            "length, m": [" to ".join(ends) for ends in zip(low.texts(), high.texts(), strict=True)],
-            "speed, m/s": speed.texts(),
+            f"length, {units.length}": [
+                " to ".join(ends) for ends in zip(low.texts(), high.texts(), strict=True)
+            ],
+            f"speed, {units.length}/s": speed.texts(),
         }
         if angles:
-            columns["joint angles, degrees"] = [", ".join(both) for both in zip(*angles, strict=True)]
+            columns[f"joint angles, {units.angle}"] = [", ".join(both) for both in zip(*angles, strict=True)]
         first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self._worst()[0]))
         every = self.legs.all_verdicts()
         every += [] if self.drive is None else self.drive.summary.all_verdicts()

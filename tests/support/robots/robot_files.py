@@ -52,3 +52,28 @@ def scene_of(text: str, folder: Path) -> Path:
     path = folder / "scene.toml"
     path.write_text(text, encoding="utf-8")
     return path
+
+
+HANGING = """\
+schema = 2
+name = "hanging"
+length_unit = "mm"
+angle_unit = "deg"
+gravity = [0.0, 0.0, 9.81]
+home_position = [0.0, 0.0, 700.0]
+base = { radius = 500.0, angles = [-10.0, 10.0, 110.0, 130.0, 230.0, 250.0] }
+
+[platform]
+radius = 250.0
+angles = [-50.0, 50.0, 70.0, 170.0, 190.0, 290.0]
+body = { shape = "plate", radius = 300.0, thickness = 20.0, density = 2700.0 }
+
+[legs]
+universal_axis = "tangential"
+lower = { shape = "tube", radius = 30.0, inner_radius = 25.0, length = 400.0, density = 7800.0 }
+upper = { shape = "rod", radius = 20.0, length = 400.0, density = 7800.0 }
+stroke = [-150.0, 150.0]
+force_limit = 300.0
+joint_angle_limit = [30.0, 22.0]
+"""
+"""Machine in mm and degrees whose z axis points down."""

@@ -1,8 +1,8 @@
 """Measurement of one-pose kits on emulated Arm Cortex-M processors: instructions, flash, and stack.
 
 ``python tests/support/studies/microcontroller.py RUN`` runs in the top folder of the source, and writes
-``controller.json`` and ``controller_drive.json`` into the folder RUN. The C sources of the folder ``board``
-start the emulated processor and count.
+``controller.json``, ``controller_drive.json``, and ``controller_kinematics.json`` into the folder RUN. The C
+sources of the folder ``board`` start the emulated processor and count.
 """
 
 import re
@@ -24,11 +24,13 @@ from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.dynamics.sample_poses import sample
 from stewart_sym.io.array_types import Array
 from stewart_sym.io.json_text import json_text
-from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
+from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.kit_options import PRECISIONS, STEMS, TORQUE
 from stewart_sym.kit.vectors import knows_axes, rejected, vectors
 from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.results import NOT_FINITE
 from stewart_sym.robot.robot import Robot
 from stewart_sym.robots import dasgupta1998
@@ -194,6 +196,87 @@ def _figures(
     }
 
 
+# --- kinematics -------------------------------------------------------------------------------
+
+NEAR = 1e-3
+"""Distance of a guess from its pose: rotation (rad), and translation over the size of the platform."""
+
+
+_MOST_CONDITION = 30.0
+"""Condition number below which lengths of type float determine the pose."""
+
+
+def _condition(robot: Robot, test: Vector) -> float:
+    """Return the scaled condition number of H at a motion of the self-test."""
+    at = {name: test.inputs[name].reshape(shape) for name, shape in MOTION.items()}
+    H = wrench_matrix(robot, Motion._unchecked(**at))
+    return float(scaled_condition_number(H, characteristic_length(robot)))
+
+
+def measured_kinematics(robot: Robot, precision: str) -> Figures:
+    """Measure inverse and forward kinematics on a processor: largest and smallest instructions over poses.
+
+    ``search`` is forward kinematics from a guess at a distance of ``NEAR``, as from the previous cycle.
+    """
+    core = CORES[precision]
+    made = kit(robot, Choice(("kinematics",), "exact", None, False, False, precision)).files
+    with tempfile.TemporaryDirectory(prefix="stewart-sym-") as name:
+        folder = Path(name)
+        for file, content in made.items():
+            (folder / Path(file).name).write_bytes(content)
+        shutil.copytree(BOARD, folder, dirs_exist_ok=True)
+        (folder / "kinematics_cases.h").write_text(_kinematics_header(robot, precision), encoding="utf-8")
+        sources = ("stewart_kinematics", "stewart_robot", "kinematics")
+        objects = [toolchain.compiled(core, folder / f"{stem}.c") for stem in sources]
+        start = toolchain.compiled(core, folder / "start.c", ["-Wno-pedantic"])
+        image = toolchain.linked(core, [*objects, start], folder / "link.ld", folder / "kinematics.elf")
+        code, output = toolchain.emulated(core, image)
+        flash = toolchain.sizes(objects[0])["flash"]
+    said = _said(output)
+    if code not in (0, 1) or "failed" not in said:
+        raise CompilerError(f"{toolchain.QEMU}: the program ended with {code}: {output.strip()[-200:]}")
+    per_call = _KNOWN / said["known"][0] / said["times"][0]
+    counts = {
+        name: [round((ticks - said["empty"][0]) * per_call) for ticks in (min(said[name]), max(said[name]))]
+        for name in ("lengths", "rates", "search")
+    }
+    row = {"precision": precision, "core": core.name, "flags": core.flags, "poses": len(said["search"])}
+    return row | {"failed": said["failed"][0], "flash": flash, **counts}
+
+
+def _kinematics_header(robot: Robot, precision: str) -> str:
+    """Write motions, and a guess at a distance of ``NEAR`` from the pose of each."""
+    tests = vectors(robot, ("forces",), "exact", "general", precision, MOTIONS, False)
+    tests = [test for test in tests if _condition(robot, test) < _MOST_CONDITION]
+    turn = rotation_from_vector(NEAR * np.array([0.6, -0.64, 0.48]))
+    shift = NEAR * characteristic_length(robot) * np.array([0.48, 0.6, -0.64])
+    guesses = []
+    for test in tests:
+        R, t = turn @ test.inputs["R"].reshape(3, 3), test.inputs["t"].ravel() + shift
+        guesses.append(f"{{{_nested(R.ravel(), 'REAL({})')}, {_nested(t, 'REAL({})')}}}")
+    # The search ends at 16 rounding units of the largest component of the terms of S = q + t - b.
+    error = float(64.0 * np.finfo(PRECISIONS[precision]).eps * (np.abs(robot.b).max() + 1.0))
+    return "\n".join(
+        [
+            '#include "stewart_kinematics.h"',
+            '#include "stewart_robot.h"',
+            "#define REAL(value) ((stewart_real)(value))",
+            f"#define ROBOT {robot_symbol(robot.name)}",
+            f"#define ERROR REAL({error!r})",
+            f"#define MOTIONS {len(tests)}",
+            f"static const stewart_motion motions[MOTIONS] = {_motions([test.inputs for test in tests])};",
+            f"static const stewart_pose guesses[MOTIONS] = {{{', '.join(guesses)}}};",
+        ]
+    )
+
+
+def of_kinematics(robot: Robot, rows: Sequence[Figures]) -> Figures:
+    """Return the figures of the kinematics of one robot, and the tools that made them."""
+    made = {"tools": toolchain.versions(), "flags": toolchain.FLAGS}
+    units = dict.fromkeys(("lengths", "rates", "search"), "instructions per call, least and most")
+    return {"robot": robot.name, "rows": rows, **made, "units": units | {"flash": "bytes"}}
+
+
 _KNOWN = 200_000
 """``BOARD_KNOWN`` of board.h: instructions of which the ticks are counted."""
 
@@ -325,6 +408,11 @@ def main(arguments: list[str]) -> int:
         rows = [measured(robot, "general", bake, precision) for precision, bake in kits]
         (run / f"{name}.json").write_text(json_text(of_rows(robot, rows)), encoding="utf-8")
         all_right = all_right and all(map(right, rows))
+    robot = dasgupta1998()
+    kinematics = [measured_kinematics(robot, precision) for precision in CORES]
+    found = json_text(of_kinematics(robot, kinematics))
+    (run / "controller_kinematics.json").write_text(found, encoding="utf-8")
+    all_right = all_right and not any(row["failed"] for row in kinematics)
     return 0 if all_right else 2
 
 

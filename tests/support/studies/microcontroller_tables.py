@@ -55,6 +55,24 @@ def _published(row: Figures) -> tuple[str, ...]:
     )
 
 
+def kinematics_tables(found: Figures) -> dict[str, str]:
+    """Return the table of inverse and forward kinematics from ``controller_kinematics.json``."""
+    rows = found["rows"]
+    assert not any(row["failed"] for row in rows)
+    said = paragraph(
+        "The next table lists the instructions of the kinematics for the same robot, the largest number over "
+        f"{rows[0]['poses']} poses. `stewart_forward_kinematics` starts from a guess that differs from the "
+        "pose by 1/1000 rad and 1/1000 of the size of the platform, as from the previous cycle of a "
+        "controller. Flash is in bytes."
+    )
+    header = ("kit", "processor", "lengths", "lengths and rates", "forward kinematics", "flash")
+    cells = []
+    for row in rows:
+        counts = [_number(row[name][1]) for name in ("lengths", "rates", "search")]
+        cells.append((f"`{row['precision']}`", row["core"], *counts, _number(row["flash"])))
+    return {"controller_kinematics": said + table(header, cells)}
+
+
 def _number(value: int | None) -> str:
     return "" if value is None else f"{value:,}"
 

@@ -26,6 +26,7 @@ STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "chart": charts.tables,
     "controller": microcontroller.tables,
     "controller_drive": microcontroller.drive_tables,
+    "controller_kinematics": microcontroller.kinematics_tables,
     "plan": planning.tables,
     "stability": stability.tables,
 }
