@@ -12,7 +12,7 @@ from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
 from ...robot.fields import LEGS, direction
 from ..model import WORLD, Body, Joint, Model, after
 from ..notes import json_table
-from .sdf_out import BALL, NOTES, SPACE
+from .sdf_out import BALL, NOTE, SPACE
 from .xml_text import (
     at_line,
     interval,
@@ -42,7 +42,7 @@ Up to the second version, poses have ``frame`` and axes may have ``use_parent_mo
 """
 
 
-def model(root: ET.Element, loops: str | None = None) -> Model:
+def model(root: ET.Element) -> Model:
     """Convert the elements of a file to a model; raise ValueError with a location on failure."""
     world = root.find("world")
     models = [*root.findall("model"), *root.findall("world/model")]
@@ -60,9 +60,10 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
         None if gravity is None else numbers(gravity, 3, "gravity"),
         tuple(found.bodies),
         tuple(found.joints),
-        json_table(_notes(root, models[0]), NOTES),
+        json_table(_note(root, models[0]), NOTE),
         tuple(found.left_out),
         found.assumed,
+        unstated=("C_s", "C_u", "drive"),
     )
 
 
@@ -75,10 +76,10 @@ def _version(root: ET.Element) -> tuple[int, ...]:
     return tuple(int(word) for word in text.split(".")[:2])
 
 
-def _notes(root: ET.Element, model: ET.Element) -> str | None:
-    """Return the text of the notes, for any prefix of their namespace."""
+def _note(root: ET.Element, model: ET.Element) -> str | None:
+    """Return the text of the note, for any prefix of their namespace."""
     names = [key.partition(":")[2] for each in root.iter() for key in each.attrib if each.get(key) == SPACE]
-    found = (model.findtext(f"{name}:notes" if name else "notes") for name in names)
+    found = (model.findtext(f"{name}:note" if name else "note") for name in names)
     return next((text for text in found if text is not None), None)
 
 

@@ -36,7 +36,7 @@ _KINDS = {
     "floating": "free",
 }
 _ZERO = (0.0, 0.0, 0.0)
-_FILE_KEYS = ("generator", "gravity_m_s2", "closures", "armature_kg", "notes")
+_FILE_KEYS = ("generator", "gravity_m_s2", "closures", "armature_kg", "note")
 _CLOSURE_KEYS = ("name", "type", "link_1", "point_1_m", "link_2", "point_2_m", "damping_N_m_s")
 
 
@@ -61,12 +61,11 @@ def model(root: ET.Element, loops: str | None) -> Model:
         for joint in joints
     ]
     gravity = toml_reader.vector(given["gravity_m_s2"], "gravity_m_s2") if "gravity_m_s2" in given else None
-    notes = given.get("notes", {})
     left_out = tuple(_left_out(root))
     if loops is None:
-        left_out += ("friction of closures, armatures, and notes (the file NAME.loops.json is missing)",)
+        left_out += ("friction of closures, armatures, and the note (the file NAME.loops.json is missing)",)
     moving = (*joints, *closures)
-    return Model(root.get("name", ""), gravity, tuple(bodies), moving, notes, left_out, armatures=True)
+    return Model(root.get("name", ""), gravity, tuple(bodies), moving, given.get("note"), left_out)
 
 
 def _apart_from_world(root: ET.Element) -> dict[str, str]:
@@ -107,8 +106,8 @@ def _loops(text: str) -> dict[str, Any]:
     found = toml_reader.checked_table(json_table(text, "loops"), "loops: ", _FILE_KEYS)
     if not isinstance(found.get("closures", []), list):
         raise ValueError("loops: closures: expected a list")
-    if not isinstance(found.get("notes", {}), dict):
-        raise ValueError("loops: notes: expected a table")
+    if not isinstance(found.get("note", {}), dict):
+        raise ValueError("loops: note: expected a table")
     return found
 
 
