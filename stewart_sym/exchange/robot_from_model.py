@@ -42,7 +42,7 @@ def robot_of(model: Model, source: str) -> tuple[Robot, tuple[str, ...]]:
     robot, said = derived.robot, derived.lines()
     if model.note is not None:
         with errors_of("note: "):
-            noted = Robot.from_dict(dict(model.note))
+            noted = Robot.from_dict(model.note)
             expected = _Derived(model_of(noted)).robot
         changed = changed_fields(robot, expected, model.unstated)
         if not changed:

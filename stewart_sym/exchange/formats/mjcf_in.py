@@ -15,7 +15,7 @@ from ...motion.rotation import vector_from_rotation
 from ..model import BETWEEN, WORLD, Body, Joint, Model
 from ..notes import json_table
 from .mjcf_out import NOTE
-from .xml_text import turn_limits
+from .xml_text import CONTACTS, turn_limits
 
 if TYPE_CHECKING:
     import mujoco
@@ -300,7 +300,7 @@ class _Reader:
             yield "deformable bodies and plugins"
         can_touch = m.geom_contype[:, None] & m.geom_conaffinity
         if (m.npair or can_touch.any()) and not self._off(off.mjDSBL_CONTACT):
-            yield "contacts of geoms, which may limit the motion"
+            yield CONTACTS
         for (least, most), where in self.uneven.items():
             actuators, other = ", ".join(where), f"{most:g} N, the other's, is force_limit"
             yield f"the limit of {least:g} N in one direction of {actuators}: {other}"

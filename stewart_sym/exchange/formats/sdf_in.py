@@ -3,6 +3,7 @@
 import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -13,18 +14,7 @@ from ...robot.fields import LEGS, direction
 from ..model import WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .sdf_out import BALL, NOTE, SPACE
-from .xml_text import (
-    at_line,
-    interval,
-    joint_of,
-    largest,
-    name_of,
-    no_limits,
-    number,
-    numbers,
-    tensor,
-    turn_limits,
-)
+from .xml_text import CONTACTS, at_line, joint_of, name_of, number, numbers, others, tensor, with_properties
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -34,6 +24,12 @@ _KINDS = {
     "ball": "spherical",
     "fixed": "fixed",
 }
+_IN_LINK = ("pose", "inertial", "visual", "collision", "sensor", "light", "gravity", "must_be_base_link")
+_IN_INERTIAL = ("pose", "mass", "inertia")
+_IN_JOINT = ("parent", "child", "pose", "axis", "axis2", "sensor")
+_IN_AXIS = ("xyz", "dynamics", "limit", "use_parent_model_frame")
+_AXES = {"prismatic": 1, "revolute": 1, "universal": 2}
+"""Number of axes of a joint by its kind."""
 _TRUE = ("true", "True", "TRUE", "1")
 _AXES_OF_MODEL, _NAMED_FRAMES = (1, 4), (1, 6)
 """Last versions with axes in the frame of the model, and with the old names of frames.
@@ -115,6 +111,7 @@ class _Reader:
             raise ValueError(f"{where}: static: expected a model that moves, got a static one")
         self.joints = [self._joint(each) for each in element.findall("joint")]
         self.joints += [self._ball(each, i) for i, each in enumerate(element.findall(BALL), 1)]
+        self.left_out += [CONTACTS] if element.find("link/collision") is not None else []
 
     def _own(self, element: ET.Element, where: str) -> tuple[Array, Array]:
         """Return orientation and position in the pose of an element."""
@@ -167,17 +164,14 @@ class _Reader:
         """Create the body of a link."""
         name = link.attrib["name"]
         where, (R, t) = f"link {name!r}", self._pose(name)
-        if (link.findtext("gravity") or "").strip() in ("false", "0"):
+        self.left_out += others(link, _IN_LINK, where)
+        if _value(link, "gravity") in ("false", "0"):
             self.left_out.append(f"that {where} has no weight")
-        if link.find("inertial/fluid_added_mass") is not None:
-            self.left_out.append(f"fluid_added_mass of {where}")
-        decay = [each for key in ("linear", "angular") for each in link.findall(f"velocity_decay/{key}")]
-        if any(number(_value(each), f"{where}: velocity_decay", 0.0) for each in decay):
-            self.left_out.append(f"velocity_decay of {where}")
         given = link.find("inertial")
         if given is None:
             given = ET.Element("inertial")
         where = f"{where}: inertial"
+        self.left_out += others(given, _IN_INERTIAL, where)
         if self._frame(given, where):
             raise ValueError(f"{where}: pose: expected one in the frame of the link, got another frame")
         self._assume(given, name, where)
@@ -207,18 +201,23 @@ class _Reader:
 
     def _joint(self, element: ET.Element) -> Joint:
         """Create a joint."""
-        name, kind, where = joint_of(element, _KINDS)
+        joint = joint_of(element, _KINDS)
+        where = f"joint {joint.name!r}"
         ends = [_text(element, end) for end in ("parent", "child")]
         parent, child = (self._link(end, where) for end in ends)
         direct = not self._frame(element, where) and child == ends[1]
-        place = self._own(element, where)[1] if direct else self.placed[child].local(self._pose(name)[1])
-        if kind == "fixed":
-            return Joint(name, "fixed", parent, child, place)
-        axes = [element.find(tag) for tag in ("axis", "axis2")[: {"ball": 0, "universal": 2}.get(kind, 1)]]
-        found = Joint(name, _KINDS[kind], parent, child, place)
-        if not axes:
-            return found
-        return self._turning(found, axes, where)
+        place = self.placed[child].local(self._pose(joint.name)[1])
+        place = self._own(element, where)[1] if direct else place
+        joint = replace(joint, parent=parent, child=child, point=place)
+        self.left_out += others(element, _IN_JOINT, where)
+        tags = {"prismatic": ("axis",), "revolute": ("axis",), "universal": ("axis", "axis2")}.get(
+            joint.kind, ()
+        )
+        turned = [self._axis(joint, element.find(tag), where) for tag in tags]
+        if len({each.damping for each in turned}) > 1:
+            got = ", ".join(f"{each.damping:g}" for each in turned)
+            raise ValueError(f"{where}: expected the same damping about both axes, got {got}")
+        return replace(turned[0], axes=np.concatenate([each.axes for each in turned])) if turned else joint
 
     def _link(self, name: str, where: str) -> str:
         """Return the link that a frame is fixed to, because joints may refer to frames since SDF 1.7."""
@@ -267,41 +266,18 @@ class _Reader:
             )
         return "__model__" if _is_true(of_model) else ""
 
-    def _turning(self, joint: Joint, axes: list[ET.Element | None], where: str) -> Joint:
-        """Return the joint with its axes, damping, and limits."""
-        directions, damping = [], []
-        limits, effort, speed = (-np.inf, np.inf), np.inf, np.inf
-        for axis in axes:
-            if axis is None:
-                raise ValueError(f"{where}: expected an axis for each turn, got none")
-            axis.find("xyz")
-            frame = self._expressed_in(axis, where)
-            local = numbers(_value(axis, "xyz"), 3, f"{where}: xyz", (0.0, 0.0, 1.0))
-            if frame and frame not in self.named and frame not in self.found:
-                raise ValueError(f"{where}: xyz: frame {frame!r}: missing")
-            R, _ = self._pose(frame or joint.name)
-            directions.append(R @ direction(local, f"{where}: xyz"))
-            damping.append(number(_value(axis, "dynamics/damping"), f"{where}: damping", 0.0))
-            for key in ("friction", "spring_stiffness"):
-                if number(_value(axis, f"dynamics/{key}"), f"{where}: {key}", 0.0):
-                    self.left_out.append(f"{key} of {where}")
-            if axis.find("mimic") is not None:
-                self.left_out.append(f"mimic of {where}")
-            limits = interval(_value(axis, "limit/lower"), _value(axis, "limit/upper"), where)
-            if joint.kind == "prismatic":
-                self.left_out += no_limits(
-                    {each.tag: _value(each) for each in axis.findall("limit/*")}, where
-                )
-            else:
-                self.left_out += turn_limits(limits, where)
-            effort = largest(_value(axis, "limit/effort"), f"{where}: effort")
-            speed = largest(_value(axis, "limit/velocity"), f"{where}: velocity")
-        if max(damping) != min(damping):
-            got = ", ".join(f"{each:g}" for each in damping)
-            raise ValueError(f"{where}: expected the same damping about both axes, got {got}")
-        return replace(
-            joint, axes=np.array(directions), damping=damping[0], limits=limits, effort=effort, speed=speed
-        )
+    def _axis(self, joint: Joint, axis: ET.Element | None, where: str) -> Joint:
+        """Return the joint with one axis, its damping, and its limits."""
+        if axis is None:
+            raise ValueError(f"{where}: expected an axis for each turn, got none")
+        frame = self._expressed_in(axis, where)
+        local = numbers(_value(axis, "xyz"), 3, f"{where}: xyz", (0.0, 0.0, 1.0))
+        if frame and frame not in self.named and frame not in self.found:
+            raise ValueError(f"{where}: xyz: frame {frame!r}: missing")
+        R, _ = self._pose(frame or joint.name)
+        self.left_out += others(axis, _IN_AXIS, where)
+        joint = replace(joint, axes=(R @ direction(local, f"{where}: xyz"))[None])
+        return with_properties(joint, partial(_value, axis), self.left_out)
 
 
 def _value(element: ET.Element, path: str = ".") -> str | None:
