@@ -197,7 +197,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     try:
         robot, said = robot_of(_read(root, loops, source, text), source)
     except ValueError as error:
-        line = line_named(str(error), root)
+        line = None if " line " in str(error) else line_named(str(error), root)
         raise ValueError(f"{source}: {error}{'' if line is None else f' (at line {line})'}") from None
     for name, text in impossible_inertias(robot):
         if name not in robot.suppressed_warnings:

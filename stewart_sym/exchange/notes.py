@@ -50,8 +50,10 @@ def _plain(value: Any) -> Any:
 
 def _near(one: Any, other: Any) -> bool:
     """Return True if two values are equal up to rounding."""
-    if one is None or other is None or isinstance(one, str):
-        return bool(one is other or one == other)
+    if one is None or other is None:
+        return one is other
+    if isinstance(one, str):
+        return bool(one == other)
     one, other = np.asarray(one), np.asarray(other)
     if one.shape != other.shape:
         return False

@@ -98,6 +98,6 @@ class OffsetLines:
     def cross(self, body: Body) -> dict[str, Any]:
         """Return mass, center of mass (from the base point along o, y, k), and inertia of a cross."""
         frame = np.stack([np.cross(self.y, self.k), self.y, self.k], axis=-1)
-        center = (body.placed(body.center) - self.b) @ frame
+        center = (body.placed(body.center) - self.b) @ frame if body.mass else np.zeros(3)
         about = self.k @ body.R @ body.inertia @ body.R.T @ self.k
         return {"cross_mass": body.mass, "cross_center": center, "cross_inertia": float(about)}

@@ -152,6 +152,9 @@ class _Reader:
         limits = _ENDLESS
         if self.m.jnt_limited[i] and not self._off(self.lib.mjtDisableBit.mjDSBL_LIMIT):
             limits = self.m.jnt_range[i]
+        elif self.m.jnt_range[i].any():
+            low, high = self.m.jnt_range[i]
+            self.left_out.append(f"range {low:g} {high:g}, which MuJoCo does not apply, of joint {name!r}")
         if kind in ("revolute", "spherical"):
             self.left_out += turn_limits(limits, f"joint {name!r}")
         no_damping = self._off(self.lib.mjtDisableBit.mjDSBL_DAMPER)
