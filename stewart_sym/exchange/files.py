@@ -155,9 +155,13 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     ValueError
         If the file cannot be read, or if it is not a Stewart platform. The message is one line with the
         location in the file.
+    ImportError
+        If the file is MJCF and MuJoCo is not installed. The message names the extra.
 
     Warns
     -----
+    UserWarning
+        If bodies or joints differ from the note of ``export_model``, which is ignored.
     RobotWarning
         If an inertia is physically impossible.
 
@@ -170,8 +174,8 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     Base, platform, and legs are identified by the joints between the bodies. Six chains lead from the base to
     one body. Each contains two revolute joints (or a universal or spherical joint), a prismatic joint, and a
     spherical joint. Any joint of a loop may be the loop closure. Loop closures and welds must be closed in
-    the pose of the file. Axes at the base that do not intersect are imported as joint offsets only if a note
-    of ``export_model`` contains offsets.
+    the pose of the file. Perpendicular axes at the base that do not intersect are imported as joint offsets.
+    MJCF requires MuJoCo (extra ``exchange``).
 
     Examples
     --------
@@ -187,7 +191,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     >>> np.array_equal(imported.robot.b, robot.b)
     True
     >>> imported.assumptions[-1]
-    'home: the pose in the file'
+    'robot file: the note in the file, with which bodies and joints agree'
     """
     source = os.fsdecode(path)
     text, beside = read_text(source, "model"), loops_path(source)

@@ -170,7 +170,7 @@ class Model:
     left_out : tuple of str
         Contents of the file that a model cannot represent.
     assumed : mapping
-        Assumptions about values missing in the file, by the name of the body, or "" for the whole file.
+        Assumptions, by the name of the body, or by another key for the whole file.
     unstated : tuple of str
         Fields of a robot that the format cannot represent.
     """

@@ -90,7 +90,7 @@ class _Derived:
         if model.gravity is None:
             lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
         lines += [_mass_kept(machine, model, self.robot), "home: the pose in the file"]
-        lines += [text for name, text in model.assumed.items() if not name or machine.members[name] != WORLD]
+        lines += [text for name, text in model.assumed.items() if machine.members.get(name) != WORLD]
         lines += [text for leg in self.legs for text in leg.said]
         if self.offset:
             lines.append("joint offsets: axes at the base that do not meet are imported with their distances")

@@ -8,7 +8,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..robot import bodies
 from ..robot.fields import LEGS
-from .model import BETWEEN, WORLD, Body, Joint, Model
+from .model import WORLD, Body, Joint, Model
 
 _EXPECTED = (
     "a universal or spherical joint, a prismatic joint and a spherical joint from the base to the platform"
@@ -98,16 +98,11 @@ def machine_of(model: Model) -> Machine:
             got = f"one between {joint.parent!r} and {joint.child!r}"
             raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
     if not around.get(WORLD):
-        raise ValueError(_no_base(model))
+        free = [joint.child for joint in model.joints if joint.kind == "free"]
+        got = f"body {free[0]!r}, which is free" if free else "a model without moving joints"
+        raise ValueError(f"expected legs on a base that is fixed to the world, got {got}")
     chains = [_chain(joint, members, around) for joint in around[WORLD]]
     platform = _platform(chains, around)
-    if len(around[platform]) != LEGS:
-        names = sorted(
-            {joint.name for joint in around[platform]} - {chain[-1].joint.name for chain in chains}
-        )
-        raise ValueError(
-            f"joint {names[0]!r}: expected nothing but six legs at the platform {platform!r}, got one more"
-        )
     held = _held(model, members, platform, around[platform])
     if held != platform:
         platform, members = held, _members(model, held)
@@ -194,53 +189,30 @@ def _chain(first: Joint, members: Mapping[str, str], around: Mapping[str, Sequen
         joint = around[at][1] if around[at][0] is joint else around[at][0]
 
 
-def _no_base(model: Model) -> str:
-    """Return a message for a model without joints to the world."""
-    expected = "expected legs on a base that is fixed to the world"
-    free = [joint for joint in model.joints if joint.kind == "free"]
-    if free:
-        return f"joint {free[0].name!r}: {expected}, got body {free[0].child!r}, which is free"
-    bodies_ = [body.name for body in model.bodies if body.name != WORLD]
-    if bodies_:
-        return f"body {bodies_[0]!r}: {expected}, got a model without moving joints"
-    return f"{expected}, got no body"
-
-
 def _platform(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Joint]]) -> str:
     """Return the common end body of six chains; raise ValueError for other ends or another number."""
     ends = [chain[-1].reached for chain in chains]
-    reached = [end for end in ends if end != WORLD and ends.count(end) > 1]
-    if not reached:
-        got = "; ".join(_way(chain, around) for chain in chains[:LEGS])
-        more = f" and {len(chains) - LEGS} more" if len(chains) > LEGS else ""
-        raise ValueError(f"expected six legs from the base to one platform, got {len(chains)}: {got}{more}")
-    platform = max(reached, key=ends.count)
-    for number, chain in enumerate(chains, 1):
-        if ends[number - 1] != platform:
-            expected = "expected joints and closures from the base to the platform"
-            got = f"{_way(chain, around)}; other legs lead to {platform!r}"
-            raise ValueError(f"leg {number}: {expected}, got {got}")
-    if len(chains) != LEGS:
-        names = ", ".join(repr(_bodies(chain)[0]) for chain in chains)
-        raise ValueError(
-            f"body {platform!r}: expected six legs from the base, got {len(chains)}, which begin with {names}"
-        )
+    platform = max(ends, key=lambda end: (end != WORLD) * ends.count(end))
+    others = [chain for chain, end in zip(chains, ends, strict=True) if end != platform]
+    if others or platform == WORLD or len(chains) < 2:
+        got = "; ".join(_way(chain, around) for chain in (others or chains)[:LEGS])
+        raise ValueError(f"expected six legs from the base to one platform, got {len(chains)}: {got}")
+    if len(chains) != LEGS or len(around[platform]) != LEGS:
+        names = ", ".join(repr(joint.name) for joint in around[platform])
+        got = f"{len(chains)} with the joints {names} at the platform"
+        raise ValueError(f"body {platform!r}: expected six legs from the base and nothing else, got {got}")
     return platform
 
 
 def _way(chain: Sequence[Step], around: Mapping[str, Sequence[Joint]]) -> str:
     """Describe the end of a chain."""
-    end, begin = chain[-1].reached, f"joint {chain[0].joint.name!r}"
-    where = f"body {end!r}"
+    end, begin, last = chain[-1].reached, chain[0].joint.name, chain[-1].joint
     if end == WORLD:
-        last = chain[-1].joint.name
-        return f"{begin} to joint {last!r}, which leads back to the base"
-    if len(around[end]) == 1:
-        return f"{begin} to {where}, where it ends"
-    if len(around[end]) == 2:
-        return f"{begin} to {where}"
-    on = ", ".join(repr(joint.name) for joint in around[end] if joint is not chain[-1].joint)
-    return f"{begin} to {where}, which has further joints {on}"
+        return f"joint {begin!r} to joint {last.name!r}, which leads back to the base"
+    on = ", ".join(repr(joint.name) for joint in around[end] if joint is not last)
+    return f"joint {begin!r} to body {end!r}, " + (
+        f"which has further joints {on}" if on else "where it ends"
+    )
 
 
 def _leg(chain: Sequence[Step], number: int) -> Leg:
@@ -254,14 +226,7 @@ def _leg(chain: Sequence[Step], number: int) -> Leg:
             between = tuple(step.reached for step in base[:-1]), tuple(step.reached for step in tip[:-1])
             return Leg(base, chain[slide], tip, base[-1].reached, chain[slide].reached, between)
     names = ", ".join(f"{step.joint.kind} {step.joint.name!r}" for step in chain)
-    through = ", ".join(map(repr, _bodies(chain)))
-    raise ValueError(f"leg {number}: expected {_EXPECTED}, got {names}, by way of {through}")
-
-
-def _bodies(chain: Sequence[Step]) -> list[str]:
-    """Return the bodies of a chain, without artificial bodies between joints."""
-    found = [step.reached for step in chain if BETWEEN not in step.reached]
-    return found or [chain[-1].reached]
+    raise ValueError(f"leg {number}: expected {_EXPECTED}, got {names}")
 
 
 def _turns(steps: Sequence[Step]) -> str:

@@ -1,4 +1,4 @@
-"""Masses, centers of mass, inertias and limits of force of imported models are those of MuJoCo."""
+"""Limits of actuators, and welds, of imported models are those of MuJoCo."""
 
 import re
 from pathlib import Path
@@ -9,58 +9,6 @@ import pytest
 from command_line import rejects
 from exported_models import exported, imported
 from numpy.typing import NDArray
-
-BOX = 'type="box" size="0.02 0.05 0.03"'
-TURNS = {
-    **{f"zaxis {z}": f'zaxis="{z}"' for z in ("0.2 0.1 1", "1 0 0", "0 -1 0", "1 2 -3", "0 0 2", "0 0 -1")},
-    "xyaxes": 'xyaxes="1 2 3 -1 2 5"',
-    "axisangle": 'axisangle="1 2 3 0.9"',
-    "euler": 'euler="0.2 0.4 0.6"',
-    "quat": 'quat="10 20 30 5"',
-}
-
-
-def need_same_platform(folder: Path, text: str) -> None:
-    robot = imported(text, folder).robot
-    model = mujoco.MjModel.from_xml_string(text)
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    top = model.body("platform").id
-    parts = [i for i in range(model.nbody) if model.body_rootid[i] == model.body_rootid[top]]
-    mass = model.body_mass[parts]
-    center = mass @ data.xipos[parts] / mass.sum()
-    inertia = np.zeros((3, 3))
-    for i, m in zip(parts, mass, strict=True):
-        r, axes = data.xipos[i] - center, data.ximat[i].reshape(3, 3)
-        inertia += axes @ np.diag(model.body_inertia[i]) @ axes.T + m * (r @ r * np.eye(3) - np.outer(r, r))
-    np.testing.assert_allclose(robot.M, mass.sum(), rtol=1e-12)
-    np.testing.assert_allclose(robot.R_0, center - data.body("platform").xpos, rtol=0, atol=1e-12)
-    np.testing.assert_allclose(robot.I_p, inertia, rtol=0, atol=1e-12 * np.abs(inertia).max())
-
-
-def with_platform(content: str) -> str:
-    """The exported hexapod with other content of its platform, whose geoms have defaults of their own."""
-    text = exported().text
-    own = '<default class="own"><geom density="1000"/></default></default>'
-    text = text.replace("</default>", own, 1)
-    start = text.index('<body name="platform"')
-    inside = re.sub("<inertial .*?/>|<geom .*?/>", "", text[start:])
-    free, content = '<freejoint name="free" />', content.replace("<geom ", '<geom class="own" ')
-    return text[:start] + inside.replace(free, free + content, 1)
-
-
-@pytest.mark.parametrize("turn", TURNS.values(), ids=TURNS)
-def test_orientations_are_those_of_mujoco(turn: str, tmp_path: Path) -> None:
-    inertial = '<inertial mass="3" pos="0.1 0.2 0.3" diaginertia="0.16 0.08 0.13" {}/>'
-    content = (
-        f"{inertial.format(turn)}"
-        f'<body pos="0.3 0.1 0.2" {turn}>{inertial.format("")}</body>'
-        '<body><inertial mass="0" pos="1 1 1" diaginertia="0 0 0"/></body>'
-        f'<body pos="0 0.1 0.2"><geom {BOX} {turn}/>'
-        f'<frame pos="0.1 0 0" {turn}><geom {BOX} pos="0.1 0.2 0.3" euler="0.5 0 0"/></frame></body>'
-    )
-    need_same_platform(tmp_path, with_platform(content))
-
 
 HUGE = 1e9
 """A control far outside the limits of all actuators."""

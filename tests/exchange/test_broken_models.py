@@ -85,7 +85,7 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         instead(f"<mujoco><worldbody>{BOB}</worldbody></mujoco>"),
         "got 1: joint 'swing' to body 'bob', where it ends (at line 1)",
     ),
-    "five legs": (NO_LEG_6, "body 'platform': expected six legs from the base, got 5"),
+    "five legs": (NO_LEG_6, "expected six legs from the base and nothing else, got 5"),
     "leg to the base": (
         to(TIP_3, UPPER_3 + "anchor='0 0 0'"),
         "to joint 'tip_3', which leads back to the base",

@@ -114,18 +114,6 @@ def test_a_machine_turned_in_its_file_has_its_home_there(foreign: ss.ImportedMod
     np.testing.assert_allclose(F[1], F[0], rtol=1e-9)
 
 
-def test_masses_of_shapes_are_those_of_a_robot_file_with_the_same_shapes(foreign: ss.ImportedModel) -> None:
-    robot = foreign.robot
-    mass = 7850.0 * np.pi * THICK**2 * LONG
-    across = mass * (THICK**2 / 4.0 + LONG**2 / 12.0)
-    rod = np.diag([mass * THICK**2 / 2.0, across, across])
-    for part, side in (("d", 1.0), ("u", -1.0)):
-        np.testing.assert_allclose(getattr(robot, f"m_{part}"), mass)
-        center = np.tile([side * LONG / 2.0, 0.0, 0.0], (6, 1))
-        np.testing.assert_allclose(getattr(robot, f"r_{part}0"), center, atol=1e-12)
-        np.testing.assert_allclose(getattr(robot, f"I_{part}0"), np.tile(rod, (6, 1, 1)), atol=1e-10)
-
-
 def test_what_is_fixed_to_the_platform_is_part_of_it(foreign: ss.ImportedModel) -> None:
     robot = foreign.robot
     assert robot.M == 40.0

@@ -1,6 +1,7 @@
 """Attributes of MJCF: forces at rest are those of MuJoCo, or one line names the attribute with its effect."""
 
 import re
+import sys
 import warnings
 from pathlib import Path
 
@@ -120,6 +121,16 @@ ATTRIBUTES: dict[str, tuple[list[Change], str]] = {
         "",
     ),
     "mocap": ([before(WORLD, '<body mocap="true"><geom size="0.1"/></body>')], ""),
+    "bodies on the platform": (
+        [
+            (
+                FREE,
+                f'{FREE}<body pos="0.3 0.1 0.2" zaxis="1 2 -3"><geom size="0.1"/><frame axisangle="1 2 3 0.9">'
+                '<geom type="box" size="0.1 0.2 0.3" density="500" xyaxes="1 2 3 -1 2 5"/></frame></body>',
+            )
+        ],
+        "",
+    ),
     "weld": ([before(WORLD, LOAD), before(EQUALITY, '<weld body1="platform" body2="load"/>')], ""),
     # Joints.
     "damping": ([('damping="20.0"', 'damping="3"')], ""),
@@ -225,6 +236,23 @@ def forces_in_mujoco(model: mujoco.MjModel) -> NDArray[np.float64]:
     return balanced(data.qfrc_bias - passive, J[kept], slides)
 
 
+def need_same_platform(robot: ss.Robot, model: mujoco.MjModel) -> None:
+    """Compare mass, center of mass, and inertia of the platform with what it carries."""
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    roots = {i for i in range(model.nbody) if model.body(i).name in ("platform", "load")}
+    parts = [i for i in range(model.nbody) if int(model.body_rootid[i]) in roots]
+    mass = model.body_mass[parts]
+    center = mass @ data.xipos[parts] / mass.sum()
+    inertia = np.zeros((3, 3))
+    for i, m in zip(parts, mass, strict=True):
+        r, axes = data.xipos[i] - center, data.ximat[i].reshape(3, 3)
+        inertia += axes @ np.diag(model.body_inertia[i]) @ axes.T + m * (r @ r * np.eye(3) - np.outer(r, r))
+    np.testing.assert_allclose(robot.M, mass.sum(), rtol=1e-12)
+    np.testing.assert_allclose(robot.R_0, center - data.body("platform").xpos, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(robot.I_p, inertia, rtol=0, atol=1e-12 * np.abs(inertia).max())
+
+
 def at_home(robot: ss.Robot) -> NDArray[np.float64]:
     zero = np.zeros(3)
     pose = ss.Motion(R=np.eye(3), t=robot.home_position, omega=zero, v=zero, alpha=zero, a=zero)
@@ -243,6 +271,7 @@ def test_an_attribute_has_the_effect_that_it_has_in_mujoco_or_is_named(name: str
     assert re.search(said, "\n".join(found.assumptions)), found.assumptions
     model = mujoco.MjModel.from_xml_string(text)
     signs = np.array([model.joint(f"leg_{i}").axis[0] for i in range(1, 7)])
+    need_same_platform(found.robot, model)
     truth, robot = signs * forces_in_mujoco(model), found.robot
     stated = sum(float(one or two) for line in found.assumptions for one, two in OFF.findall(line))
     error = np.abs(at_home(robot) - truth).max()
@@ -321,3 +350,9 @@ def test_what_mujoco_rejects_is_one_line(tmp_path: Path) -> None:
     ):
         with warnings.catch_warnings(action="error"):
             rejects(rf"model\.xml: MuJoCo: .*{said}", imported, changed(PLAIN, [change]), tmp_path)
+
+
+def test_without_mujoco_one_line_names_the_extra(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    with pytest.raises(ImportError, match=r'MJCF needs MuJoCo: pip install "stewart-sym\[exchange\]"\Z'):
+        imported(PLAIN, tmp_path)

@@ -68,14 +68,17 @@ class _Reader:
         """Compute the positions of all bodies; raise ValueError for disabled constraints."""
         import mujoco
 
-        self.spec, self.m, self.lib = spec, compiled, mujoco
+        self.spec, self.m, self.lib, self.flags = spec, compiled, mujoco, compiled.opt.disableflags
         off = mujoco.mjtDisableBit
         for flag in (off.mjDSBL_CONSTRAINT, off.mjDSBL_EQUALITY):
             if self._off(flag):
                 name = flag.name.removeprefix("mjDSBL_").lower()
                 raise ValueError(f"option: flag: {name}: expected enable, since it closes loops, got disable")
+        # Contacts are not computed, because MuJoCo writes a file of warnings if there are too many.
+        compiled.opt.disableflags |= int(off.mjDSBL_CONTACT)
         self.d = mujoco.MjData(compiled)
-        mujoco.mj_forward(compiled, self.d)
+        mujoco.mj_fwdPosition(compiled, self.d)
+        mujoco.mj_fwdVelocity(compiled, self.d)
         self.load = self.d.qfrc_spring + self.d.qfrc_gravcomp + self.d.qfrc_fluid
         self.left_out: list[str] = []
         self.servos: list[str] = []
@@ -102,13 +105,13 @@ class _Reader:
             tuple(joints),
             json_table(note, f"custom: text {NOTE!r}"),
             tuple(dict.fromkeys(self.left_out)),
-            {**assumed, "": "; ".join([_RIGID, *said])},
+            {**assumed, **{each: each for each in (_RIGID, *said)}},
             unstated=("C_s", "speed_limit"),
         )
 
     def _off(self, flag: Any) -> bool:
         """Return True if a flag of the options is disabled."""
-        return bool(self.m.opt.disableflags & int(flag))
+        return bool(self.flags & int(flag))
 
     def _name(self, i: int) -> str:
         """Return the name of a body."""
@@ -254,8 +257,8 @@ class _Reader:
     def _forces(self, i: int, name: str) -> Array:
         """Return the range of the force of an actuator before its gear (N), shape (2,)."""
         forces, control = _ENDLESS, self.m.actuator_ctrladr[i]
-        motor = not (self.m.actuator_dyntype[i] or self.m.actuator_gaintype[i] or self.m.actuator_biastype[i])
-        if not motor:
+        m = self.m
+        if m.actuator_dyntype[i] or m.actuator_gaintype[i] or m.actuator_biastype[i] or m.actuator_delay[i]:
             self.servos.append(name)
         elif self.m.actuator_ctrllimited[control] and not self._off(self.lib.mjtDisableBit.mjDSBL_CLAMPCTRL):
             gain = self.m.actuator_gainprm[i, 0]
@@ -297,6 +300,8 @@ class _Reader:
                 yield f"{key} {value:g} of the medium around the machine: drag in motion"
         if self._off(off.mjDSBL_ACTUATION) or m.opt.disableactuator:
             yield "that the option disables actuators"
+        for i in np.flatnonzero(m.actuator_dampingpoly.any(axis=-1)):
+            yield f"nonlinear damping of {self._actuator_name(i)}"
         for i in range(m.ntendon):
             yield f"tendon {m.tendon(i).name or i + 1!r} with its stiffness, damping, friction, and limits"
         if m.nflex or m.nplugin:

@@ -14,7 +14,18 @@ from ...robot.fields import LEGS, direction
 from ..model import WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .sdf_out import BALL, NOTE, SPACE
-from .xml_text import CONTACTS, at_line, joint_of, name_of, number, numbers, others, tensor, with_properties
+from .xml_text import (
+    CONTACTS,
+    at_line,
+    ball_constraint,
+    joint_of,
+    name_of,
+    number,
+    numbers,
+    others,
+    tensor,
+    with_properties,
+)
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -110,7 +121,8 @@ class _Reader:
         if _is_true(element.findtext("static")):
             raise ValueError(f"{where}: static: expected a model that moves, got a static one")
         self.joints = [self._joint(each) for each in element.findall("joint")]
-        self.joints += [self._ball(each, i) for i, each in enumerate(element.findall(BALL), 1)]
+        for i, each in enumerate(element.findall(BALL), 1):
+            self.joints.append(ball_constraint(partial(_of_ball, each), i, self.placed))
         self.left_out += [CONTACTS] if element.find("link/collision") is not None else []
 
     def _own(self, element: ET.Element, where: str) -> tuple[Array, Array]:
@@ -240,19 +252,6 @@ class _Reader:
                 name = element.get("attached_to") or "__model__"
         return name
 
-    def _ball(self, element: ET.Element, number_: int) -> Joint:
-        """Read a ball constraint of Drake, which has no name."""
-        where = f"{BALL} {number_}"
-        bodies = [_value(element, f"{BALL}_body_{end}") or "" for end in "AB"]
-        one, other = (self._link(name, where) for name in bodies)
-        points = [numbers(_value(element, f"{BALL}_p_{key}"), 3, f"{where}: p_{key}") for key in ("AP", "BQ")]
-        if (one, other) != tuple(bodies):
-            got = ", ".join(map(repr, bodies))
-            raise ValueError(f"{where}: expected links, got {got}")
-        return Joint(
-            f"ball_constraint_{number_}", "spherical", one, other, points[1], cut=True, parent_point=points[0]
-        )
-
     def _expressed_in(self, axis: ET.Element, where: str) -> str:
         """Return the frame of an axis, or an empty string for the frame of its joint."""
         xyz, of_model = axis.find("xyz"), _value(axis, "use_parent_model_frame")
@@ -284,6 +283,11 @@ def _value(element: ET.Element, path: str = ".") -> str | None:
     """Return the text of an element, or None if it is missing or empty and has its default."""
     text = (element.text if path == "." else element.findtext(path)) or ""
     return text if text.strip() else None
+
+
+def _of_ball(ball: ET.Element, key: str) -> str | None:
+    """Return the text of an element of a ball constraint."""
+    return _value(ball, f"{BALL}_{key}")
 
 
 def _is_true(text: str | None) -> bool:

@@ -4,7 +4,6 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -16,7 +15,18 @@ from ...robot.fields import direction
 from ..model import WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .sdf_out import BALL
-from .xml_text import CONTACTS, at_line, joint_of, name_of, number, numbers, others, tensor, with_properties
+from .xml_text import (
+    CONTACTS,
+    at_line,
+    ball_constraint,
+    joint_of,
+    name_of,
+    number,
+    numbers,
+    others,
+    tensor,
+    with_properties,
+)
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -47,7 +57,7 @@ def model(root: ET.Element, loops: str | None) -> Model:
     stated = enumerate(table.get("closures", ()), 1)
     closures = [_closure(each, f"loops: closure {i}: ", names) for i, each in stated]
     if "closures" not in table:
-        closures = [_ball(each, f"ball_constraint_{i}", names) for i, each in enumerate(balls, 1)]
+        closures = [ball_constraint(partial(_of_ball, each), i, names) for i, each in enumerate(balls, 1)]
     known = [joint.name for joint in joints]
     armature = toml_reader.checked_table(table.get("armature_kg", {}), "loops: armature_kg: ", known)
     for i, joint in enumerate(joints):
@@ -67,27 +77,15 @@ def _closure(given: object, where: str, names: set[str]) -> Joint:
     table = toml_reader.checked_table(given, where, _CLOSURE_KEYS, needed)
     kind = option(table.get("type", "spherical"), ("spherical", "fixed"), f"{where}type")
     one, other = (_known(table[key], f"{where}{key}", names) for key in ("link_1", "link_2"))
-    points = (toml_reader.vector(table[key], f"{where}{key}") for key in ("point_1_m", "point_2_m"))
+    points = [toml_reader.vector(table[key], f"{where}{key}") for key in ("point_1_m", "point_2_m")]
     damping = toml_reader.not_negative(table.get("damping_N_m_s", 0.0), f"{where}damping_N_m_s")
-    return _cut(str(table.get("name", where)), kind, (one, other), tuple(points), damping)
+    name = str(table.get("name", where))
+    return Joint(name, kind, one, other, points[1], damping=damping, cut=True, parent_point=points[0])
 
 
-def _ball(given: ET.Element, name: str, names: set[str]) -> Joint:
-    """Read a ball constraint of Drake, which has no name."""
-    where = name.replace("_", " ")
-
-    def attribute(tag: str, key: str) -> str | None:
-        found = given.find(f"{BALL}_{tag}")
-        return None if found is None else found.get(key)
-
-    ends = [_known(attribute(tag, "name"), where, names) for tag in ("body_A", "body_B")]
-    points = [numbers(attribute(tag, "value"), 3, f"{where}: {tag}") for tag in ("p_AP", "p_BQ")]
-    return _cut(name, "spherical", ends, points, 0.0)
-
-
-def _cut(name: str, kind: str, ends: Any, points: Any, damping: float) -> Joint:
-    """Return a loop closure between points in two links."""
-    return Joint(name, kind, *ends, points[1], damping=damping, cut=True, parent_point=points[0])
+def _of_ball(ball: ET.Element, key: str) -> str | None:
+    """Return the name or the value of an element of a ball constraint."""
+    return _given(ball, f"{BALL}_{key}/{'name' if key.startswith('body') else 'value'}")
 
 
 def _known(link: object, where: str, names: set[str]) -> str:
