@@ -10,7 +10,7 @@ from ..io.array_types import Array
 from ..io.error_policy import errors_of
 from ..motion import rotation
 from .crosses import LOWER, UPPER, Cross, crosses_of, with_crosses
-from .model import Body, Joint, same_frame
+from .model import Body, Joint
 from .offset_legs import OffsetLines
 from .topology import Leg, Machine, Step
 
@@ -40,8 +40,6 @@ def common_point(machine: Machine, steps: Sequence[Step]) -> tuple[Array, float]
     def off(point: Array) -> float:
         return float(np.linalg.norm(np.einsum("nij,nj->ni", across, point - points), axis=-1).max())
 
-    if off(points[0]) < _ROUNDING * np.abs(points).max(initial=1e-3):
-        return points[0], off(points[0])
     right = np.einsum("nij,nj->i", across, points)
     meeting = np.linalg.lstsq(across.sum(axis=0), right, rcond=None)[0]
     return meeting, off(meeting)
@@ -75,24 +73,9 @@ def _slide(leg: Leg, lines: OffsetLines) -> Array:
 class LegFields:
     """Fields of one leg of a robot, with messages about assumptions.
 
-    Attributes
-    ----------
-    values : dict
-        Fields of the robot.
-    offset : dict
-        Joint offsets; empty if no leg of the machine has offsets.
-    p : ndarray, shape (3,)
-        Platform point in the frame of the platform's body.
-    sign : float
-        1 if the coordinate of the slide increases with the leg length, otherwise -1.
-    crosses : list of Cross
-        Bodies between the axes.
-    off : float
-        Largest deviation that is treated as exact, relative to the leg and in rad.
-    farthest : tuple of float and str
-        Largest distance of axes from their intersection (m), and its place.
-    said : list of str
-        Messages.
+    ``values`` and ``offset`` contain fields of the robot, ``off`` is the largest deviation that is treated as
+    exact (relative to the leg and in rad), ``farthest`` the largest distance of axes from their intersection
+    (m) with its place. ``sign`` is 1 if the coordinate of the slide increases with the leg length, else -1.
     """
 
     def __init__(self, machine: Machine, leg: Leg, number: int, offset: bool) -> None:
@@ -137,16 +120,12 @@ class LegFields:
             raise ValueError("expected a leg with a length, got 0 m")
         self.s = S / L if self.lines is None else _slide(self.leg, self.lines)
         self.L = float(self.s @ S)
-        self.p = self._own(
-            self.leg.tip[-1], self.machine.bodies[self.machine.platform], self.tip, self.leg.tip
-        )
+        self.p = self._own(self.machine.bodies[self.machine.platform], self.tip)
         self._need_meeting(self.leg.base, base_apart)
         self._need_meeting(self.leg.tip, tip_apart)
 
-    def _own(self, step: Step, body: Body, point: Array, steps: Sequence[Step]) -> Array:
-        """Return the point of a joint in the frame of a body, exactly as in the file for a single joint."""
-        if len(steps) == 1:
-            return self.machine.point(step, body.name)
+    def _own(self, body: Body, point: Array) -> Array:
+        """Return a point in the frame of a body, with exact zeros for rounding errors."""
         found = body.local(point)
         return np.where(np.abs(found) < _ROUNDING * self.L, 0.0, found)
 
@@ -196,9 +175,6 @@ class LegFields:
     def _frame(self, k: Array | None) -> Array:
         """Return frame D with axes in columns, (3, 3); only x is defined for spherical joints."""
         if k is None:
-            own = self.lower.R
-            if np.abs(own[:, 0] - self.s).max() < _ROUNDING:
-                return own
             k = np.eye(3)[np.argmin(np.abs(self.s))]
         y = rotation.cross(k, self.s) if self.lines is None else self.lines.y
         sine = float(np.linalg.norm(y))
@@ -219,8 +195,8 @@ class LegFields:
             "b": self.b,
             "p": self.p,
             "k": np.zeros(3) if k is None else k,
-            **self._part(self.lower, self.leg.base[-1], self.leg.base, self.foot, "d"),
-            **self._part(self.upper, self.leg.tip[0], self.leg.tip, self.tip, "u"),
+            **self._part(self.lower, self.foot, "d"),
+            **self._part(self.upper, self.tip, "u"),
             "C_u": self._damping(self.leg.base),
             "C_p": slide.damping,
             "C_s": self._damping(self.leg.tip),
@@ -229,13 +205,11 @@ class LegFields:
             "speed_limit": slide.speed,
         }
 
-    def _part(self, body: Body, step: Step, steps: Sequence[Step], end: Array, part: str) -> dict[str, Any]:
+    def _part(self, body: Body, end: Array, part: str) -> dict[str, Any]:
         """Return mass, center of mass, and inertia of a part ("d" lower, "u" upper) in its frame."""
-        origin, Q = self._own(step, body, end, steps), body.R.T @ self.frame
-        center, inertia = body.center - origin, body.inertia
-        if not same_frame(Q, np.eye(3)):
-            center, inertia = Q.T @ center, Q.T @ inertia @ Q
-            inertia = 0.5 * (inertia + inertia.T)
+        Q = body.R.T @ self.frame
+        center, inertia = Q.T @ (body.center - self._own(body, end)), Q.T @ body.inertia @ Q
+        inertia = 0.5 * (inertia + inertia.T)
         if self.base_joint == "spherical":
             center, inertia = self._round(center, inertia)
         return {f"m_{part}": body.mass, f"r_{part}0": center, f"I_{part}0": inertia}

@@ -259,8 +259,6 @@ def frame_along(axis: Array) -> Array:
 
 def after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
     """Convert orientation and position from a frame with the pose ``outer`` to the world frame."""
-    if np.array_equal(outer[0], np.eye(3)):
-        return R, t + outer[1]
     return outer[0] @ R, outer[1] + outer[0] @ t
 
 

@@ -169,7 +169,7 @@ def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robo
     limit = _MOST_OFF * float(np.linalg.norm(g)) * mass / len(legs)
     if error > limit:
         by = f"which changes forces by up to {error:.3g} N (limit {limit:.3g} N, 1 % of the weight per leg)"
-        raise ValueError(f"{_cause(legs)}, {by}")
+        raise ValueError(f"{_cause(legs)}, {by}; move or reduce the mass, or let the axes meet")
     if error > _SAID_FORCE * largest:
         yield f"{_cause(legs)}: forces at rest in the pose of the file are off by up to {error:.3g} N"
     if any(joint.load.any() for joint in model.joints):

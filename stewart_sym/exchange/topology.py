@@ -71,13 +71,6 @@ class Machine:
     platform: str
     legs: tuple[Leg, ...]
 
-    def point(self, step: Step, side: str) -> Array:
-        """Return the point of a joint, shape (3,), in the frame of one of its two bodies."""
-        own, local = step.joint.child, step.joint.point
-        if step.joint.cut and self.members[step.joint.parent] == side:
-            own, local = step.joint.parent, step.joint.parent_point
-        return local if own == side else self.bodies[side].local(self.placed[own].placed(local))
-
     def place(self, step: Step) -> Array:
         """Return the point of a joint in the world frame, shape (3,), on the side of its child."""
         return self.placed[step.joint.child].placed(step.joint.point)

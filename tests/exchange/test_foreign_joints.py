@@ -143,8 +143,9 @@ def test_ball_constraints_close_a_urdf_as_its_loops_do(tmp_path: Path) -> None:
         written(ss.ExportedModel(*urdf(made, seed, drake=False)), tmp_path / "beside.urdf")
     )
     assert alone.robot.to_dict() == beside.robot.to_dict()
-    assert "left out: friction of closures, armatures, and notes (the file NAME.loops.json is missing)" in (
-        alone.assumptions
+    assert (
+        "left out: friction of closures, armatures, and the note (the file NAME.loops.json is missing)"
+        in (alone.assumptions)
     )
 
 

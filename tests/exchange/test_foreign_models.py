@@ -1,4 +1,4 @@
-"""Models that others write: other frames and cuts, what is left out, axes in old versions of SDF."""
+"""SDF and URDF of other programs: omitted contents, defaults, frames of axes in old versions of SDF."""
 
 import re
 from pathlib import Path
@@ -10,117 +10,6 @@ from exported_models import HEXAPOD, exported, imported, written
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-
-TURNS = np.radians([-10.0, 10.0, 110.0, 130.0, 230.0, 250.0])
-UPPER_TURNS = np.radians([-50.0, 50.0, 70.0, 170.0, 190.0, -70.0])
-HEIGHT, LONG, THICK = 0.8, 0.5, 0.03
-
-
-def ring(radius: float, turns: NDArray[np.float64], z: float) -> NDArray[np.float64]:
-    return np.stack([radius * np.cos(turns), radius * np.sin(turns), np.full(6, z)], axis=-1)
-
-
-BASE, PLATFORM = ring(0.7, TURNS, 0.1), ring(0.4, UPPER_TURNS, -0.02)
-
-
-def text(values: NDArray[np.float64]) -> str:
-    return " ".join(f"{value:.17g}" for value in np.ravel(values))
-
-
-def frame(i: int) -> tuple[float, NDArray[np.float64]]:
-    """Length of a leg, and axes in columns of its bodies: the third one along it, the first two across."""
-    S = np.array([0.0, 0.0, HEIGHT]) + PLATFORM[i] - BASE[i]
-    L, y = float(np.linalg.norm(S)), np.cross([0.0, 0.0, 1.0], S)
-    z, y = S / L, y / np.linalg.norm(y)
-    return L, np.stack([np.cross(y, z), y, z], axis=-1)
-
-
-def leg(i: int, top: str) -> str:
-    """A leg along z of its bodies, which slides against its axis; the parts are cylinders."""
-    L, R = frame(i)
-    half = f"{L / 2:.17g}"
-    end = top.replace("AT", half) or f'<site name="end{i}" pos="0 0 {half}"/>'
-    return f"""
-    <body name="cylinder{i}" pos="{text(BASE[i])}" xyaxes="{text(R[:, :2].T)}" childclass="leg">
-      <frame euler="0 0 90"><geom class="heavy" fromto="0 0 0 0 0 {LONG}"/></frame>
-      <joint name="first{i}" axis="{text(R[2])}"/>
-      <joint name="second{i}" axis="0 1 0"/>
-      <body name="rod{i}" pos="0 0 {half}">
-        <joint name="slide{i}" type="slide" axis="0 0 -1" range="-0.2 0.1" damping="7"/>
-        <geom class="heavy" fromto="0 0 {half} 0 0 {L / 2 - LONG:.17g}"/>{end}
-      </body>
-    </body>"""
-
-
-def model() -> str:
-    """The platform hangs on the last leg; five closures are left."""
-    sites = "".join(f'<site name="top{i}" pos="{text(PLATFORM[i] - PLATFORM[5])}"/>' for i in range(5))
-    top = f"""
-        <body name="top" pos="0 0 AT" xyaxes="{text(frame(5)[1][:2])}">
-          <joint name="ball" type="ball" damping="0.3"/>
-          <inertial mass="30" pos="0 0 0.05" diaginertia="2 1 2.5" euler="0 0 90"/>{sites}
-          <body name="load" pos="0 0 0.2"><inertial mass="10" pos="0 0 0" diaginertia="1 1 1"/></body>
-        </body>"""
-    legs = "".join(leg(i, "") for i in range(5))
-    # A body in frames of the base has its own joints; the frames have none.
-    legs += f'<frame euler="0 0 90"><frame euler="0 0 -90">{leg(5, top)}</frame></frame>'
-    closures = "".join(f'<connect site1="end{i}" site2="top{i}"/>' for i in range(5))
-    motors = "".join(f'<motor joint="slide{i}" gear="50" ctrlrange="-10 10"/>' for i in range(6))
-    return f"""<mujoco model="foreign"><compiler angle="degree"/>
-    <default><default class="leg"><joint damping="0.4"/><default class="heavy">
-      <geom type="cylinder" size="{THICK}" density="7850"/></default></default></default>
-    <option gravity="0 0 9.81"/>
-    <worldbody><body name="floor"><geom size="9 9 9" type="box"/>{legs}</body></worldbody>
-    <equality>{closures}</equality><actuator>{motors}</actuator></mujoco>"""
-
-
-@pytest.fixture
-def foreign(tmp_path: Path) -> ss.ImportedModel:
-    return imported(model(), tmp_path)
-
-
-def test_points_axes_and_limits_are_found_whatever_the_frames(foreign: ss.ImportedModel) -> None:
-    robot = foreign.robot
-    np.testing.assert_allclose(robot.b, BASE, atol=1e-12)
-    np.testing.assert_allclose(np.abs(robot.k), np.tile([0.0, 0.0, 1.0], (6, 1)), atol=1e-12)
-    # The platform's frame is that of the body, in the point that leg 6 carries.
-    np.testing.assert_allclose(robot.p, PLATFORM - PLATFORM[5], atol=1e-12)
-    np.testing.assert_allclose(robot.home_position, [0.0, 0.0, HEIGHT] + PLATFORM[5], atol=1e-12)
-    L = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
-    np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.1, L + 0.2], axis=-1))
-    np.testing.assert_array_equal(robot.force_limit, 500.0)
-    np.testing.assert_array_equal(robot.g, [0.0, 0.0, 9.81])
-    np.testing.assert_array_equal([robot.C_u, robot.C_p], [np.full(6, 0.4), np.full(6, 7.0)])
-    np.testing.assert_allclose(robot.C_s, [0.0, 0.0, 0.0, 0.0, 0.0, 0.3])
-
-
-def test_a_machine_turned_in_its_file_has_its_home_there(foreign: ss.ImportedModel, tmp_path: Path) -> None:
-    turned = model().replace('<body name="floor">', '<body name="floor" euler="0 0 90">')
-    found = imported(turned, tmp_path)
-    assert "axes those of the base in the pose in the file" in "".join(found.assumptions)
-    robot, R = foreign.robot, np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-    for name in ("b", "p", "home_position", "R_0"):
-        np.testing.assert_allclose(getattr(found.robot, name), getattr(robot, name) @ R.T, atol=1e-12)
-    np.testing.assert_allclose(found.robot.I_p, R @ robot.I_p @ R.T, atol=1e-12)
-    F = [
-        ss.inverse_dynamics(
-            each,
-            ss.Motion(
-                R=np.eye(3), t=each.home_position, omega=(zero := np.zeros(3)), v=zero, alpha=zero, a=zero
-            ),
-        ).F
-        for each in (robot, found.robot)
-    ]
-    np.testing.assert_allclose(F[1], F[0], rtol=1e-9)
-
-
-def test_what_is_fixed_to_the_platform_is_part_of_it(foreign: ss.ImportedModel) -> None:
-    robot = foreign.robot
-    assert robot.M == 40.0
-    np.testing.assert_allclose(robot.R_0, [0.0, 0.0, 0.0875], atol=1e-12)
-    arms = 30.0 * 0.0375**2 + 10.0 * 0.1125**2
-    np.testing.assert_allclose(robot.I_p, np.diag([1.0 + 1.0 + arms, 2.0 + 1.0 + arms, 3.5]), atol=1e-12)
-
 
 LEFT_OUT = {
     "limits of one axis": (
@@ -167,30 +56,6 @@ def test_what_an_inertial_of_sdf_does_not_state_is_said(tmp_path: Path) -> None:
     found = altered(tmp_path, "sdf", part, "")
     assert f"link 'platform': inertial: {said}" in found.assumptions
     assert 1.0 in (found.robot.M, found.robot.I_p[2, 2])
-
-
-ALL = {"stiffness", "frictionloss", "contacts"}
-SPRINGS = 'axis="0 1 0" stiffness="0 9" frictionloss="2"'
-
-
-@pytest.mark.parametrize(
-    ("flags", "values", "left_out"),
-    [
-        ('damper="disable"', {"C_u": 0.0, "C_p": 0.0}, ALL),
-        ('spring="disable"', {"C_u": 0.4, "C_p": 7.0}, ALL - {"stiffness"}),
-        ('limit="disable"', {"length_limits": [0.0, np.inf]}, ALL | {"range"}),
-        ('clampctrl="disable"', {"force_limit": np.inf}, ALL),
-    ],
-)
-def test_what_a_flag_switches_off_is_not_read(
-    flags: str, values: dict[str, object], left_out: set[str], tmp_path: Path
-) -> None:
-    changes = ('axis="0 1 0"', SPRINGS), ("<worldbody>", f"<option><flag {flags}/></option><worldbody>")
-    found = imported(changed(model(), *changes), tmp_path)
-    for name, value in values.items():
-        field = getattr(found.robot, name)
-        np.testing.assert_array_equal(field, np.broadcast_to(value, field.shape))
-    assert set(re.findall(r"left out: (\w+)", "\n".join(found.assumptions))) == left_out
 
 
 MODEL, JOINT = (f"<use_parent_model_frame>{flag}</use_parent_model_frame>" for flag in ("true", "0"))

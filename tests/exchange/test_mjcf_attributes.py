@@ -125,8 +125,10 @@ ATTRIBUTES: dict[str, tuple[list[Change], str]] = {
         [
             (
                 FREE,
-                f'{FREE}<body pos="0.3 0.1 0.2" zaxis="1 2 -3"><geom size="0.1"/><frame axisangle="1 2 3 0.9">'
-                '<geom type="box" size="0.1 0.2 0.3" density="500" xyaxes="1 2 3 -1 2 5"/></frame></body>',
+                f'{FREE}<body pos="0.3 0.1 0.2" zaxis="1 2 -3"><geom size="0.1"/>'
+                '<frame axisangle="1 2 3 0.9">'
+                '<geom type="box" size="0.1 0.2 0.3" density="500" xyaxes="1 2 3 -1 2 5"/>'
+                "</frame></body>",
             )
         ],
         "",
@@ -281,6 +283,21 @@ def test_an_attribute_has_the_effect_that_it_has_in_mujoco_or_is_named(name: str
     np.testing.assert_allclose(robot.M + robot.m_d.sum() + robot.m_u.sum(), moving, rtol=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("flag", "field", "value"),
+    [
+        ("damper", "C_u", 0.0),
+        ("damper", "C_p", 0.0),
+        ("limit", "length_limits", [0.0, np.inf]),
+        ("gravity", "g", 0.0),
+    ],
+)
+def test_a_disabled_feature_is_not_imported(flag: str, field: str, value: object, tmp_path: Path) -> None:
+    option = f'<option><flag {flag}="disable"/></option>'
+    found = getattr(imported(changed(PLAIN, [before("<worldbody>", option)]), tmp_path).robot, field)
+    np.testing.assert_array_equal(found, np.broadcast_to(value, found.shape))
+
+
 LEG = """
 <body name="lower" pos="{b}" xyaxes="{frame}"><joint axis="{k}"/><joint axis="0 1 0"/>
   <inertial mass="3" pos="0.2 0 0" diaginertia="0.01 0.08 0.08"/>
@@ -303,9 +320,8 @@ def replicated() -> dict[str, str]:
         R = np.stack([s / L, y, np.cross(s / L, y)], axis=-1)
         leg = LEG.format(b=text(b), frame=text(R[:, :2].T), k=text(R[2]), L=repr(L))
         legs.append(f'<replicate count="3" euler="0 0 120" sep="{name}">{leg}</replicate>')
-        tops.append(
-            f'<replicate count="3" euler="0 0 120" sep="{name}"><site name="top" pos="{text(p)}"/></replicate>'
-        )
+        site = f'<site name="top" pos="{text(p)}"/>'
+        tops.append(f'<replicate count="3" euler="0 0 120" sep="{name}">{site}</replicate>')
         connects += [f'<connect site1="tip{name}{i}" site2="top{name}{i}"/>' for i in range(3)]
     main = f"""<mujoco model="copies"><compiler angle="degree" meshdir="parts"/>
       <asset><mesh name="part" file="part.obj"/></asset>

@@ -135,7 +135,7 @@ class _Reader:
             values = numbers(pose.text, 7, f"{where}: pose")
             return rotation_from_quaternion(values[[6, 3, 4, 5]]), values[:3]
         values = numbers(pose.text, 6, f"{where}: pose")
-        return (rotation_from_rpy(unit * values[3:]) if values[3:].any() else np.eye(3)), values[:3]
+        return rotation_from_rpy(unit * values[3:]), values[:3]
 
     def _pose(self, name: str, seen: tuple[str, ...] = ()) -> tuple[Array, Array]:
         """Return orientation and position of a link, joint, or frame in the world frame."""
@@ -215,11 +215,8 @@ class _Reader:
         """Create a joint."""
         joint = joint_of(element, _KINDS)
         where = f"joint {joint.name!r}"
-        ends = [_text(element, end) for end in ("parent", "child")]
-        parent, child = (self._link(end, where) for end in ends)
-        direct = not self._frame(element, where) and child == ends[1]
+        parent, child = (self._link(_text(element, end), where) for end in ("parent", "child"))
         place = self.placed[child].local(self._pose(joint.name)[1])
-        place = self._own(element, where)[1] if direct else place
         joint = replace(joint, parent=parent, child=child, point=place)
         self.left_out += others(element, _IN_JOINT, where)
         tags = {"prismatic": ("axis",), "revolute": ("axis",), "universal": ("axis", "axis2")}.get(

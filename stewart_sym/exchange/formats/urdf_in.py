@@ -173,8 +173,7 @@ def _body(link: ET.Element, R: Array, t: Array) -> Body:
 def _origin(element: ET.Element, where: str) -> tuple[Array, Array]:
     """Return orientation, shape (3, 3), and position, shape (3,), of an element."""
     angles = numbers(_given(element, "origin/rpy"), 3, f"{where}: rpy", _ZERO)
-    R = rotation_from_rpy(angles) if angles.any() else np.eye(3)
-    return R, numbers(_given(element, "origin/xyz"), 3, f"{where}: xyz", _ZERO)
+    return rotation_from_rpy(angles), numbers(_given(element, "origin/xyz"), 3, f"{where}: xyz", _ZERO)
 
 
 def _end(joint: ET.Element, end: str) -> str:
