@@ -67,7 +67,7 @@ def _lines(machine: Machine, leg: Leg) -> OffsetLines:
 def _slide(leg: Leg, lines: OffsetLines) -> Array:
     """Return the direction of the sliding axis away from the base, shape (3,)."""
     (s,) = leg.slide.axes
-    return -s if s @ (lines.tip - lines.A) < 0.0 else s
+    return np.asarray(-s if s @ (lines.tip - lines.A) < 0.0 else s)
 
 
 class LegFields:

@@ -160,7 +160,7 @@ def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robo
     """Compare the forces at rest with the equilibrium of the model; raise ValueError for a large error."""
     # Without gravity in the file, the effect in motion is estimated with the gravity of the earth.
     g = robot.g if robot.g.any() else np.asarray(DEFAULT_GRAVITY)
-    pose = at_rest(np.eye(3), robot.home_position)
+    pose = at_rest(np.eye(3), machine.bodies[machine.platform].t)
     F = inverse_dynamics(replace(robot, g=g), pose, backend="numpy").F
     signs = np.array([leg.sign for leg in legs])
     exact = signs * slide_forces(machine, model.joints, g)

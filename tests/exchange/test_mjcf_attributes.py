@@ -188,7 +188,7 @@ ATTRIBUTES: dict[str, tuple[list[Change], str]] = {
         "actuator 'pull', which does not drive a prismatic joint",
     ),
     "actuator of a site": ([before(ACTUATOR, '<motor name="jet" site="tip_1_a"/>')], "actuator 'jet', which"),
-    "adhesion": ([before(ACTUATOR, '<adhesion body="platform" ctrlrange="0 1"/>')], "actuator 7, which"),
+    "adhesion": ([before(ACTUATOR, '<adhesion body="platform" ctrlrange="0 1"/>')], "actuator 'actuator 6', which"),
     "gear": ([(MOTOR, f'{MOTOR} gear="-3"')], ""),
     "uneven": (
         [('ctrlrange="-500.0 500.0" forcerange="-500.0 500.0"', 'gear="50" ctrlrange="-10 12"')],

@@ -5,13 +5,13 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ...io.array_types import Array
 from ...io.extras import needed_for
-from ...motion.rotation import vector_from_rotation
+from ...motion.rotation import rotation_from_quaternion, vector_from_rotation
 from ..model import BETWEEN, WORLD, Body, Joint, Model
 from ..notes import json_table
 from .mjcf_out import NOTE
@@ -69,13 +69,11 @@ class _Reader:
         import mujoco
 
         self.spec, self.m, self.lib, self.flags = spec, compiled, mujoco, compiled.opt.disableflags
-        off = mujoco.mjtDisableBit
-        for flag in (off.mjDSBL_CONSTRAINT, off.mjDSBL_EQUALITY):
+        for flag in ("constraint", "equality"):
             if self._off(flag):
-                name = flag.name.removeprefix("mjDSBL_").lower()
-                raise ValueError(f"option: flag: {name}: expected enable, since it closes loops, got disable")
+                raise ValueError(f"option: flag: {flag}: expected enable, since it closes loops, got disable")
         # Contacts are not computed, because MuJoCo writes a file of warnings if there are too many.
-        compiled.opt.disableflags |= int(off.mjDSBL_CONTACT)
+        compiled.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
         self.d = mujoco.MjData(compiled)
         mujoco.mj_fwdPosition(compiled, self.d)
         mujoco.mj_fwdVelocity(compiled, self.d)
@@ -85,8 +83,8 @@ class _Reader:
         # Actuators by their limits in the two directions.
         self.uneven: dict[tuple[float, float], list[str]] = {}
         self.forces = {
-            self._joint_name(i): compiled.jnt_actfrcrange[i]
-            for i in np.flatnonzero(compiled.jnt_actfrclimited)
+            self._name(i, "joint"): compiled.jnt_actfrcrange[i]
+            for i in np.flatnonzero(compiled.jnt_actfrclimited).tolist()
         }
 
     def model(self, said: list[str]) -> Model:
@@ -95,7 +93,7 @@ class _Reader:
         joints += self._closures()
         joints = self._driven(joints)
         self.left_out += self._properties()
-        gravity = np.zeros(3) if self._off(self.lib.mjtDisableBit.mjDSBL_GRAVITY) else self.m.opt.gravity
+        gravity = np.zeros(3) if self._off("gravity") else self.m.opt.gravity
         note = next((each.data for each in self.spec.texts if each.name == NOTE), None)
         assumed = {name: f"{_ALIGNED} of {name!r}, which is taken" for name in self._aligned()}
         return Model(
@@ -109,13 +107,13 @@ class _Reader:
             unstated=("C_s", "speed_limit"),
         )
 
-    def _off(self, flag: Any) -> bool:
+    def _off(self, flag: str) -> bool:
         """Return True if a flag of the options is disabled."""
-        return bool(self.flags & int(flag))
+        return bool(self.flags & int(getattr(self.lib.mjtDisableBit, f"mjDSBL_{flag.upper()}")))
 
-    def _name(self, i: int) -> str:
-        """Return the name of a body."""
-        return str(self.m.body(i).name) or f"body {i}"
+    def _name(self, i: int, kind: str = "body") -> str:
+        """Return the name of a body, joint, or other element, or its kind and number."""
+        return str(getattr(self.m, kind)(i).name) or f"{kind} {i}"
 
     # Tree
 
@@ -140,27 +138,25 @@ class _Reader:
     def _body(self, i: int, name: str) -> Body:
         """Return a body with its mass properties."""
         R = self.d.xmat[i].reshape(3, 3).copy()
-        axes = np.zeros(9)
-        self.lib.mju_quat2Mat(axes, self.m.body_iquat[i])
-        axes = axes.reshape(3, 3)
+        axes = rotation_from_quaternion(self.m.body_iquat[i])
         inertia = axes @ np.diag(self.m.body_inertia[i]) @ axes.T
         mass, center = float(self.m.body_mass[i]), self.m.body_ipos[i].copy()
         return Body(name, R, self.d.xpos[i].copy(), mass, center, 0.5 * (inertia + inertia.T))
 
     def _joint(self, i: int, parent: str, child: str) -> Joint:
         """Return a joint of the tree."""
-        kind, name, dof = _KINDS[self.m.jnt_type[i]], self._joint_name(i), self.m.jnt_dofadr[i]
+        kind, name, dof = _KINDS[self.m.jnt_type[i]], self._name(i, "joint"), self.m.jnt_dofadr[i]
         single = kind in ("prismatic", "revolute")
         axes = self.d.xaxis[i : i + 1].copy() if single else np.zeros((0, 3))
         limits = _ENDLESS
-        if self.m.jnt_limited[i] and not self._off(self.lib.mjtDisableBit.mjDSBL_LIMIT):
+        if self.m.jnt_limited[i] and not self._off("limit"):
             limits = self.m.jnt_range[i]
         elif self.m.jnt_range[i].any():
             low, high = self.m.jnt_range[i]
             self.left_out.append(f"range {low:g} {high:g}, which MuJoCo does not apply, of joint {name!r}")
         if kind in ("revolute", "spherical"):
             self.left_out += turn_limits(limits, f"joint {name!r}")
-        no_damping = self._off(self.lib.mjtDisableBit.mjDSBL_DAMPER)
+        no_damping = self._off("damper")
         return Joint(
             name,
             kind,
@@ -174,10 +170,6 @@ class _Reader:
             (float(limits[0]), float(limits[1])),
             load=self._load(kind, dof, axes, self.m.jnt_bodyid[i]),
         )
-
-    def _joint_name(self, i: int) -> str:
-        """Return the name of a joint."""
-        return str(self.m.joint(i).name) or f"joint {i + 1}"
 
     def _load(self, kind: str, dof: int, axes: Array, body: int) -> Array:
         """Return force and moment on a body by springs, gravity compensation, and fluid at a joint, (6,)."""
@@ -226,9 +218,7 @@ class _Reader:
         if kind == "spherical":
             return self._name(number), R, data[3 * end : 3 * end + 3].copy()
         if not end:
-            turn = np.zeros(9)
-            self.lib.mju_quat2Mat(turn, data[6:10])
-            R = R @ turn.reshape(3, 3)
+            R = R @ rotation_from_quaternion(data[6:10])
         return self._name(number), R, data[3 - 3 * end : 6 - 3 * end].copy()
 
     def _driven(self, joints: list[Joint]) -> list[Joint]:
@@ -238,8 +228,8 @@ class _Reader:
         in_joints = [int(self.lib.mjtTrn.mjTRN_JOINT), int(self.lib.mjtTrn.mjTRN_JOINTINPARENT)]
         for i in range(len(self.m.actuator_trntype)):
             on_joint = self.m.actuator_trntype[i] in in_joints
-            joint = self._joint_name(self.m.actuator_trnid[i, 0]) if on_joint else ""
-            name = self._actuator_name(i)
+            joint = self._name(self.m.actuator_trnid[i, 0], "joint") if on_joint else ""
+            name = f"actuator {self._name(i, 'actuator')!r}"
             if joint not in slides:
                 self.left_out.append(f"{name}, which does not drive a prismatic joint")
                 continue
@@ -249,18 +239,13 @@ class _Reader:
             found.setdefault(joint, []).append(_Push(name, forces, float(damping), float(armature)))
         return [self._pushed(each, found.get(each.name, [])) for each in joints]
 
-    def _actuator_name(self, i: int) -> str:
-        """Return the name of an actuator for messages, or its number."""
-        name = self.m.actuator(i).name
-        return f"actuator {name!r}" if name else f"actuator {i + 1}"
-
     def _forces(self, i: int, name: str) -> Array:
         """Return the range of the force of an actuator before its gear (N), shape (2,)."""
         forces, control = _ENDLESS, self.m.actuator_ctrladr[i]
         m = self.m
         if m.actuator_dyntype[i] or m.actuator_gaintype[i] or m.actuator_biastype[i] or m.actuator_delay[i]:
             self.servos.append(name)
-        elif self.m.actuator_ctrllimited[control] and not self._off(self.lib.mjtDisableBit.mjDSBL_CLAMPCTRL):
+        elif self.m.actuator_ctrllimited[control] and not self._off("clampctrl"):
             gain = self.m.actuator_gainprm[i, 0]
             forces = np.sort(gain * self.m.actuator_ctrlrange[control]) if gain else np.zeros(2)
         if self.m.actuator_forcelimited[i]:
@@ -290,24 +275,24 @@ class _Reader:
 
     def _properties(self) -> Iterator[str]:
         """Yield the properties of the model that a robot cannot represent."""
-        m, off = self.m, self.lib.mjtDisableBit
+        m = self.m
         for i in range(m.njnt):
             yield from self._of_joint(i)
-        for i in np.flatnonzero(m.body_gravcomp):
+        for i in np.flatnonzero(m.body_gravcomp).tolist():
             yield f"gravcomp {m.body_gravcomp[i]:g} of body {self._name(i)!r}"
         for key in ("density", "viscosity"):
             if value := getattr(m.opt, key):
                 yield f"{key} {value:g} of the medium around the machine: drag in motion"
-        if self._off(off.mjDSBL_ACTUATION) or m.opt.disableactuator:
+        if self._off("actuation") or m.opt.disableactuator:
             yield "that the option disables actuators"
-        for i in np.flatnonzero(m.actuator_dampingpoly.any(axis=-1)):
-            yield f"nonlinear damping of {self._actuator_name(i)}"
+        for i in np.flatnonzero(m.actuator_dampingpoly.any(axis=-1)).tolist():
+            yield f"nonlinear damping of actuator {self._name(i, 'actuator')!r}"
         for i in range(m.ntendon):
-            yield f"tendon {m.tendon(i).name or i + 1!r} with its stiffness, damping, friction, and limits"
+            yield f"tendon {self._name(i, 'tendon')!r} with its stiffness, damping, friction, and limits"
         if m.nflex or m.nplugin:
             yield "deformable bodies and plugins"
         can_touch = m.geom_contype[:, None] & m.geom_conaffinity
-        if (m.npair or can_touch.any()) and not self._off(off.mjDSBL_CONTACT):
+        if (m.npair or can_touch.any()) and not self._off("contact"):
             yield CONTACTS
         for (least, most), where in self.uneven.items():
             actuators, other = ", ".join(where), f"{most:g} N, the other's, is force_limit"
@@ -318,13 +303,13 @@ class _Reader:
 
     def _of_joint(self, i: int) -> Iterator[str]:
         """Yield the properties of a joint that a robot cannot represent, with their values."""
-        m, dof, off = self.m, self.m.jnt_dofadr[i], self.lib.mjtDisableBit
+        m, dof = self.m, self.m.jnt_dofadr[i]
         for key, flag, values in (
-            ("stiffness", off.mjDSBL_SPRING, [m.jnt_stiffness[i], *m.jnt_stiffnesspoly[i]]),
-            ("nonlinear damping", off.mjDSBL_DAMPER, m.dof_dampingpoly[dof]),
-            ("frictionloss", off.mjDSBL_FRICTIONLOSS, [m.dof_frictionloss[dof]]),
-            ("margin", off.mjDSBL_LIMIT, [m.jnt_margin[i]]),
+            ("stiffness", "spring", [m.jnt_stiffness[i], *m.jnt_stiffnesspoly[i]]),
+            ("nonlinear damping", "damper", m.dof_dampingpoly[dof]),
+            ("frictionloss", "frictionloss", [m.dof_frictionloss[dof]]),
+            ("margin", "limit", [m.jnt_margin[i]]),
         ):
             if np.any(values) and not self._off(flag):
                 numbers = " ".join(f"{value:g}" for value in np.trim_zeros(values, "b"))
-                yield f"{key} {numbers} of joint {self._joint_name(i)!r}"
+                yield f"{key} {numbers} of joint {self._name(i, 'joint')!r}"
