@@ -26,47 +26,11 @@ pytestmark = [
 ]
 
 
-# In mm and degrees, z down, with geared left-handed screws.
-MOTION_SIMULATOR = {
-    "schema": 2,
-    "name": "motion simulator",
-    **{
-        "length_unit": "mm",
-        "angle_unit": "deg",
-        "gravity": [0.0, 0.0, 9.81],
-        "home_position": [0.0, 0.0, -900.0],
-    },
-    "base": {"radius": 800.0, "angles": [-10.0, 10.0, 110.0, 130.0, 230.0, 250.0], "z": 0.0},
-    "platform": {
-        **{"radius": 600.0, "angles": [-50.0, 50.0, 70.0, 170.0, 190.0, 290.0], "z": 0.0},
-        "body": {"mass": 250.0, "center_of_mass": [0.0, 0.0, -200.0], "inertia": [40.0, 40.0, 60.0]},
-    },
-    "legs": {
-        "universal_axis": "tangential",
-        "lower": {"mass": 12.0, "center_of_mass": [250.0, 0.0, 0.0], "inertia": [0.05, 0.6, 0.6]},
-        "upper": {"mass": 5.0, "center_of_mass": [-250.0, 0.0, 0.0], "inertia": [0.01, 0.3, 0.3]},
-        "damping": {"universal": 0.1, "prismatic": 50.0, "spherical": 0.1},
-        **{"stroke": [-200.0, 200.0], "force_limit": 6e3, "speed_limit": 600.0},
-        "joint_angle_limit": [40.0, 35.0],
-        "drive": {
-            **{
-                "lead": -10.0,
-                "gear_ratio": 2.0,
-                "efficiency": 0.9,
-                "backdrive_efficiency": 0.8,
-                "rotor_inertia": 3e-4,
-            },
-            **{
-                "motor_coulomb": 0.1,
-                "screw_coulomb": 40.0,
-                "regularization_speed": 1.0,
-                "torque_constant": 0.6,
-            },
-            **{"resistance": 0.8, "rated_torque": 3.0, "torque_limit": 9.0, "current_limit": 18.0},
-            **{"speed_limit": 27e3, "power_limit": 2e3},
-        },
-    },
-}
+MOTOR = {"torque_constant": 0.6, "resistance": 0.8, "rated_torque": 3.0, "torque_limit": 9.0}
+LOSSES = {"efficiency": 0.9, "backdrive_efficiency": 0.8, "motor_coulomb": 0.1, "screw_coulomb": 40.0}
+GEARED = ss.Drive(
+    lead=-0.01, gear_ratio=2.0, rotor_inertia=3e-4, regularization_speed=1e-3, **MOTOR, **LOSSES
+)
 
 
 def robots() -> dict[str, ss.Robot]:
@@ -93,7 +57,7 @@ def robots() -> dict[str, ss.Robot]:
     return found | {
         "hexapod": hexapod,
         "joint angles": dataclasses.replace(hexapod, **angles),
-        "motion simulator": ss.Robot.from_dict(MOTION_SIMULATOR),
+        "motion simulator": dataclasses.replace(hexapod, **angles, drive=GEARED),
         "all": dataclasses.replace(hexapod, **limits, **poses, **kept, **rest),
     }
 
