@@ -100,7 +100,9 @@ class LegFields:
         self.offset: dict[str, Any] = {}
         if self.lines is not None:
             cross = machine.bodies[leg.crosses[0][0]]
-            self.offset = self.lines.offsets(self.s) | self.lines.cross(cross)
+            lengths = self.lines.offsets(self.s).items()
+            found = {key: each if abs(each) > _ROUNDING * self.L else 0.0 for key, each in lengths}
+            self.offset = found | self.lines.cross(cross)
 
     def _place(self, offset: bool) -> None:
         """Compute the points at both ends, length, and direction of the leg."""

@@ -215,27 +215,16 @@ def _leg(chain: Sequence[Step], number: int) -> Leg:
     if len(slides) == 1:
         slide = slides[0]
         base, tip = tuple(chain[:slide]), tuple(chain[slide + 1 :])
-        if _turns(base) in ("universal", "spherical") and _turns(tip) == "spherical":
+        if _turns(base) in (2, 3) and _turns(tip) == 3:
             between = tuple(step.reached for step in base[:-1]), tuple(step.reached for step in tip[:-1])
             return Leg(base, chain[slide], tip, base[-1].reached, chain[slide].reached, between)
     names = ", ".join(f"{step.joint.kind} {step.joint.name!r}" for step in chain)
     raise ValueError(f"leg {number}: expected {_EXPECTED}, got {names}")
 
 
-def _turns(steps: Sequence[Step]) -> str:
-    """Return the kind of the combined joints at one end of a leg."""
-    kinds = [step.joint.kind for step in steps]
-    if kinds == ["spherical"]:
-        return "spherical"
-    if kinds and set(kinds) <= {"revolute", "universal"}:
-        return {2: "universal", 3: "spherical"}.get(sum(len(step.axes) for step in steps), "other")
-    return "other"
-
-
-def _need_possible_mass(part: Body) -> None:
-    """Reject a negative mass, and inertia without mass."""
-    if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
-        raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
+def _turns(steps: Sequence[Step]) -> int:
+    """Return the number of axes at one end of a leg: 2 for a universal joint, 3 for a spherical joint."""
+    return sum(len(step.axes) or 3 for step in steps)
 
 
 def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
@@ -246,17 +235,17 @@ def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
         first = model.body(name)
         if name != WORLD and len(parts) > 1:
             for part in parts:
-                _need_possible_mass(part)
+                if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
+                    raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
         heavy = [part for part in parts if part.mass > 0.0]
         if not heavy or heavy == [first]:
             found[name] = first
             continue
-        turned = [(part, first.R.T @ part.R) for part in heavy]
-        whole = bodies.joined(
-            [
-                bodies.Body(part.mass, first.local(part.placed(part.center)), Q @ part.inertia @ Q.T)
-                for part, Q in turned
-            ]
-        )
+        solids = []
+        for part in heavy:
+            Q = first.R.T @ part.R
+            center = first.local(part.placed(part.center))
+            solids.append(bodies.Body(part.mass, center, Q @ part.inertia @ Q.T))
+        whole = bodies.joined(solids)
         found[name] = replace(first, mass=whole.mass, center=whole.center_of_mass, inertia=whole.inertia)
     return found

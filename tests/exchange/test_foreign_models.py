@@ -52,7 +52,7 @@ def test_what_has_no_place_in_a_robot_is_said_to_be_left_out(name: str, tmp_path
 
 
 def test_what_an_inertial_of_sdf_does_not_state_is_said(tmp_path: Path) -> None:
-    part, said = "<mass>40.0</mass>", "mass: not in the file, SDF's default is taken (1 kg)"
+    part, said = "<mass>40.0</mass>", "mass: not in the file, SDF's default is taken (1 kg, 1 kg m^2)"
     found = altered(tmp_path, "sdf", part, "")
     assert f"link 'platform': inertial: {said}" in found.assumptions
     assert 1.0 in (found.robot.M, found.robot.I_p[2, 2])

@@ -194,17 +194,14 @@ class _Reader:
 
     def _assume(self, given: ET.Element, name: str, where: str) -> None:
         """Record default values for missing values of an inertial."""
-        missing = {"mass": "1 kg"} if _value(given, "mass") is None else {}
-        missing |= {
-            key: "1 kg m^2" for key in ("ixx", "iyy", "izz") if _value(given, f"inertia/{key}") is None
-        }
+        paths = {"mass": "mass", **{key: f"inertia/{key}" for key in ("ixx", "iyy", "izz")}}
+        missing = ", ".join(key for key, path in paths.items() if _value(given, path) is None)
         auto = _is_true(given.get("auto"))
         if missing and auto:
             remedy = "write what gz sdf -p --expand-auto-inertials prints"
             raise ValueError(f"{where}: expected mass and inertia, got auto, which is not computed; {remedy}")
         if missing:
-            taken = ", ".join(dict.fromkeys(missing.values()))
-            text = f"{', '.join(missing)}: not in the file, SDF's default is taken ({taken})"
+            text = f"{missing}: not in the file, SDF's default is taken (1 kg, 1 kg m^2)"
             self.assumed[name] = f"{where}: {text}"
         if auto:
             self.left_out.append(
