@@ -9,12 +9,15 @@ from ..motion.rotation import cross
 from .model import Joint
 from .topology import Leg, Machine, Step
 
+_SINGULAR = 1e8
+"""Condition number (m and rad) of a pose in which the forces are not determined."""
+
 
 def slide_forces(machine: Machine, joints: Sequence[Joint], g: Array, loaded: bool = False) -> Array:
     """Compute the forces at rest in the pose of the file, along the slides from base to platform (N), (6,).
 
     A leg between two spherical joints does not rotate about its own line. With ``loaded``, the loads of the
-    joints act, too.
+    joints act, too. Raises LinAlgError in a singular pose.
     """
     platform, zero = machine.bodies[machine.platform], np.zeros(3)
     work = _wrench(platform.mass * g, zero, platform.placed(platform.center))
@@ -34,6 +37,8 @@ def slide_forces(machine: Machine, joints: Sequence[Joint], g: Array, loaded: bo
         for joint in joints:
             if joint.kind == "free":
                 work += _wrench(*joint.load.reshape(2, 3), machine.placed[joint.child].placed(joint.point))
+    if np.linalg.cond(rates) > _SINGULAR:
+        raise np.linalg.LinAlgError("singular pose")
     return np.linalg.solve(np.array(rates).T, -work)
 
 

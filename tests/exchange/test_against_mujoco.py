@@ -13,17 +13,6 @@ from numpy.typing import NDArray
 HUGE = 1e9
 """A control far outside the limits of all actuators."""
 ACTUATORS = {
-    "default of another element": ('<general gear="7" ctrlrange="-5 5"/>', '<motor joint="#"/>', 35.0),
-    "the last default": (
-        '<general gear="7"/><position kp="3" gear="2" ctrlrange="-6 6"/><motor/>',
-        '<general joint="#"/>',
-        12.0,
-    ),
-    "default of a class": (
-        '<motor ctrlrange="-5 5"/><default class="strong"><position gear="3"/></default>',
-        '<motor joint="#" class="strong"/>',
-        15.0,
-    ),
     "two": ("", '<motor joint="#" ctrlrange="-900 900"/><motor joint="#" ctrlrange="-400 400"/>', 1300.0),
     "two against each other": (
         "",

@@ -215,3 +215,11 @@ def test_offset_joints_come_back_and_go_out_to_the_same_bytes(name: str, form: s
 def test_legs_whose_upper_parts_turn_are_rejected_by_the_formats_name(form: str) -> None:
     robot, _ = offset_case(0, "universal")
     rejects(rf'\A{form}: offsets.platform_joint: expected "spherical"', ss.export_model, robot, form)
+
+
+def test_a_model_in_a_singular_pose_is_imported_without_a_comparison_of_forces(tmp_path: Path) -> None:
+    robot = ROBOTS["hexapod"]
+    parallel = dataclasses.replace(robot, p=robot.b, home_position=np.array([0.0, 0.0, 0.75]))
+    found = ss.import_model(written(without_notes(ss.export_model(parallel, "sdf")), tmp_path / "model"))
+    np.testing.assert_allclose(found.robot.p, robot.b, rtol=0, atol=1e-12)
+    assert "forces at rest: not compared with the file, because its pose is singular" in found.assumptions
