@@ -252,13 +252,17 @@ def at_home(robot: ss.Robot) -> NDArray[np.float64]:
 
 @pytest.mark.filterwarnings("ignore")
 @pytest.mark.parametrize("name", ATTRIBUTES)
-def test_an_attribute_has_the_effect_that_it_has_in_mujoco_or_is_named(name: str, tmp_path: Path) -> None:
+def test_an_attribute_has_the_effect_that_it_has_in_mujoco_or_is_named(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
     said, *changes = ATTRIBUTES[name]
     text = changed(PLAIN, changes)
     if said.startswith("error: "):
         rejects(said.removeprefix("error: "), imported, text, tmp_path)
         return
     found = imported(text, tmp_path)
+    assert not Path("MUJOCO_LOG.TXT").exists()
     assert re.search(said, "\n".join(found.assumptions)), found.assumptions
     model = mujoco.MjModel.from_xml_string(text)
     signs = np.array([model.joint(f"leg_{i}").axis[0] for i in range(1, 7)])

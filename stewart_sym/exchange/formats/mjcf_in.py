@@ -39,11 +39,19 @@ class _Push(NamedTuple):
 def model(path: str, text: str) -> Model:
     """Convert a file with its text to a model; raise ValueError in one line with a location on failure."""
     with needed_for("import of MJCF"):
-        import mujoco  # noqa: F401
-    with warnings.catch_warnings(record=True, action="always") as caught:
-        spec, compiled = _compiled(path, text)
-    said = [f"MuJoCo: {' '.join(str(each.message).split())}" for each in caught]
-    return _Reader(spec, compiled).model(said)
+        import mujoco
+    said: list[str] = []
+    usual = mujoco.get_mju_user_warning()
+    # Without a function, MuJoCo writes warnings to a file in the current folder.
+    mujoco.set_mju_user_warning(said.append)
+    try:
+        with warnings.catch_warnings(record=True, action="always") as caught:
+            found = _Reader(*_compiled(path, text)).model()
+    finally:
+        mujoco.set_mju_user_warning(usual)
+    said += [str(each.message) for each in caught]
+    lines = [_RIGID, *(f"MuJoCo: {' '.join(each.split())}" for each in said)]
+    return replace(found, assumed={**found.assumed, **{each: each for each in lines}})
 
 
 def _compiled(path: str, text: str) -> tuple["mujoco.MjSpec", "mujoco.MjModel"]:
@@ -87,7 +95,7 @@ class _Reader:
             for i in np.flatnonzero(compiled.jnt_actfrclimited).tolist()
         }
 
-    def model(self, said: list[str]) -> Model:
+    def model(self) -> Model:
         """Read the model."""
         bodies, joints = self._tree()
         joints += self._closures()
@@ -103,7 +111,7 @@ class _Reader:
             tuple(joints),
             json_table(note, f"custom: text {NOTE!r}"),
             tuple(dict.fromkeys(self.left_out)),
-            {**assumed, **{each: each for each in (_RIGID, *said)}},
+            assumed,
             unstated=("C_s", "speed_limit"),
         )
 
