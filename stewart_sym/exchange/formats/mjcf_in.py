@@ -55,7 +55,7 @@ def model(path: str, text: str) -> Model:
 
 
 def _compiled(path: str, text: str) -> tuple["mujoco.MjSpec", "mujoco.MjModel"]:
-    """Let MuJoCo compile a file, or its text if the name does not end with xml."""
+    """Compile a file by MuJoCo, or its text if the name does not end with xml."""
     import mujoco
 
     try:
