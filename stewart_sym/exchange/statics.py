@@ -31,15 +31,16 @@ def slide_forces(machine: Machine, joints: Sequence[Joint], g: Array, loaded: bo
             if step.reached != machine.platform:
                 work += _wrench(body.mass * g, zero, body.placed(body.center)) @ twist
             if loaded:
-                load = _wrench(*step.joint.load.reshape(2, 3), machine.place(step)) @ own
+                load = _wrench(step.joint.load[:3], step.joint.load[3:], machine.place(step)) @ own
                 work += load if step.forward else -load
     if loaded:
         for joint in joints:
             if joint.kind == "free":
-                work += _wrench(*joint.load.reshape(2, 3), machine.placed[joint.child].placed(joint.point))
+                point = machine.placed[joint.child].placed(joint.point)
+                work += _wrench(joint.load[:3], joint.load[3:], point)
     if np.linalg.cond(rates) > _SINGULAR:
         raise np.linalg.LinAlgError("singular pose")
-    return np.linalg.solve(np.array(rates).T, -work)
+    return np.asarray(np.linalg.solve(np.array(rates).T, -work), dtype=np.float64)
 
 
 def _leg_motion(machine: Machine, leg: Leg) -> tuple[Array, Array]:

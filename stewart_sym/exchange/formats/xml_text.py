@@ -189,13 +189,12 @@ def with_properties(joint: Joint, given: Callable[[str], str | None], left_out: 
 def ball_constraint(given: Callable[[str], str | None], i: int, links: Collection[str]) -> Joint:
     """Return the loop closure of a ball constraint of Drake, which has no name, from its elements."""
     where = f"ball_constraint {i}"
-    ends = [given(f"body_{end}") or "" for end in "AB"]
-    for link in ends:
+    one, other = (given(f"body_{end}") or "" for end in "AB")
+    for link in (one, other):
         if link not in links:
             raise ValueError(f"{where}: link {link!r}: missing")
-    points = [numbers(given(f"p_{key}"), 3, f"{where}: p_{key}") for key in ("AP", "BQ")]
-    name = f"ball_constraint_{i}"
-    return Joint(name, "spherical", *ends, points[1], cut=True, parent_point=points[0])
+    here, there = (numbers(given(f"p_{key}"), 3, f"{where}: p_{key}") for key in ("AP", "BQ"))
+    return Joint(f"ball_constraint_{i}", "spherical", one, other, there, cut=True, parent_point=here)
 
 
 def turn_limits(limits: Any, joint: str) -> list[str]:
