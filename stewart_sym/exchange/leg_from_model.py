@@ -54,7 +54,9 @@ def offset_lines(machine: Machine, leg: Leg) -> OffsetLines | None:
     if max(abs(lines.k @ lines.y), abs(lines.y @ s)) > OPEN:
         return None
     length = float(s @ (lines.tip - lines.A))
-    return lines if max(map(abs, lines.offsets(s).values())) > OPEN * length > 0.0 else None
+    # Axes at the platform that do not meet move the end of the leg.
+    least = OPEN * length + common_point(machine, leg.tip)[1]
+    return lines if max(map(abs, lines.offsets(s).values())) > least > 0.0 else None
 
 
 def _lines(machine: Machine, leg: Leg) -> OffsetLines:

@@ -184,13 +184,13 @@ def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robo
 
 def _cause(legs: Sequence[LegFields]) -> str:
     """Name the largest deviation of the model from a robot: a body between axes, or axes that do not meet."""
-    crosses = [each for leg in legs for each in leg.crosses if each.lost]
-    if crosses:
-        worst = max(crosses, key=lambda each: each.body.mass * each.lost)
-        off = f"{1e3 * worst.lost:.3g} mm off the intersection of the axes"
-        return f"body {worst.body.name!r}: center of mass {off}"
     apart, where = max(leg.farthest for leg in legs)
-    return f"{where}: axes {1e3 * apart:.3g} mm apart"
+    crosses = [each for leg in legs for each in leg.crosses if each.lost > apart]
+    if not crosses:
+        return f"{where}: axes {2e3 * apart:.3g} mm apart"
+    worst = max(crosses, key=lambda each: each.body.mass * each.lost)
+    off = f"{1e3 * worst.lost:.3g} mm off the intersection of the axes"
+    return f"body {worst.body.name!r}: center of mass {off}"
 
 
 def _open_by(machine: Machine, model: Model) -> float:
