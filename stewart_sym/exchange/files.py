@@ -25,7 +25,6 @@ from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_
 from .formats.xml_text import HEADER, at_line, line_named, parsed
 from .model import Model
 from .model_from_robot import model_of, possible
-from .notes import differences, noted
 from .robot_from_model import robot_of
 
 PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "drake": "Drake", "urdf": "Pinocchio", "usd": "Isaac Sim"}
@@ -37,8 +36,6 @@ _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
     "urdf": urdf_out.written,
     "usd": usd_out.written,
 }
-_READERS = {"mujoco": mjcf_in.model, "sdf": sdf_in.model, "robot": urdf_in.model}
-"""Readers by the name of the root element of a file."""
 BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"')
 """First characters of files that this program has written."""
 LOOPS = ".loops.json"
@@ -137,14 +134,8 @@ def export_model(robot: Robot, format: str) -> ExportedModel:  # noqa: A002 # th
             "upper parts that rotate in the lower ones"
         )
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
-    model = model_of(written)
     _warn_of_losses(robot, format)
-    text, loops = _WRITERS[format](model)
-    if format == "usd":
-        return ExportedModel(text)
-    # The notes contain the fields that an import would change, due to rounding or limits of the format.
-    again, _ = robot_of(_read(parsed(text), loops))
-    return ExportedModel(*_WRITERS[format](replace(model, notes=noted(differences(written, again)))))
+    return ExportedModel(*_WRITERS[format](replace(model_of(written), note=written.to_dict())))
 
 
 def import_model(path: str | os.PathLike[str]) -> ImportedModel:
@@ -165,9 +156,13 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     ValueError
         If the file cannot be read, or if it is not a Stewart platform. The message is one line with the
         location in the file.
+    ImportError
+        If the file is MJCF and MuJoCo is not installed. The message names the extra.
 
     Warns
     -----
+    UserWarning
+        If bodies or joints differ from the note of ``export_model``, which is ignored.
     RobotWarning
         If an inertia is physically impossible.
 
@@ -180,8 +175,8 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     Base, platform, and legs are identified by the joints between the bodies. Six chains lead from the base to
     one body. Each contains two revolute joints (or a universal or spherical joint), a prismatic joint, and a
     spherical joint. Any joint of a loop may be the loop closure. Loop closures and welds must be closed in
-    the pose of the file. Axes at the base that do not intersect are imported as joint offsets only if a note
-    of ``export_model`` contains offsets.
+    the pose of the file. Perpendicular axes at the base that do not intersect are imported as joint offsets.
+    MJCF requires MuJoCo (extra ``exchange``).
 
     Examples
     --------
@@ -197,7 +192,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     >>> np.array_equal(imported.robot.b, robot.b)
     True
     >>> imported.assumptions[-1]
-    'home: the pose in the file'
+    'robot file: the note in the file, with which bodies and joints agree'
     """
     source = os.fsdecode(path)
     text, beside = read_text(source, "model"), loops_path(source)
@@ -205,9 +200,9 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     with errors_of(f"{source}: "):
         root = parsed(text)
     try:
-        robot, said = robot_of(_read(root, loops))
+        robot, said = robot_of(_read(root, loops, source, text), source)
     except ValueError as error:
-        line = line_named(str(error), root)
+        line = None if " line " in str(error) else line_named(str(error), root)
         raise ValueError(f"{source}: {error}{'' if line is None else f' (at line {line})'}") from None
     for name, text in impossible_inertias(robot):
         if name not in robot.suppressed_warnings:
@@ -277,10 +272,14 @@ def loops_path(path: str | os.PathLike[str]) -> Path:
     return Path(path).with_suffix(LOOPS)
 
 
-def _read(root: ET.Element, loops: str | None) -> Model:
+def _read(root: ET.Element, loops: str | None, path: str, text: str) -> Model:
     """Convert the elements of a file to a model."""
-    if root.tag not in _READERS:
-        expected = "expected MJCF, SDF or URDF with a root mujoco, sdf or robot"
-        raise ValueError(f"{expected}, got {shown(root.tag)}{at_line(root)}")
     with np.errstate(over="ignore", invalid="ignore"):
-        return _READERS[root.tag](root, loops)
+        if root.tag == "mujoco":
+            return mjcf_in.model(path, text)
+        if root.tag == "sdf":
+            return sdf_in.model(root)
+        if root.tag == "robot":
+            return urdf_in.model(root, loops)
+    expected = "expected MJCF, SDF or URDF with a root mujoco, sdf or robot"
+    raise ValueError(f"{expected}, got {shown(root.tag)}{at_line(root)}")

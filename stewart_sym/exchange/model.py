@@ -122,6 +122,9 @@ class Joint:
         For a cut, joint point in the frame of the parent (m).
     driven : bool
         True if the joint has a drive.
+    load : ndarray, shape (6,)
+        Force (N) and moment (N m) on the child at the joint point in the configuration of the model, world
+        axes, by springs and other effects that a robot cannot represent.
     """
 
     name: str
@@ -139,6 +142,7 @@ class Joint:
     cut: bool = False
     parent_point: Array = field(default_factory=lambda: np.zeros(3))
     driven: bool = False
+    load: Array = field(default_factory=lambda: np.zeros(6))
 
     @property
     def limited(self) -> bool:
@@ -161,24 +165,24 @@ class Model:
     ----------
     gravity : ndarray, shape (3,), optional
         Gravity (m/s^2); None if the file does not contain it.
-    notes : mapping
-        Fields of a robot by name that the format omits or represents inexactly.
+    note : mapping, optional
+        Tables of the robot file that the model was exported from.
     left_out : tuple of str
         Contents of the file that a model cannot represent.
     assumed : mapping
-        Assumptions about values missing in the file, by the name of the body.
-    armatures : bool
-        True if the format can represent armatures of joints, so that a missing value is 0.
+        Assumptions, by the name of the body, or by another key for the whole file.
+    unstated : tuple of str
+        Fields of a robot that the format cannot represent.
     """
 
     name: str
     gravity: Array | None
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]
-    notes: Mapping[str, Any] = field(default_factory=dict)
+    note: Mapping[str, Any] | None = None
     left_out: tuple[str, ...] = ()
     assumed: Mapping[str, str] = field(default_factory=dict)
-    armatures: bool = False
+    unstated: tuple[str, ...] = ()
 
     def body(self, name: str) -> Body:
         """Return the body with a name; raise ValueError if there is none."""
@@ -255,8 +259,6 @@ def frame_along(axis: Array) -> Array:
 
 def after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
     """Convert orientation and position from a frame with the pose ``outer`` to the world frame."""
-    if np.array_equal(outer[0], np.eye(3)):
-        return R, t + outer[1]
     return outer[0] @ R, outer[1] + outer[0] @ t
 
 

@@ -13,7 +13,7 @@ from ..robot.fields import LEGS, legs_text
 from ..robot.offset_positions import Chains
 from ..robot.robot import Robot, RobotWarning, impossible_inertias, inertia_fault
 from .model import WORLD, Body, Joint, Model, Shape, frame_along
-from .offset_legs import base_joints, chains_at, cross_of, noted_offsets
+from .offset_legs import base_joints, chains_at, cross_of
 
 _LEAST_SINE = 1e-6
 _ROUNDING = 1e-9
@@ -57,9 +57,7 @@ def model_of(robot: Robot) -> Model:
         Joint(f"tip_{i}", "spherical", f"upper_{i}", "platform", p, damping=damping, cut=True)
         for i, (p, damping) in enumerate(zip(robot.p, robot.C_s.tolist(), strict=True), 1)
     ]
-    # Import treats axes that do not intersect as joint offsets only if a note contains offsets.
-    notes = {} if robot.offsets is None else {"offsets": noted_offsets(robot.offsets)}
-    return Model(robot.name, robot.g, tuple(bodies), (*joints, *closures), notes)
+    return Model(robot.name, robot.g, tuple(bodies), (*joints, *closures))
 
 
 def possible(robot: Robot, reader: str) -> Robot:

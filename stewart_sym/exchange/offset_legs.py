@@ -1,6 +1,5 @@
 """Legs with joint offsets: their bodies and joints in a model, and identification of offsets in a model."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,16 +7,15 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..motion.motion import at_rest
-from ..robot.fields import LEGS, LegTables, legs_text
+from ..robot.fields import LEGS, legs_text
 from ..robot.offset_chains import chains
 from ..robot.offset_positions import Chains
-from ..robot.offsets import SHAPES, JointOffsets, offset_tables, offsets_of_tables
+from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
 from .model import WORLD, Body, Joint, Shape
 
 _LEAST = 1e-9
 """Mass and inertia of a massless cross relative to the lower part, because simulators require some."""
-_SAME = 1e-9
 
 
 def chains_at(robot: Robot, t: Array) -> Chains:
@@ -100,45 +98,6 @@ class OffsetLines:
     def cross(self, body: Body) -> dict[str, Any]:
         """Return mass, center of mass (from the base point along o, y, k), and inertia of a cross."""
         frame = np.stack([np.cross(self.y, self.k), self.y, self.k], axis=-1)
-        center = (body.placed(body.center) - self.b) @ frame
+        center = (body.placed(body.center) - self.b) @ frame if body.mass else np.zeros(3)
         about = self.k @ body.R @ body.inertia @ body.R.T @ self.k
         return {"cross_mass": body.mass, "cross_center": center, "cross_inertia": float(about)}
-
-
-def noted_offsets(offsets: JointOffsets) -> dict[str, Any]:
-    """Convert joint offsets to the tables of a robot file."""
-    shared, legs = offset_tables(offsets)
-    return {"legs": shared, "leg": legs}
-
-
-def restored_offsets(value: Any) -> JointOffsets:
-    """Convert the result of ``noted_offsets`` back; raise ValueError with one line."""
-    tables = value if isinstance(value, Mapping) else {}
-    shared, legs = tables.get("legs"), tables.get("leg")
-    legs = legs if isinstance(legs, list) else []
-    each = [leg for leg in legs if isinstance(leg, Mapping)]
-    if not isinstance(shared, Mapping) or not len(each) == len(legs) == LEGS:
-        raise ValueError("notes: offsets: expected tables legs and leg")
-    found = offsets_of_tables(LegTables.of(shared, each, "notes: offsets: "), np.asarray)
-    if found is None:
-        raise ValueError("notes: offsets: expected offsets, got none")
-    return found
-
-
-def same_offsets(robot: Robot, noted: JointOffsets) -> bool:
-    """Return True if a robot has these offsets, up to rounding and the artificial mass of a cross."""
-    found = robot.offsets
-    if found is None or found.platform_joint != noted.platform_joint:
-        return False
-    size = float(np.abs(robot.b - robot.b.mean(axis=0)).max())
-    heavy = noted.cross_mass > 0.0
-    near = dict.fromkeys(SHAPES, np.full(LEGS, _SAME * size))
-    near["cross_mass"] = 2.0 * _LEAST * robot.m_d
-    least = 2.0 * _LEAST * np.trace(robot.I_d0, axis1=1, axis2=2)
-    near["cross_inertia"] = least + _SAME * noted.cross_inertia
-    for name in SHAPES:
-        apart = np.abs(getattr(found, name) - getattr(noted, name)).reshape(LEGS, -1).max(axis=-1)
-        counts = heavy if name == "cross_center" else np.full(LEGS, True)
-        if np.any(apart[counts] > near[name][counts]):
-            return False
-    return True

@@ -8,7 +8,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..robot import bodies
 from ..robot.fields import LEGS
-from .model import BETWEEN, WORLD, Body, Joint, Model
+from .model import WORLD, Body, Joint, Model
 
 _EXPECTED = (
     "a universal or spherical joint, a prismatic joint and a spherical joint from the base to the platform"
@@ -71,13 +71,6 @@ class Machine:
     platform: str
     legs: tuple[Leg, ...]
 
-    def point(self, step: Step, side: str) -> Array:
-        """Return the point of a joint, shape (3,), in the frame of one of its two bodies."""
-        own, local = step.joint.child, step.joint.point
-        if step.joint.cut and self.members[step.joint.parent] == side:
-            own, local = step.joint.parent, step.joint.parent_point
-        return local if own == side else self.bodies[side].local(self.placed[own].placed(local))
-
     def place(self, step: Step) -> Array:
         """Return the point of a joint in the world frame, shape (3,), on the side of its child."""
         return self.placed[step.joint.child].placed(step.joint.point)
@@ -98,16 +91,11 @@ def machine_of(model: Model) -> Machine:
             got = f"one between {joint.parent!r} and {joint.child!r}"
             raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
     if not around.get(WORLD):
-        raise ValueError(_no_base(model))
+        free = [joint.child for joint in model.joints if joint.kind == "free"]
+        got = f"body {free[0]!r}, which is free" if free else "a model without moving joints"
+        raise ValueError(f"expected legs on a base that is fixed to the world, got {got}")
     chains = [_chain(joint, members, around) for joint in around[WORLD]]
     platform = _platform(chains, around)
-    if len(around[platform]) != LEGS:
-        names = sorted(
-            {joint.name for joint in around[platform]} - {chain[-1].joint.name for chain in chains}
-        )
-        raise ValueError(
-            f"joint {names[0]!r}: expected nothing but six legs at the platform {platform!r}, got one more"
-        )
     held = _held(model, members, platform, around[platform])
     if held != platform:
         platform, members = held, _members(model, held)
@@ -194,53 +182,30 @@ def _chain(first: Joint, members: Mapping[str, str], around: Mapping[str, Sequen
         joint = around[at][1] if around[at][0] is joint else around[at][0]
 
 
-def _no_base(model: Model) -> str:
-    """Return a message for a model without joints to the world."""
-    expected = "expected legs on a base that is fixed to the world"
-    free = [joint for joint in model.joints if joint.kind == "free"]
-    if free:
-        return f"joint {free[0].name!r}: {expected}, got body {free[0].child!r}, which is free"
-    bodies_ = [body.name for body in model.bodies if body.name != WORLD]
-    if bodies_:
-        return f"body {bodies_[0]!r}: {expected}, got a model without moving joints"
-    return f"{expected}, got no body"
-
-
 def _platform(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Joint]]) -> str:
     """Return the common end body of six chains; raise ValueError for other ends or another number."""
     ends = [chain[-1].reached for chain in chains]
-    reached = [end for end in ends if end != WORLD and ends.count(end) > 1]
-    if not reached:
-        got = "; ".join(_way(chain, around) for chain in chains[:LEGS])
-        more = f" and {len(chains) - LEGS} more" if len(chains) > LEGS else ""
-        raise ValueError(f"expected six legs from the base to one platform, got {len(chains)}: {got}{more}")
-    platform = max(reached, key=ends.count)
-    for number, chain in enumerate(chains, 1):
-        if ends[number - 1] != platform:
-            expected = "expected joints and closures from the base to the platform"
-            got = f"{_way(chain, around)}; other legs lead to {platform!r}"
-            raise ValueError(f"leg {number}: {expected}, got {got}")
-    if len(chains) != LEGS:
-        names = ", ".join(repr(_bodies(chain)[0]) for chain in chains)
-        raise ValueError(
-            f"body {platform!r}: expected six legs from the base, got {len(chains)}, which begin with {names}"
-        )
+    platform = max(ends, key=lambda end: (end != WORLD) * ends.count(end))
+    others = [chain for chain, end in zip(chains, ends, strict=True) if end != platform]
+    if others or platform == WORLD or len(chains) < 2:
+        got = "; ".join(_way(chain, around) for chain in (others or chains)[:LEGS])
+        raise ValueError(f"expected six legs from the base to one platform, got {len(chains)}: {got}")
+    if len(chains) != LEGS or len(around[platform]) != LEGS:
+        names = ", ".join(repr(joint.name) for joint in around[platform])
+        got = f"{len(chains)} with the joints {names} at the platform"
+        raise ValueError(f"body {platform!r}: expected six legs from the base and nothing else, got {got}")
     return platform
 
 
 def _way(chain: Sequence[Step], around: Mapping[str, Sequence[Joint]]) -> str:
     """Describe the end of a chain."""
-    end, begin = chain[-1].reached, f"joint {chain[0].joint.name!r}"
-    where = f"body {end!r}"
+    end, begin, last = chain[-1].reached, chain[0].joint.name, chain[-1].joint
     if end == WORLD:
-        last = chain[-1].joint.name
-        return f"{begin} to joint {last!r}, which leads back to the base"
-    if len(around[end]) == 1:
-        return f"{begin} to {where}, where it ends"
-    if len(around[end]) == 2:
-        return f"{begin} to {where}"
-    on = ", ".join(repr(joint.name) for joint in around[end] if joint is not chain[-1].joint)
-    return f"{begin} to {where}, which has further joints {on}"
+        return f"joint {begin!r} to joint {last.name!r}, which leads back to the base"
+    on = ", ".join(repr(joint.name) for joint in around[end] if joint is not last)
+    return f"joint {begin!r} to body {end!r}, " + (
+        f"which has further joints {on}" if on else "where it ends"
+    )
 
 
 def _leg(chain: Sequence[Step], number: int) -> Leg:
@@ -250,34 +215,16 @@ def _leg(chain: Sequence[Step], number: int) -> Leg:
     if len(slides) == 1:
         slide = slides[0]
         base, tip = tuple(chain[:slide]), tuple(chain[slide + 1 :])
-        if _turns(base) in ("universal", "spherical") and _turns(tip) == "spherical":
+        if _turns(base) in (2, 3) and _turns(tip) == 3:
             between = tuple(step.reached for step in base[:-1]), tuple(step.reached for step in tip[:-1])
             return Leg(base, chain[slide], tip, base[-1].reached, chain[slide].reached, between)
     names = ", ".join(f"{step.joint.kind} {step.joint.name!r}" for step in chain)
-    through = ", ".join(map(repr, _bodies(chain)))
-    raise ValueError(f"leg {number}: expected {_EXPECTED}, got {names}, by way of {through}")
+    raise ValueError(f"leg {number}: expected {_EXPECTED}, got {names}")
 
 
-def _bodies(chain: Sequence[Step]) -> list[str]:
-    """Return the bodies of a chain, without artificial bodies between joints."""
-    found = [step.reached for step in chain if BETWEEN not in step.reached]
-    return found or [chain[-1].reached]
-
-
-def _turns(steps: Sequence[Step]) -> str:
-    """Return the kind of the combined joints at one end of a leg."""
-    kinds = [step.joint.kind for step in steps]
-    if kinds == ["spherical"]:
-        return "spherical"
-    if kinds and set(kinds) <= {"revolute", "universal"}:
-        return {2: "universal", 3: "spherical"}.get(sum(len(step.axes) for step in steps), "other")
-    return "other"
-
-
-def _need_possible_mass(part: Body) -> None:
-    """Reject a negative mass, and inertia without mass."""
-    if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
-        raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
+def _turns(steps: Sequence[Step]) -> int:
+    """Return the number of axes at one end of a leg: 2 for a universal joint, 3 for a spherical joint."""
+    return sum(len(step.axes) or 3 for step in steps)
 
 
 def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
@@ -288,17 +235,17 @@ def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
         first = model.body(name)
         if name != WORLD and len(parts) > 1:
             for part in parts:
-                _need_possible_mass(part)
+                if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
+                    raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
         heavy = [part for part in parts if part.mass > 0.0]
         if not heavy or heavy == [first]:
             found[name] = first
             continue
-        turned = [(part, first.R.T @ part.R) for part in heavy]
-        whole = bodies.joined(
-            [
-                bodies.Body(part.mass, first.local(part.placed(part.center)), Q @ part.inertia @ Q.T)
-                for part, Q in turned
-            ]
-        )
+        solids = []
+        for part in heavy:
+            Q = first.R.T @ part.R
+            center = first.local(part.placed(part.center))
+            solids.append(bodies.Body(part.mass, center, Q @ part.inertia @ Q.T))
+        whole = bodies.joined(solids)
         found[name] = replace(first, mass=whole.mass, center=whole.center_of_mass, inertia=whole.inertia)
     return found

@@ -9,7 +9,7 @@ EXTRAS = {
     "dask": ("Dask", "cluster"),
     "distributed": ("Dask", "cluster"),
     "matplotlib": ("Matplotlib", "plot"),
-    "mujoco": ("MuJoCo", "bench"),
+    "mujoco": ("MuJoCo", "exchange"),
     "pinocchio": ("Pinocchio", "bench"),
     "textalloc": ("textalloc", "plot"),
 }

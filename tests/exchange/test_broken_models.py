@@ -6,7 +6,6 @@ import warnings
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pytest
 from command_line import rejects
 from exported_models import HEXAPOD
@@ -82,30 +81,14 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
     "empty": (instead(""), "the file is empty"),
     "entities": (instead(BOMB), "line 1: expected XML without a document type"),
     "depth": (instead("<a>" * 5000), "line 1: element 'a': nested too deeply"),
-    "include": (
-        to("<worldbody>", "<worldbody><include file='x.xml'/>"),
-        "line 20: expected a flat model, as",
-    ),
     "one pendulum": (
         instead(f"<mujoco><worldbody>{BOB}</worldbody></mujoco>"),
         "got 1: joint 'swing' to body 'bob', where it ends (at line 1)",
     ),
-    "five legs": (NO_LEG_6, "body 'platform': expected six legs from the base, got 5"),
+    "five legs": (NO_LEG_6, "expected six legs from the base and nothing else, got 5"),
     "leg to the base": (
         to(TIP_3, UPPER_3 + "anchor='0 0 0'"),
         "to joint 'tip_3', which leads back to the base",
-    ),
-    "loop to nothing": (
-        to(TIP_3, UPPER_3 + "body2='x' anchor='0 0 0'"),
-        "connect 'tip_3': body 'x': missing",
-    ),
-    "mesh": (
-        to('<inertial mass="40', '<geom name="hull" type="mesh" mass="1" mesh="m"/><site name="40'),
-        "body 'platform': geom 'hull': expected an inertial of its body, got a mesh",
-    ),
-    "zero quaternion": (
-        to('"lower_2" pos="[^"]*"( quat="[^"]*")?', '"lower_2" quat="0 0 0 0"'),
-        "'lower_2': quat",
     ),
     "open loop": (to('"platform" pos="-0.0', '"platform" pos="0.1'), "joints 'tip_1', 'tip_2'"),
     "no slide": (to('"leg_2" type="slide"', '"leg_2" type="hinge"'), "revolute 'leg_2'"),
@@ -114,14 +97,6 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         "leg 2: joint 'leg_2': expected sliding along the line between the ends, got 5.71 deg off",
     ),
     "oblique axes": (to('axis="0.0 1.0 0.0"', 'axis="0.3 1.0 0.0"'), "leg 1: joint 'base_1_1': expected"),
-    "offset axes": (
-        to('name="base_1_2"', 'name="base_1_2" pos="0 0 0.05"'),
-        "leg 1: joints 'base_1_1' and 'base_1_2': expected axes that meet, got 0.0129 m between them",
-    ),
-    "attribute": (
-        to('"leg_2" type="slide"', '"leg_2" type="slide" dampping="20"'),
-        "joint 'leg_2': dampping: unknown key, did you mean \"damping\"?",
-    ),
     **{
         f"no {flag}": (
             to("<option ", f'<option><flag {flag}="disable"/></option><option '),
@@ -129,16 +104,16 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         )
         for flag in ("equality", "constraint")
     },
-    "negative": (to('mass="3.0"', 'mass="-3.0"'), "leg 1: body 'lower_1': expected a mass > 0"),
-    "no mass": (without('<inertial mass="40', "/>"), "the platform: body 'platform'"),
-    "no site": (to('"tip_4_a" site2', '"tip_9" site2'), "connect 'tip_4': site 'tip_9': missing"),
-    "names": (to('name="lower_2"', 'name="lower_1"'), "body 'lower_1': expected one body of that"),
-    "limits": (to('range="0.55 0.95"', 'range="0.9 0.5"'), "leg 1: joint 'leg_1': expected"),
 }
 OF_URDF: dict[str, tuple[Change, str]] = {
     "cross": (
         to('<link name="base_1_cross_1" />', f'<link name="base_1_cross_1">{HEAVY.format(-1)}</link>'),
         "leg 1: body 'base_1_cross_1': expected a mass >= 0, got -1",
+    ),
+    "planar": (to('type="prismatic"', 'type="planar"'), "joint 'leg_1': expected type .* got 'planar'"),
+    "floating": (
+        to('type="prismatic"', 'type="floating"'),
+        "joint 'leg_1': expected a free joint to the base alone",
     ),
     "not expanded": (
         to('<link name="lower_1"', '<xacro:include filename="x"/><link name="lower_1"'),
@@ -148,7 +123,10 @@ OF_URDF: dict[str, tuple[Change, str]] = {
     "no axis": (to('xyz="1.0 0.0 0.0" />\n  <dyn', 'xyz="0 0 0" />\n  <dyn'), "joint 'leg_1': axis"),
 }
 OF_SDF: dict[str, tuple[Change, str]] = {
-    "screw": (to('type="prismatic"', 'type="screw"'), "joint 'leg_1': expected type"),
+    **{
+        kind: (to('type="prismatic"', f'type="{kind}"'), f"joint 'leg_1': expected type .* got '{kind}'")
+        for kind in ("screw", "gearbox", "revolute2")
+    },
     "no frame": (to('expressed_in="__model__"', 'expressed_in="x"'), "joint 'base_1': xyz: frame 'x'"),
     "circle": (
         to('lower_1">\n    <pose>', 'lower_1"><pose relative_to="lower_1">'),
@@ -201,7 +179,7 @@ def test_a_broken_model_gives_one_line_that_says_what_and_where(
     with pytest.raises(ValueError, match=r"model\.xml: ") as caught:
         ss.import_model(path)
     text = str(caught.value)
-    assert said in text
+    assert said in text or re.search(said, text)
     assert "\n" not in text
     assert text.startswith(f"{path}: ")
 
@@ -235,12 +213,16 @@ def test_a_urdf_without_its_loops_says_where_they_are_looked_for(
     rejects(said, ss.import_model, path)
 
 
-def test_a_note_against_the_model_is_not_taken(exported: dict[str, ss.ExportedModel], tmp_path: Path) -> None:
-    robot = ss.Robot.from_toml(HEXAPOD)
+@pytest.mark.parametrize("form", ["mjcf", "sdf", "urdf"])
+def test_a_note_against_the_bodies_is_ignored_with_one_warning(
+    form: str, exported: dict[str, ss.ExportedModel], tmp_path: Path
+) -> None:
     path = tmp_path / "model.xml"
-    text = exported["mjcf"].text
-    start = text.index("{&quot;k&quot;: [[")
-    path.write_text(text[:start] + text[start:].replace("[[-0.17", "[[-0.27", 1), encoding="utf-8")
-    found = ss.import_model(path)
-    assert "k: the model contradicts the note; the model is used" in found.assumptions
-    np.testing.assert_allclose(found.robot.k, robot.k, rtol=0, atol=1e-12)
+    text, count = re.subn(r'(mass="|<mass>|<mass value=")40\.0', r"\g<1>41.0", exported[form].text)
+    assert count == 1
+    path.write_text(text, encoding="utf-8")
+    (tmp_path / "model.loops.json").write_text(exported["urdf"].loop_closures or "", encoding="utf-8")
+    with pytest.warns(UserWarning, match=r"bodies and joints differ from the note \(M\)") as caught:
+        found = ss.import_model(path)
+    assert len(caught) == 1
+    assert found.robot.M == 41.0

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from command_line import rejects
 from exported_models import exported, imported, written
-from model_family import TOP, Family, family, grows, mjcf, urdf
+from model_family import TOP, Edge, Family, family, grows, mjcf, urdf
 from model_statics import InMujoco
 from numpy.typing import NDArray
 
@@ -45,7 +45,7 @@ def at_rest(found: ss.ImportedModel, engine: InMujoco, made: Family) -> tuple[Ar
     """Forces of the legs at home, here and in MuJoCo, (6,) each."""
     zero = np.zeros(3)
     motion = ss.Motion(R=np.eye(3), t=found.robot.home_position, omega=zero, v=zero, alpha=zero, a=zero)
-    numbers = re.findall(r"\d 'lower(\d)' 'upper\d'", found.assumptions[0])
+    numbers = re.findall(r"\d 'lower(\d)' 'upper\d'", "\n".join(found.assumptions))
     F = ss.inverse_dynamics(found.robot, motion).F[[numbers.index(str(i)) for i in range(1, 7)]]
     truth = engine.forces([f"slide{i}" for i in range(1, 7)])
     return F, np.array([grows(made, i) for i in range(6)]) * truth
@@ -88,6 +88,25 @@ def test_a_cross_with_its_mass_off_the_axes_is_imported_with_its_effect(name: st
     assert nothing == []
     assert exact < 1e-8 * np.abs(truth).max() < error < 1e-3 * np.abs(truth).max()
     assert bound == pytest.approx(error, rel=6e-3)
+
+
+def test_axes_at_the_platform_that_miss_by_millimeters_are_imported_with_their_effect(tmp_path: Path) -> None:
+    seed, made = first_with(three_hinges)
+    first, second, _ = axes_at(made, "tip1")
+    across = np.cross(first, second) / np.linalg.norm(np.cross(first, second))
+
+    def moved(edges: tuple[Edge, ...]) -> tuple[Edge, ...]:
+        return tuple(
+            edge._replace(point=edge.point + 2.8e-3 * across) if edge.name == "tip1_2" else edge
+            for edge in edges
+        )
+
+    text = mjcf(replace(made, edges=moved(made.edges), cuts=moved(made.cuts)), seed)
+    found = imported(text, tmp_path)
+    (stated,) = re.findall(r"leg \d: .* apart: .* off by up to (\S+) N", "\n".join(found.assumptions))
+    F, truth = at_rest(found, InMujoco(text), made)
+    assert float(stated) == pytest.approx(np.abs(F - truth).max(), rel=6e-3)
+    assert float(stated) > 1e-5 * np.abs(truth).max()
 
 
 @pytest.mark.parametrize("load", [0.5, 60.0])
@@ -143,8 +162,9 @@ def test_ball_constraints_close_a_urdf_as_its_loops_do(tmp_path: Path) -> None:
         written(ss.ExportedModel(*urdf(made, seed, drake=False)), tmp_path / "beside.urdf")
     )
     assert alone.robot.to_dict() == beside.robot.to_dict()
-    assert "left out: friction of closures, armatures, and notes (the file NAME.loops.json is missing)" in (
-        alone.assumptions
+    assert (
+        "left out: friction of closures, armatures, and the note (the file NAME.loops.json is missing)"
+        in (alone.assumptions)
     )
 
 

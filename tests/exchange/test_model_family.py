@@ -18,12 +18,19 @@ import stewart_sym as ss
 
 MODELS, URDFS, PART = 320, 120, 12
 SAME, SAME_MASS = 1e-8, 1e-12
+ONE_LEG = re.compile(r"model\.\w+: (robot: )?leg \d: [^\n]*$")
 STATED = re.compile(r"are off by up to (\S+) N")
 
 
-def imported(file: ss.ExportedModel, path: Path) -> ss.ImportedModel:
-    with warnings.catch_warnings(action="ignore"):
-        return ss.import_model(written(file, path))
+def imported_or_rejected(made: Family, file: ss.ExportedModel, path: Path) -> ss.ImportedModel | None:
+    """The imported machine, or None if a machine with a fault is rejected in one line that names the leg."""
+    try:
+        with warnings.catch_warnings(action="ignore"):
+            return ss.import_model(written(file, path))
+    except ValueError as error:
+        if made.fault and ONE_LEG.search(str(error)):
+            return None
+        raise
 
 
 def forces(found: ss.ImportedModel, R: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -42,7 +49,7 @@ def need_same_forces(
     R_0, t_0 = engine.frame(TOP)
     np.testing.assert_allclose(found.robot.home_position, t_0, rtol=0, atol=1e-12)
     stated = [float(each) for line in found.assumptions for each in STATED.findall(line)]
-    assert bool(stated) <= made.off
+    assert bool(stated) <= (made.off or made.fault)
     rng = np.random.default_rng([seed, 4])
     for moved in [False] if stated else [False, True]:
         if moved:
@@ -50,7 +57,8 @@ def need_same_forces(
         R, t = engine.frame(TOP)
         truth = signs * engine.forces(slides)
         error = np.abs(forces(found, R @ R_0.T, t) - truth).max()
-        assert error < SAME * np.abs(truth).max() + sum(stated)
+        assert error < SAME * np.abs(truth).max() + 1.005 * sum(stated)
+        assert error > 0.99 * sum(stated)
 
 
 def need_same_mass(robot: ss.Robot, mass: float) -> None:
@@ -67,11 +75,9 @@ def test_a_random_mjcf_has_the_forces_of_mujoco_and_its_mass(seed: int, tmp_path
     made = family(seed)
     text = mjcf(made, seed)
     mujoco.MjModel.from_xml_string(text)
-    if made.fault:
-        with pytest.raises(ValueError, match=r"model\.xml: leg \d: [^\n]*$"):
-            imported(ss.ExportedModel(text), tmp_path / "model.xml")
+    found = imported_or_rejected(made, ss.ExportedModel(text), tmp_path / "model.xml")
+    if found is None:
         return
-    found = imported(ss.ExportedModel(text), tmp_path / "model.xml")
     need_same_mass(found.robot, moving_mass(made))
     need_same_forces(made, found, InMujoco(text), seed)
 
@@ -81,10 +87,8 @@ def test_a_random_mjcf_has_the_forces_of_mujoco_and_its_mass(seed: int, tmp_path
 def test_a_random_urdf_has_the_forces_of_pinocchio_and_its_mass(seed: int, tmp_path: Path) -> None:
     made = family(seed, urdf=True)
     text, loops = urdf(made, seed, drake=False)
-    if made.fault:
-        with pytest.raises(ValueError, match=r"model\.urdf: leg \d: [^\n]*$"):
-            imported(ss.ExportedModel(text, loops), tmp_path / "model.urdf")
+    found = imported_or_rejected(made, ss.ExportedModel(text, loops), tmp_path / "model.urdf")
+    if found is None:
         return
-    found = imported(ss.ExportedModel(text, loops), tmp_path / "model.urdf")
     need_same_mass(found.robot, moving_mass(made))
     need_same_forces(made, found, InPinocchio(text, json.loads(loops)), seed)

@@ -2,6 +2,7 @@
 
 Base, platform, and legs are recognized from the joints between the bodies.
 The terminal and comments in the robot file list the findings and assumptions.
+MuJoCo compiles MJCF: pip install "stewart-sym[exchange]".
 Loops of a URDF file are read from NAME.loops.json or its drake:ball_constraint elements.
 
 Example: stewart-sym import hexapod.xml -o imported.toml

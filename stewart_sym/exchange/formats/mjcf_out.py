@@ -9,6 +9,8 @@ from ...motion.rotation import quaternion_from_rotation
 from ..model import WORLD, Body, Joint, Model, Shape
 from .xml_text import added, document
 
+NOTE = "stewart_sym"
+"""Name of the custom text with the robot file."""
 TIMESTEP = 0.0005
 """Time step in the file (s): half the time constant of loop closures, for stability in MuJoCo."""
 _TIME_CONSTANT = 2.0 * TIMESTEP
@@ -23,9 +25,9 @@ def written(model: Model) -> tuple[str, None]:
     root = ET.Element("mujoco", model=model.name)
     added(root, "compiler", angle="radian", autolimits="true")
     added(root, "option", timestep=TIMESTEP, gravity=model.gravity, integrator="implicitfast")
-    if model.notes:
+    if model.note:
         custom = added(root, "custom")
-        added(custom, "text", name="stewart_sym", data=json.dumps(model.notes))
+        added(custom, "text", name=NOTE, data=json.dumps(model.note))
     _defaults(root)
     _scenery(root)
     world = added(root, "worldbody")

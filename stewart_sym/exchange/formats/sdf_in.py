@@ -3,6 +3,7 @@
 import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -12,18 +13,18 @@ from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
 from ...robot.fields import LEGS, direction
 from ..model import WORLD, Body, Joint, Model, after
 from ..notes import json_table
-from .sdf_out import BALL, NOTES, SPACE
+from .sdf_out import BALL, NOTE, SPACE
 from .xml_text import (
+    CONTACTS,
     at_line,
-    interval,
+    ball_constraint,
     joint_of,
-    largest,
     name_of,
-    no_limits,
     number,
     numbers,
+    others,
     tensor,
-    turn_limits,
+    with_properties,
 )
 
 _KINDS = {
@@ -34,6 +35,12 @@ _KINDS = {
     "ball": "spherical",
     "fixed": "fixed",
 }
+_IN_LINK = ("pose", "inertial", "visual", "collision", "sensor", "light", "gravity", "must_be_base_link")
+_IN_INERTIAL = ("pose", "mass", "inertia")
+_IN_JOINT = ("parent", "child", "pose", "axis", "axis2", "sensor")
+_IN_AXIS = ("xyz", "dynamics", "limit", "use_parent_model_frame")
+_AXES = {"prismatic": 1, "revolute": 1, "universal": 2}
+"""Number of axes of a joint by its kind."""
 _TRUE = ("true", "True", "TRUE", "1")
 _AXES_OF_MODEL, _NAMED_FRAMES = (1, 4), (1, 6)
 """Last versions with axes in the frame of the model, and with the old names of frames.
@@ -42,7 +49,7 @@ Up to the second version, poses have ``frame`` and axes may have ``use_parent_mo
 """
 
 
-def model(root: ET.Element, loops: str | None = None) -> Model:
+def model(root: ET.Element) -> Model:
     """Convert the elements of a file to a model; raise ValueError with a location on failure."""
     world = root.find("world")
     models = [*root.findall("model"), *root.findall("world/model")]
@@ -60,9 +67,10 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
         None if gravity is None else numbers(gravity, 3, "gravity"),
         tuple(found.bodies),
         tuple(found.joints),
-        json_table(_notes(root, models[0]), NOTES),
+        json_table(_note(root, models[0]), NOTE),
         tuple(found.left_out),
         found.assumed,
+        unstated=("C_s", "C_u", "drive"),
     )
 
 
@@ -75,10 +83,10 @@ def _version(root: ET.Element) -> tuple[int, ...]:
     return tuple(int(word) for word in text.split(".")[:2])
 
 
-def _notes(root: ET.Element, model: ET.Element) -> str | None:
-    """Return the text of the notes, for any prefix of their namespace."""
+def _note(root: ET.Element, model: ET.Element) -> str | None:
+    """Return the text of the note, for any prefix of their namespace."""
     names = [key.partition(":")[2] for each in root.iter() for key in each.attrib if each.get(key) == SPACE]
-    found = (model.findtext(f"{name}:notes" if name else "notes") for name in names)
+    found = (model.findtext(f"{name}:note" if name else "note") for name in names)
     return next((text for text in found if text is not None), None)
 
 
@@ -113,7 +121,9 @@ class _Reader:
         if _is_true(element.findtext("static")):
             raise ValueError(f"{where}: static: expected a model that moves, got a static one")
         self.joints = [self._joint(each) for each in element.findall("joint")]
-        self.joints += [self._ball(each, i) for i, each in enumerate(element.findall(BALL), 1)]
+        for i, each in enumerate(element.findall(BALL), 1):
+            self.joints.append(ball_constraint(partial(_of_ball, each), i, self.placed))
+        self.left_out += [CONTACTS] if element.find("link/collision") is not None else []
 
     def _own(self, element: ET.Element, where: str) -> tuple[Array, Array]:
         """Return orientation and position in the pose of an element."""
@@ -125,7 +135,7 @@ class _Reader:
             values = numbers(pose.text, 7, f"{where}: pose")
             return rotation_from_quaternion(values[[6, 3, 4, 5]]), values[:3]
         values = numbers(pose.text, 6, f"{where}: pose")
-        return (rotation_from_rpy(unit * values[3:]) if values[3:].any() else np.eye(3)), values[:3]
+        return rotation_from_rpy(unit * values[3:]), values[:3]
 
     def _pose(self, name: str, seen: tuple[str, ...] = ()) -> tuple[Array, Array]:
         """Return orientation and position of a link, joint, or frame in the world frame."""
@@ -166,17 +176,14 @@ class _Reader:
         """Create the body of a link."""
         name = link.attrib["name"]
         where, (R, t) = f"link {name!r}", self._pose(name)
-        if (link.findtext("gravity") or "").strip() in ("false", "0"):
+        self.left_out += others(link, _IN_LINK, where)
+        if _value(link, "gravity") in ("false", "0"):
             self.left_out.append(f"that {where} has no weight")
-        if link.find("inertial/fluid_added_mass") is not None:
-            self.left_out.append(f"fluid_added_mass of {where}")
-        decay = [each for key in ("linear", "angular") for each in link.findall(f"velocity_decay/{key}")]
-        if any(number(_value(each), f"{where}: velocity_decay", 0.0) for each in decay):
-            self.left_out.append(f"velocity_decay of {where}")
         given = link.find("inertial")
         if given is None:
             given = ET.Element("inertial")
         where = f"{where}: inertial"
+        self.left_out += others(given, _IN_INERTIAL, where)
         if self._frame(given, where):
             raise ValueError(f"{where}: pose: expected one in the frame of the link, got another frame")
         self._assume(given, name, where)
@@ -187,17 +194,14 @@ class _Reader:
 
     def _assume(self, given: ET.Element, name: str, where: str) -> None:
         """Record default values for missing values of an inertial."""
-        missing = {"mass": "1 kg"} if _value(given, "mass") is None else {}
-        missing |= {
-            key: "1 kg m^2" for key in ("ixx", "iyy", "izz") if _value(given, f"inertia/{key}") is None
-        }
+        paths = {"mass": "mass", **{key: f"inertia/{key}" for key in ("ixx", "iyy", "izz")}}
+        missing = ", ".join(key for key, path in paths.items() if _value(given, path) is None)
         auto = _is_true(given.get("auto"))
         if missing and auto:
             remedy = "write what gz sdf -p --expand-auto-inertials prints"
             raise ValueError(f"{where}: expected mass and inertia, got auto, which is not computed; {remedy}")
         if missing:
-            taken = ", ".join(dict.fromkeys(missing.values()))
-            text = f"{', '.join(missing)}: not in the file, SDF's default is taken ({taken})"
+            text = f"{missing}: not in the file, SDF's default is taken (1 kg, 1 kg m^2)"
             self.assumed[name] = f"{where}: {text}"
         if auto:
             self.left_out.append(
@@ -206,18 +210,20 @@ class _Reader:
 
     def _joint(self, element: ET.Element) -> Joint:
         """Create a joint."""
-        name, kind, where = joint_of(element, _KINDS)
-        ends = [_text(element, end) for end in ("parent", "child")]
-        parent, child = (self._link(end, where) for end in ends)
-        direct = not self._frame(element, where) and child == ends[1]
-        place = self._own(element, where)[1] if direct else self.placed[child].local(self._pose(name)[1])
-        if kind == "fixed":
-            return Joint(name, "fixed", parent, child, place)
-        axes = [element.find(tag) for tag in ("axis", "axis2")[: {"ball": 0, "universal": 2}.get(kind, 1)]]
-        found = Joint(name, _KINDS[kind], parent, child, place)
-        if not axes:
-            return found
-        return self._turning(found, axes, where)
+        joint = joint_of(element, _KINDS)
+        where = f"joint {joint.name!r}"
+        parent, child = (self._link(_text(element, end), where) for end in ("parent", "child"))
+        place = self.placed[child].local(self._pose(joint.name)[1])
+        joint = replace(joint, parent=parent, child=child, point=place)
+        self.left_out += others(element, _IN_JOINT, where)
+        tags = {"prismatic": ("axis",), "revolute": ("axis",), "universal": ("axis", "axis2")}.get(
+            joint.kind, ()
+        )
+        turned = [self._axis(joint, element.find(tag), where) for tag in tags]
+        if len({each.damping for each in turned}) > 1:
+            got = ", ".join(f"{each.damping:g}" for each in turned)
+            raise ValueError(f"{where}: expected the same damping about both axes, got {got}")
+        return replace(turned[0], axes=np.concatenate([each.axes for each in turned])) if turned else joint
 
     def _link(self, name: str, where: str) -> str:
         """Return the link that a frame is fixed to, because joints may refer to frames since SDF 1.7."""
@@ -240,19 +246,6 @@ class _Reader:
                 name = element.get("attached_to") or "__model__"
         return name
 
-    def _ball(self, element: ET.Element, number_: int) -> Joint:
-        """Read a ball constraint of Drake, which has no name."""
-        where = f"{BALL} {number_}"
-        bodies = [_value(element, f"{BALL}_body_{end}") or "" for end in "AB"]
-        one, other = (self._link(name, where) for name in bodies)
-        points = [numbers(_value(element, f"{BALL}_p_{key}"), 3, f"{where}: p_{key}") for key in ("AP", "BQ")]
-        if (one, other) != tuple(bodies):
-            got = ", ".join(map(repr, bodies))
-            raise ValueError(f"{where}: expected links, got {got}")
-        return Joint(
-            f"ball_constraint_{number_}", "spherical", one, other, points[1], cut=True, parent_point=points[0]
-        )
-
     def _expressed_in(self, axis: ET.Element, where: str) -> str:
         """Return the frame of an axis, or an empty string for the frame of its joint."""
         xyz, of_model = axis.find("xyz"), _value(axis, "use_parent_model_frame")
@@ -266,47 +259,29 @@ class _Reader:
             )
         return "__model__" if _is_true(of_model) else ""
 
-    def _turning(self, joint: Joint, axes: list[ET.Element | None], where: str) -> Joint:
-        """Return the joint with its axes, damping, and limits."""
-        directions, damping = [], []
-        limits, effort, speed = (-np.inf, np.inf), np.inf, np.inf
-        for axis in axes:
-            if axis is None:
-                raise ValueError(f"{where}: expected an axis for each turn, got none")
-            axis.find("xyz")
-            frame = self._expressed_in(axis, where)
-            local = numbers(_value(axis, "xyz"), 3, f"{where}: xyz", (0.0, 0.0, 1.0))
-            if frame and frame not in self.named and frame not in self.found:
-                raise ValueError(f"{where}: xyz: frame {frame!r}: missing")
-            R, _ = self._pose(frame or joint.name)
-            directions.append(R @ direction(local, f"{where}: xyz"))
-            damping.append(number(_value(axis, "dynamics/damping"), f"{where}: damping", 0.0))
-            for key in ("friction", "spring_stiffness"):
-                if number(_value(axis, f"dynamics/{key}"), f"{where}: {key}", 0.0):
-                    self.left_out.append(f"{key} of {where}")
-            if axis.find("mimic") is not None:
-                self.left_out.append(f"mimic of {where}")
-            limits = interval(_value(axis, "limit/lower"), _value(axis, "limit/upper"), where)
-            if joint.kind == "prismatic":
-                self.left_out += no_limits(
-                    {each.tag: _value(each) for each in axis.findall("limit/*")}, where
-                )
-            else:
-                self.left_out += turn_limits(limits, where)
-            effort = largest(_value(axis, "limit/effort"), f"{where}: effort")
-            speed = largest(_value(axis, "limit/velocity"), f"{where}: velocity")
-        if max(damping) != min(damping):
-            got = ", ".join(f"{each:g}" for each in damping)
-            raise ValueError(f"{where}: expected the same damping about both axes, got {got}")
-        return replace(
-            joint, axes=np.array(directions), damping=damping[0], limits=limits, effort=effort, speed=speed
-        )
+    def _axis(self, joint: Joint, axis: ET.Element | None, where: str) -> Joint:
+        """Return the joint with one axis, its damping, and its limits."""
+        if axis is None:
+            raise ValueError(f"{where}: expected an axis for each turn, got none")
+        frame = self._expressed_in(axis, where)
+        local = numbers(_value(axis, "xyz"), 3, f"{where}: xyz", (0.0, 0.0, 1.0))
+        if frame and frame not in self.named and frame not in self.found:
+            raise ValueError(f"{where}: xyz: frame {frame!r}: missing")
+        R, _ = self._pose(frame or joint.name)
+        self.left_out += others(axis, _IN_AXIS, where)
+        joint = replace(joint, axes=(R @ direction(local, f"{where}: xyz"))[None])
+        return with_properties(joint, partial(_value, axis), self.left_out)
 
 
 def _value(element: ET.Element, path: str = ".") -> str | None:
     """Return the text of an element, or None if it is missing or empty and has its default."""
     text = (element.text if path == "." else element.findtext(path)) or ""
     return text if text.strip() else None
+
+
+def _of_ball(ball: ET.Element, key: str) -> str | None:
+    """Return the text of an element of a ball constraint."""
+    return _value(ball, f"{BALL}_{key}")
 
 
 def _is_true(text: str | None) -> bool:

@@ -15,7 +15,7 @@ from .xml_text import NO_LIMIT, TENSOR, added, document
 
 SPACE = "urn:stewart-sym"
 """XML namespace of contents that the format cannot represent."""
-NOTES = "stewart_sym:notes"
+NOTE = "stewart_sym:note"
 BALL = "drake:ball_constraint"
 """Element for a loop closure in Drake, in SDF and URDF."""
 DRAKE = "http://drake.mit.edu"
@@ -61,8 +61,8 @@ def _document(model: Model, drake: bool) -> str:
         if joint.driven and not drake:
             plugin = added(inside, "plugin", **_PLUGIN)
             added(plugin, "joint_name", joint.name)
-    if model.notes:
-        added(inside, NOTES, json.dumps(model.notes))
+    if model.note:
+        added(inside, NOTE, json.dumps(model.note))
     return document(root)
 
 

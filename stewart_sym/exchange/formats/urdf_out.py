@@ -72,7 +72,7 @@ def _loops(model: Model) -> dict[str, Any]:
         "gravity_m_s2": model.gravity,
         "closures": closures,
         "armature_kg": {joint.name: joint.armature for joint in model.joints if joint.armature},
-        "notes": model.notes,
+        "note": model.note,
     }
 
 

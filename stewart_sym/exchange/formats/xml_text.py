@@ -4,6 +4,7 @@ import math
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from typing import Any
 from xml.parsers import expat
 
@@ -11,6 +12,7 @@ import numpy as np
 
 from ...io.arguments import shown
 from ...io.array_types import Array
+from ..model import Joint
 
 HEADER = "<?xml version='1.0' encoding='utf-8'?>\n<!-- Written by stewart-sym export -->\n"
 """First lines of every XML file that is written."""
@@ -20,6 +22,8 @@ TENSOR = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1,
 
 NO_LIMIT = 1e16
 """Value that represents no limit in SDF and URDF, which require limits."""
+CONTACTS = "contacts of shapes, which may limit the motion"
+"""Message about shapes that can touch each other."""
 _DEEPEST = 100
 _NAMED = re.compile(r"(\w+) '([^']+)'")
 _TAGS = {"body": "link", "link": "body"}
@@ -146,29 +150,51 @@ def number(text: str | None, where: str, default: float | None = None) -> float:
     return float(numbers(text, 1, where, None if default is None else [default])[0])
 
 
-def joint_of(element: ET.Element, kinds: Collection[str]) -> tuple[str, str, str]:
-    """Return name, type, and location of a joint; raise ValueError for types not in ``kinds``."""
-    name, kind = element.attrib["name"], element.get("type", "")
-    where = f"joint {name!r}"
+def joint_of(element: ET.Element, kinds: Mapping[str, str]) -> Joint:
+    """Return a joint without bodies; raise ValueError for types not in ``kinds``."""
+    name, kind = name_of(element, "joint"), element.get("type", "")
     if kind not in kinds:
-        raise ValueError(f"{where}: expected type {', '.join(kinds)}, got {kind!r}")
-    return name, kind, where
+        raise ValueError(f"joint {name!r}: expected type {', '.join(kinds)}, got {kind!r}")
+    return Joint(name, kinds[kind], "", "")
 
 
-def interval(low: str | None, high: str | None, where: str) -> tuple[float, float]:
-    """Return lower and upper limits; infinite if missing or at least ``NO_LIMIT``."""
-    found = [
-        float(numbers(text, 1, f"{where}: {name}", default, finite=False)[0])
-        for text, name, default in ((low, "lower", [-NO_LIMIT]), (high, "upper", [NO_LIMIT]))
-    ]
-    least, most = (each if abs(each) < NO_LIMIT else math.copysign(math.inf, each) for each in found)
-    return least, most
+def with_properties(joint: Joint, given: Callable[[str], str | None], left_out: list[str]) -> Joint:
+    """Return a joint with damping, limits, and spring from the elements of SDF or URDF at its axis.
+
+    Properties that a robot cannot represent are appended to ``left_out``.
+    """
+    where = f"joint {joint.name!r}"
+
+    def value(path: str, default: float) -> float:
+        text = given(path)
+        return float(numbers(text, 1, f"{where}: {path.partition('/')[2]}", [default], finite=False)[0])
+
+    friction, spring = value("dynamics/friction", 0.0), value("dynamics/spring_stiffness", 0.0)
+    found = (("friction", friction), ("spring_stiffness", spring))
+    left_out += [f"{key} {size:g} of {where}" for key, size in found if size]
+    low, high = (value(f"limit/{key}", sign * np.inf) for key, sign in (("lower", -1.0), ("upper", 1.0)))
+    low, high = (each if abs(each) < NO_LIMIT else math.copysign(math.inf, each) for each in (low, high))
+    joint = replace(joint, damping=value("dynamics/damping", 0.0))
+    turn = spring * value("dynamics/spring_reference", 0.0) * joint.axes[0]
+    if joint.kind != "prismatic":
+        left_out += turn_limits((low, high), where)
+        return replace(joint, load=joint.load + np.append(np.zeros(3), turn))
+    drive = {key: value(f"limit/{key}", NO_LIMIT) for key in ("effort", "velocity")}
+    left_out += [f"limit {key} 0, taken as none, of {where}" for key, size in drive.items() if size == 0.0]
+    effort, speed = (size if 0.0 < size < NO_LIMIT else math.inf for size in drive.values())
+    load = np.append(turn, np.zeros(3))
+    return replace(joint, limits=(low, high), effort=effort, speed=speed, load=load)
 
 
-def largest(text: str | None, where: str) -> float:
-    """Return a limit of a magnitude; infinite if missing, at least ``NO_LIMIT``, zero, or negative."""
-    found = float(numbers(text, 1, where, [NO_LIMIT], finite=False)[0])
-    return found if 0.0 < found < NO_LIMIT else math.inf
+def ball_constraint(given: Callable[[str], str | None], i: int, links: Collection[str]) -> Joint:
+    """Return the loop closure of a ball constraint of Drake, which has no name, from its elements."""
+    where = f"ball_constraint {i}"
+    one, other = (given(f"body_{end}") or "" for end in "AB")
+    for link in (one, other):
+        if link not in links:
+            raise ValueError(f"{where}: link {link!r}: missing")
+    here, there = (numbers(given(f"p_{key}"), 3, f"{where}: p_{key}") for key in ("AP", "BQ"))
+    return Joint(f"ball_constraint_{i}", "spherical", one, other, there, cut=True, parent_point=here)
 
 
 def turn_limits(limits: Any, joint: str) -> list[str]:
@@ -177,13 +203,9 @@ def turn_limits(limits: Any, joint: str) -> list[str]:
     return [f"limits {low:.4g} to {high:.4g} rad of {joint}"] if np.isfinite([low, high]).any() else []
 
 
-def no_limits(given: Mapping[str, str | None], joint: str) -> list[str]:
-    """Return messages about drive limits of 0, which ``largest`` treats as no limit."""
-    return [
-        f"limit {key} 0, taken as none, of {joint}"
-        for key in ("effort", "velocity")
-        if not numbers(given.get(key), 1, f"{joint}: {key}", [NO_LIMIT], finite=False).any()
-    ]
+def others(element: ET.Element, known: Collection[str], where: str) -> list[str]:
+    """Return messages about the elements in another one that are not known."""
+    return [f"{tag} of {where}" for tag in dict.fromkeys(each.tag for each in element) if tag not in known]
 
 
 def at_line(element: ET.Element) -> str:
