@@ -11,12 +11,13 @@ given motion. It is the numerical rank of Y stacked over many poses. Identical l
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import qr
 
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse_dynamics import need_universal
@@ -38,7 +39,7 @@ MERGED: Mapping[str, str] = MappingProxyType(dict(exact_regressor.MERGED))
 _ROUNDING = 1e-11
 # Relative size below which a coefficient is rounding error.
 _NOTHING = 1e-9
-# Relative size in a null space direction from which a dependent parameter is eliminated first.
+# Relative size in the null space from which a dependent parameter is eliminated first.
 _CLEAR = 1e-2
 # Relative difference up to which two geometries count as equal.
 _SAME = 1e-6
@@ -180,8 +181,7 @@ def base_parameters(
             raise ValueError("motion: expected poses, got none")
     truth(identical_legs, "identical_legs")
     stack = _stacked(robot, _random_motion(robot) if motion is None else motion)
-    names, units = parameter_names()
-    spread, dependent = np.eye(len(names)), _of_all_legs(exact_regressor.DEPENDENT)
+    (names, units), spread, dependent = parameter_names(), np.eye(stack.shape[1]), _of_all_legs()
     if identical_legs:
         spread, names, units = _shared_by_legs()
         stack, dependent = stack @ spread, set(exact_regressor.DEPENDENT)
@@ -190,14 +190,17 @@ def base_parameters(
     lengths = _lengths(stack, units)
     values, directions = _singular(stack / np.where(lengths > 0.0, lengths, np.inf))
     rank = int(np.count_nonzero(values > _ROUNDING * values[0])) if values[0] > 0.0 else 0
-    unfelt = directions[rank:].T
-    lost = _given_up(unfelt, np.flatnonzero([name in dependent for name in names]))
-    kept = np.setdiff1d(np.arange(len(names)), lost)
-    shares = np.linalg.solve(unfelt[lost].T, -unfelt[kept].T).T
+    null_space = directions[rank:].T
+    # The columns that a pivoted QR decomposition chooses first are eliminated, preferably dependent ones.
+    preference = np.where([name in dependent for name in names], 1.0 / _CLEAR, 1.0)
+    order = qr((preference[:, None] * null_space).T, mode="r", pivoting=True)[1]
+    lost, kept = np.sort(order[: len(names) - rank]), np.sort(order[len(names) - rank :])
+    shares = np.linalg.solve(null_space[lost].T, -null_space[kept].T).T
     shares = np.where(np.abs(shares) > _NOTHING, shares, 0.0)
     matrix = np.zeros((rank, len(names)))
     matrix[np.arange(rank), kept] = 1.0
     matrix[:, lost] = shares * lengths[lost] / lengths[kept, None]
+    gap = float(values[rank - 1] / values[rank]) if 0 < rank < len(values) and values[rank] else math.inf
     return BaseParametersResult(
         rank=rank,
         independent_columns=np.argmax(spread[:, kept], axis=0),
@@ -206,9 +209,7 @@ def base_parameters(
         formulas=tuple(_formula(i, row, names) for i, row in zip(kept.tolist(), matrix, strict=True)),
         units=tuple(units[i] for i in kept),
         singular_values=values,
-        rank_gap=float(values[rank - 1] / values[rank])
-        if 0 < rank < len(values) and values[rank]
-        else math.inf,
+        rank_gap=gap,
         expansion=spread[:, kept],
         identical_legs=identical_legs,
         robot=robot,
@@ -235,9 +236,9 @@ def alike(pi: Array) -> Array:
     return np.asarray(spread @ (spread.T @ pi / spread.sum(axis=0)))
 
 
-def _of_all_legs(names: Iterable[str]) -> set[str]:
-    """Return the names for each of the six legs."""
-    return {leg_name(name, leg) for name in names for leg in range(1, LEGS + 1)}
+def _of_all_legs() -> set[str]:
+    """Return the names of the parameters of the six legs that are dependent for every robot."""
+    return {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
 
 
 def _shared_by_legs() -> tuple[Array, tuple[str, ...], tuple[str, ...]]:
@@ -267,29 +268,10 @@ def _lengths(stack: Array, units: Sequence[str]) -> Array:
 
 def _singular(stack: Array) -> tuple[Array, Array]:
     """Return the singular values, with zeros for missing rows, and the right singular vectors as rows."""
-    short = stack.shape[1] - stack.shape[0]
-    padded = np.pad(stack, ((0, max(short, 0)), (0, 0)))
+    missing = max(stack.shape[1] - stack.shape[0], 0)
     # R of the QR decomposition has the same singular values and is small for any number of poses.
-    _, values, directions = np.linalg.svd(np.linalg.qr(padded, mode="r"))
-    return values, directions
-
-
-def _given_up(unfelt: Array, preferred: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Choose one parameter to eliminate for each null space direction, shape (148, n).
-
-    Each choice has the largest entry in the remaining directions. Preferred parameters are chosen first if
-    one of them has a significant entry.
-    """
-    left = unfelt.copy()
-    chosen: list[int] = []
-    for _ in range(unfelt.shape[1]):
-        size = np.linalg.norm(left, axis=1)
-        best = int(preferred[np.argmax(size[preferred])])
-        pick = best if size[best] > _CLEAR else int(np.argmax(size))
-        row = left[pick] / size[pick]
-        left = left - np.outer(left @ row, row)
-        chosen.append(pick)
-    return np.sort(np.array(chosen, dtype=np.intp))
+    R = np.linalg.qr(np.pad(stack, ((0, missing), (0, 0))), mode="r")
+    return np.linalg.svd(R)[1:]
 
 
 def _formula(own: int, row: Array, names: Sequence[str]) -> str:

@@ -96,18 +96,8 @@ class DriveIdentificationResult(Frozen):
 class Terms(NamedTuple):
     """Requested drive terms along a motion.
 
-    Attributes
-    ----------
-    names, units : tuple of str
-        Name and unit of each term.
-    columns : ndarray, shape (..., 6, n)
-        Forces of each term (N) for a value of 1.
-    identifiable : ndarray of bool, shape (n,)
-        True for terms that the motion identifies.
-    sought, shared : tuple of str, bool
-        Arguments of ``drive_terms``.
-    confused : tuple of str
-        One message for each term that is not identifiable.
+    ``columns``, shape (..., 6, n), are the forces of each term (N) for a value of 1. ``sought`` and
+    ``shared`` are arguments of ``drive_terms``; ``confused`` has a message for each unidentifiable term.
     """
 
     names: tuple[str, ...]
@@ -123,15 +113,20 @@ class Terms(NamedTuple):
         """True if the rotors are among the terms."""
         return any(name.startswith("reflected_mass") for name in self.names)
 
-    def along(self, robot: Robot, motion: Motion) -> Array:
-        """Compute the forces of the identifiable terms, shape (..., 6, m), along a similar motion.
+    @property
+    def _steady(self) -> Flags:
+        """True for dry friction and offsets, shape (m,), whose forces are kept if the motion changes."""
+        names = np.array(self.names)[self.identifiable]
+        return np.array([name.startswith(("coulomb", "offset")) for name in names], dtype=np.bool_)
 
-        The signs of the friction terms are taken from the initial motion, because steps of the friction would
-        prevent the convergence of a fit of the motion.
-        """
+    def steady(self, values: Array) -> Array:
+        """Compute the forces of dry friction and offsets, shape (..., 6), from the identifiable values."""
+        return np.asarray(self.columns[..., self.identifiable] @ np.where(self._steady, values, 0.0))
+
+    def along(self, robot: Robot, motion: Motion) -> Array:
+        """Compute the forces of the identifiable terms, shape (..., 6, m), along a similar motion."""
         there = drive_terms(robot, motion, self.sought, self.shared).columns
-        steady = [name.startswith(("coulomb", "offset")) for name in self.names]
-        return np.asarray(np.where(steady, self.columns, there)[..., self.identifiable])
+        return np.asarray(np.where(self._steady, *(x[..., self.identifiable] for x in (self.columns, there))))
 
     def by_leg(self, name: str, values: Array) -> Array:
         """Return a term by leg, shape (6,), from the identifiable values, shape (m,); 0 for others."""
@@ -237,37 +232,20 @@ def told_apart(terms: Terms, A: Array, names: Sequence[str]) -> Terms:
     """Determine the identifiable terms.
 
     A term is identifiable unless it is a linear combination of the base parameters and the terms before it
-    along the motion.
-
-    Parameters
-    ----------
-    terms : Terms
-        Terms along the motion.
-    A : ndarray, shape (..., 6, rank)
-        Force regressor of the base parameters.
-    names : sequence of str
-        Names of the base parameters.
+    along the motion. ``A``, shape (..., 6, rank), are the forces of the base parameters with these names.
     """
-    known, found, confused = list(names), [], []
-    span = _unit(A.reshape(-1, A.shape[-1]))
-    columns = _unit(terms.columns.reshape(-1, len(terms.names)))
-    Q = np.linalg.qr(span)[0]
-    for i, name in enumerate(terms.names):
-        rest = columns[:, i] - Q @ (Q.T @ columns[:, i])
-        if np.linalg.norm(rest) > _SAME:
-            rest = _unit((rest - Q @ (Q.T @ rest))[:, None])
-            Q, span, known = np.hstack([Q, rest]), np.column_stack([span, columns[:, i]]), [*known, name]
-            found.append(True)
-            continue
-        shares, *_ = np.linalg.lstsq(span, columns[:, i], rcond=None)
-        large = np.flatnonzero(np.abs(shares) > _NAMED * np.abs(shares).max(initial=0.0))
-        same = ", ".join(known[k] for k in large[np.argsort(-np.abs(shares[large]), kind="stable")][:4])
-        confused.append(f"{name}: not identifiable along this motion, acts as {same or 'nothing'}")
-        found.append(False)
-    return terms._replace(identifiable=np.array(found, dtype=np.bool_), confused=tuple(confused))
-
-
-def _unit(columns: Array) -> Array:
-    """Scale columns to length 1; zero columns remain zero."""
+    known = [*names, *terms.names]
+    columns = np.concatenate([A, terms.columns], axis=-1).reshape(-1, len(known))
     lengths = np.linalg.norm(columns, axis=0)
-    return np.asarray(columns / np.where(lengths > 0.0, lengths, 1.0))
+    R = np.asarray(np.linalg.qr(columns / np.where(lengths > 0.0, lengths, 1.0), mode="r"))
+    new = np.abs(np.diagonal(R)) > _SAME
+    new[: len(names)] = True
+    confused = []
+    for i in np.flatnonzero(~new).tolist():
+        before = np.flatnonzero(new[:i])
+        shares = np.abs(np.linalg.lstsq(R[:, before], R[:, i])[0])
+        order = np.argsort(-shares, kind="stable")[:4]
+        same = [known[before[k]] for k in order if shares[k] > _NAMED * shares.max()]
+        acts_as = ", ".join(same) or "nothing"
+        confused.append(f"{known[i]}: not identifiable along this motion, acts as {acts_as}")
+    return terms._replace(identifiable=new[len(names) :], confused=tuple(confused))

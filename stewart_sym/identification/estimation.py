@@ -11,9 +11,8 @@ likelihood). Only the geometry and gravity of the robot file are used. The resid
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,13 +27,12 @@ from .base_parameters import BaseParametersResult, need_base
 from .base_parameters import base_parameters as parameters_of
 from .drive_terms import drive_terms as terms_along
 from .drive_terms import need_terms, told_apart, turning_legs
-from .estimates import EXACT, LEVEL, IdentificationResult, tested_estimate
+from .estimates import IdentificationResult, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
 from .fits import Data, exact_fit, joint_fit
-from .least_squares import tail
 from .motion_basis import PoseNoise, smoothed
 from .parameters import inertial_parameters
-from .physical import possible_fit
+from .possible_bodies import possible_estimate
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,11 +181,9 @@ def identify(
     )
     if drive_terms is not None:
         data = _with_terms(data, need_terms(drive_terms), pose_noise)
-    if pose_noise is not None:
-        found = tested_estimate(data, joint_fit(data, pose_noise), ())
-    else:
-        found = tested_estimate(data, exact_fit(data, motion), EXACT)
-    return _possible(robot, found) if enforce_physical and found.verdict != "rejected" else found
+    fit = exact_fit(data, motion) if pose_noise is None else joint_fit(data, pose_noise)
+    found = tested_estimate(data, fit)
+    return possible_estimate(robot, found) if enforce_physical and found.verdict != "rejected" else found
 
 
 def _with_terms(data: Data, drive: tuple[str, ...], noise: PoseNoise | None) -> Data:
@@ -276,28 +272,3 @@ def simulate_experiment(
     estimate = identify(robot, motion, F, deviation, excitation.base, noise)
     right = excitation.base.matrix @ inertial_parameters(robot).values
     return Experiment(excitation, motion, F, deviation, noise, right, estimate)
-
-
-def _possible(robot: Robot, found: IdentificationResult) -> IdentificationResult:
-    """Convert the estimate to possible bodies, with the verdict "misfit" if these fit much worse."""
-    fit = possible_fit(robot, found.base, found.values, found.covariance)
-    ratio = fit.squares / found.base.rank
-    verdict, doubts = found.verdict, found.warnings
-    if tail(ratio, found.base.rank) < LEVEL:
-        verdict = "misfit"
-        doubts = (
-            *doubts,
-            f"bodies: the nearest possible bodies are {math.sqrt(ratio):.3g} times as far from the estimate "
-            "as expected from noise",
-        )
-    return replace(
-        found,
-        values=fit.values,
-        covariance=fit.covariance,
-        verdict=verdict,
-        warnings=doubts,
-        nonphysical=(),
-        near_zero=(),
-        parameters=fit.parameters,
-        unconstrained=found,
-    )

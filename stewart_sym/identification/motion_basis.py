@@ -8,21 +8,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
+from scipy import sparse
+from scipy.interpolate import BSpline
 
-from ..io.arguments import instance, number_in, real_array, shown, whole_number
+from ..io.arguments import finite_array, instance, number_in, real_array, shown, whole_number
 from ..io.array_types import Array, Indices
 from ..motion.motion import Motion
-from ..motion.rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
+from ..motion.rotation import rpy_from_rotation, vector_from_rotation
 from ..motion.sample_times import elapsed
-from ..motion.spline import likeliest, smooth_columns
-from .least_squares import solution
-
-if TYPE_CHECKING:
-    from ..motion.spline import SmoothCurves, Smoothness
+from ..motion.spline import DEGREE, SmoothCurves, Smoothness, likeliest, smooth_columns
 
 # Largest pitch angle (rad); beyond it, roll and yaw are too poorly determined.
 _STEEPEST = 1.4
@@ -47,6 +46,9 @@ class PoseNoise:
         Period (s). A periodic motion is modeled by a Fourier series, other motions by a spline of degree 5.
     harmonics : int, optional
         Number of harmonics of the series. None: chosen from the measurement.
+    covariance : ndarray, shape (n, 6, 6) or (6, 6), optional
+        Covariance of position and rotation vector in the base frame, if they are not independent. Then
+        ``position`` and ``angle`` are typical standard deviations.
 
     Raises
     ------
@@ -59,6 +61,7 @@ class PoseNoise:
     angle: float
     period: float | None = None
     harmonics: int | None = None
+    covariance: ArrayLike | None = None
 
     def __post_init__(self) -> None:
         time = real_array(self.time, "time", "increasing times, s, (n,)")
@@ -70,6 +73,8 @@ class PoseNoise:
             number_in(getattr(self, name), name, f"a standard deviation > 0 {unit}")
         if self.period is not None:
             number_in(self.period, "period", "a duration > 0 s or None")
+        if self.covariance is not None:
+            self._check_covariance(finite_array(self.covariance, (6, 6), "covariance"))
         if self.harmonics is None:
             return
         if self.period is None:
@@ -78,10 +83,30 @@ class PoseNoise:
         expected = f"a whole number from 1 to {most} for {len(time)} samples, or None"
         whole_number(self.harmonics, "harmonics", 1, expected, most)
 
+    def _check_covariance(self, given: Array) -> None:
+        """Raise ValueError unless there is one positive definite matrix, or one for each time."""
+        if given.shape not in ((6, 6), (len(self.time), 6, 6)) or np.linalg.eigvalsh(given).min() <= 0.0:
+            expected = f"positive definite matrices, (6, 6) or {(len(self.time), 6, 6)}"
+            raise ValueError(f"covariance: expected {expected}, got {shown(self.covariance)}")
+
+    def at(self, index: Array) -> PoseNoise:
+        """Return the noise at some of the times."""
+        covariance = None if self.covariance is None else np.asarray(self.covariance)
+        if covariance is not None and covariance.ndim == 3:
+            covariance = covariance[index]
+        return replace(self, time=self.time[index], covariance=covariance)
+
+    @property
+    def std(self) -> Array:
+        """Typical standard deviation of each coordinate (m, rad), shape (6,)."""
+        return np.repeat([self.position, self.angle], 3)
+
     @property
     def weights(self) -> Array:
-        """Reciprocal standard deviation of each coordinate (1/m, 1/rad), shape (6,)."""
-        return 1.0 / np.repeat([self.position, self.angle], 3)
+        """Matrices that make the errors of the poses independent with variance 1, shape (n, 6, 6)."""
+        given = np.diag(self.std**2) if self.covariance is None else self.covariance
+        roots = np.linalg.inv(np.linalg.cholesky(np.asarray(given)))
+        return np.broadcast_to(roots, (len(self.time), 6, 6))
 
 
 class Basis(NamedTuple):
@@ -95,7 +120,7 @@ class Basis(NamedTuple):
         First of the functions that are not zero at each sample.
     local : ndarray, shape (3, n, width)
         Values, rates, and second rates of these functions.
-    prior : sparse or dense matrix, shape (rows, 6 size)
+    prior : sparse matrix, shape (rows, 6 size)
         Combinations of ``c.ravel()`` with a standard normal distribution; no rows for a Fourier series.
     """
 
@@ -109,12 +134,20 @@ class Basis(NamedTuple):
         near = c[self.start[:, None] + np.arange(self.local.shape[2])]
         return np.asarray(np.moveaxis(np.moveaxis(self.local, 0, 1) @ near, 1, 0))
 
-    def motion(self, c: Array, load: Motion) -> Motion:
-        """Return the motion of the coefficients under the load of another motion, (n,)."""
-        return _motion(self.coordinates(c), load)
+    def rows(self, derivatives: Array) -> sparse.csr_matrix:
+        """Return the derivatives of 6 n values by c, shape (6 n, 6 size).
+
+        ``derivatives``, shape (k, n, 6, 6), are derivatives by the coordinates and their first k - 1 rates.
+        """
+        by_c = np.einsum("knij,knw->niwj", derivatives, self.local[: len(derivatives)], optimize=True)
+        n, _, width, _ = by_c.shape
+        columns = 6 * self.start[:, None, None] + np.arange(6 * width) + np.zeros((1, 6, 1), dtype=np.intp)
+        pointers = 6 * width * np.arange(6 * n + 1)
+        return sparse.csr_matrix((by_c.ravel(), columns.ravel(), pointers), shape=(6 * n, 6 * self.size))
 
 
-def _motion(coordinates: Array, load: Motion) -> Motion:
+def motion_of(coordinates: Array, load: Motion) -> Motion:
+    """Return the motion of coordinates, shape (3, n, 6), under the load of another motion."""
     t, v, a = coordinates[..., :3]
     theta, theta_dot, theta_ddot = coordinates[..., 3:]
     return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, load.F_ext, load.M_ext)
@@ -144,10 +177,10 @@ def smoothed(motion: Motion, noise: PoseNoise) -> tuple[Motion, Array]:
     if noise.period is None:
         since = elapsed(noise.time)
         curves, _ = _curves(noise, q)
-        return _motion(curves.evaluate(since), motion), np.sqrt(curves.covariance(since)[..., 2])
+        return motion_of(curves.evaluate(since), motion), np.sqrt(curves.covariance(since)[..., 2])
     basis, c = next(bases(noise, q))
     rates = np.linalg.norm(basis.local[1] @ np.linalg.pinv(basis.local[0]), axis=1)
-    return basis.motion(c, motion), rates[:, None] / noise.weights
+    return motion_of(basis.coordinates(c), motion), rates[:, None] * noise.std
 
 
 def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
@@ -166,8 +199,8 @@ def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
     found, costs = [], []
     for count in np.unique(np.rint(counts).astype(int)).tolist():
         basis = _fourier(noise.time, noise.period, count)
-        c = solution(basis.local[0], q)
-        squares = float(np.sum(((q - basis.local[0] @ c) * noise.weights) ** 2))
+        c = np.linalg.lstsq(basis.local[0], q)[0]
+        squares = float(np.sum(((q - basis.local[0] @ c) / noise.std) ** 2))
         found.append((basis, c))
         costs.append(akaike(squares, q.size, 6 * basis.size))
         best = int(np.argmin(costs))
@@ -192,17 +225,17 @@ def _fourier(time: Array, period: float, harmonics: int) -> Basis:
         np.hstack([zero, -(rate**2) * sin, -(rate**2) * cos]),
     ]
     size, start = 2 * harmonics + 1, np.zeros(len(time), dtype=np.intp)
-    return Basis(size, start, np.array(local), np.zeros((0, 6 * size)))
+    return Basis(size, start, np.array(local), sparse.csr_matrix((0, 6 * size)))
 
 
 def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]:
     """Smooth the poses alone; the noise is estimated unless the estimate is much below the stated noise."""
-    since, std = elapsed(noise.time), 1.0 / noise.weights
+    since = elapsed(noise.time)
     smoothness = likeliest(since, q)
     curves = smooth_columns(since, q, smoothness=smoothness)
-    interpolated = curves.noise_std < _TOO_SMALL * std
+    interpolated = curves.noise_std < _TOO_SMALL * noise.std
     if interpolated.any():
-        known = np.where(interpolated, std, np.nan)
+        known = np.where(interpolated, noise.std, np.nan)
         smoothness = likeliest(since, q, known)
         curves = smooth_columns(since, q, known, smoothness=smoothness)
     return curves, smoothness
@@ -210,79 +243,39 @@ def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]
 
 def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
     """Return the finest B-splines of the curves through the poses, with the priors of their penalties."""
-    curves, smoothness = _curves(noise, q)
-    from scipy import sparse
-    from scipy.interpolate import BSpline, make_interp_spline
-
-    from ..motion.spline import DEGREE
-
+    coarse, smoothness = _curves(noise, q)
     since, step = elapsed(noise.time), min(each.step for each in smoothness)
-    cells = max(1, math.ceil(float(since[-1]) / step * (1.0 - 1e-9)))
-    size, start = cells + DEGREE, np.minimum((since / step).astype(np.intp), cells - 1)
+    # A penalty on finer knots has the same effect with this weight.
+    finer = [
+        Smoothness(step, order, log_weight + (2 * order - 1) * math.log(own / step))
+        for own, order, log_weight in smoothness
+    ]
+    curves = smooth_columns(since, q, coarse.noise_std, smoothness=finer)
+    c = np.stack([curve.coefficients for curve in curves.columns], axis=-1)
+    start, size = np.minimum((since / step).astype(np.intp), len(c) - DEGREE - 1), len(c)
     near = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
     local = np.array([near(since / step - start, order) / step**order for order in range(3)])
     priors = []
-    for axis, each, std in zip(np.eye(6), smoothness, curves.noise_std, strict=True):
-        # A penalty on finer knots has the same effect with this weight.
-        weight = each.log_weight + (2 * each.order - 1) * math.log(each.step / step)
-        signs = [(-1.0) ** k * math.comb(each.order, k) for k in range(each.order + 1)]
-        differences = sparse.diags(signs, range(each.order + 1), shape=(size - each.order, size))
-        priors.append(math.exp(0.5 * weight) / std * sparse.kron(differences, axis))
-    ends = np.array([1.0, 2.0]) / 3.0
-    sites = step * np.sort(np.concatenate([np.arange(cells + 1), ends, cells - ends]))
-    knots = step * np.arange(-DEGREE, size + 1)
-    c = make_interp_spline(sites, curves.evaluate(sites)[0], DEGREE, knots).c
+    for axis, (_, order, log_weight), std in zip(np.eye(6), finer, coarse.noise_std, strict=True):
+        signs = [(-1.0) ** k * math.comb(order, k) for k in range(order + 1)]
+        differences = sparse.diags(signs, range(order + 1), shape=(size - order, size))
+        priors.append(math.exp(0.5 * log_weight) / std * sparse.kron(differences, axis))
     return Basis(size, start, local, sparse.vstack(priors, "csr")), c
 
 
-def residual(basis: Basis, c: Array, motion: Motion, noise: PoseNoise) -> Array:
-    """Return the differences from measured to smooth poses divided by their standard deviations, (n, 6)."""
-    smooth = basis.motion(c, motion)
-    turn = vector_from_rotation(motion.R @ np.swapaxes(smooth.R, -1, -2))
-    return np.concatenate([motion.t - smooth.t, turn], axis=1) * noise.weights
+def pose_residual(measured: Motion, smooth: Motion, weights: Array) -> Array:
+    """Return the differences from smooth to measured poses, made independent, shape (n, 6)."""
+    turn = vector_from_rotation(measured.R @ np.swapaxes(smooth.R, -1, -2))
+    off = np.concatenate([measured.t - smooth.t, turn], axis=1)
+    return np.asarray(np.einsum("nij,nj->ni", weights, off))
 
 
-def chain(
-    basis: Basis, c: Array, motion: Motion
-) -> tuple[tuple[Array, ...], tuple[Array, ...], tuple[Array, ...]]:
-    """Return the derivatives of pose, twist, and acceleration by the coordinates, shape (n, 6, 6) each.
-
-    ``motion`` is the motion of the coefficients. The derivatives of the pose [dt; dphi] are by q, of the
-    twist by q and q_dot, and of the acceleration by q, q_dot, and q_ddot. A rotation dphi = E dq changes the
-    angular velocity by d(dphi)/dt - omega x dphi, and the angular acceleration by the rate of this.
-    """
-    q, q_dot, q_ddot = basis.coordinates(c)
-    E, E_dot, E_ddot = _turns(q[:, 3:], q_dot[:, 3:], q_ddot[:, 3:])
-    W, A = cross_matrix(motion.omega), cross_matrix(np.asarray(motion.alpha))
-    one, zero = np.broadcast_to(np.eye(3), E.shape), np.zeros(E.shape)
-
-    def both(position: Array, turn: Array) -> Array:
-        return np.block([[position, zero], [zero, turn]])
-
-    pose = (both(one, E),)
-    twist = (both(zero, E_dot - W @ E), both(one, E))
-    second = (
-        both(zero, E_ddot - A @ E - W @ E_dot),
-        both(zero, 2.0 * E_dot - W @ E),
-        both(one, E),
-    )
-    return pose, twist, second
-
-
-def _turns(theta: Array, rate: Array, second: Array) -> tuple[Array, Array, Array]:
-    """Return E of omega = E theta_dot and its first two time derivatives, shape (n, 3, 3) each."""
-    e_z = np.broadcast_to([0.0, 0.0, 1.0], theta.shape)
-    (sin_y, sin_z), (cos_y, cos_z) = (f(theta[:, 1:]).T for f in (np.sin, np.cos))
-    e_y = np.stack([-sin_z, cos_z, np.zeros_like(sin_z)], axis=-1)
-    e_x = np.stack([cos_y * cos_z, cos_y * sin_z, -sin_y], axis=-1)
-    about_y = rate[:, 2:] * e_z
-    about_x = about_y + rate[:, 1:2] * e_y
-    about_y_dot = second[:, 2:] * e_z
-    about_x_dot = about_y_dot + second[:, 1:2] * e_y + rate[:, 1:2] * np.cross(about_y, e_y)
-    columns = [
-        (e, np.cross(w, e), np.cross(w_dot, e) + np.cross(w, np.cross(w, e)))
-        for e, w, w_dot in ((e_x, about_x, about_x_dot), (e_y, about_y, about_y_dot))
-    ]
-    columns.append((e_z, np.zeros(e_z.shape), np.zeros(e_z.shape)))
-    E, E_dot, E_ddot = (np.stack(parts, axis=-1) for parts in zip(*columns, strict=True))
-    return E, E_dot, E_ddot
+def pose_derivatives(coordinates: Array, weights: Array) -> Array:
+    """Return minus the derivatives of ``pose_residual`` by position and angles, shape (n, 6, 6)."""
+    t, theta = coordinates[0, :, :3], coordinates[0, :, 3:]
+    J = np.zeros((len(t), 6, 6))
+    J[:, :3, :3] = np.eye(3)
+    for axis, rates in enumerate(np.eye(3)):
+        # The angular velocity of a unit rate is the derivative of the rotation.
+        J[:, 3:, 3 + axis] = Motion.from_rpy(t, theta, 0.0 * t, np.broadcast_to(rates, t.shape)).omega
+    return np.asarray(weights @ J)

@@ -31,9 +31,13 @@ from ..results import NOT_FINITE, OK, ON_FAULT, OnFault
 from ..robot.robot import LEGS, Robot, need_masses
 
 _UPPER = np.triu_indices(3)
-# Number of parameters of a body: mass, first moment, and inertia.
-_BODY = 10
-_COLUMNS = LEGS * len(exact_regressor.LEG_PARAMETERS) + len(exact_regressor.PLATFORM_PARAMETERS)
+_OF_LEG = len(exact_regressor.LEG_PARAMETERS)
+_COLUMNS = LEGS * _OF_LEG + len(exact_regressor.PLATFORM_PARAMETERS)
+_BY_LEG = np.arange(LEGS * _OF_LEG).reshape(LEGS, _OF_LEG)
+BODIES = np.vstack([_BY_LEG[:, :20].reshape(2 * LEGS, 10), np.arange(_COLUMNS - 10, _COLUMNS)])
+"""Indices of mass, first moment, and inertia: lower and upper parts of the legs, and platform, (13, 10)."""
+FRICTION = _BY_LEG[:, 20:]
+"""Indices of the friction coefficients C_u, C_p, and C_s of each leg, shape (6, 3)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -407,13 +411,13 @@ def inertial_parameters(robot: Robot) -> ParameterVector:
     """
     need_universal(robot)
     need_masses(robot, "the parameter vector")
-    lower = body_parameters(robot.m_d, robot.r_d0, robot.I_d0)
-    upper = body_parameters(robot.m_u, robot.r_u0, robot.I_u0)
-    friction = np.column_stack([robot.C_u, robot.C_p, robot.C_s])
-    platform = body_parameters(np.array([robot.M]), robot.R_0[None], robot.I_p[None])
-    legs = np.hstack([lower, upper, friction])
-    names, units = parameter_names()
-    return ParameterVector(np.concatenate([legs.ravel(), platform.ravel()]), names, units)
+    m = np.append(np.column_stack([robot.m_d, robot.m_u]), robot.M)
+    r = np.vstack([np.stack([robot.r_d0, robot.r_u0], axis=1).reshape(-1, 3), robot.R_0])
+    inertia = np.vstack([np.stack([robot.I_d0, robot.I_u0], axis=1).reshape(-1, 3, 3), robot.I_p[None]])
+    values = np.empty(_COLUMNS)
+    values[BODIES] = _about_joint(m, r, inertia)
+    values[FRICTION] = np.column_stack([robot.C_u, robot.C_p, robot.C_s])
+    return ParameterVector(values, *parameter_names())
 
 
 def with_parameters(robot: Robot, values: Array) -> Robot:
@@ -424,16 +428,16 @@ def with_parameters(robot: Robot, values: Array) -> Robot:
     ValueError
         If a mass is not > 0 or a friction coefficient is < 0. Inertias are not checked.
     """
-    legs, platform = values[:-_BODY].reshape(LEGS, -1), values[-_BODY:]
-    m_d, r_d0, I_d0 = _about_center(legs[:, :_BODY])
-    m_u, r_u0, I_u0 = _about_center(legs[:, _BODY : 2 * _BODY])
-    M, R_0, I_p = (part[0] for part in _about_center(platform[None]))
-    C_u, C_p, C_s = legs[:, 2 * _BODY :].T
+    m, h, J = values[BODIES[:, 0]], values[BODIES[:, 1:4]], symmetric(values[BODIES[:, 4:]])
+    r = h / m[:, None]
+    inertia = J - symmetric(_about_joint(m, r, np.zeros(J.shape))[:, 4:])
+    lower, upper = slice(0, -1, 2), slice(1, -1, 2)
+    C_u, C_p, C_s = values[FRICTION].T
     return replace(
         robot,
-        M=float(M), R_0=R_0, I_p=I_p,
-        m_d=m_d, r_d0=r_d0, I_d0=I_d0,
-        m_u=m_u, r_u0=r_u0, I_u0=I_u0,
+        M=float(m[-1]), R_0=r[-1], I_p=inertia[-1],
+        m_d=m[lower], r_d0=r[lower], I_d0=inertia[lower],
+        m_u=m[upper], r_u0=r[upper], I_u0=inertia[upper],
         C_u=C_u, C_p=C_p, C_s=C_s,
     )  # fmt: skip
 
@@ -468,15 +472,7 @@ def symmetric(six: Array) -> Array:
     return full
 
 
-def _about_center(bodies: Array) -> tuple[Array, Array, Array]:
-    """Return masses, centers of mass, and central inertias of bodies, shape (n, 10)."""
-    m = bodies[:, 0]
-    r = bodies[:, 1:4] / m[:, None]
-    at_point = body_parameters(m, r, np.zeros((len(m), 3, 3)))[:, 4:]
-    return m, r, symmetric(bodies[:, 4:] - at_point)
-
-
-def body_parameters(m: Array, r: Array, inertia: Array) -> Array:
+def _about_joint(m: Array, r: Array, inertia: Array) -> Array:
     """Return mass, first moment, and inertia about the origin of r, shape (n, 10)."""
     outer = np.einsum("ni,nj->nij", r, r)
     about = inertia + m[:, None, None] * (

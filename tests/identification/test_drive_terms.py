@@ -233,25 +233,3 @@ def test_command_takes_currents(robot: ss.Robot, excited: ss.Excitation, tmp_pat
     assert found["robot_file"] == {"agreement": "not compared", "probability": None}
     words[1] = str(written(robot, tmp_path / "plain.toml"))
     assert "expected a drive with a torque_constant for every leg" in run(*words, *out, code=2).err
-
-
-def test_the_command_seeks_terms_of_measured_forces(
-    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, run: Run
-) -> None:
-    F = motor_forces(robot, excited.motion) + SIGMA * np.random.default_rng(1).normal(size=(120, 6))
-    given = tables(excited, tmp_path, {f"F_{leg + 1}": F[:, leg] for leg in range(6)})
-    command = ["identify", str(written(robot, tmp_path / "robot.toml")), *given]
-    command += ["--force-std", str(SIGMA), "--json", "-", "-o", str(tmp_path / "found")]
-    found = {
-        row["name"]: row
-        for row in json.loads(run(*command, "--drive-terms", "coulomb,reflected_mass,viscous,offset").out)[
-            "drive"
-        ]
-    }
-    for name, values in TRUE.items():
-        for leg in range(6):
-            row = found[f"{name}{leg + 1}"]
-            assert abs(row["estimated"] - values[leg]) < 5.0 * row["std"]
-    assert not found["viscous3"]["identifiable"]
-    told = run(*command, "--drive-terms", "coulomb,stiction", code=2).err
-    assert "drive_terms: expected some of reflected_mass" in told

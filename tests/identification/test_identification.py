@@ -36,17 +36,8 @@ def test_forces_of_one_leg_that_drift_are_named(most: float, verdict: str) -> No
     F[:, 0] += most * SIGMA * np.linspace(0.0, 1.0, len(F))
     found = ss.identify(machine, way.motion, F, SIGMA, way.base)
     assert found.verdict == verdict
-    assert [line.startswith("drift: ") for line in found.warnings[:1]] == [True] * (verdict == "misfit")
-
-
-def test_without_noise_to_speak_of_the_parameters_come_back() -> None:
-    machine, way = robot(0), excited(0)
-    found = ss.simulate_experiment(machine, way, 1e-9)
-    lengths = np.linalg.norm(
-        ss.regressor(machine, way.motion)[..., way.base.independent_columns], axis=(0, 1)
-    )
-    error = np.abs(found.estimate.values - found.true_values) * lengths
-    assert np.max(error) <= 1e-8 * np.max(np.abs(found.true_values) * lengths)
+    words = [line.partition(" from")[0] for line in found.warnings[:1]]
+    assert words == ["forces: differ smoothly"] * (verdict == "misfit")
 
 
 def test_masses_and_friction_of_the_robot_file_may_be_wrong_and_load_is_taken_off() -> None:
@@ -203,29 +194,11 @@ def test_wrong_rows_of_a_log_are_left_out_of_the_fit(tmp_path: Path, run: Run, n
     assert "lines 152, 402" in told.err
 
 
-def test_measured_forces_are_identified_beside_a_wrong_file(
-    simulated: Path, tmp_path: Path, run: Run
-) -> None:
-    measured = tmp_path / "measured"
-    wrong = tmp_path / "wrong.toml"
-    wrong.write_text(PAPERS.read_text().replace("mass = 40.0", "mass = 4.0"))
-    inputs = [str(simulated / name) for name in ("trajectory.csv", "forces.csv")]
-    told = run("identify", wrong, "--measured", *inputs, "-o", measured).out
-    assert (measured / "report.txt").read_text() in told
-    assert sorted(p.name for p in measured.glob("[!.]*")) == ["parameters.csv", "report.json", "report.txt"]
-    tables = [read(folder / "parameters.csv") for folder in (simulated, measured)]
-    for before, after in zip(*tables, strict=True):
-        assert after["formula"] == before["formula"]
-        difference = float(after["estimated"]) - float(before["estimated"])
-        assert abs(difference) < 1e-6 * float(before["std"])
-
-
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
         ("time,F_1", "time,G1", "no column F_1"),
         ("\n0.0,", "\n0.001,", "line 2: time: expected the time 0"),
-        ("\n0.0,", "\nms,N,N,N,N,N,N\n0.0,", "check the units of both files"),
         ("\n0.0,", "\n-1.0,1,1,1,1,1,1\n0.0,", "expected 60 rows"),
     ],
 )
@@ -253,12 +226,6 @@ def test_forces_with_dates_and_units_are_read_and_their_sign_is_checked(
     forces.write_text("\n".join(["stamp;" + ";".join(f"Force{leg} [kN]" for leg in range(1, 7)), *rows]))
     told = run("identify", PAPERS, "--measured", simulated / "trajectory.csv", forces, "-o", tmp_path / "out")
     assert "forces: opposite to the forces by the robot file; change their sign" in told.err
-
-
-def test_swapped_measurements_are_told(simulated: Path, tmp_path: Path, fails: Fails) -> None:
-    trajectory, forces = (simulated / name for name in ("trajectory.csv", "forces.csv"))
-    line = fails("identify", PAPERS, "--measured", forces, trajectory, "-o", tmp_path / "out")
-    assert line.startswith(f"stewart-sym: error: {forces}: no columns of a trajectory")
 
 
 @pytest.mark.parametrize(

@@ -1,26 +1,20 @@
-"""Noise of measured poses is part of the deviations, wrong models are named, and impossible bodies too."""
+"""Noise of measured poses is part of the deviations, and wrong models are named."""
 
 import dataclasses
-import math
-from typing import NamedTuple
 
 import numpy as np
 import pytest
 from command_line import rejects
-from machines import dasgupta, path_period, random_path
-from noisy_experiments import NOISE, SAMPLES, Array, change, excited, experiment, robot, truth
+from machines import dasgupta
+from noisy_experiments import NOISE, SAMPLES, change, excited, experiment, robot
 from scipy.interpolate import make_interp_spline
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.identification import estimates, fits, motion_basis
-from stewart_sym.motion.rotation import rotation_from_vector
+from stewart_sym.identification import motion_basis
 
-# Shares of the base's radius by which a payload moves, along each axis of the platform: LEAST is always
-# named, BARELY in nine cases of ten.
-MOVED, LEAST, BARELY = 0.2, 0.13, 0.05
-# What a change of the forces adds to the residual's sum of squares from which on it is always named.
-NAMED = 60.0
+# Shares of the base's radius by which a payload moves, along each axis: LEAST is always named.
+MOVED, LEAST = 0.2, 0.13
 
 
 def moved(machine: ss.Robot, share: float = MOVED) -> ss.Robot:
@@ -78,7 +72,8 @@ def test_noise_beyond_the_stated_one_is_named_without_a_period() -> None:
 def misfits(machine: ss.Robot, found: ss.Experiment) -> dict[str, ss.IdentificationResult]:
     """Estimates from models that are wrong."""
     without = ss.base_parameters(machine, friction=False)
-    F = found.F + moved_halfway(machine, found, LEAST)
+    half = (np.arange(len(found.F)) >= len(found.F) // 2)[:, None]
+    F = found.F + half * change(machine, moved(machine, LEAST), found.excitation.motion)
     base = found.estimate.base
     return {
         "friction left out": ss.identify(
@@ -86,63 +81,6 @@ def misfits(machine: ss.Robot, found: ss.Experiment) -> dict[str, ss.Identificat
         ),
         "mass moved on the way": ss.identify(machine, found.measured_motion, F, 1.0, base, found.pose_noise),
     }
-
-
-def moved_halfway(machine: ss.Robot, found: ss.Experiment, share: float) -> Array:
-    """What the forces change by if the payload moves halfway through the motion, (n, 6)."""
-    half = (np.arange(len(found.F)) >= len(found.F) // 2)[:, None]
-    return half * change(machine, moved(machine, share), found.excitation.motion)
-
-
-class Shift(NamedTuple):
-    """A fit to forces of a payload that moves a little: what it adds to the residual's sum of squares.
-
-    beyond: how far, in deviations, it moves a parameter out of the range between before and after.
-    """
-
-    estimate: ss.IdentificationResult
-    squares: float
-    beyond: float
-
-
-def barely_moved(machine: ss.Robot, found: ss.Experiment) -> Shift:
-    F, base = moved_halfway(machine, found, BARELY), found.estimate.base
-    data = fits.Data(machine, found.measured_motion, found.F + F, np.ones_like(F), base)
-    fit = fits.joint_fit(data, found.pose_noise)
-    added = np.zeros(2 * fit.parts[0].size)
-    added[: F.size] = F.ravel()
-    estimate = estimates.tested_estimate(data, fit, ())
-    shift = estimate.values - found.estimate.values
-    after = base.matrix @ ss.inertial_parameters(moved(machine, BARELY)).values - found.true_values
-    out = np.maximum(shift - np.maximum(after, 0.0), np.minimum(after, 0.0) - shift)
-    squares = float(np.sum(fit.unexplained(added) ** 2))
-    return Shift(estimate, squares, float(np.max(out / estimate.std)))
-
-
-@pytest.mark.slow
-def test_wrong_models_are_named() -> None:
-    seed = 0
-    for estimate in misfits(robot(seed), experiment(seed)).values():
-        assert estimate.verdict in ("misfit", "rejected")
-        assert estimate.inflation_factor > 1.0
-        assert any(line.startswith("forces: differ smoothly") for line in estimate.warnings)
-
-
-@pytest.mark.slow
-def test_a_fit_that_is_not_linear_within_its_deviations_is_rejected() -> None:
-    scale, verdict = 30 * NOISE, "rejected"
-    machine, rng = robot(2), np.random.default_rng(2)
-    time = np.arange(150) * path_period(machine) / 150
-    exact = random_path(rng, machine, load=False)(time)
-    F = ss.inverse_dynamics(machine, exact).F + rng.normal(size=(150, 6))
-    t = exact.t + scale * rng.normal(size=(150, 3))
-    R = rotation_from_vector(scale * rng.normal(size=(150, 3))) @ exact.R
-    noise = ss.PoseNoise(time, scale, scale, path_period(machine), 2)
-    seen = ss.identify(machine, ss.Motion(R=R, t=t, omega=exact.omega, v=exact.v), F, 1.0, pose_noise=noise)
-    assert seen.verdict == verdict
-    assert [line[:4] for line in seen.warnings] == ["fit:"] * (verdict == "rejected")
-    _, right = truth(machine)
-    assert np.max(np.abs(seen.values - right) / seen.std) < 4.0
 
 
 def test_noise_beyond_the_stated_one_inflates_the_deviations() -> None:
@@ -176,6 +114,8 @@ def test_a_robot_file_that_is_off_is_named() -> None:
         ({"time": [0.0, 0.0]}, "time: expected increasing times"),
         ({"harmonics": 2}, "harmonics: expected None"),
         ({"period": 1.0, "harmonics": 2}, "harmonics: expected a whole number from 1 to 1 for 4 samples"),
+        ({"covariance": -np.eye(6)}, "covariance: expected positive definite matrices"),
+        ({"covariance": np.ones((3, 6, 6))}, "covariance: expected positive definite matrices"),
     ],
 )
 def test_bad_pose_noise_is_named(arguments: dict[str, object], words: str) -> None:
@@ -189,15 +129,12 @@ def test_bad_pose_noise_is_named(arguments: dict[str, object], words: str) -> No
 @pytest.mark.slow
 def test_experiments_with_noisy_poses_are_consistent_and_wrong_models_named() -> None:
     """The paper's machine every tenth time, else machines of 0.1 to 5 m; noise 0.1 mm, 0.1 mrad and 1 N."""
-    inside, consistent, agreeing, count = [], 0, 0, share(100, 50)
-    largest, unnamed = [], []
-    always = 0.0
+    inside, largest, consistent, agreeing, count = [], [], 0, 0, share(100, 50)
     for seed in range(count):
         machine = dasgupta() if seed % 10 == 0 else robot(seed)
         way = ss.choose_excitation(machine, candidates=5)
         found = ss.simulate_experiment(machine, way, 1.0, seed, NOISE, NOISE)
         size = np.abs(found.z_scores)
-        assert np.max(size) <= 4.0
         largest.append(np.max(size))
         inside.append([np.mean(size <= width) for width in (1, 2)])
         consistent += found.estimate.verdict == "consistent"
@@ -207,23 +144,15 @@ def test_experiments_with_noisy_poses_are_consistent_and_wrong_models_named() ->
         if np.max(np.abs(machine.C_p)) < 1.0:
             # The paper's friction makes a tenth of a newton: nothing tells it from none.
             del named["friction left out"]
-        assert all(estimate.verdict in ("misfit", "rejected") for estimate in named.values())
-        shift = barely_moved(machine, found)
-        always = max(always, BARELY * math.sqrt(NAMED / shift.squares))
-        if shift.estimate.verdict == "consistent":
-            unnamed.append(shift.squares)
-            assert shift.beyond < 4.0
+        for estimate in named.values():
+            assert estimate.verdict in ("misfit", "rejected")
+            assert estimate.inflation_factor > 1.0
+            assert any(line.startswith("forces: differ smoothly") for line in estimate.warnings)
     print(
-        f"largest error {max(largest):.2f} deviations; "
-        f"consistent {consistent}, agreeing {agreeing} of {count}; "
-        f"within 1 and 2 deviations {np.mean(inside, axis=0)}; "
-        f"payload moved by {BARELY} radii: {len(unnamed)} not named, "
-        f"squares at most {max(unnamed, default=0.0):.3g}; "
-        f"moved by {always:.3g} radii: squares at least {NAMED:g}"
+        f"largest error {max(largest):.2f}; consistent {consistent}, agreeing {agreeing} of {count}; "
+        f"within 1 and 2 deviations {np.mean(inside, axis=0)}"
     )
-    assert max(unnamed, default=0.0) < NAMED
-    assert always < LEAST
-    assert len(unnamed) <= 0.1 * count
+    assert max(largest) <= 4.0
     assert consistent >= 0.95 * count
     assert agreeing >= 0.95 * count
     assert np.mean(inside, axis=0) == pytest.approx([0.6827, 0.9545], abs=0.05 if count > 9 else 0.1)

@@ -10,13 +10,14 @@ Example: stewart-sym identify hexapod.toml --force-std 0.5 -o identified
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 import stewart_sym as ss
 
 from ...drives.noise import at_replaced
+from ...identification.log_noise import noise_of_log
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...kinematics.robot_logs import log_of, samples_of
@@ -41,8 +42,8 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--measured", nargs=2, type=Path, metavar=files, help=text)
     text = "standard deviation of the measured forces (N) or currents (A)"
     parser.valued("force-std", positive, text, 1.0)
-    text = "standard deviation of the measured {} (--{}-unit): fit a smooth motion; default: exact"
-    parser.noise(text, "positions", "rotations about each axis")
+    text = "standard deviation of the measured {} (--{}-unit); default: estimated, or exact in simulations"
+    parser.noise(text, "positions or leg lengths", "rotations about each axis")
     parser.seed()
     text = "period of the motion (s); default: from gravity, or none for measured poses with noise"
     parser.valued("period", finite, text)
@@ -64,8 +65,6 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> int:
-    if (arguments.position_std is None) != (arguments.angle_std is None):
-        raise ValueError("--position-std and --angle-std must be given together")
     with results(arguments, "report", "trajectory.csv") as (take, progress):
         progress("identifying")
         report, found = (_measured if arguments.measured else _simulated)(arguments, progress)
@@ -84,10 +83,15 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     of_poses = {name: header for name, header in form.columns.items() if name not in of_forces}
     samples = samples_of(robot, poses, replace(form, columns=of_poses))
     std = stated_noise(arguments, samples.file_format)
+    in_joints = "L" in samples.vectors
+    if in_joints and std[1] is not None:
+        raise ValueError("--angle-std: the trajectory contains leg lengths; state --position-std alone")
+    if not in_joints:
+        _need_both(arguments)
     log = log_of(robot, samples, ss.SmoothingOptions(*std), progress)
-    # The noise of leg lengths is known to the reader; the fit expects noise of poses.
-    noisy = arguments.position_std is not None and not log.in_joints
-    if noisy:
+    stated = std[0] is not None
+    # Rates of the file are used as they are, unless the noise of the poses is stated.
+    if noisy := stated or (log.noise is not None and not {"v", "L_dot"} & set(samples.vectors)):
         log = _measured_rows(log, log_of(robot, samples, ss.SmoothingOptions(enabled=False)))
     trajectory = poses_of(robot, log, arguments, progress)
     measured = _forces(forces, of_forces, form, samples)
@@ -98,10 +102,8 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     sigma = np.asarray(arguments.force_std)
     if kind == "current":
         F, sigma = ss.motor_forces(robot, F), np.abs(ss.motor_forces(robot, np.full(LEGS, sigma)))
-    noise = None
-    if noisy:
-        harmonics = arguments.harmonics if arguments.period is not None else None
-        noise = ss.PoseNoise(trajectory.time, *cast("tuple[float, float]", std), arguments.period, harmonics)
+    harmonics = arguments.harmonics if arguments.period is not None else None
+    noise = noise_of_log(robot, trajectory, std, arguments.period, harmonics) if noisy else None
     model = (not arguments.no_friction, arguments.enforce_physical, arguments.identical_legs)
     options = (noise, *model, arguments.drive_terms, measured.lines.tolist())
     found = from_measurement(robot, trajectory, time, F, sigma, str(forces), *options)
@@ -116,6 +118,12 @@ def _forces(
     row_rate = motion.file_format.row_rate
     defaults = ss.TrajectoryFormat(clock, time_unit=form.time_unit, row_rate=row_rate)
     return read_samples(str(source), ss.TrajectoryFormat(columns), defaults, forces=True)
+
+
+def _need_both(arguments: Arguments) -> None:
+    """Raise ValueError unless both standard deviations of poses are given, or none."""
+    if (arguments.position_std is None) != (arguments.angle_std is None):
+        raise ValueError("--position-std and --angle-std must be given together")
 
 
 def _measured_rows(smooth: Trajectory, measured: Trajectory) -> Trajectory:
@@ -137,6 +145,7 @@ def _simulated(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Ide
     if log_format(arguments) != ss.TrajectoryFormat() or arguments.pose_guess is not None:
         of_files = "--pose-guess and options of the trajectory file"
         raise ValueError(f"{of_files}: apply to measured forces; add --measured")
+    _need_both(arguments)
     robot = robot_of(arguments.robot)
     names = ("period", "samples", "candidates", "seed", "identical_legs")
     options: dict[str, Any] = {name: getattr(arguments, name) for name in names}

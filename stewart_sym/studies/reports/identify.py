@@ -16,12 +16,11 @@ from ...identification.estimates import IdentificationResult
 from ...identification.estimation import Experiment, identify
 from ...identification.motion_basis import PoseNoise, smoothed
 from ...identification.parameters import inertial_parameters
-from ...identification.tool_point import about_reference
 from ...io.array_types import Array
 from ...kinematics.trajectory_writer import trajectory_columns
 from ...motion.sample_times import time_text
 from ...motion.trajectory import Trajectory
-from ...robot.robot import Robot, about_point
+from ...robot.robot import Robot
 from ..common.output import Columns, aligned, columns_of, of_legs
 from ..common.report import Report
 
@@ -72,19 +71,12 @@ def from_measurement(
     bad, motion, warnings = at_replaced(trajectory, trajectory.time), trajectory.motion, []
     if bad.any():
         motion, F = motion[~bad], F[~bad]
-        noise = None if noise is None else replace(noise, time=noise.time[~bad])
+        noise = None if noise is None else noise.at(~bad)
         text = f"{np.count_nonzero(bad)} of {len(bad)} samples at wrong rows are left out of the fit"
         warnings.append(f"motion: {text}; check these rows")
-    moved, of_tool = robot, noise is not None and robot.tool.any()
-    if of_tool:
-        # The noise refers to the measured poses, which are poses of the tool.
-        moved, motion = about_point(robot, robot.tool), motion.at_point(robot.tool)
     smooth = motion if noise is None else smoothed(motion, noise)[0]
-    base = base_parameters(moved, smooth, friction, identical_legs)
-    found = identify(moved, motion, F, sigma, base, noise, physical, drive_terms=drive)
-    if of_tool:
-        base = base_parameters(robot, smooth.at_point(-robot.tool), friction, identical_legs)
-        found = about_reference(robot, base, found, robot.tool)
+    base = base_parameters(robot, smooth, friction, identical_legs)
+    found = identify(robot, motion, F, sigma, base, noise, physical, drive_terms=drive)
     if found.verdict in ("misfit", "rejected") and (drive is None or "coulomb" not in drive):
         warnings += _dry_friction(robot)
     return replace(found, warnings=(*found.warnings, *warnings, *_unlike_forces(robot, found, F)))

@@ -1,0 +1,82 @@
+"""Noise of leg lengths and of poses of a tool point: the deviations of the parameters hold."""
+
+import dataclasses
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_line import Fails, Run
+from robot_files import PAPERS
+
+import stewart_sym as ss
+from stewart_sym.identification.log_noise import noise_of_log
+from stewart_sym.motion.rotation import rotation_from_vector
+from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.studies.reports.identify import from_measurement
+
+TOOL = np.array([0.1, -0.2, 0.6])
+
+
+@pytest.fixture(scope="module")
+def robot() -> ss.Robot:
+    return dataclasses.replace(ss.robots.dasgupta1998(), tool=TOOL)
+
+
+@pytest.fixture(scope="module")
+def excited(robot: ss.Robot) -> ss.Excitation:
+    return ss.choose_excitation(robot, samples=120, candidates=5)
+
+
+def test_noisy_poses_of_the_tool_are_taken_as_measured(robot: ss.Robot, excited: ss.Excitation) -> None:
+    rng = np.random.default_rng(3)
+    sigma, position, angle = 0.5, 2e-5, 2e-5
+    exact = excited.motion.at_point(TOOL)
+    R = rotation_from_vector(angle * rng.normal(size=(120, 3))) @ exact.R
+    measured = ss.Motion(R=R, t=exact.t + position * rng.normal(size=(120, 3)), omega=exact.omega, v=exact.v)
+    F = ss.inverse_dynamics(robot, excited.motion).F + sigma * rng.normal(size=(120, 6))
+    trajectory = Trajectory(excited.time, measured.at_point(-TOOL), "log.csv", tuple(range(2, 122)))
+    noise = noise_of_log(robot, trajectory, (position, angle), excited.path.period)
+    assert noise is not None
+    assert noise.position > position
+    found = from_measurement(robot, trajectory, excited.time, F, sigma, "F.csv", noise)
+    assert found.verdict == "consistent", found.warnings
+    off = (found.values - found.base.matrix @ ss.inertial_parameters(robot).values) / found.std
+    assert np.abs(off).max() < 4.5
+    assert 0.75 < np.sqrt(np.mean(off**2)) < 1.25
+    assert found.compare_with(robot)[1] > 1e-3
+
+
+@pytest.fixture(scope="module")
+def lengths(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """Options of ``identify``: leg lengths with noise of 0.02 mm, and forces with noise of 0.5 N."""
+    machine, rng = ss.Robot.from_toml(PAPERS), np.random.default_rng(3)
+    way = ss.choose_excitation(machine, harmonics=3, samples=800, candidates=5)
+    L = ss.inverse_kinematics(machine, way.motion).L + 2e-5 * rng.normal(size=(800, 6))
+    F = ss.inverse_dynamics(machine, way.motion).F + 0.5 * rng.normal(size=(800, 6))
+    folder = tmp_path_factory.mktemp("lengths")
+    for name, values in (("L", L), ("F", F)):
+        head = ",".join(["time", *(f"{name}_{leg}" for leg in range(1, 7))])
+        rows = np.column_stack([way.time, values])
+        np.savetxt(folder / f"{name}.csv", rows, "%.17g", ",", header=head, comments="")
+    return ["--measured", str(folder / "L.csv"), str(folder / "F.csv"), "--force-std", "0.5"]
+
+
+@pytest.mark.parametrize("stated", [True, False])
+def test_noise_of_leg_lengths_is_noise_along_the_legs(
+    lengths: list[str], stated: bool, tmp_path: Path, run: Run
+) -> None:
+    options = ["--position-std", "2e-5"] * stated
+    run("identify", PAPERS, *lengths, *options, "-o", tmp_path / "out")
+    found = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert (found["verdict"], found["robot_file"]["agreement"]) == ("consistent", "agrees")
+    assert found["normalized_residual"] == pytest.approx(1.0, abs=0.06)
+    off = np.array([row["departure"] for row in found["parameters"]])
+    assert np.abs(off).max() < 4.0
+    assert 0.75 < np.sqrt(np.mean(off**2)) < 1.25
+
+
+def test_leg_lengths_have_no_noise_of_angles(lengths: list[str], tmp_path: Path, fails: Fails) -> None:
+    options = ["--position-std", "2e-5", "--angle-std", "2e-5"]
+    line = fails("identify", PAPERS, *lengths, *options, "-o", tmp_path / "out")
+    assert "--angle-std: the trajectory contains leg lengths; state --position-std alone" in line
