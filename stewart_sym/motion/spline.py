@@ -208,7 +208,8 @@ def likeliest(
     """Estimate the smoothness of each column of samples; arguments as of ``smooth_columns``."""
     since = time - time[0]
     if cutoff is None:
-        noise, found = _noise(values, noise_std, least_std), {}
+        noise = _noise(values, noise_std, least_std)
+        found: dict[int, Smoothness] = {}
         rows = [_rows_for_each_error(u, std) for u, std in zip(values.T, np.sqrt(noise.least), strict=True)]
         trials = [min(len(since) // each, _TRIAL_SAMPLES) for each in rows]
         firsts = [_busiest(u, n * each) for u, n, each in zip(values.T, trials, rows, strict=True)]
@@ -290,7 +291,7 @@ def inverse_band(factor: Array) -> Array:
 
 def _cells(since: Array, step: float, size: int) -> Indices:
     """Return the indices of the cells between knots that contain times (s) since the first knot."""
-    return np.minimum((since / step).astype(int), size - DEGREE - 1)
+    return np.asarray(np.minimum((since / step).astype(int), size - DEGREE - 1))
 
 
 def _weights(since: Array, step: float, size: int, order: int = 0) -> Array:
@@ -342,7 +343,7 @@ class _Samples:
         found += self.gram[-1] @ d**2
         for k in range(1, DEGREE + 1):
             found += 2.0 * (self.gram[-1 - k, k:] @ (d[k:] * d[:-k]))
-        return found
+        return np.asarray(found)
 
 
 class _Problem:
