@@ -31,8 +31,8 @@ ORDERS = (3, 4, 7)
 
 With order 8 instead of 7, the three worst of 88 logs had 1.3 to 1.6 times the errors, mostly at their ends.
 """
-# Mean square of the bias relative to its expectation, by order, adjusted by hand to 48 random motions: sums of
-# sines, minimum jerk, and trapezoids, with 3, 4, and 5 decimals or white noise.
+# Mean square of the bias relative to its expectation, by order, adjusted by hand to 48 random motions: sines,
+# minimum jerk, and trapezoids, with 3, 4, and 5 decimals or white noise.
 _BIAS = {3: 0.7, 4: 0.7, 7: 0.1}
 # A coefficient with less than this fraction of the usual number of samples is in a gap.
 _EMPTY = 0.1
