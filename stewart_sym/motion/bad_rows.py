@@ -89,7 +89,7 @@ def _near_predictions(values: Array) -> Flags:
         predicted = (far**2 * sums[0] - near**2 * sums[1]) / (2.0 * (far**2 - near**2))
         off = np.minimum(off, np.abs(values - predicted))
     starts = np.arange(0, max(count - _BLOCK_ROWS // 2, 1), _BLOCK_ROWS)
-    whole = off[: starts[-1]].reshape(-1, _BLOCK_ROWS, off.shape[1])
+    whole = off[: starts[-1]].reshape(-1, _BLOCK_ROWS, values.shape[1])
     medians = np.vstack([np.median(whole, axis=1), np.median(off[starts[-1] :], axis=0)])
     usual = np.repeat(maximum_filter1d(medians, 3, axis=0), np.diff([*starts, count]), axis=0)
     return np.asarray((off <= LIMIT * 1.4826 * usual).all(axis=1))
