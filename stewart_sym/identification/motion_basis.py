@@ -247,8 +247,10 @@ def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
     since, step = elapsed(noise.time), min(each.step for each in smoothness)
     # A penalty on finer knots has the same effect with this weight.
     finer = [
-        Smoothness(step, order, log_weight + (2 * order - 1) * math.log(own / step))
-        for own, order, log_weight in smoothness
+        each._replace(
+            step=step, log_weight=each.log_weight + (2 * each.order - 1) * math.log(each.step / step)
+        )
+        for each in smoothness
     ]
     curves = smooth_columns(since, q, coarse.noise_std, smoothness=finer)
     c = np.stack([curve.coefficients for curve in curves.columns], axis=-1)
@@ -256,10 +258,10 @@ def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
     near = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
     local = np.array([near(since / step - start, order) / step**order for order in range(3)])
     priors = []
-    for axis, (_, order, log_weight), std in zip(np.eye(6), finer, coarse.noise_std, strict=True):
-        signs = [(-1.0) ** k * math.comb(order, k) for k in range(order + 1)]
-        differences = sparse.diags(signs, range(order + 1), shape=(size - order, size))
-        priors.append(math.exp(0.5 * log_weight) / std * sparse.kron(differences, axis))
+    for axis, each, std in zip(np.eye(6), finer, coarse.noise_std, strict=True):
+        signs = [(-1.0) ** k * math.comb(each.order, k) for k in range(each.order + 1)]
+        differences = sparse.diags(signs, range(each.order + 1), shape=(size - each.order, size))
+        priors.append(math.exp(0.5 * each.log_weight) / std * sparse.kron(differences, axis))
     return Basis(size, start, local, sparse.vstack(priors, "csr")), c
 
 
