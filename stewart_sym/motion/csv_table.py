@@ -178,6 +178,8 @@ def _header(lines: Sequence[str], source: str, given: str | None) -> tuple[int, 
             if all(map(is_number, cells)):
                 place = f"{source}: line {i + 1}"
                 raise ValueError(f"{place}: no header line; name the columns in a line above the numbers")
+            if not all(cell.isprintable() for cell in cells):
+                raise ValueError(f"{source}: line {i + 1}: the header is not text; save the file as CSV")
             return i, [cell or f"column {place + 1}" for place, cell in enumerate(cells)], mark
     raise ValueError(f"{source}: the file is empty; write a header line and rows of numbers")
 

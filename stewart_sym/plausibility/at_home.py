@@ -44,7 +44,7 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
     limits = f"length_limits {low.min():.4g} to {high.max():.4g} m"
     limits += f": legs {L.min():.4g} to {L.max():.4g} m long at the home pose"
     in_meters = longest < IN_METERS * np.mean(L)
-    unit = "limits given in m in a file of another length_unit" if in_meters else ""
+    unit = "limits given in m in a file of another unit of length" if in_meters else ""
     if robot.home_position is not None and beyond:
         of_home = "home of another point than the platform frame's origin, or a stroke without 0 in it"
         i = max(beyond, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
@@ -60,7 +60,7 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
         cause = unit or "the stroke given, expected the length from joint to joint"
         yield Finding("length-limits", f"{limits}; likely cause: {cause}")
     elif np.any(high - low < LEAST_STROKE * np.where(np.isfinite(high), high, 0.0)):
-        cause = "stroke or limits given in m in a file of another length_unit"
+        cause = "stroke or limits given in m in a file of another unit of length"
         yield Finding(
             "length-limits", f"{limits}, a stroke of {min(high - low):.3g} m; likely cause: {cause}"
         )

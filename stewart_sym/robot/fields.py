@@ -243,6 +243,15 @@ MASS_FIELDS = {
 }
 """Fields of mass properties, NaN if not given, by their key in a robot file."""
 
+
+def need_whole_bodies(values: Mapping[str, Any], prefix: str) -> None:
+    """Raise ValueError for a body of which some mass properties are missing, and others not."""
+    for key, names in MASS_FIELDS.items():
+        missing = np.concatenate([np.ravel(np.isnan(values[name])) for name in names])
+        if missing.any() and not missing.all():
+            raise ValueError(f"{prefix}{key}: expected mass, center_of_mass, and inertia, or none of them")
+
+
 POSE_FIELDS: dict[str, Check] = {
     "home_position": lambda value, where: None if value is None else toml_reader.vector(value, where),
     "tool": toml_reader.vector,

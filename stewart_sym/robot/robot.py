@@ -159,6 +159,7 @@ class Robot(Frozen):
         spherical = self.base_joint == "spherical"
         for name, (_, check) in fields.LEG_FIELDS.items():
             checked[name] = self._per_leg(name, fields.no_direction if spherical and name == "k" else check)
+        fields.need_whole_bodies(checked, "robot: ")
         instance(self.trajectory_format, TrajectoryFormat, "robot: trajectory_format")
         fields.need_home(self.trajectory_format, checked["home_position"], "robot: ")
         if np.isfinite(checked["joint_angle_limit"]).any() and checked["home_position"] is None:

@@ -44,7 +44,7 @@ def test_a_stroke_in_meters_among_millimeters_is_doubted_by_new_and_check(tmp_pa
     command = ("new", "-o", path, "--length-unit", "mm", *options({**large, "--stroke": 0.3}))
     for told in (run(*command), run("check", path)):
         (line,) = told.err.splitlines()
-        assert "stroke or limits given in m in a file of another length_unit [length-limits]" in line
+        assert "stroke or limits given in m in a file of another unit of length [length-limits]" in line
 
 
 def test_millimeters_and_meters_make_the_same_machine(tmp_path: Path) -> None:

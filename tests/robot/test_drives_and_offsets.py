@@ -137,7 +137,7 @@ SERVED = {
         "equations_of_motion",
     ),
     *("forward_dynamics", "joint_space_inertia", "inverse_kinematics", "wrench_matrix", "forward_kinematics"),
-    *("jacobian", "inverse_jacobian"),
+    *("jacobian", "inverse_jacobian", "axis_travel"),
     *("forward_velocity", "forward_acceleration", "motion_from_lengths", "ArrayKernel"),
     *("ForceKernel", "LegSprings", "LegSprings.in_equilibrium", "ComputedTorque", "simulate", "singularity"),
     *(

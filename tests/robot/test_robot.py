@@ -97,7 +97,7 @@ def test_replace_makes_a_checked_copy() -> None:
     assert "robot: b: expected one entry for each of six legs" in error_of(
         lambda: dataclasses.replace(robot, b=np.zeros((5, 3)))
     )
-    assert "robot: M:" in error_of(lambda: dataclasses.replace(robot, M=math.nan))
+    assert "robot: platform.body: expected mass" in error_of(lambda: dataclasses.replace(robot, M=math.nan))
     message = error_of(lambda: dataclasses.replace(robot, I_p=[1, 1, 1]))
     assert message == "robot: I_p: expected 3 x 3 finite numbers, got [1, 1, 1]"
     assert "robot: leg 1: length_limits" in error_of(

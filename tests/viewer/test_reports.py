@@ -136,7 +136,7 @@ def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
 def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
     Path("report.json").write_text('{\n "generator": "x"\n}\n', encoding="utf-8")
     said = fails("view", "hexapod.toml", "report.json", "-o", "out.html")
-    assert "report.json: no columns of a trajectory" in said
+    assert "report.json: expected a CSV table, got JSON" in said
     said = fails("view", "hexapod.toml", "-o", "out.txt")
     assert said.endswith("-o out.txt: the file name must end in .html")
     said = fails("forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf")
