@@ -187,7 +187,8 @@ def _variables(kind: str, pose: Numbers, machine: Machine, has_payload: bool) ->
     """Return the real variables in the order of their value references: inputs, outputs, parameters."""
     (force,) = CALLS["forces"].outputs
     # An unconnected input keeps its start value, which must not affect the forces.
-    start = {q.name: [0.0] * 3 for q in (*n.MOTION, RATE, SECOND)} | {_MAX_STEP.name: _MAX_STEP_START} | pose
+    zero = {q.name: [0.0] * 3 for q in (*n.MOTION, RATE, SECOND)}
+    start = {**zero, _MAX_STEP.name: _MAX_STEP_START, **pose}
     payload = _several(n.PLATFORM, "parameter", machine.numbers, "robot") if has_payload else []
     if kind == PLANT:
         legs = {member.name: member for member in STRUCTS["legs"]}
