@@ -4,7 +4,7 @@ import hashlib
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from functools import cache, partial
 from importlib.resources import files as resources
 from typing import Any, cast
@@ -19,7 +19,7 @@ from ..derive.package.forces_name import forces_header
 from ..derive.package.functions import Function, Vector, reads_robot
 from ..derive.package.readme import Figures, readme
 from ..derive.package.readme import Kit as ReadmeKit
-from ..derive.package.robot_source import HEADER, SOURCE, Machine, robot_files
+from ..derive.package.robot_source import Machine, robot_files
 from ..derive.package.selftest import selftest
 from ..drives.friction import drive_numbers
 from ..dynamics.home_pose import home_pose
@@ -31,13 +31,14 @@ from ..io.error_policy import warn
 from ..io.json_text import json_text
 from ..io.progress import Progress, silent
 from ..motion.motion import Motion, at_rest
+from ..motion.rotation import rpy_from_rotation
 from ..precision.truth import Truth
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
 from .fmu import packed
 from .kit_options import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
-from .required_kernels import Parts, generator, parts, robot_numbers
+from .required_kernels import Parts, generator, parts, robot_numbers, unit_parts
 from .vectors import rejected, vectors
 
 LICENSE, ROBOT = "LICENSE", "robot.toml"
@@ -94,7 +95,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
         progress("building the FMU")
-        files[f"{machine.symbol}.fmu"] = _unit(robot, choice, made, texts)
+        files[f"{machine.symbol}.fmu"] = _unit(robot, choice, made)
     files["README.md"] = _with_missing(_readme(choice, machine, made, found), missing).encode()
     files[MANIFEST] = _manifest(machine, choice, files)
     return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
@@ -143,11 +144,15 @@ def _sources(machine: Machine, made: Parts) -> dict[str, str]:
 
 def _machine(robot: Robot, choice: Choice) -> Machine:
     """Collect the constants of the robot, and of its drives if the kit computes motor torques."""
+    return _constants(robot, TORQUE in choice.functions)
+
+
+def _constants(robot: Robot, with_drives: bool) -> Machine:
     shortest, longest = robot.length_limits.T.tolist()
     limits = {"shortest": shortest, "longest": longest}
     limits |= {"force": robot.force_limit.tolist(), "speed": robot.speed_limit.tolist()}
     drives = None
-    if TORQUE in choice.functions and robot.drive is not None:
+    if with_drives and robot.drive is not None:
         drives = {name: numbers.tolist() for name, numbers in drive_numbers(robot.drive).items()}
     return Machine(robot.name, robot_numbers(robot), limits, drives, generator())
 
@@ -239,17 +244,17 @@ def _start(robot: Robot, formulation: str) -> Motion:
     return at_rest(np.eye(3), home.t) if home.status == OK else sample(robot, formulation)
 
 
-def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -> bytes:
-    """Build the co-simulation unit of the forces, which starts at rest at the home pose."""
-    part = next(part for part in made.parts for function in part.functions if function.stem == "forces")
-    (forces,) = part.functions
-    machine = replace(_machine(robot, choice), drives=None)
+def _unit(robot: Robot, choice: Choice, made: Parts) -> bytes:
+    """Build the co-simulation unit, which starts at rest at the home pose."""
+    assert choice.fmu is not None
+    selected = unit_parts(robot, choice, made)
+    machine = _constants(robot, choice.fmu != fmu.PLANT)
+    sources = selected.files | (robot_files(machine) if reads_robot(selected.functions) else {})
     start = _start(robot, choice.formulation)
-    needed = {"stewart.h", part.header, part.source, *part.shared}
-    if forces.subject:
-        needed |= {HEADER, SOURCE}
-        # The header of the robot also contains the constants of its drives.
-        needed |= {each.header for each in made.parts if TORQUE in each.kinds}
-    sources = {name: text for name, text in texts.items() if name in needed}
-    pose = {"R": start.R.tolist(), "t": start.t.tolist()}
-    return packed(machine.symbol, fmu.unit(machine, sources, part, choice.precision, pose))
+    pose = {
+        "R": start.R.tolist(),
+        "t": start.t.tolist(),
+        "theta": (rpy_from_rotation(start.R) + 0.0).tolist(),
+    }
+    texts = fmu.unit(machine, choice.fmu, selected.parts, sources, choice.precision, pose)
+    return packed(machine.symbol, texts)

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..backend.kernel import robot_kernel
 from ..derive.kernel.outputs import FORCES, OUTPUTS
+from ..derive.package.fmu import KINDS, PLANT
 from ..derive.package.text_format import template
 from ..io.arguments import option, shown
 from ..io.toml_text import toml_text
@@ -53,8 +54,8 @@ class Choice:
         vector registers. Applies to the forces.
     precision : str
         "double" or "float".
-    fmu : bool
-        True adds a co-simulation unit of the forces.
+    fmu : str or None
+        Kind of an additional co-simulation unit, one of ``derive.package.fmu.KINDS``; None adds none.
     language : str
         "c", or one of ``derive.package.languages.LANGUAGES``.
     """
@@ -65,7 +66,7 @@ class Choice:
     bake: bool = False
     scalar: bool = False
     precision: str = "double"
-    fmu: bool = False
+    fmu: str | None = None
     language: str = "c"
 
     @property
@@ -92,14 +93,24 @@ def check(choice: Choice, robot: Robot) -> None:
     for name in choice.functions:
         if name not in FUNCTIONS:
             raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got {shown(name)}")
-        if name in _UNIVERSAL and (choice.formulation != "exact" or robot.base_joint != "universal"):
-            what = f"{choice.formulation} with {robot.base_joint} base joints"
-            raise ValueError(f"functions: {name}: expected exact with universal base joints, got {what}")
+        if name in _UNIVERSAL:
+            _need_closed_form(choice, robot, f"functions: {name}")
     if TORQUE in choice.functions and robot.drive is None:
         raise ValueError("functions: torque: expected a robot with a drive, got one without ([legs.drive])")
-    for name in (*_OF_FORCES, "fmu"):
+    if choice.fmu is not None:
+        option(choice.fmu, KINDS, "fmu")
+    if choice.fmu == PLANT:
+        _need_closed_form(choice, robot, "fmu: plant")
+    for name in _OF_FORCES if choice.fmu == PLANT else (*_OF_FORCES, "fmu"):
         if getattr(choice, name) and "forces" not in choice.functions:
             raise ValueError(f"{name}: applies to the function forces, got {', '.join(choice.functions)}")
+
+
+def _need_closed_form(choice: Choice, robot: Robot, item: str) -> None:
+    """Raise ValueError for a formulation or base joints whose equations of motion have no closed form."""
+    if choice.formulation != "exact" or robot.base_joint != "universal":
+        what = f"{choice.formulation} with {robot.base_joint} base joints"
+        raise ValueError(f"{item}: expected exact with universal base joints, got {what}")
 
 
 def robot_toml(robot: Robot, choice: Choice) -> str:
@@ -114,5 +125,5 @@ def options(choice: Choice) -> str:
     given += [f"--fidelity {choice.fidelity}"] if choice.fidelity else []
     given += [f"--{name}" for name in ("bake", "scalar") if getattr(choice, name)]
     given += ["--precision float"] if choice.precision == "float" else []
-    given += ["--fmu"] if choice.fmu else []
+    given += [f"--fmu {choice.fmu}"] if choice.fmu else []
     return " ".join(given)

@@ -31,6 +31,7 @@ from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.baked_constants import baked
 from ..derive.mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE
 from ..derive.mechanics.reduced_models import fidelity_kernel
+from ..derive.package.fmu import FORCES_RPY, PLANT
 from ..derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.text_format import Numbers, robot_symbol
 from ..derive.program.cse import shared_blocks
@@ -114,8 +115,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
     if {"motion", "derivatives"} & set(choice.functions):
         model = f"stewart_{robot_kernel(robot, 'exact')}_forces"
         if all(part.name != model for part in found):
-            says = "Prepared constants of the equations of motion, with the actuator forces."
-            found.append(_part(model, {}, MODEL, ("forces",), says, shared=LANES))
+            found.append(_model(model))
         found.append(_motion(robot, choice))
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
@@ -123,6 +123,32 @@ def parts(robot: Robot, choice: Choice) -> Parts:
         found += _torques(robot, choice)
     found.append(_rotation())
     return Parts(tuple(found), before, after, choice.precision, robot.has_rotors)
+
+
+def unit_parts(robot: Robot, choice: Choice, parts_of_kit: Parts) -> Parts:
+    """Select the parts of the co-simulation unit of a kit; the first one computes the dynamics."""
+    if choice.fmu == PLANT:
+        kernel = robot_kernel(robot, "exact")
+        says = f"Forward dynamics, kernel `{kernel}`, all physics of the legs."
+        costs = {"forward_dynamics": _before_solves(kernel, "forward_dynamics")}
+        prefix = f"stewart_{kernel}"
+        dynamics = _part(f"{prefix}_motion", costs, MODEL, ("motion",), says, prefix, SOLVE)
+        found = [dynamics, _model(f"{prefix}_forces"), _kinematics(), _rotation()]
+    else:
+        has_forces = (part for part in parts_of_kit.parts if any(f.stem == "forces" for f in part.functions))
+        found = [next(has_forces)]
+        if robot.drive is not None:
+            torques = _torques(robot, choice)
+            # The function of the axial forces also computes length rates.
+            found += torques if len(torques) > 1 else [*torques, _kinematics()]
+        if choice.fmu == FORCES_RPY:
+            found.append(_rotation())
+    return Parts(tuple(found), precision=choice.precision, rotors=robot.has_rotors)
+
+
+def _model(file: str) -> Part:
+    says = "Prepared constants of the equations of motion, with the actuator forces."
+    return _part(file, {}, MODEL, ("forces",), says, shared=LANES)
 
 
 def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:

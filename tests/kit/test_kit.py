@@ -139,7 +139,7 @@ def test_manifest_tells_options_version_and_every_file() -> None:
         "bake": False,
         "scalar": True,
         "precision": "double",
-        "fmu": False,
+        "fmu": None,
         "language": "c",
     }
     others = {name: hashlib.sha256(text).hexdigest() for name, text in made.files.items()}

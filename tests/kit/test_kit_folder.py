@@ -22,7 +22,9 @@ from stewart_sym.kit import Choice, kit_names, put, write_kit
 def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(tmp_path: Path) -> None:
     """All files of a kit, its test vectors and a unit of FMI with a library among them."""
     robot = robots.dasgupta1998()
-    choice = Choice(("forces", "kinematics"), fidelity="massless_static", bake=True, scalar=True, fmu=True)
+    choice = Choice(
+        ("forces", "kinematics"), fidelity="massless_static", bake=True, scalar=True, fmu="forces"
+    )
     _, first = write_kit(robot, tmp_path / "a", choice)
     program = f"""
 import warnings
@@ -136,7 +138,9 @@ def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
         (Choice(("derivatives",)), "spherical", "functions: derivatives: expected exact with universal .*"),
         (Choice(("reactions",), bake=True), "random", "bake: applies to the function forces, got reactions"),
         (Choice(("motion",), fidelity="slender"), "random", "fidelity: applies to the function forces, .*"),
-        (Choice(("kinematics",), fmu=True), "random", "fmu: applies to the function forces, .*"),
+        (Choice(("kinematics",), fmu="forces"), "random", "fmu: applies to the function forces, .*"),
+        (Choice(fmu="motor"), "random", 'fmu: expected "forces", "forces-rpy" or "plant", got \'motor\''),
+        (Choice(fmu="plant"), "spherical", "fmu: plant: expected exact with universal .* spherical .*"),
         (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
     ],
 )

@@ -21,6 +21,12 @@ _FIDELITY = (
     "last four also with _friction); general_static, slender_static, massless_static; for robots with rotors "
     "also no_rotor, reflected, reflected_slender, reflected_massless (the last two also with _friction)"
 )
+_UNITS = ("forces", "forces-rpy", "plant")
+_UNIT = (
+    "FMI 2.0 co-simulation unit: forces (default); forces-rpy, with roll, pitch, and yaw as inputs instead "
+    "of R; or plant, the motion under leg forces. The first two also compute motor torques if the robot has "
+    "a drive; plant requires universal base joints"
+)
 _LANGUAGE = (
     "language: c, python (arrays of NumPy, JAX, PyTorch), matlab (also Octave), or rust (also without std). "
     "Only C has reactions, torque, --bake, --scalar, and --fmu; only C and Rust have --precision float"
@@ -36,7 +42,7 @@ def add_arguments(parser: Parser) -> None:
     text = "process the legs of one pose in sequence, for processors without vector registers"
     parser.flag("scalar", text)
     parser.chosen("precision", ("double", "float"), "floating-point type")
-    parser.flag("fmu", "add an FMI 2.0 co-simulation unit of the forces")
+    parser.add_argument("--fmu", nargs="?", choices=_UNITS, const=_UNITS[0], metavar="KIND", help=_UNIT)
     parser.valued("language", str, _LANGUAGE, "c", "NAME")
     parser.flag("list", "print the file names without writing files")
     parser.output("DIR", "folder of the kit")

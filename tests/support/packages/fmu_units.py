@@ -37,10 +37,10 @@ from stewart_sym.robot.robot import Robot
 Array = NDArray[np.float64]
 
 CASES = {
-    "lanes": Choice(fmu=True),
-    "scalar": Choice(scalar=True, fmu=True),
-    "baked": Choice(bake=True, fmu=True),
-    "float": Choice(precision="float", fmu=True),
+    "lanes": Choice(fmu="forces"),
+    "scalar": Choice(scalar=True, fmu="forces"),
+    "baked": Choice(bake=True, fmu="forces"),
+    "float": Choice(precision="float", fmu="forces"),
 }
 EVERY = slow_but(("lanes", "float"), CASES)
 PREPARED = [case for case in EVERY if case.values != ("baked",)]
@@ -66,7 +66,7 @@ def unit(robot: Robot, sources: dict[str, str]) -> bytes:
     """A unit of the kernel in lanes."""
     start = {"R": np.eye(3).tolist(), "t": home_pose(robot).t.tolist()}
     machine = Machine(robot.name, fields(robot), {}, None, "1.2.3")
-    texts = fmu.unit(machine, sources, made("lanes").kernel, "double", start)
+    texts = fmu.unit(machine, "forces", [made("lanes").kernel], sources, "double", start)
     return packed(robot_symbol(robot.name), texts)
 
 
