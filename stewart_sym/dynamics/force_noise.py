@@ -120,7 +120,7 @@ def near_knots(trajectory: Trajectory, part: slice) -> Indices:
     after = np.searchsorted(time, noise.grid)
     middle = np.searchsorted(time, 0.5 * (noise.grid[1:] + noise.grid[:-1]))
     wanted = np.concatenate([after - 1, after, middle, [0, len(rows) - 1]])
-    return rows[np.unique(np.clip(wanted, 0, len(rows) - 1))]
+    return np.asarray(rows[np.unique(np.clip(wanted, 0, len(rows) - 1))])
 
 
 def between(time: Array, known: Array, deviations: Array) -> Array:

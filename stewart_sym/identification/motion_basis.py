@@ -17,7 +17,7 @@ from scipy import sparse
 from scipy.interpolate import BSpline
 
 from ..io.arguments import finite_array, instance, number_in, real_array, shown, whole_number
-from ..io.array_types import Array, Indices
+from ..io.array_types import Array, Flags, Indices
 from ..motion.motion import Motion
 from ..motion.rotation import rpy_from_rotation, vector_from_rotation
 from ..motion.sample_times import elapsed
@@ -89,7 +89,7 @@ class PoseNoise:
             expected = f"positive definite matrices, (6, 6) or {(len(self.time), 6, 6)}"
             raise ValueError(f"covariance: expected {expected}, got {shown(self.covariance)}")
 
-    def at(self, index: Array) -> PoseNoise:
+    def at(self, index: Array | Flags) -> PoseNoise:
         """Return the noise at some of the times."""
         covariance = None if self.covariance is None else np.asarray(self.covariance)
         if covariance is not None and covariance.ndim == 3:

@@ -89,9 +89,11 @@ def with_rest(path: Callable[[Array], Motion], end: float) -> Callable[[ArrayLik
         if np.all(when < end):
             return motion
         moving = np.expand_dims(when < end, -1)
-        rates = (motion.omega, motion.v, motion.alpha, motion.a)
-        rates = [None if rate is None else np.where(moving, rate, 0.0) for rate in rates]
-        return Motion._unchecked(motion.R, motion.t, *rates, motion.F_ext, motion.M_ext)
+        omega, v = (np.where(moving, rate, 0.0) for rate in (motion.omega, motion.v))
+        alpha, a = (
+            None if second is None else np.where(moving, second, 0.0) for second in (motion.alpha, motion.a)
+        )
+        return Motion._unchecked(motion.R, motion.t, omega, v, alpha, a, motion.F_ext, motion.M_ext)
 
     return at
 

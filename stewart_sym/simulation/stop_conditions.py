@@ -86,8 +86,8 @@ class Watch:
 
     def first(self, pieces: Sequence[Piece], actuators: Actuators) -> tuple[int, StopEvent] | None:
         """Return the first stop event in consecutive pieces with the index of its piece, or None."""
-        ends = np.array([(piece.start, piece.end) for piece in pieces])
-        when = np.linspace(*ends.T, WATCHED + 1, axis=-1)
+        starts, ends = ([getattr(piece, name) for piece in pieces] for name in ("start", "end"))
+        when = np.linspace(starts, ends, WATCHED + 1, axis=-1)
         below = self._margins(when, pieces, actuators) <= 0.0
         if not below.any():
             return None

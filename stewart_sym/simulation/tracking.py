@@ -42,7 +42,7 @@ class TrackingError:
 
         error, duration = np.hstack([self.position, self.rotation]), self.time[-1] - self.time[0]
         if duration <= 0.0:
-            return np.abs(error[0])
+            return np.asarray(np.abs(error[0]))
         return np.asarray(np.sqrt(trapezoid(error**2, self.time, axis=0) / duration))
 
     @property
