@@ -64,7 +64,7 @@ _OF_PLANT = Texts(
     "forward dynamics",
     "A step integrates the state by Runge-Kutta steps of at most max_step under constant forces and loads. "
     "The forces F act on the legs; friction of the drives is not included. Limits and singular poses are not "
-    "checked. An unconnected input is zero.",
+    "checked. An unconnected input is zero. Initial values (_start) change only before a run.",
     "If the status is not 0, the integration has stopped, and the outputs keep the last state with a "
     "solution until the unit is reset",
 )

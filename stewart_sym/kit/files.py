@@ -251,10 +251,8 @@ def _unit(robot: Robot, choice: Choice, made: Parts) -> bytes:
     machine = _constants(robot, choice.fmu != fmu.PLANT)
     sources = selected.files | (robot_files(machine) if reads_robot(selected.functions) else {})
     start = _start(robot, choice.formulation)
-    pose = {
-        "R": start.R.tolist(),
-        "t": start.t.tolist(),
-        "theta": (rpy_from_rotation(start.R) + 0.0).tolist(),
-    }
+    # The sum removes minus signs of zeros.
+    theta = rpy_from_rotation(start.R) + 0.0
+    pose = {"R": start.R.tolist(), "t": start.t.tolist(), "theta": theta.tolist()}
     texts = fmu.unit(machine, choice.fmu, selected.parts, sources, choice.precision, pose)
     return packed(machine.symbol, texts)

@@ -35,19 +35,19 @@ NAMES = {
 F, R, M, D, K, T = FUNCTIONS
 # Functions, formulation, level, baked, scalar, precision, unit of FMI: every two values come together.
 WISHES = [
-    ("spherical rotors", (F, K, T), "exact", "reflected_massless", False, False, "double", False),
-    ("random drive", (F, R, M, D, K, T), "exact", "slender_static", True, True, "double", False),
-    ("random drive", (F, T), "paper", None, True, False, "float", True),
-    ("random rotors", (F, M, D, K), "exact", None, False, False, "float", False),
-    ("random drive", (F, K, T), "exact", "general_static", False, False, "float", True),
-    ("random", (F, R, K), "paper", None, False, False, "float", False),
-    ("spherical rotors", (F, R, K, T), "exact", "reflected_slender", True, True, "float", True),
-    ("spherical", (F, K), "paper", None, False, False, "double", True),
-    ("spherical", (F, K), "exact", "slender", False, True, "float", False),
-    ("random rotors", (F, M, D), "exact", "reflected_massless_friction", False, False, "double", True),
-    ("random", (F,), "paper", None, True, True, "double", False),
-    ("random", (M, D, K), "exact", None, False, False, "float", False),
-    ("random rotors", (F, K), "exact", "point_masses_friction", False, False, "double", False),
+    ("spherical rotors", (F, K, T), "exact", "reflected_massless", False, False, "double", None),
+    ("random drive", (F, R, M, D, K, T), "exact", "slender_static", True, True, "double", None),
+    ("random drive", (F, T), "paper", None, True, False, "float", "forces-rpy"),
+    ("random rotors", (F, M, D, K), "exact", None, False, False, "float", None),
+    ("random drive", (F, K, T), "exact", "general_static", False, False, "float", "forces"),
+    ("random", (F, R, K), "paper", None, False, False, "float", None),
+    ("spherical rotors", (F, R, K, T), "exact", "reflected_slender", True, True, "float", "forces-rpy"),
+    ("spherical", (F, K), "paper", None, False, False, "double", "forces"),
+    ("spherical", (F, K), "exact", "slender", False, True, "float", None),
+    ("random rotors", (F, M, D), "exact", "reflected_massless_friction", False, False, "double", "plant"),
+    ("random", (F,), "paper", None, True, True, "double", None),
+    ("random", (M, D, K), "exact", None, False, False, "float", None),
+    ("random rotors", (F, K), "exact", "point_masses_friction", False, False, "double", None),
 ]
 
 
