@@ -90,7 +90,18 @@ class PoseNoise:
             raise ValueError(f"covariance: expected {expected}, got {shown(self.covariance)}")
 
     def at(self, index: Array | Flags) -> PoseNoise:
-        """Return the noise at some of the times."""
+        """Return the noise at some of the times.
+
+        Parameters
+        ----------
+        index : ndarray
+            Indices of the times, or a flag for each time.
+
+        Returns
+        -------
+        PoseNoise
+            Noise at these times.
+        """
         covariance = None if self.covariance is None else np.asarray(self.covariance)
         if covariance is not None and covariance.ndim == 3:
             covariance = covariance[index]
