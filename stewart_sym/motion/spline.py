@@ -29,7 +29,7 @@ DEGREE = 5
 ORDERS = (3, 4, 7)
 """Orders of the differences in the penalty; the likeliest one is used.
 
-With order 8 instead of 7, three of about 90 random logs had 1.3 to 1.6 times the errors, mostly at their ends.
+With order 8 instead of 7, three of about 90 random logs had 1.3 to 1.6 times the errors, mostly at the ends.
 """
 # Mean square of the bias relative to its expectation, by order, adjusted by hand to 48 random motions: sines,
 # minimum jerk, and trapezoids, with 3, 4, and 5 decimals or white noise.

@@ -223,8 +223,8 @@ def test_deviations_of_needs_cover_the_errors_that_noise_makes(noisy: list[Noisy
     } < set(off)
     for name, sizes in off.items():
         joined = np.concatenate(sizes)
-        # One of a few values may be beyond.
-        assert np.count_nonzero(joined >= 3.0) <= max(1.0, 0.03 * joined.size), name
+        # Peaks of the six legs in one motion are correlated.
+        assert np.mean(joined < 3.0) > 0.96, name
         if name.startswith("history."):
             assert np.mean(joined < 1.0) == pytest.approx(0.6827, abs=0.07), name
             assert np.mean(joined < 1.96) == pytest.approx(0.95, abs=0.04), name
