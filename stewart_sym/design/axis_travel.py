@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from ..drives.friction import dry_sign, friction_force
+from ..drives.friction import friction_force
 from ..drives.motor_states import motor_rates, rotor_force
 from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse_dynamics import inverse_dynamics
@@ -250,7 +250,8 @@ def _largest(robot: Robot, forces: Array, rotor: Array, side: Array) -> float:
         used = np.abs(F) / robot.force_limit
         if drive is not None:
             screw = F - rotor[0] - acceleration * rotor[1]
-            friction = friction_force(drive, screw, _ZERO, dry_sign(drive, _ZERO, side))
+            # Friction opposes the beginning motion, also if its sign is regularized.
+            friction = friction_force(drive, screw, _ZERO, side)
             used = np.maximum(used, np.abs(F + friction) / most)
         return float(used.max()) - 1.0
 

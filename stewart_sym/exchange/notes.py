@@ -1,11 +1,14 @@
 """Note in exported files: the whole robot file, which is valid if the bodies and joints have not changed."""
 
+import dataclasses
 import json
 from collections.abc import Collection
 from typing import Any
 
 import numpy as np
 
+from ..motion.trajectory_format import TrajectoryFormat
+from ..robot import fields
 from ..robot.drive import Drive
 from ..robot.offsets import SHAPES, JointOffsets
 from ..robot.robot import Robot
@@ -39,6 +42,30 @@ def changed_fields(robot: Robot, other: Robot, unstated: Collection[str]) -> lis
         for name in _COMPARED
         if name not in unstated and not _near(_plain(getattr(robot, name)), _plain(getattr(other, name)))
     ]
+
+
+def noted_alone(noted: Robot, robot: Robot, changed: Collection[str]) -> list[str]:
+    """Return the other fields of the noted robot that differ from the robot of bodies and joints."""
+    return [
+        field.name
+        for field in dataclasses.fields(Robot)
+        if field.name not in (*changed, "name", "suppressed_warnings", "length_unit", "angle_unit")
+        and not _same(*(getattr(each, field.name) for each in (noted, robot)))
+    ]
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Return True if two values are equal; a model contains only the rotors of a drive."""
+    if isinstance(one, Drive | TrajectoryFormat):
+        return bool(one == other)
+    return _near(_plain(one), _plain(other))
+
+
+def key_of(name: str) -> str:
+    """Return the key of a field in a robot file, such as ``platform.body.mass``."""
+    if name in fields.LEG_FIELDS:
+        return f"legs.{fields.LEG_FIELDS[name][0]}"
+    return fields.FIELDS[name][0].replace("platform.", "platform.body.") if name in fields.FIELDS else name
 
 
 def _plain(value: Any) -> Any:

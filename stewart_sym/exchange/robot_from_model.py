@@ -19,7 +19,7 @@ from .crosses import PLATFORM, lines_of, with_crosses
 from .leg_from_model import OPEN, LegFields, need_mass, offset_lines
 from .model import WORLD, Body, Model, same_frame
 from .model_from_robot import SLIDES, model_of
-from .notes import changed_fields
+from .notes import changed_fields, key_of, noted_alone
 from .statics import slide_forces
 from .topology import Machine, machine_of
 
@@ -47,8 +47,9 @@ def robot_of(model: Model, source: str) -> tuple[Robot, tuple[str, ...]]:
         changed = changed_fields(robot, expected, model.unstated)
         if not changed:
             return noted, (*said, "robot file: the note in the file, with which bodies and joints agree")
-        differ = f"bodies and joints differ from the note ({', '.join(changed)})"
-        warn(f"{source}: {differ}; the note is ignored; check the fields that only the note contains")
+        differ = f"bodies and joints differ from the note ({', '.join(map(key_of, changed))})"
+        lost = ", ".join(key_of(name) for name in noted_alone(noted, robot, changed)) or "nothing else"
+        warn(f"{source}: {differ}; the note is ignored; state again what only the note contains: {lost}")
     if robot.drive is not None:
         said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
     return robot, tuple(said)

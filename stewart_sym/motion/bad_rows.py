@@ -66,7 +66,8 @@ def fit_good_rows(
         for distance in 2 ** np.arange(_MOST_PASSES):
             curves = smooth_columns(time[used], values[used], *options, smoothness)
             found = _agree(curves, time, values, runs, maximum_filter1d(used, 2 * distance + 1))
-            if np.array_equal(found, used):
+            # A stated noise that is much too small makes all rows outliers.
+            if np.array_equal(found, used) or np.count_nonzero(found) < _FEWEST_ROWS:
                 break
             used = found
         if np.array_equal(used, before):

@@ -13,6 +13,7 @@ from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
 from .spline import DEGREE, PAIRS, SmoothCurves
 from .trajectory import LEAST_NOISE, Replaced, SmoothingOptions, Uncertainty, noise_text
+from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 
 # Number of rows per period below which accelerations are inaccurate, and range of a moving column in standard
 # deviations of its noise.
@@ -74,7 +75,9 @@ def rates_of(
     uncertainty.covariance[:, coarse, -1] += unknown[coarse]
     if uncertainty.sigma[~clean].any():
         remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
-        warn_of(log, f"{noise_text(uncertainty)}; the columns are smoothed{remedy}")
+        form = log.file_format
+        noise = noise_text(uncertainty, form.length_unit, form.angle_unit)
+        warn_of(log, f"{noise}; the columns are smoothed{remedy}")
     return found, uncertainty
 
 
@@ -115,12 +118,15 @@ def _check_options(log: LogSamples, options: SmoothingOptions, assumed: Array, e
     """Warn of a stated noise, or of a cut-off frequency, that contradicts the estimated noise, both (6,)."""
     ratio = np.where(estimated > LEAST_NOISE, assumed / np.maximum(estimated, LEAST_NOISE), 1.0)
     column = int(np.argmax(np.abs(np.log(ratio))))
-    factor = f"{ratio[column]:.2g} times the scatter of the rows ({estimated[column]:.2g})"
+    is_length = column < 3 or "L" in log.vectors
+    unit = (log.file_format.length_unit or "m") if is_length else (log.file_format.angle_unit or "rad")
+    scatter = estimated[column] / (LENGTH_UNITS | ANGLE_UNITS)[unit]
+    factor = f"{ratio[column]:.2g} times the scatter of the rows ({scatter:.2g} {unit})"
     if options.cutoff_frequency is not None and ratio.max() > _CONTRADICTS:
         finding = f"the cut-off frequency removes {factor}"
         warn_of(log, f"{finding}; the deviations do not include removed motion; raise the frequency")
     elif options.cutoff_frequency is None and not 1.0 / _CONTRADICTS < ratio[column] < _CONTRADICTS:
-        name = "position_std" if column < 3 or "L" in log.vectors else "angle_std"
+        name = "position_std" if is_length else "angle_std"
         warn_of(log, f"{name} is {factor}; smoothing and deviations are wrong; check the unit of {name}")
 
 

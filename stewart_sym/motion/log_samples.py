@@ -194,6 +194,8 @@ def _good_rows(table: CsvTable, cells: Sequence[str], numbers: Array, drop_lines
         worst = int(np.argmin(np.count_nonzero(finite, axis=0)))
         row = int(np.argmin(finite[:, worst]))
         text = safe_text(table.cells(cells[worst])[row][:40])
+        if not finite[:, worst].any() and text.lower() in ("", "nan"):
+            raise ValueError(f"{source}: column {cells[worst]}: no cell is a number; name another in columns")
         place = f"{source}: line {table.lines[row]}: column {cells[worst]}"
         remedy = "check decimal; write dates as 2025-12-31 23:59:59.5"
         raise ValueError(f"{place}: expected a number or a time, got {text!r}; {remedy}")

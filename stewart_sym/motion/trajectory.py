@@ -12,6 +12,7 @@ from ..io.array_types import Array
 from ..io.toml_reader import number
 from . import rotation
 from .motion import Motion
+from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 
 Index = slice | NDArray[np.int64] | NDArray[np.bool_]
 
@@ -98,11 +99,13 @@ LEAST_NOISE = 1e-15
 """Noise (m, rad) below which a column is exact in messages."""
 
 
-def noise_text(noise: Uncertainty) -> str:
-    """Format the noise of a log, such as ``noise of 0.0002 m and 0.0001 rad``."""
-    parts = [(slice(6), "m")] if noise.in_joints else [(slice(3), "m"), (slice(3, 6), "rad")]
+def noise_text(noise: Uncertainty, length_unit: str | None = None, angle_unit: str | None = None) -> str:
+    """Format the noise of a log, such as ``noise of 0.0002 m and 0.0001 rad``, by default in SI units."""
+    length, angle = length_unit or "m", angle_unit or "rad"
+    parts = [(slice(6), length)] if noise.in_joints else [(slice(3), length), (slice(3, 6), angle)]
+    sizes = LENGTH_UNITS | ANGLE_UNITS
     texts = [
-        f"{noise.sigma[part].max():.2g} {unit}"
+        f"{noise.sigma[part].max() / sizes[unit]:.2g} {unit}"
         for part, unit in parts
         if noise.sigma[part].max() > LEAST_NOISE
     ]

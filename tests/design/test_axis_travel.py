@@ -124,6 +124,10 @@ def test_motor_limits_are_used_up_at_the_extreme_accelerations() -> None:
             )
             torque = ss.drive_effort(limited, motion.at_point(-robot.tool)).torque
             assert np.max(np.abs(torque)) == pytest.approx(most, rel=1e-5)
+        # A regularized sign is zero at rest, but friction opposes the beginning motion.
+        regular = dataclasses.replace(limited.drive, regularization_speed=1e-3)
+        again = ss.axis_travel(dataclasses.replace(limited, drive=regular))
+        np.testing.assert_array_equal(again.acceleration, found.acceleration)
 
 
 def test_missing_limits_are_infinite_and_a_home_pose_beyond_a_limit_has_no_travel() -> None:

@@ -222,7 +222,9 @@ def test_a_note_against_the_bodies_is_ignored_with_one_warning(
     assert count == 1
     path.write_text(text, encoding="utf-8")
     (tmp_path / "model.loops.json").write_text(exported["urdf"].loop_closures or "", encoding="utf-8")
-    with pytest.warns(UserWarning, match=r"bodies and joints differ from the note \(M\)") as caught:
+    with pytest.warns(
+        UserWarning, match=r"bodies and joints differ from the note \(platform.body.mass\)"
+    ) as caught:
         found = ss.import_model(path)
     assert len(caught) == 1
     assert found.robot.M == 41.0

@@ -277,7 +277,7 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
     "no numbers": (
         HEAD + "\n" + "\n".join(f"{i},0,0,nan,0,0,0" for i in range(9)),
         Form(),
-        ": line 2: column t_z: expected a number or a time, got 'nan'; check decimal",
+        ": column t_z: no cell is a number; name another in ",
     ),
     "other dates": (
         HEAD + "\n" + "\n".join(f"31.12.2025 10:00:0{i},0,0,0,0,0,0" for i in range(9)),

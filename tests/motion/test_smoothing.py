@@ -63,6 +63,12 @@ def test_a_stated_noise_that_contradicts_the_rows_is_named(factor: float) -> Non
     assert sum(text.startswith("position_std is ") for text in said) == 1
 
 
+def test_a_stated_noise_that_makes_every_row_an_outlier_is_named() -> None:
+    one = case(1)
+    _, said = read(one.time, logged(one, "white", 1), ss.SmoothingOptions(1e-4 * WHITE, 1e-4 * WHITE))
+    assert sum("_std is " in text and "times the scatter of the rows" in text for text in said) == 1
+
+
 @pytest.mark.parametrize("even", [True, False])
 def test_a_cutoff_halves_the_amplitude_without_a_phase(even: bool) -> None:
     rng = np.random.default_rng(2)

@@ -56,7 +56,8 @@ def run(arguments: Arguments) -> None:
             warn(crossed, ss.SingularPoseWarning)
         lines = [digest.summary()]
         if trajectory.noise is not None and trajectory.noise.sigma.any():
-            lines.append(f"{noise_text(trajectory.noise)}; F_std is the remaining standard deviation")
+            noise = noise_text(trajectory.noise, robot.length_unit, robot.angle_unit)
+            lines.append(f"{noise}; F_std is the remaining standard deviation")
         figures = {}
         if arguments.plot is not None:
             figures["forces"] = Picture(digest.figure, SMALL)
