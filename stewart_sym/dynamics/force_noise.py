@@ -126,7 +126,7 @@ def near_knots(trajectory: Trajectory, part: slice) -> Indices:
 def between(time: Array, known: Array, deviations: Array) -> Array:
     """Interpolate standard deviations (m, 6), given at some times (m,), as covariances, linearly in squares.
 
-    They are infinite beside an unknown one.
+    They are infinite next to an unknown one.
     """
     if len(known) == len(time):
         return deviations

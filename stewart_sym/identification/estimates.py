@@ -293,9 +293,9 @@ def _smooth_test(effects: _Effects, other_tests: int) -> tuple[_Test, float]:
     found = [effects.explained(LEGS * count) for count in _COSINES]
     p, explained, count = min((effects.p(*each), *each) for each in found)
     size = math.sqrt(explained / max(count, 1))
-    beside = "noise" if size >= 1.0 else "the specified noise, which exceeds the scatter"
+    source = "noise" if size >= 1.0 else "the specified noise, which exceeds the scatter"
     text = (
-        f"forces: differ smoothly from the model, {size:.2f} times as much as expected from {beside}; model "
+        f"forces: differ smoothly from the model, {size:.2f} times as much as expected from {source}; model "
         "all moving parts and friction, keep the load constant, avoid drift of sensors, and check the poses"
     )
     return _Test(min(1.0, (len(_COSINES) + other_tests) * p), size, text), explained

@@ -36,10 +36,10 @@ class Factors:
         """Eliminate the local unknowns, and factorize the dense columns by QR."""
         self.A, self.L = A, L
         self._local = splu((L.T @ L).tocsc()).solve if L.shape[1] else np.asarray
-        self._beside = self._local(L[: len(A)].T @ A)
+        self._adjacent = self._local(L[: len(A)].T @ A)
         R = np.zeros((0, A.shape[1]))
         for rows in (slice(first, first + _ROWS) for first in range(0, L.shape[0], _ROWS)):
-            block = -np.asarray(L[rows] @ self._beside)
+            block = -np.asarray(L[rows] @ self._adjacent)
             block[: len(A[rows])] += A[rows]
             R = np.asarray(np.linalg.qr(np.vstack([R, block]), mode="r"))
         self._lengths = np.linalg.norm(R, axis=0)
@@ -90,7 +90,7 @@ class Factors:
         scale = self._lengths.reshape(-1, *[1] * (y.ndim - 1))
         few = solve_triangular(self._R, self.A.T @ left / scale, trans="T")
         few = solve_triangular(self._R, few) / scale
-        return np.concatenate([few, local - self._beside @ few])
+        return np.concatenate([few, local - self._adjacent @ few])
 
 
 def departure(off: Array, covariance: Array) -> tuple[Array, float]:
