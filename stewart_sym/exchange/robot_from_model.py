@@ -97,7 +97,7 @@ class _Derived:
             lines.append("joint offsets: axes at the base that do not meet are imported with their distances")
         lines += lines_of(self.crosses)
         lines += _force_lines(machine, model, self.legs, self.robot)
-        return lines + [f"left out: {text}" for text in _grouped([*model.left_out, *_other_actuators(model)])]
+        return lines + [f"left out: {text}" for text in _grouped([*model.left_out, *_other_joints(model)])]
 
 
 def _robot(model: Model, legs: Sequence[LegFields], platform: Body, R: Array) -> Robot:
@@ -212,7 +212,7 @@ def _open_by(machine: Machine, model: Model) -> float:
     return off
 
 
-def _other_actuators(model: Model) -> Iterator[str]:
+def _other_joints(model: Model) -> Iterator[str]:
     """Yield properties of joints other than prismatic ones that a robot cannot represent."""
     for joint in model.joints:
         if joint.kind != "prismatic" and joint.armature:
