@@ -48,8 +48,9 @@ def robot_of(model: Model, source: str) -> tuple[Robot, tuple[str, ...]]:
         if not changed:
             return noted, (*said, "robot file: the note in the file, with which bodies and joints agree")
         differ = f"bodies and joints differ from the note ({', '.join(map(key_of, changed))})"
-        lost = ", ".join(key_of(name) for name in noted_alone(noted, robot, changed)) or "nothing else"
-        warn(f"{source}: {differ}; the note is ignored; state again what only the note contains: {lost}")
+        lost = ", ".join(key_of(name) for name in noted_alone(noted, robot, changed))
+        remedy = f"; add these keys of the note to the robot file: {lost}" if lost else ""
+        warn(f"{source}: {differ}; the note is ignored{remedy}")
     if robot.drive is not None:
         said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
     return robot, tuple(said)

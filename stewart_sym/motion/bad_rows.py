@@ -53,7 +53,7 @@ def fit_good_rows(
 
     The first curves use the rows that their neighbors predict. Then rows that agree with the curves are
     added, and others are left out, until the set of rows stays the same. Therefore the size of an error has
-    no effect. The arguments are those of ``smooth_columns``.
+    no effect. The arguments are as in ``smooth_columns``.
     """
     runs = _equal_runs(values)
     used = _near_predictions(values) & ~runs

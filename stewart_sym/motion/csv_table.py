@@ -18,7 +18,7 @@ from ..io.toml_reader import opened
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
 
-# Number of characters that are searched for the header, and of those that are converted together.
+# Numbers of characters that are searched for the header, and that are converted together.
 _HEAD, _BLOCK = 1 << 20, 1 << 18
 # Largest integer, and largest power of ten, that a double represents without rounding error.
 _MOST_EXACT, _POWERS = 2**53, 10.0 ** np.arange(23)

@@ -294,7 +294,7 @@ def _columns(table: CsvTable, form: TrajectoryFormat, vectors: Sequence[str]) ->
 
 
 def _known_name(cell: str) -> str | None:
-    """Return the known name that a header cell stands for, also with a unit at its end such as ``_ms``."""
+    """Return the known name of a header cell, also with a unit at its end such as ``_ms``."""
     for text, unit in ((cell, ""), cell.rpartition("_")[::2]):
         plain = re.sub(r"[\s_.\-]", "", text).lower()
         name = text if text == "time" else _COMPONENTS.get(plain) or _ALIASES.get(plain)

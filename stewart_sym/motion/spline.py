@@ -63,7 +63,7 @@ _ROUNDING, _RIDGE = 4e-16, 1e-11
 class Smoothness(NamedTuple):
     """Distance of knots (s), order and logarithm of the weight of the penalty, and rows for each error.
 
-    Rounding errors of adjacent rows are nearly equal where the motion is slower than a step of rounding per
+    Rounding errors of adjacent rows are nearly equal if the motion is slower than a step of rounding per
     row. Then several rows contain one independent error.
     """
 

@@ -373,7 +373,7 @@ _SYMBOLS = {
 
 
 def need_masses(robot: Robot, used_for: str = "this function") -> None:
-    """Raise ValueError for a robot file without all masses; ``used_for`` names what requires them."""
+    """Raise ValueError for a robot file without all masses; ``used_for`` is the subject of the message."""
     missing = robot.missing_bodies
     if missing:
         raise ValueError(
