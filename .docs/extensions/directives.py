@@ -21,7 +21,7 @@ from sphinx.util.docutils import SphinxDirective
 import stewart_sym as ss
 from stewart_sym.cli import main
 from stewart_sym.derive.kernel.interface import STRUCTS
-from stewart_sym.derive.kernel.tree.constants import STATUSES
+from stewart_sym.derive.trace.constants import STATUSES
 from stewart_sym.studies.common.output import table
 from stewart_sym.viewer.view import frame
 

@@ -5005,30 +5005,32 @@ static int solution(
     stewart_real Y[6][6])
 {
     int column, i, j;
-    stewart_real A[6][LANES];
-    stewart_real wrench[6];
-    stewart_real found[6];
-    int suspect = 0;
+    columns_pose columns_of_H;
+    right_side_pose right_side;
+    solution_pose found;
     for (column = 0; column < 7; ++column) {
         for (i = 0; i < 6; ++i) {
             const stewart_real unit = i < 3 ? REAL(1) : model->per_length;
             for (j = 0; j < 6; ++j) {
-                A[i][j] = unit*of->H[i][j];
+                columns_of_H.H[i][j] = unit*of->H[i][j];
             }
-            A[i][6] = REAL(0);
-            A[i][7] = REAL(0);
-            wrench[i] = column < 6 ? (i == column ? unit : REAL(0)) : unit*of->c[i];
+            columns_of_H.H[i][6] = REAL(0);
+            columns_of_H.H[i][7] = REAL(0);
+            right_side.c[i] = column < 6 ? (i == column ? unit : REAL(0)) : unit*of->c[i];
         }
-        suspect = solve_pose(A, wrench, model->arm_cube, found);
+        compute_two_blocks_pose(model->arm_cube, &columns_of_H, &right_side, &found);
+        if (found.weak > REAL(0)) {
+            compute_pivots_pose(&columns_of_H, &right_side, &found);
+        }
         for (i = 0; i < 6; ++i) {
             if (column < 6) {
-                Y[i][column] = found[i];
+                Y[i][column] = found.x[i];
             } else {
-                x[i] = found[i];
+                x[i] = found.x[i];
             }
         }
     }
-    return suspect;
+    return found.suspect > REAL(0) ? 1 : 0;
 }
 
 /* Bounds the errors of the forces D - x: the effects of the errors of D, c, and H, the error of the
