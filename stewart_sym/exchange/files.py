@@ -12,7 +12,7 @@ import numpy as np
 from ..drives.friction import losses
 from ..drives.motor_states import motor_states
 from ..dynamics.inverse_dynamics import inverse_dynamics
-from ..dynamics.left_out import effect
+from ..dynamics.neglected_physics import effect
 from ..io.arguments import instance, option, shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn

@@ -15,7 +15,7 @@ from ..motion.trajectory import MOST_TURNS, Trajectory, angle_range
 from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS, TrajectoryWarning
 from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
-from .mounting import platform_side
+from .mounting_side import platform_side
 from .offset_legs import leg_lengths
 from .pose_search import rates_per_twist
 

@@ -14,7 +14,7 @@ from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
-from ..kinematics.mounting import path_for
+from ..kinematics.mounting_side import path_for
 from ..kinematics.robot_logs import read_log_of
 from ..motion.interpolation import followed
 from ..motion.motion import Motion

@@ -18,7 +18,7 @@ from ..io.arguments import safe_text
 from ..io.array_types import Array
 from ..io.json_text import plain
 from ..kinematics.conditioning import characteristic_length
-from ..kinematics.mounting import platform_side, radius
+from ..kinematics.mounting_side import platform_side, radius
 from ..motion.rotation import quaternion_from_rotation
 from ..motion.sample_times import least_step, time_text
 from ..robot.offset_chains import chains

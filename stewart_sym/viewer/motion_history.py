@@ -18,7 +18,7 @@ from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
-from ..kinematics.mounting import path_for
+from ..kinematics.mounting_side import path_for
 from ..kinematics.pose_search import rates_per_twist
 from ..motion.csv_table import read_table
 from ..motion.interpolation import Path, interpolate

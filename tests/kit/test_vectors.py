@@ -23,7 +23,7 @@ from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.kit.kit_options import STEMS
 from stewart_sym.kit.vectors import FUNCTIONS, Vector, vectors
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import Truth, digits
+from stewart_sym.precision.exact_forces import Truth, digits
 from stewart_sym.reference import newton_euler
 
 WHOLE = ("inverse_dynamics", "joint_reactions")

@@ -21,7 +21,7 @@ import stewart_sym as ss
 from stewart_sym.backend import fidelity
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import Truth, deviation
+from stewart_sym.precision.exact_forces import Truth, deviation
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy import cost as study

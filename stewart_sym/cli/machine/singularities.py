@@ -11,7 +11,7 @@ from pathlib import Path
 
 import stewart_sym as ss
 
-from ...kinematics.mounting import path_for
+from ...kinematics.mounting_side import path_for
 from ...motion.interpolation import Path as MotionPath
 from ...studies.reports import singularities
 from ..inputs import robot_of, trajectory_of

@@ -9,7 +9,7 @@ from ...dynamics.inverse_dynamics import first_fault
 from ...io import toml_reader
 from ...io.arguments import shown
 from ...io.error_policy import warn
-from ...kinematics.mounting import path_for
+from ...kinematics.mounting_side import path_for
 from ...motion.motion import Motion
 from ...motion.straight_line import PAPER_PATHS
 from ...motion.trajectory import Trajectory

@@ -27,7 +27,7 @@ from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse_kinematics import wrench_matrix
 from ...motion.motion import Motion
-from ...precision.truth import Truth, deviation
+from ...precision.exact_forces import Truth, deviation
 from ...robot.robot import Robot
 from ..common import host
 from ..common.kernel_loop import batch, loop

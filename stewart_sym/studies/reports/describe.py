@@ -9,7 +9,7 @@ from ...design.axis_travel import axis_travel
 from ...dynamics.home_pose import HomePose, home_pose, radius
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
-from ...kinematics.mounting import DECISIVE, AssemblyModeWarning
+from ...kinematics.mounting_side import DECISIVE, AssemblyModeWarning
 from ...results import STATUS_TEXT
 from ...robot.drive import Drive
 from ...robot.robot import Robot
