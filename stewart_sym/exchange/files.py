@@ -281,5 +281,5 @@ def _read(root: ET.Element, loops: str | None, path: str, text: str) -> Model:
             return sdf_in.model(root)
         if root.tag == "robot":
             return urdf_in.model(root, loops)
-    expected = "expected MJCF, SDF or URDF with a root mujoco, sdf or robot"
+    expected = "expected MJCF, SDF, or URDF with a root mujoco, sdf, or robot"
     raise ValueError(f"{expected}, got {shown(root.tag)}{at_line(root)}")

@@ -85,7 +85,8 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
         L = leg_lengths(examiner.robot, R, t)
         units = Units.of(robot)
         lengths = f"{L.min() / units.meters:.6g} to {L.max() / units.meters:.6g} {units.length}"
-        return f"its legs are {lengths} long: change --position (m)"
+        angles = "" if np.abs(found.rpy).max() <= math.pi else " and --rpy (rad, not degrees)"
+        return f"its legs are {lengths} long: change --position (m){angles}"
     if code == CONDITION:
         number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
         if number <= most:
