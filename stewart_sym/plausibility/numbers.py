@@ -158,7 +158,7 @@ def _gyration(inertias: Array, masses: Array | float) -> Array:
 def _of_speeds(robot: Robot) -> Iterator[Finding]:
     """Yield a finding about implausible speed limits of legs or motors, and about implausible leads."""
     stroke = np.ptp(robot.length_limits, axis=1)
-    # Legs of usual machines change by about half of the base radius. Implausible limits have their own finding.
+    # Legs of usual machines change by about half of the base radius; implausible limits are found elsewhere.
     stroke = np.where(np.isfinite(stroke), np.minimum(stroke, 2.0 * radius(robot.b)), 0.5 * radius(robot.b))
     cause = f"likely cause: given in a larger unit, expected {robot.length_unit}"
     if fast := _above(robot.speed_limit, MOST_SPEED):
