@@ -192,7 +192,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     >>> np.array_equal(imported.robot.b, robot.b)
     True
     >>> imported.assumptions[-1]
-    'robot file: the note in the file, with which bodies and joints agree'
+    'robot file: from the note in the file; bodies and joints agree with it'
     """
     source = os.fsdecode(path)
     text, beside = read_text(source, "model"), loops_path(source)
