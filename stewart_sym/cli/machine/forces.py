@@ -12,7 +12,7 @@ from pathlib import Path
 
 import stewart_sym as ss
 
-from ...drives.leg_limits import replaced_rows
+from ...drives.limits import replaced_rows
 from ...io.atomic_write import must_be_replaceable, write_file
 from ...io.error_policy import warn
 from ...io.extras import need

@@ -60,7 +60,7 @@ def _plan(arguments: Arguments, request: PlanRequest) -> int:
             plan.need_samples(timed.duration, request.rate)
         found = plan.Plan(robot, planned, timed, ss.certify_plan(timed), request.rate)
         take(plan.report(found))
-    for line in [] if found.motors is None else found.motors.summary.exceeded():
+    for line in [] if found.motors is None else found.motors.exceeded():
         warn(f"drive: {line}", ss.DriveLimitWarning)
     if len(found.times) < FEW_ROWS:
         warn(

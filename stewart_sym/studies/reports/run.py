@@ -8,6 +8,7 @@ from typing import Any, cast
 import numpy as np
 
 from ...backend.kernel import FORMULATIONS
+from ...drives.limits import LimitTracker
 from ...drives.motor_states import of_motor_forces
 from ...dynamics.inverse_dynamics import Formulation
 from ...io.array_types import Array
@@ -24,7 +25,7 @@ from ..common.drawing import BLUE, DARK, RED, Figure, legend_below, log_numbers,
 from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
 from ..paper.reproduce import without_friction
-from .drives import DriveDigest
+from .drives import motor_data, motor_table
 from .leg_plot import LIMIT, draw_limit
 
 _EVEN = 1001
@@ -64,7 +65,7 @@ def report(
         figures["tracking"] = Picture(lambda: tracking_figure(robot, error))
     motors = motors_of(robot, fine, run.dense_weights)
     if motors is not None:
-        text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
+        text = "\n".join([text, "", motor_table(motors), *motors.exceeded()])
     if len(run.time) > 1:
         figures["run"] = Picture(lambda: figure(robot, run, law))
     for name, drift in drifts.items():
@@ -97,18 +98,17 @@ def energy_drift(scene: Scene) -> dict[str, Columns]:
     return {name: {"time": run.time, "drift": _drift(run, law, scale)} for name, run in runs.items()}
 
 
-def motors_of(robot: Robot, run: StateHistory, weights: Array | None = None) -> DriveDigest | None:
+def motors_of(robot: Robot, run: StateHistory, weights: Array | None = None) -> LimitTracker | None:
     """Return the motor requirements of a run with the weights of its samples; None without a drive."""
     if robot.drive is None:
         return None
-    found = DriveDigest(robot, run.time, weights)
-    L_dot = leg_states(robot, run.motion).L_dot
-    found.add(of_motor_forces(robot, robot.drive, run.motion, run.F, L_dot), slice(None))
+    found, L_dot = LimitTracker(robot, run.time, weights=weights), leg_states(robot, run.motion).L_dot
+    found.add(slice(None), of_motor_forces(robot, robot.drive, run.motion, run.F, L_dot)._asdict())
     return found
 
 
 def _data(
-    run: SimulationResult, fine: StateHistory, law: ForceLaw, motors: DriveDigest | None
+    run: SimulationResult, fine: StateHistory, law: ForceLaw, motors: LimitTracker | None
 ) -> dict[str, Any]:
     peaks, drives = np.argmax(np.abs(fine.F), axis=0), run.drive_work
     legs = {
@@ -118,7 +118,7 @@ def _data(
         "max_length_m": fine.L.max(axis=0),
         "saturated_s": run.saturation.duration,
         "saturation_max_excess_N": run.saturation.max_excess,
-        **({} if motors is None else motors.columns()),
+        **({} if motors is None else motor_data(motors)),
     }
     work = {}
     if drives is not None:

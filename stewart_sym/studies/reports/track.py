@@ -7,19 +7,19 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...drives.leg_limits import (
+from ...drives.limit_status import SURE, amount_text, counts_text, unknown_forces
+from ...drives.limits import (
     BASE,
     FORCE,
     LONGEST,
     PLATFORM,
     SHORTEST,
     SPEED,
-    LegLimit,
-    LegLimits,
+    Limit,
+    LimitTracker,
     limited_angles,
     replaced_names,
 )
-from ...drives.limit_status import SURE, amount_text, counts_text, unknown_forces
 from ...drives.motor_states import MotorStates, motor_states
 from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
@@ -36,19 +36,11 @@ from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ..common.drawing import Figure
 from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
-from .drives import DriveDigest, drive_columns
+from .drives import drive_columns, motor_data, motor_table
 from .leg_plot import leg_figure
 
 NOISE_THRESHOLD = 0.02
 """Fraction of the peak force that ``SURE`` standard deviations may reach without a warning."""
-
-# Limits of the legs by their names in the JSON data.
-_LIMITS = {
-    "force_limit": FORCE,
-    "speed_limit": SPEED,
-    "min_length_limit": SHORTEST,
-    "max_length_limit": LONGEST,
-}
 
 # Number of samples that are computed at a time, because the outputs of all samples could exceed the memory.
 _PART = 1 << 14
@@ -77,19 +69,14 @@ class Part(NamedTuple):
     angles: Mapping[str, Array] | None = None
 
     @property
-    def limited(self) -> dict[str, Array]:
-        """Values that ``LegLimits`` compares with the limits of the legs."""
-        return {"F": self.F, "L": self.L, "L_dot": self.L_dot, **(self.angles or {})}
-
-    @property
     def columns(self) -> Columns:
         """Written columns (n,) by name, in SI units; noise, a drive, and reactions add columns."""
         sd = self.sd
         found: Columns = {"time": self.time} | of_legs("F", self.F)
-        found |= {} if sd is None else of_legs("F", sd.F, "_std")
+        found |= {} if sd is None else of_legs("F", sd["F"], "_std")
         found |= of_legs("L", self.L) | {"condition_number": self.condition, "status": self.status}
         if self.effort is not None:
-            found |= drive_columns(self.effort, None if sd is None else sd.motors)
+            found |= drive_columns(self.effort, sd)
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
@@ -142,17 +129,26 @@ def in_parts(
         yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there, angles)
 
 
+_LIMITS = {
+    "min_length": (SHORTEST, "m", "length_limits_m", "min_length_limit"),
+    "max_length": (LONGEST, "m", "length_limits_m", "max_length_limit"),
+    "peak_speed": (SPEED, "m_per_s", "speed_limit_m_per_s", "speed_limit"),
+    "peak_base_angle": (BASE, "rad", "base_angle_limit_rad", "base_angle_limit"),
+    "peak_platform_angle": (PLATFORM, "rad", "platform_angle_limit_rad", "platform_angle_limit"),
+}
+"""Extreme values of the legs in the JSON data: limit, unit, key of the limit, and key of its status."""
+
+
 class Digest:
     """Data for the summary, the warnings, and the plot of a run."""
 
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
         """Start a run at all these times (s), shape (n,); ``replaced`` are the replaced rows of the log."""
         self.robot, self.time, self.replaced, self.step = robot, time, replaced, least_step(time)
-        self.legs = LegLimits(robot, time, replaced)
+        self.limits = LimitTracker(robot, time, replaced)
         # Time and value of the largest condition number of each part.
         self.conditions: list[tuple[float, float]] = []
-        self.drive = None if robot.drive is None else DriveDigest(robot, time)
-        self.F = np.full((len(time), LEGS), np.nan, dtype=np.float32)
+        self.F, self.torque, self.speed = np.full((3, len(time), LEGS), np.nan, dtype=np.float32)
 
     def rows(self, parts: Iterable[Part], progress: Progress) -> Iterator[str]:
         """Add all parts, and yield the text of their CSV file."""
@@ -166,20 +162,19 @@ class Digest:
 
     def add(self, part: Part) -> None:
         """Add the next part."""
-        sd = part.sd
-        if self.drive is not None and part.effort is not None:
-            self.drive.add(part.effort, part.where, None if sd is None else sd.motors, part.there)
-        self.legs.add(part.where, part.limited, sd, part.there)
+        values: dict[str, Array | None] = {"F": part.F, "L": part.L, "L_dot": part.L_dot}
+        if part.effort is not None:
+            values |= part.effort._asdict()
+            self.torque[part.where], self.speed[part.where] = part.effort.torque, part.effort.speed
+        self.limits.add(part.where, values | (part.angles or {}), part.sd, part.there)
         self.F[part.where] = part.F
         i = int(_largest(part.condition))
         self.conditions.append((float(part.time[i]), float(part.condition[i])))
 
     def doubts(self, noise_share: float) -> list[str]:
-        """Return one line for each exceeded or inconclusive limit, and for noise above a fraction of a
-        peak.
-        """
-        times, F, there, F_sd = self.legs.forces()
-        beyond = self.legs.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
+        """Return a line for each exceeded or inconclusive limit, and for noise above a fraction of a peak."""
+        times, F, there, F_sd = self.limits.forces()
+        beyond = self.limits.exceeded()
         if F_sd is None:
             return beyond
         names = replaced_names(self.replaced)
@@ -192,102 +187,74 @@ class Digest:
 
     def figure(self) -> Figure:
         """Plot the forces, and with drives the motor torques, with their limits."""
-        motors = None if self.drive is None else (self.drive.torque, self.drive.speed)
+        motors = None if self.robot.drive is None else (self.torque, self.speed)
         return leg_figure(self.robot, self.time, self.F, motors)
 
     def summary(self) -> str:
         """Format the summary as lines of text."""
-        time, F, _, F_sd = self.legs.forces()
-        verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
-        low, high, speed = self._extremes()
-        units = Units.of(self.robot)
-        low, high, speed = (found.scaled(1.0 / units.meters) for found in (low, high, speed))
-        angles = [found.scaled(1.0 / units.radians).texts() for found in self._angles().values()]
+        time, F, _, F_sd = self.limits.forces()
+        verdicts, limit, units = self.limits.verdicts(FORCE), self.robot.force_limit, Units.of(self.robot)
         peak = _largest(F)
+        lengths = self._texts(SHORTEST, units.meters), self._texts(LONGEST, units.meters)
         columns = {
-            "peak force, N": _Extreme(_at(F, peak), None if F_sd is None else _at(F_sd, peak)).texts(6),
+            "peak force, N": _texts(_at(F, peak), None if F_sd is None else _at(F_sd, peak), 6),
             "at, s": [time_text(when, self.step) for when in time[peak]],
             "force_limit, N": [
                 f"{most:g}" + (f" {status_text(verdict)}" if np.isfinite(most) else "")
                 for most, verdict in zip(limit, verdicts, strict=True)
             ],
-            f"length, {units.length}": [
-                " to ".join(ends) for ends in zip(low.texts(), high.texts(), strict=True)
-            ],
-            f"speed, {units.length}/s": speed.texts(),
+            f"length, {units.length}": [" to ".join(ends) for ends in zip(*lengths, strict=True)],
+            f"speed, {units.length}/s": self._texts(SPEED, units.meters),
         }
-        if angles:
+        if self.robot.has_joint_angle_limits:
+            angles = self._texts(BASE, units.radians), self._texts(PLATFORM, units.radians)
             columns[f"joint angles, {units.angle}"] = [", ".join(both) for both in zip(*angles, strict=True)]
         first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self._worst()[0]))
-        every = self.legs.all_verdicts()
-        every += [] if self.drive is None else self.drive.summary.all_verdicts()
         text = (
-            f"{counts_text(every)}\n"
+            f"{counts_text(self.limits.all_verdicts())}\n"
             f"{len(self.time)} sample{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
             f"number of H up to {self._worst()[1]:.4g} (at {when} s)\n"
             f"{leg_table('leg', columns)}"
         )
-        return text if self.drive is None else f"{text}\n\n{self.drive.table()}"
+        return text if self.robot.drive is None else f"{text}\n\n{motor_table(self.limits)}"
 
     def as_json(self) -> dict[str, Any]:
         """Return the numbers of the summary for the JSON data."""
-        time, F, _, F_sd = self.legs.forces()
+        time, F, _, F_sd = self.limits.forces()
         when, condition = self._worst()
-        low, high, speed = self._extremes()
         peak, robot = _largest(F), self.robot
         legs = {
             "peak_force_N": _at(F, peak),
             "peak_force_std_N": [None] * LEGS if F_sd is None else _at(F_sd, peak),
             "peak_force_time_s": time[peak],
             "force_limit_N": robot.force_limit,
-            **low.data("min_length", "m"),
-            **high.data("max_length", "m"),
-            "length_limits_m": robot.length_limits,
-            **speed.data("peak_speed", "m_per_s"),
-            "speed_limit_m_per_s": robot.speed_limit,
+            "force_limit": self.limits.verdicts(FORCE),
         }
-        for limit, angle in self._angles().items():
-            legs |= angle.data(f"peak_{limit.values}_angle", "rad")
-            legs[f"{limit.values}_angle_limit_rad"] = limit.bound(robot)
-            legs[f"{limit.values}_angle_limit"] = self.legs.verdicts(limit)
-        legs |= {name: self.legs.verdicts(limit) for name, limit in _LIMITS.items()}
-        legs |= {} if self.drive is None else self.drive.columns() | self.drive.verdicts()
+        for name, (limit, unit, key, status) in _LIMITS.items():
+            if limit not in (BASE, PLATFORM) or robot.has_joint_angle_limits:
+                peaks, sd = self.limits.peaks(limit)
+                legs |= {f"{name}_{unit}": peaks, status: self.limits.verdicts(limit)}
+                legs |= {} if sd is None else {f"{name}_std_{unit}": sd}
+                legs[key] = robot.length_limits if limit.values == "L" else limit.bound(robot)
+        legs |= {} if robot.drive is None else motor_data(self.limits)
         found = {"samples": len(self.time), "start_s": self.time[0], "end_s": self.time[-1]}
         found |= {"condition_number_peak": condition, "condition_number_peak_time_s": when}
         return found | {"legs": by_leg(legs)}
 
-    def _extremes(self) -> "list[_Extreme]":
-        """Return smallest and largest lengths, and largest speeds."""
-        return [_Extreme(*self.legs.peaks(limit)) for limit in (SHORTEST, LONGEST, SPEED)]
-
-    def _angles(self) -> "dict[LegLimit, _Extreme]":
-        """Return the largest joint angles (rad); nothing for a robot without joint-angle limits."""
-        limits = (BASE, PLATFORM) if self.robot.has_joint_angle_limits else ()
-        return {limit: _Extreme(*self.legs.peaks(limit)) for limit in limits}
+    def _texts(self, limit: Limit, unit: float) -> list[str]:
+        """Format the extreme value of each leg in a unit (m or rad)."""
+        peaks, sd = self.limits.peaks(limit)
+        return _texts(peaks / unit, None if sd is None else sd / unit, 4)
 
     def _worst(self) -> tuple[float, float]:
         """Return the time of the largest condition number (s) and its value."""
         return self.conditions[int(_largest(np.array(self.conditions)[:, 1]))]
 
 
-class _Extreme(NamedTuple):
-    """Extreme values of the legs, shape (6,), with their standard deviations, if any."""
-
-    values: Array
-    sd: Array | None
-
-    def scaled(self, scale: float) -> "_Extreme":
-        """Convert to another unit."""
-        return _Extreme(scale * self.values, None if self.sd is None else scale * self.sd)
-
-    def data(self, name: str, unit: str) -> dict[str, Any]:
-        """Return the values by name for the JSON data."""
-        return {f"{name}_{unit}": self.values} | ({} if self.sd is None else {f"{name}_std_{unit}": self.sd})
-
-    def texts(self, digits: int = 4) -> list[str]:
-        """Format the value of each leg."""
-        sd = [None] * LEGS if self.sd is None else self.sd
-        return [amount_text(value, off, digits) for value, off in zip(self.values, sd, strict=True)]
+def _texts(values: Array, sd: Array | None, digits: int) -> list[str]:
+    """Format the value of each leg with its standard deviation, if any."""
+    deviations = [None] * LEGS if sd is None else sd
+    return [amount_text(value, off, digits) for value, off in zip(values, deviations, strict=True)]
 
 
 def _largest(values: Array) -> NDArray[np.int64]:

@@ -4,7 +4,7 @@ import warnings
 
 import numpy as np
 
-from ...drives.leg_limits import limited_angles
+from ...drives.limits import limited_angles
 from ...viewer.view import Viewer
 from .track import Digest, Part
 
