@@ -30,9 +30,8 @@ from ...motion.motion import Motion
 from ...precision.truth import Truth, deviation
 from ...robot.robot import Robot
 from ..common import host
-from ..common.kernel_loop import batch, loop
 from ..common.output import Figures
-from ..common.timing import Task, measured, repeated
+from ..common.timing import Task, batch, loop, measured, over
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
 """Precisions, the cheaper first."""
@@ -274,7 +273,7 @@ def _tasks(
         tasks[candidate, "one pose"], tasks[candidate, "batch"] = one_pose[0], batch(many, kernel)[0]
     motion = Motion(**dict(zip(MOTION, slow, strict=True)))
     for name, forces in ways.items():
-        tasks[name, ""] = Task(repeated(functools.partial(forces, motion)), SLOW)
+        tasks[name, ""] = Task(over(functools.partial(forces, motion)), SLOW)
     return tasks
 
 

@@ -15,9 +15,8 @@ from ..common.drawing import BLUE, Figure, new_figure
 from ..common.host import DISTURBED
 from ..common.output import Figures, aligned
 from ..common.report import SMALL, Picture, Report
-from .case import CALLS, EQUATIONS, FORCES, PASSES, SIZES
+from .case import CALLS, EQUATIONS, FORCES, PASSES, SIZES, bench_poses
 from .cases import CLOSED, INVERSE, MANY, NAME, PLAIN, all_cases
-from .poses import bench_poses
 
 ROUNDS, QUICK_ROUNDS = 41, 9
 
