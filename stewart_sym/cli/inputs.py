@@ -18,7 +18,7 @@ from ..motion.trajectory import Trajectory
 from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 from ..plausibility.plausibility import find_implausible
 from ..singularities.joint_space import on_platform
-from .options import LOG_FORM
+from .command import LOG_FORM
 
 FEW_ROWS = 10
 """Number of rows below which a trajectory does not resolve its motion."""

@@ -12,8 +12,7 @@ from pathlib import Path
 from ...io.atomic_write import ResultFolder, write_file
 from ...io.progress import Progress
 from ...studies.common.report import Report
-from ..options import Arguments, Parser
-from ..output import results
+from ..command import Arguments, Parser, results
 
 
 def add_arguments(parser: Parser) -> None:

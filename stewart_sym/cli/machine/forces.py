@@ -20,9 +20,8 @@ from ...motion.trajectory import noise_text
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import SMALL, Picture, Report, draw
 from ...studies.reports.track import NOISE_THRESHOLD, Digest, header_lines, in_parts
+from ..command import Arguments, Parser, positive, results
 from ..inputs import robot_of, trajectory_of
-from ..options import Arguments, Parser, positive
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

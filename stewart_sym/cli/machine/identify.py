@@ -26,9 +26,8 @@ from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS
 from ...studies.common.report import Report
 from ...studies.reports.identify import doubts, from_measurement, measured_report, simulated_report
+from ..command import Arguments, Parser, finite, positive, results, whole
 from ..inputs import log_format, poses_of, robot_of, stated_noise
-from ..options import Arguments, Parser, finite, positive, whole
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

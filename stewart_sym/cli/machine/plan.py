@@ -21,9 +21,8 @@ from ...kinematics.trajectory_checks import meters_doubt
 from ...planning.path_parameterization import need_duration
 from ...planning.plan_file import PlanRequest, read_plan
 from ...studies.reports import plan
+from ..command import Arguments, Parser, positive, results
 from ..inputs import FEW_ROWS, warn_of_doubts
-from ..options import Arguments, Parser, positive
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

@@ -11,8 +11,7 @@ import stewart_sym as ss
 from ...io.arguments import option
 from ...studies.common.output import aligned
 from ...studies.common.report import Report
-from ..options import Arguments, Parser
-from ..output import results
+from ..command import Arguments, Parser, results
 
 
 def add_arguments(parser: Parser) -> None:

@@ -22,9 +22,8 @@ from ...studies.reports.view import view_data
 from ...viewer import motion_history
 from ...viewer.motion_history import MotionHistory
 from ...viewer.page import BEGINNING
+from ..command import Arguments, Parser, need_html, results
 from ..inputs import robot_of, trajectory_of
-from ..options import Arguments, Parser
-from ..output import need_html, results
 
 _RUN = "run.csv"
 _DEFAULT = Path("machine.html")

@@ -15,9 +15,8 @@ import stewart_sym as ss
 
 from ...io.error_policy import warn
 from ...studies.design.workspace_report import center_doubt, report, slices
+from ..command import Arguments, Parser, finite, positive, results, whole
 from ..inputs import robot_of
-from ..options import Arguments, Parser, finite, positive, whole
-from ..output import results
 
 _IGNORED = ("lengths", "joint_angles", "forces")
 _VECTORS = {

@@ -10,9 +10,8 @@ from pathlib import Path
 
 import stewart_sym as ss
 
+from ..command import Arguments, Parser, results
 from ..inputs import warn_of_doubts
-from ..options import Arguments, Parser
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

@@ -11,8 +11,7 @@ Example: stewart-sym stability -o stability
 from pathlib import Path
 
 from ...studies.common.report import Report
-from ..options import Arguments, Parser, whole
-from ..output import results
+from ..command import Arguments, Parser, results, whole
 
 CASES = 1_000_000
 """Number of random cases of the sweep."""

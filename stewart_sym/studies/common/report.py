@@ -28,6 +28,8 @@ STYLE: Mapping[Any, Any] = {
     "axes.spines.top": False,
     "axes.spines.right": False,
     "legend.frameon": False,
+    # Long curves exceed the memory of the renderer in one piece.
+    "agg.path.chunksize": 10_000,
 }
 """Matplotlib settings of all plots; ``SMALL`` has a smaller font."""
 SMALL: Mapping[Any, Any] = {**STYLE, "font.size": 9.0, "axes.axisbelow": True}
