@@ -34,6 +34,7 @@ _FILES = {
 }
 """Placeholder and help of each kind of input file."""
 
+_OF_ROBOT, _ZERO = "from the robot file", "absolute or the home pose"
 _OF_FILE = "from the header or the robot file, otherwise {}"
 LOG_FORM = {
     "length-unit": ("unit of length", _OF_FILE.format("m"), tuple(LENGTH_UNITS)),
@@ -43,15 +44,11 @@ LOG_FORM = {
     "decimal": ("decimal mark", "detected", ("point", "comma")),
     "euler-order": (
         "order of the rotation product",
-        "from the robot file, otherwise zyx (R = Rz Ry Rx)",
+        f"{_OF_ROBOT}, otherwise zyx (R = Rz Ry Rx)",
         EULER_ORDERS,
     ),
-    "length-mode": (
-        "zero of the leg lengths, absolute or the home pose",
-        "from the robot file or absolute",
-        MODES,
-    ),
-    "pose-mode": ("zero of the poses, absolute or the home pose", "from the robot file or absolute", MODES),
+    "length-mode": (f"zero of the leg lengths, {_ZERO}", f"{_OF_ROBOT} or absolute", MODES),
+    "pose-mode": (f"zero of the poses, {_ZERO}", f"{_OF_ROBOT} or absolute", MODES),
 }
 """Meaning, default, and values of each option that describes a trajectory file."""
 
@@ -176,10 +173,7 @@ class Parser(argparse.ArgumentParser):
         plots: bool = False,
         html: bool = False,
     ) -> None:
-        """Add ``-o``, ``--json``, and ``--force``, and on request ``--no-plots`` and ``--html``.
-
-        ``otherwise`` describes the command without ``-o``. Without it and a ``default``, ``-o`` is required.
-        """
+        """Add ``-o`` and related options; without ``default`` and ``otherwise``, ``-o`` is required."""
         shown = default or otherwise
         self.add_argument(
             *("-o", "--output"),
@@ -255,13 +249,16 @@ def results(
 ) -> Iterator[tuple[Taker, Progress]]:
     """Return a function that writes the report of a subcommand and a function that displays its progress.
 
-    A folder ``arguments.output`` contains ``stem.txt``, ``stem.json``, and the files ``tables``. A single
-    file ``arguments.output``, which the block writes, begins with one of ``beginnings``. ``read`` are input
-    files that are not arguments. The text is printed if the block ends without an error and standard output
-    is not the file. Files that cannot be written or replaced are errors before the block.
+    A folder ``arguments.output`` contains ``stem.txt``, ``stem.json``, and the files ``tables``; a single
+    file begins with one of ``beginnings``. ``read`` are input files that are not arguments. Files that cannot
+    be written or replaced are errors before the block. The text is printed after a block without an error.
     """
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
-    inputs, output = [*_paths(arguments), *read], getattr(arguments, "output", None)
+    output, inputs = getattr(arguments, "output", None), [*read]
+    for name, value in vars(arguments).items():
+        if name not in ("output", "json", "html"):
+            values = value if isinstance(value, list) else [value]
+            inputs += [each for each in values if isinstance(each, Path)]
     folder = None
     if stem is not None and output is not None:
         if getattr(arguments, "plots", False):
@@ -321,15 +318,6 @@ def _written(arguments: Arguments, report: Report, progress: Progress) -> list[s
     if arguments.json is not None:
         write_file(arguments.json, json_text(report.data))
     return [] if page is None else [f"Written to {page}"]
-
-
-def _paths(arguments: Arguments) -> Iterator[Path]:
-    """Yield the input files among the arguments."""
-    for name, value in vars(arguments).items():
-        if name not in ("output", "json", "html"):
-            yield from (
-                each for each in (value if isinstance(value, list) else [value]) if isinstance(each, Path)
-            )
 
 
 def need_own_file(path: Path, beginnings: Sequence[str], force: bool, inputs: Iterable[Path]) -> None:
