@@ -92,16 +92,11 @@ def cost(
     rounds: int = QUICK_ROUNDS,
     progress: Progress = silent,
 ) -> Figures:
-    """Measure every candidate for motions of shape (n,) with a solution at every pose.
+    """Measure every candidate for motions of shape (n,) with a solution at every pose, the cheapest first.
 
-    Returns the largest force of each motion (N), and records of the candidates, the cheapest first, with
-    operations and times per pose (ns), single and in a batch. By motion, a candidate has the largest and the
-    RMS modeling error relative to `exact` general, and the largest rounding error at the sampled poses. A
-    modeling error within the differences of two double-precision kernels of the same equations counts as 0.
+    A modeling error within the differences of two double-precision kernels of the same equations counts as 0.
     Errors are infinite if poses are unsolvable. A precision that cannot represent the constants of the robot
     is omitted. ``implementations`` also measures other implementations of `exact` general.
-
-    Raises ValueError if all forces of a motion are zero, and native.CompilerError without a C compiler.
     """
     kernels = _compiled(robot, progress)
     paths = tracked(progress, motions.items(), lambda each: f"computing the forces of {each[0]}")
@@ -189,10 +184,7 @@ def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
 
 @dataclass(frozen=True, eq=False)
 class _Case:
-    """Motion with its forces of `exact` general, shape (n, 6), their peak, and poses for the rounding error.
-
-    ``accuracy`` is the accuracy of the forces in double precision (N), shape (n, 1).
-    """
+    """Motion with its `exact` forces (N), their peak and accuracy (N), and poses for the rounding error."""
 
     robot: Robot
     motion: Motion

@@ -36,12 +36,7 @@ _TITLES = {
 
 
 def benchmark(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Figures:
-    """Measure all cases on this machine, and return the data of ``bench.json``.
-
-    ``robot`` None means the robot of the paper near its Paths I and II; poses of other robots are near the
-    middle of their workspace. ``quick`` uses fewer rounds and smaller batches. Raises ValueError for a robot
-    without universal base joints or regular poses, or a wrong result, and CompilerError without a compiler.
-    """
+    """Measure all cases on this machine for a robot, or the robot of the paper near its Paths I and II."""
     machine = host.machine()
     progress("preparing the poses")
     poses = bench_poses(robot, MANY)

@@ -100,10 +100,7 @@ class Poses:
 
 
 def bench_poses(robot: Robot | None, count: int) -> Poses:
-    """Generate different regular poses with motion and load, which are identical in every run.
-
-    Raises ValueError if the base joints are not universal, or if no poses near the middle are regular.
-    """
+    """Generate different regular poses with motion and load, which are identical in every run."""
     rng, given = np.random.default_rng(1998), robot
     robot = dasgupta1998() if given is None else given
     if robot.base_joint != "universal":

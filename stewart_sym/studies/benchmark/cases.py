@@ -43,10 +43,7 @@ _ALONE = "C, F alone"
 
 
 def all_cases(poses: Poses, quick: bool, progress: Progress) -> list[Case]:
-    """Build all cases; packages that are not installed are omitted.
-
-    Raises CompilerError without a C compiler.
-    """
+    """Build all cases; packages that are not installed are omitted."""
     progress("compiling the kernels")
     truth = newton_euler.inverse_dynamics(poses.robot, poses.motion).F
     cases = [*_forces(poses, truth), *_compared(poses.resized(FEW), truth)]

@@ -24,10 +24,7 @@ _MOST_NUMBERS = 6
 
 
 def html_page(title: str, report: Report, progress: Progress = silent) -> str:
-    """Format a report as HTML; raises ImportError for plots without Matplotlib.
-
-    Lists of records in the data become tables, and columns collapsed tables; CSV text is omitted.
-    """
+    """Format a report as HTML: lists of records become tables, and columns collapsed tables."""
     result = f'<pre class="wide" tabindex="0">{_text(report.text)}</pre>'
     parts = [_section("Result", result)] if report.text else []
     for number, (name, view) in enumerate(report.views.items()):

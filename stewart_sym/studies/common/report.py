@@ -65,10 +65,7 @@ class Report:
 
 
 def write(report: Report, folder: ResultFolder, name: str, progress: Progress = silent) -> None:
-    """Write ``name.txt``, ``name.json``, every table as CSV, and every plot into a folder.
-
-    Raises OSError with the name of the file, and ImportError for plots without Matplotlib.
-    """
+    """Write ``name.txt``, ``name.json``, every table as CSV, and every plot into a folder."""
     folder.write(f"{name}.txt", report.text.rstrip("\n") + "\n")
     folder.write(f"{name}.json", json_text(report.data))
     for table, content in report.tables.items():

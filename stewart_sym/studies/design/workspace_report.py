@@ -61,16 +61,12 @@ _WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 @dataclass(frozen=True, eq=False)
 class Slice:
-    """Plane through the center pose in which two of ``AXES`` vary, with values (m or rad), (n,) and (m,).
-
-    ``codes`` are the first violated limits, indices of ``REASONS``, and ``condition`` the scaled condition
-    numbers, shape (n, m).
-    """
+    """Plane in which two of ``AXES`` vary: first violated limits, scaled condition numbers, shape (n, m)."""
 
     axes: tuple[int, int]
     first: Array
     second: Array
-    codes: NDArray[np.int8]
+    codes: NDArray[np.int8]  # indices of REASONS
     condition: Array
 
 

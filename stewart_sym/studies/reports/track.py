@@ -1,4 +1,4 @@
-"""Inverse dynamics along a trajectory for ``forces``: columns, exceeded limits, and a summary."""
+"""Inverse dynamics along a trajectory for ``forces`` and ``view``: columns, limits, and a summary."""
 
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
@@ -28,12 +28,12 @@ from ...io.array_types import Array, Codes, Flags
 from ...io.progress import Progress
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics
-from ...motion.motion import Motion
 from ...motion.sample_times import least_step, time_text
 from ...motion.trajectory import Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, SingularPoseWarning
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
+from ...viewer.view import Viewer
 from ..common.drawing import Figure
 from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .drives import drive_columns, motor_data, motor_table
@@ -49,11 +49,7 @@ _DIGITS = 10
 
 
 class Part(NamedTuple):
-    """Samples ``where`` of a trajectory with their dynamics (N, m, and s), shapes (n,) and (n, 6).
-
-    ``sd`` are the standard deviations of a log with noise, and ``there`` marks the samples at which they are
-    due to replaced rows. ``angles`` is the result of ``limited_angles``.
-    """
+    """Samples ``where`` of a trajectory with their dynamics (N, m, s); others as in ``LimitTracker.add``."""
 
     where: slice
     time: Array
@@ -98,10 +94,7 @@ def in_parts(
     reactions: bool = False,
     allow_singular: bool = False,
 ) -> Iterator[Part]:
-    """Compute the dynamics of a trajectory in consecutive parts.
-
-    An unsolvable pose is an error, or with ``allow_singular`` a row of nan, and a warning about the first.
-    """
+    """Compute the dynamics of a trajectory in parts; an unsolvable pose is an error or a row of nan."""
     deviations, told = None, False
     if trajectory.noise is not None:
         deviations = deviations_in_parts(robot, trajectory, formulation, backend)
@@ -109,7 +102,11 @@ def in_parts(
         where = slice(start, start + _PART)
         motion = trajectory.at(where)
         found = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
-        L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(found.status, (ZERO_LENGTH, NOT_FINITE)))
+        good = ~np.isin(found.status, (ZERO_LENGTH, NOT_FINITE))
+        L, L_dot = np.full((2, *motion.shape, LEGS), np.nan)
+        if np.any(good):
+            legs = inverse_kinematics(robot, motion[good])
+            L[good], L_dot[good] = legs.L, legs.L_dot
         status, more = found.status, None
         if reactions:
             more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
@@ -275,9 +272,7 @@ def peak_noise(F: Array, F_sd: Array) -> Array:
 
 
 def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: Flags) -> str | None:
-    """Return a warning about the leg with the most uncertain peak, if it exceeds the fraction ``share``, at
-    the samples ``there``.
-    """
+    """Return a warning about the leg with the most uncertain peak, if it is above ``share`` of the peak."""
     spread = np.where(there[:, None], F_sd, 0.0)
     ratio = peak_noise(F, spread)
     leg = int(np.argmax(ratio))
@@ -296,14 +291,6 @@ def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, the
     )
 
 
-def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
-    L, L_dot = np.full((2, *motion.shape, 6), np.nan)
-    if np.any(good):
-        legs = inverse_kinematics(robot, motion[good])
-        L[good], L_dot[good] = legs.L, legs.L_dot
-    return L, L_dot
-
-
 def _reaction_columns(found: JointReactionsResult) -> Columns:
     columns: Columns = {}
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_s"):
@@ -311,3 +298,30 @@ def _reaction_columns(found: JointReactionsResult) -> Columns:
         for leg in range(0 if values is None else 6):
             columns |= of_axes(f"{name}_{leg + 1}", values[:, leg])
     return columns | of_legs("M_u", found.M_u)
+
+
+def view_data(view: Viewer) -> dict[str, object]:
+    """Return the numbers of a view for JSON, with peaks over the samples that have finite forces."""
+    shown, found = view.history, view.limits
+    # The legs are compared with their limits as in `forces`.
+    sd, there = (None, None) if shown.noise is None else (shown.noise.sd, shown.noise.there)
+    status = np.zeros(len(shown.time), dtype=np.int32)
+    whole = Part(slice(None), shown.time, found.F, shown.L, shown.L_dot, shown.condition, status)
+    digest = Digest(view.robot, shown.time)
+    angles = limited_angles(view.robot, shown.motion)
+    digest.add(whole._replace(effort=found.motors, sd=sd, there=there, angles=angles))
+    # NumPy warns of legs without a finite force at any sample.
+    with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
+        peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
+    return {
+        "motion": shown.name,
+        "samples": len(shown.time),
+        "start_s": shown.time[0],
+        "end_s": shown.time[-1],
+        "scaled_condition_number_peak": shown.condition.max(),
+        "peak_force_N": peaks,
+        "legs": digest.as_json()["legs"],
+        "warnings": [line for _, line in view.limits.told],
+        "marked": [{"time_s": e.time, "singular": e.singular, "twist": e.at.twist} for e in shown.events],
+        "units": {"twist": "m/s and rad/s"},
+    }
