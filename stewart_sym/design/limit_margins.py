@@ -26,19 +26,7 @@ class _Limited(NamedTuple):
 
 
 class LimitMargins(NamedTuple):
-    """Texts about limits that are exceeded or may be exceeded, with legs numbered from 1.
-
-    Attributes
-    ----------
-    exceeded : list of str
-        Limits that a requirement exceeds.
-    inconclusive : list of str
-        Limits that are inconclusive because of noise, each after its status.
-    margin_missing : list of str
-        Limits that are sufficient without the margin, but not with it.
-    margin_inconclusive : list of str
-        Limits that are sufficient without the margin, but inconclusive with it, each after its status.
-    """
+    """Texts about limits that are exceeded or may be exceeded, without and with the margin."""
 
     exceeded: list[str]
     inconclusive: list[str]

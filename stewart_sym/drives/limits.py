@@ -89,10 +89,7 @@ def limits_of(robot: Robot) -> tuple[Limit, ...]:
 
 
 def limited_angles(robot: Robot, motion: Motion) -> dict[str, Array]:
-    """Return the joint angles at base and platform (rad), (n, 6), or {} if the robot does not limit them.
-
-    Angles are NaN if a leg has no direction.
-    """
+    """Return joint angles at base and platform (rad), (n, 6), NaN without direction; {} if not limited."""
     if not robot.has_joint_angle_limits:
         return {}
     angles = angles_from(neutral_directions(robot), reached_legs(robot, motion)[2], motion.R)
@@ -198,10 +195,7 @@ class LimitTracker:
         return [line for _, line in self.told(tolerance)]
 
     def told(self, tolerance: float = USED_UP) -> Iterator[tuple[str, str]]:
-        """Yield status and text of each limit that is exceeded or inconclusive: legs, worst leg, and time.
-
-        ``tolerance`` is the fraction of the limit by which it must be exceeded.
-        """
+        """Yield status and text of each limit that is exceeded, by more than a fraction, or inconclusive."""
         for limit in self._extremes:
             verdicts = self.verdicts(limit, tolerance)
             for verdict in (EXCEEDED, INCONCLUSIVE_NOISE, INCONCLUSIVE_REPLACED_ROWS):

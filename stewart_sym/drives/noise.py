@@ -101,10 +101,7 @@ def _open(values: Array, changes: Array) -> Array:
 
 
 class _State:
-    """Values of a motion by name, shape (n, 6): F, L, L_dot, base, platform, and motor force and rate.
-
-    ``sign`` is the sign of dry friction, which is kept for displaced motions; None for the sign of the rates.
-    """
+    """Values of a motion by name, (n, 6), with the sign of dry friction, which displaced motions keep."""
 
     def __init__(
         self,
@@ -195,10 +192,7 @@ def _finished(robot: Robot, at: _State, sd: Deviations, products: Deviations) ->
 
 
 def _steps(drive: Drive, at: _State, sd: Array) -> Array:
-    """Return the standard deviations (N), (3, n, 6), from dry friction of rates within ``SURE`` deviations.
-
-    The three parts belong to the motor force and to its magnitude, upward and downward.
-    """
+    """Return deviations (N), (3, n, 6), by dry friction: of the force, and of its magnitude up and down."""
     found = np.zeros((3, *at.force.shape))
     for side in (-SURE, SURE):
         sign = smooth_sign(at.rate + side * sd, np.asarray(drive.regularization_speed))

@@ -187,7 +187,7 @@ def check(
 ) -> dict[str, Verdict]:
     """Compare some of ``FORCES`` and ``CLOSED`` with the truth; return the verdict on each kernel.
 
-    With ``floor`` condition numbers of the closed form are at least the scaled condition number of H. They are
+    With ``floor`` condition numbers of the closed form are at least the scaled condition number of H. All are
     measured by ``samples`` random changes of all inputs, and again if they seem too small. Without
     ``solvable`` no answer is right, as for machines that are singular at every pose.
     """
