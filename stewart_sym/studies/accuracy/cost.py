@@ -110,9 +110,6 @@ def cost(
     for name, candidates in tracked(progress, models, lambda model: f"computing {model[0]} at 50 digits"):
         for candidate, found in cases[name].errors({each: kernels[each] for each in candidates}).items():
             errors[candidate][name] = found
-    rounding = {
-        way: {name: case.rounding_of(forces) for name, case in cases.items()} for way, forces in ways.items()
-    }
     tasks = _tasks(tuple(motions.values()), kernels, ways)
     taken_by_others = host.taken_by_others()
     times = measured(list(tasks.values()), rounds, progress)
@@ -134,7 +131,11 @@ def cost(
         "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
         "candidates": sorted(entries, key=_cost),
         "implementations": [
-            {"name": way, **_times("", times[tasks[way, ""]]), "rounding": rounding[way]} for way in ways
+            {
+                **{"name": way, **_times("", times[tasks[way, ""]])},
+                "rounding": {name: case.rounding_of(forces) for name, case in cases.items()},
+            }
+            for way, forces in ways.items()
         ],
         "units": _UNITS,
     }

@@ -62,9 +62,8 @@ def all_cases(poses: Poses, quick: bool, progress: Progress) -> list[Case]:
 def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
     robot, few, slow, large = poses.robot, *(poses.resized(count) for count in (FEW, SLOW, LARGE))
     module = kernel.module(NAME)
-    alone, every = (
-        int(sum(each["friction"]["total"])) for each in (module.FORCE_OPERATIONS, module.OPERATIONS)
-    )
+    counts = module.FORCE_OPERATIONS, module.OPERATIONS
+    alone, every = (int(sum(each["friction"]["total"])) for each in counts)
     function = getattr(c_kernel.library(f"{NAME}_forces"), f"stewart_{NAME}_forces")
     outputs = getattr(c_kernel.library(NAME), f"stewart_{NAME}_inverse_dynamics")
     prepared = ForceKernel(robot, NAME)
@@ -184,10 +183,10 @@ def _calls(poses: Poses, truth: Array) -> Iterator[Case]:
     given = [(poses.robot, poses.motion[i]) for i in range(len(poses))]
     task = Task(over(inverse_dynamics, given), len(poses))
 
-    def called() -> Array:
+    def results() -> Array:
         return np.array([inverse_dynamics(*each).F for each in given])
 
-    yield Case(CALLS, "inverse_dynamics()", "Python", task, called, truth)
+    yield Case(CALLS, "inverse_dynamics()", "Python", task, results, truth)
 
 
 def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
@@ -212,7 +211,8 @@ def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
 
 def _c_batch(function: Any, model: Array, poses: Poses) -> Timed:
     """Time a batch function in C."""
-    F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-    size, motions, address = ctypes.c_size_t(len(poses)), c_kernel.pointers(poses.arrays), c_kernel.address
-    run = over(lambda: function(address(model), size, motions, address(F), address(status)))
-    return Task(run, len(poses)), lambda: F
+    count, F, status = len(poses), np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
+    pointers = (c_kernel.address(each) for each in (model, F, status))
+    machine, *results = pointers
+    arguments = (machine, ctypes.c_size_t(count), c_kernel.pointers(poses.arrays), *results)
+    return Task(over(function, [arguments]), count), lambda: F
