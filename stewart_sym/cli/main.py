@@ -19,7 +19,7 @@ from ..backend.native import CompilerError
 from ..io.arguments import shown
 from ..io.extras import needed_for
 from . import renamed
-from .options import Parser, hint
+from .command import Parser, hint
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
 GROUPS = {

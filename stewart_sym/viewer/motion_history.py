@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..drives.leg_limits import replaced_names, replaced_rows
+from ..drives.limits import replaced_names, replaced_rows
 from ..drives.noise import Deviations, all_deviations, at_replaced
 from ..dynamics.force_noise import force_std
 from ..dynamics.inverse_dynamics import inverse_dynamics
@@ -253,7 +253,7 @@ def _noise(robot: Robot, trajectory: Trajectory, formulations: list[str]) -> Noi
     if replaced:
         said.append(f"replaced rows: {replaced_names(replaced)}")
     text, there = "; ".join(said), at_replaced(trajectory, trajectory.time)
-    return Noise(text, sd, {first: sd.F} | forces, there, replaced)
+    return Noise(text, sd, {first: sd["F"]} | forces, there, replaced)
 
 
 def _forces(robot: Robot, motion: Motion, formulation: str) -> Array:
