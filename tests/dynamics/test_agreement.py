@@ -97,18 +97,6 @@ def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once
     assert {1, 2, 4} <= set(expected.status)
 
 
-def test_no_load_is_zero_load() -> None:
-    robot, free = machine_in_motion(9, (4,), load=False)
-    zero = np.zeros((4, 3))
-    loaded = ss.Motion(
-        R=free.R, t=free.t, omega=free.omega, v=free.v, alpha=free.alpha, a=free.a, F_ext=zero, M_ext=zero
-    )
-    for backend in ("c", "numpy", "reference"):
-        left = ss.inverse_dynamics(robot, free, backend=backend).F
-        right = ss.inverse_dynamics(robot, loaded, backend=backend).F
-        assert (left == right).all()
-
-
 def test_massless_legs_leave_F0() -> None:
     """With nearly weightless, frictionless legs the full forces are those of (41)."""
     robot, motion = machine_in_motion(10, (4,), friction=False)
