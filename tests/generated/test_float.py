@@ -1,7 +1,5 @@
 """The float kernels: no double in the object code, and as good as float can be on machines of any size."""
 
-import dataclasses
-import math
 import shutil
 from pathlib import Path
 from typing import Any
@@ -91,17 +89,3 @@ def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
         condition = ss.scaled_condition_number(full.H, ss.characteristic_length(robot))
         largest = np.max([np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x)], axis=0)
         assert (np.abs(found - expected).max(axis=-1) <= BOUND * EPSILON * condition * largest).all()
-
-
-@pytest.mark.parametrize("precision", ["double", "float"])
-def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a_meter(
-    precision: Any,
-) -> None:
-    robot = random_robot(np.random.default_rng(64))
-    size = np.abs(robot.p - robot.p[0]).max()
-    for wanted in (1e-4, 0.124, 0.126, 0.5, 63.0, 2.0**-5, 2.0**8):
-        # A size that is a power of two itself is the last that has it as its length.
-        similar = dataclasses.replace(robot, p=(robot.p - robot.p[0]) / size * wanted)
-        largest = np.abs(similar.p).max()
-        expected = 1.0 if 0.125 <= largest <= 16.0 else 2.0 ** -math.ceil(math.log2(largest))
-        assert ss.ForceKernel(similar, precision=precision).model[-3] == expected
