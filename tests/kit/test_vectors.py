@@ -1,7 +1,6 @@
 """Test vectors: answers are the truth, the C stays within their bounds, and the bounds are sharp enough."""
 
 import dataclasses
-from functools import cache
 from typing import Any
 
 import kits
@@ -16,20 +15,13 @@ from stewart_sym.dynamics.sample_poses import MAX_CONDITION, poses, sample
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse_kinematics import clear_of_joint_singularities
 from stewart_sym.kit.interpreter import KitInterpreter
-from stewart_sym.kit.kit_options import STEMS
-from stewart_sym.kit.vectors import FUNCTIONS, Vector, vectors
+from stewart_sym.kit.vectors import vectors
 
 WHOLE = ("inverse_dynamics", "joint_reactions")
-WITHOUT_DRIVE = tuple(name for name in FUNCTIONS if name not in STEMS["torque"])
 
 
 def machine(base_joint: str = "universal") -> ss.Robot:
     return kits.machine("random" if base_joint == "universal" else base_joint)
-
-
-@cache
-def everything() -> tuple[Vector, ...]:
-    return vectors(machine(), WITHOUT_DRIVE, count=2)
 
 
 def exactly_orthonormal(base_joint: str = "universal") -> tuple[dict[str, Any], dict[str, Any]]:
@@ -85,14 +77,6 @@ def test_answers_are_those_of_the_reference(base_joint: str, formulation: str) -
             for name, answer in vector.answers.items():
                 value = np.asarray(getattr(wanted, name)).ravel()
                 np.testing.assert_allclose(answer, value, rtol=0, atol=1e-11 * max(np.abs(value).max(), 1e-3))
-
-
-def test_an_answer_wrong_by_one_part_in_a_thousand_million_is_out_of_bounds() -> None:
-    epsilon = np.finfo(np.float64).eps
-    for vector in everything():
-        for name, answer in vector.answers.items():
-            largest = np.abs(answer).max()
-            assert not largest or vector.bounds[name].max() * epsilon < 1e-9 * largest, name
 
 
 def test_poses_begin_with_the_examples_and_are_all_good() -> None:
