@@ -37,7 +37,7 @@ def deviation(
 def test_backends_agree_to_rounding(formulation, backend, base_joint: str) -> None:
     """Forces and reactions of random machines, all terms on, beside the reference's."""
     rng = np.random.default_rng(100)
-    for _ in range(share(400)):
+    for _ in range(share(400, 40)):
         robot, motion = machine_in_motion(rng, (POSES,), base_joint)
         bearing = rng.uniform(0, 1, 6)
         truth = ss.inverse_dynamics(robot, motion, formulation, "reference")

@@ -148,7 +148,7 @@ def test_identify_writes_a_table_a_trajectory_and_forces(tmp_path: Path, run: Ru
     assert rows[-10]["formula"] == "M + m_u1 + m_u2 + m_u3 + m_u4 + m_u5 + m_u6"
 
 
-@pytest.mark.parametrize("noisy", [False, True])
+@pytest.mark.parametrize("noisy", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_wrong_rows_of_a_log_are_left_out_of_the_fit(tmp_path: Path, run: Run, noisy: bool) -> None:
     machine, rng = ss.Robot.from_toml(PAPERS), np.random.default_rng(5)
     chosen = choose_excitation(machine, harmonics=3, samples=600, candidates=5)

@@ -62,7 +62,8 @@ def lengths(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     return ["--measured", str(folder / "L.csv"), str(folder / "F.csv"), "--force-std", "0.5"]
 
 
-@pytest.mark.parametrize("stated", [True, pytest.param(False, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("stated", [True, False])
 def test_noise_of_leg_lengths_is_noise_along_the_legs(
     lengths: list[str], stated: bool, tmp_path: Path, run: Run
 ) -> None:

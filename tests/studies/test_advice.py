@@ -135,6 +135,7 @@ def reasons(found: Advice) -> dict[frozenset[str], str]:
     return {left_out: candidate_of(entry).name for left_out, entry in found.needed()}
 
 
+@pytest.mark.slow
 def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i: Figures) -> None:
     found = advice(on_path_i, budget(1e-9))
     assert reasons(found) == {
@@ -174,6 +175,7 @@ def test_terms_are_what_the_derivation_says_of_each_fidelity() -> None:
             assert (term in has) == (order.index(level.legs) <= order.index(last)), (name, term)
 
 
+@pytest.mark.slow
 def test_json_holds_what_was_found_and_no_infinity(on_path_i: Figures) -> None:
     given = figures_of(CHEAP | {"errors": {"I": errors(math.inf, math.inf, math.inf)}}, DEAR)
     for found in (advice(on_path_i, budget(1e-9)), advice(given, budget(0.1))):
@@ -197,6 +199,7 @@ def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: Figures) -> None:
     monkeypatch.setattr(study, "cost", measured)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
     output = scene.parent / "advice.json"
@@ -208,6 +211,7 @@ def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
     assert (written["tolerance"], written["margin"], written["rate_Hz"]) == (0.05, 2.0, 1000.0)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(scene: Path, run: Run) -> None:
     scene.write_text(SCENE.replace("0.05", "1e-17"))

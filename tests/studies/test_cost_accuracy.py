@@ -106,6 +106,7 @@ def model_errors(robot: Robot, motion: Motion) -> dict[str, tuple[float, float]]
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", ["I", "II", "III"])
 def test_model_errors_are_those_of_the_reference(found: Figures, path: str) -> None:
     for name, expected in model_errors(dasgupta(), papers_motions()[path]).items():
@@ -119,6 +120,7 @@ def peak_of(found: Figures, path: str) -> float:
     return float(found["motions"][path]["peak_force_N"])
 
 
+@pytest.mark.slow
 def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
     robot, motions = dasgupta(), papers_motions()
     for name in ("general", "slender", "massless_static"):
@@ -130,6 +132,7 @@ def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
             assert 0.2 * off <= errors["rounding"] * peak <= 100 * epsilon * peak
 
 
+@pytest.mark.slow
 def test_other_implementations_are_near_the_truth(found: Figures) -> None:
     assert [each["name"] for each in found["implementations"]] == [
         "every output",
