@@ -156,7 +156,7 @@ class Noisy(NamedTuple):
     needs: ss.ActuatorRequirementsResult
 
 
-@pytest.fixture(scope="module", params=[3, pytest.param(share(100, 10), marks=pytest.mark.slow)])
+@pytest.fixture(scope="module", params=[share(100, 20)])
 def noisy(request: pytest.FixtureRequest) -> list[Noisy]:
     """Machines with drives, what their motions need, logs of these with noise, and what they say of it."""
     found = []
