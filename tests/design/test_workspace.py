@@ -206,7 +206,7 @@ def test_a_cluster_of_workers_gives_the_same_bits() -> None:
     robot = ss.robots.rubin_m2()
     limits = ss.PoseLimits(max_condition=10.0, min_clearance=0.01)
     here, there = (
-        ss.workspace(robot, limits=limits, samples=150_000, scheduler=scheduler)
+        ss.workspace(robot, limits=limits, samples=60_000, scheduler=scheduler)
         for scheduler in (None, "local")
     )
     for field in dataclasses.fields(here):

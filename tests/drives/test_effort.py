@@ -196,8 +196,6 @@ def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     page = (tmp_path / "F.html").read_text(encoding="utf-8")
     assert f'data-value="{leg["motor_rms_torque_N_m"]!r}"' in page
     assert 'alt="forces"' in page
-    assert "use --force" in run(*command, code=2).err
-    run(*command, "--force")
 
 
 def test_dry_friction_is_as_unsure_as_the_direction_of_the_leg(robot: ss.Robot) -> None:

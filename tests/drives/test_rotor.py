@@ -11,6 +11,7 @@ from machines import Array, random_motion, random_robot, rotation, with_random_r
 from numpy.typing import NDArray
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
 from reduced_machines import as_simple_as
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
@@ -21,6 +22,7 @@ from stewart_sym.reference import newton_euler
 RELATIVE = 1e-10
 MACHINES, POSES = 6, 2
 BACKENDS: tuple[Literal["c", "numpy", "reference"], ...] = ("c", "numpy", "reference")
+REFLECTED = [each for each in DRIVE_FIDELITIES if each.startswith("reflected")]
 QUANTITIES = ("F", "F_s", "F_u", "F_p", "M_p", "M_u")
 
 
@@ -173,7 +175,7 @@ def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
         )
 
 
-@pytest.mark.parametrize("name", [each for each in DRIVE_FIDELITIES if each.startswith("reflected")])
+@pytest.mark.parametrize("name", slow_but(REFLECTED[:1], REFLECTED))
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple(name: str) -> None:
     level = DERIVED[name]

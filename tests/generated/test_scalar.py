@@ -60,7 +60,7 @@ def test_every_level_answers_as_with_lanes(level: str, precision: str) -> None:
         agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level)
 
 
-@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("precision", slow_but(["double"], ["double", "float"]))
 @pytest.mark.parametrize(
     ("formulation", "joint"),
     [("paper", "universal"), ("exact", "spherical"), *slow_but((), [("paper", "spherical")])],
@@ -118,7 +118,7 @@ def test_zero_length_legs_have_the_status_of_the_lanes_at_every_length(level: st
     assert {OK, ZERO_LENGTH} <= seen
 
 
-@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("precision", slow_but(["double"], ["double", "float"]))
 @pytest.mark.parametrize("make", [zero_length_leg, leg_along_its_axis, singular])
 def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> None:
     robot, motion = make()
