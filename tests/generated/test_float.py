@@ -12,7 +12,7 @@ from attack_build import FEW, GENERATED, SOME, SOME_WITH_ROTORS
 from machines import random_motion, random_robot, with_random_drives
 from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
-from sweeps import FULL, slow_but
+from sweeps import FULL, share, slow_but
 
 import stewart_sym as ss
 from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
@@ -20,6 +20,8 @@ from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot
 
+LEVELS = list(FIDELITIES) if FULL else ["general", "slender", "axisymmetric_friction", "massless_static"]
+ROTOR_LEVELS = list(DRIVE_FIDELITIES)[:: 1 if FULL else 4]
 EPSILON = float(np.finfo(np.float32).eps)
 
 
@@ -56,7 +58,7 @@ def one_pose(robot: Robot, motion: Motion, formulation: str) -> NDArray[Any]:
 def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size(forces: Any) -> None:
     """Inputs rounded to float too."""
     rng = np.random.default_rng(60)
-    for _ in range(50):
+    for _ in range(share(500)):
         robot, motion = any_machine(rng)
         formulation = "exact" if rng.random() < 0.7 else "paper"
         truth = ss.inverse_dynamics(robot, motion, formulation)
@@ -70,8 +72,8 @@ def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_si
 @pytest.mark.parametrize(
     ("fidelity", "rotors"),
     [
-        *slow_but(("general", "slender"), ((level, False) for level in FIDELITIES), lambda case: case[0]),
-        *slow_but((), ((level, True) for level in DRIVE_FIDELITIES)),
+        *slow_but(("general", "slender"), ((level, False) for level in LEVELS), lambda case: case[0]),
+        *slow_but((), ((level, True) for level in ROTOR_LEVELS)),
     ],
 )
 def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(

@@ -100,11 +100,11 @@ def test_near_a_joint_singularity_status_and_code_path_are_those_of_the_lanes(
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize("level", slow_but(["general"], ["general", "slender", "massless"]))
+@pytest.mark.parametrize("level", slow_but(["general"], ["general", "massless"]))
 def test_zero_length_legs_have_the_status_of_the_lanes_at_every_length(level: str, precision: str) -> None:
     rng = np.random.default_rng(11)
     seen = set()
-    for length in 10.0 ** rng.uniform(-18, -3, 40):
+    for length in 10.0 ** rng.uniform(-18, -3, 20):
         robot = random_robot(rng, scale=float(10 ** rng.uniform(-3, 1)))
         robot = dataclasses.replace(robot, b=robot.b + 10 ** rng.uniform(-2, 2) * rng.uniform(-1, 1, 3))
         motion, leg = random_motion(rng, robot), int(rng.integers(6))

@@ -28,12 +28,10 @@ def row_of(function: str, given: dict[str, Array]) -> Array:
 
 
 def spoilt(function: str, every: bool) -> list[Array]:
-    """The arguments with NaN or an infinity in each number, or in one of each seven."""
+    """The arguments with NaN and infinities in each number, or one of these in one of each five numbers."""
     good = row_of(function, sound())
-    rows = [good]
-    for i in range(0, good.size, 1 if every else 7):
-        rows += [np.where(np.arange(good.size) == i, wrong, good) for wrong in WRONG]
-    return rows
+    places = [(i, wrong) for i in range(good.size) for wrong in WRONG][:: 1 if every else 5 * len(WRONG) + 1]
+    return [good, *(np.where(np.arange(good.size) == i, wrong, good) for i, wrong in places)]
 
 
 def degenerate(function: str) -> list[Array]:
