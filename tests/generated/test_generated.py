@@ -14,7 +14,6 @@ from kits import STRICT
 from sweeps import FULL, slow_but
 
 from stewart_sym.backend.kernel import defines_of
-from stewart_sym.generated.interface import HEADERS
 
 LANGUAGES = {"c99": ["-x", "c", "-std=c99"], "c++": ["-x", "c++", "-std=c++11"]}
 PRECISIONS: dict[str, list[str]] = {"double": [], "float": ["-DSTEWART_FLOAT"]}
@@ -65,11 +64,3 @@ def test_optimized_c_compiles_silently_and_calls_nothing_but_square_roots(
     assert undefined <= forces | copies | {"sqrt", "_GLOBAL_OFFSET_TABLE_"}
     data = run("nm", target)
     assert not re.search(r" [bBdDC] ", data), "a global variable"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("compiler", "language"), [("gcc", "c99"), ("clang", "c++")])
-def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str) -> None:
-    for name in HEADERS:
-        command = [compiler, *LANGUAGES[language], *STRICT, "-fsyntax-only", "-include", name, "/dev/null"]
-        assert run(*command, cwd=GENERATED) == ""

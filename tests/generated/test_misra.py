@@ -107,13 +107,6 @@ def test_the_rules_departed_from_are_the_listed_ones(written, name: str) -> None
     assert rules_found(written(name)) == {each.rule for each in deviations([name])}
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", ["kinematics", *(["reactions"] if FULL else [])])
-def test_float_departs_from_no_other_rule(written, kind: str) -> None:
-    needed("cppcheck")
-    assert rules_found(written(kind), PRECISIONS[1]) == {each.rule for each in deviations([kind])}
-
-
 # ---------------------------------------------------------------- beyond the addon
 
 

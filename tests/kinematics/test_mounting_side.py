@@ -55,11 +55,6 @@ def test_home_and_default_pose_are_the_same_in_other_axes(seed: int) -> None:
         np.testing.assert_allclose(found.t, pose.t @ Q.T, atol=1e-11 * size)
 
 
-def turned(column: str) -> float:
-    """What half a turn about x makes of a column: components along y and z change their signs."""
-    return -1.0 if column.endswith(("_y", "_z")) else 1.0
-
-
 def test_gravity_settles_the_side_and_then_limits_and_then_the_condition() -> None:
     robot = dasgupta()
     assert platform_side(robot).rule == "opposite to gravity"

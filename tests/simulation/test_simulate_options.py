@@ -148,18 +148,6 @@ def test_a_scene_starts_on_its_path_and_saturates(scene: Path, run: Run) -> None
     assert f"{error.rms[0]:.3g} m" in out
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        ('initial_state = "path"', 'initial_state = "home"', "initial_state: expected"),
-        ('"saturate"', '"clip"', "on_force_limit: expected"),
-    ],
-)
-def test_bad_starts_are_named(scene: Path, run: Run, old: str, new: str, words: str) -> None:
-    scene.write_text(TRACK.replace(old, new))
-    assert f"scene.toml: {words}" in run("simulate", scene, "-o", scene.parent / "out", code=2).err
-
-
 def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Path, fails: Fails) -> None:
     limit_forces(scene, 1e-3)
     scene.write_text(TRACK.replace('"saturate"', '"stop"'))

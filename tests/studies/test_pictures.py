@@ -35,19 +35,6 @@ def as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(machine_plot, "name_points", lambda *_, **__: None)
 
 
-@pytest.mark.usefixtures("as_it_comes")
-@pytest.mark.parametrize("name", [r"$\frac{$", r"$x$", r"5 \$ and $$", "$"])
-def test_a_machine_s_name_is_drawn_as_written(name: str) -> None:
-    robot = dataclasses.replace(dasgupta1998(), name=name)
-    figure = machine_plot.figure(robot, home_pose(robot))
-    figure.canvas.draw()
-    # Matplotlib draws a text that is no formula without the backslashes before its dollar signs.
-    title = figure.axes[1].title
-    drawn, formula = title._preprocess_math(title.get_text())  # type: ignore[attr-defined]
-    assert drawn.startswith(f"{name}: home pose")
-    assert not formula
-
-
 # Turned together with its base frame, a machine stands as before.
 HALF, THIRD = np.diag([1.0, -1.0, -1.0]), np.roll(np.eye(3), 1, axis=0)
 TURNS = {"z": np.eye(3), "-z": HALF, "-x": THIRD @ HALF, "y": THIRD @ THIRD}
