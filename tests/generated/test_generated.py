@@ -8,8 +8,8 @@ import re
 from pathlib import Path
 
 import pytest
-from attack_build import GENERATED, SOME
-from builds import run
+from attack_build import SOME, sources
+from builds import run, written
 from kits import STRICT
 from sweeps import FULL, slow_but
 
@@ -32,18 +32,23 @@ WAYS = [
 ]
 
 
-def compiled_silently(compiler: str, precision: str, language: str, kernel: str, *flags: str) -> None:
+def compiled_silently(
+    folder: Path, compiler: str, precision: str, language: str, kernel: str, *flags: str
+) -> None:
     defines = [f"-D{name}" for name in defines_of(kernel)]
     command = [compiler, *LANGUAGES[language], *STRICT, *PRECISIONS[precision], *defines, *flags]
-    assert run(*command, f"stewart_{kernel}.c", cwd=GENERATED) == ""
+    written(sources(f"stewart_{kernel}"), folder)
+    assert run(*command, f"stewart_{kernel}.c", cwd=folder) == ""
 
 
 @pytest.mark.parametrize(
     ("compiler", "precision", "language", "kernel"),
     slow_but(SHORT, WAYS, lambda way: way[3] if way[:3] in FAST_WAYS else ""),
 )
-def test_c_compiles_silently(compiler: str, precision: str, language: str, kernel: str) -> None:
-    compiled_silently(compiler, precision, language, kernel, "-fsyntax-only")
+def test_c_compiles_silently(
+    compiler: str, precision: str, language: str, kernel: str, tmp_path: Path
+) -> None:
+    compiled_silently(tmp_path, compiler, precision, language, kernel, "-fsyntax-only")
 
 
 OF_EACH_KIND = [stem.removeprefix("stewart_") for stem in SOME]
@@ -58,7 +63,7 @@ def test_optimized_c_compiles_silently_and_calls_nothing_but_square_roots(
     Warnings that come from optimizing show here; all others need no code. Float: ``test_float``.
     """
     target = str(tmp_path / "k.o")
-    compiled_silently("gcc", "double", "c99", kernel, "-O1", "-c", "-o", target)
+    compiled_silently(tmp_path, "gcc", "double", "c99", kernel, "-O1", "-c", "-o", target)
     undefined = {line.split()[-1] for line in run("nm", "-u", target).splitlines()}
     forces = {"stewart_exact_forces", "stewart_exact_forces_batch"}
     copies = {"memcpy", "memmove", "memset"}
@@ -69,7 +74,8 @@ def test_optimized_c_compiles_silently_and_calls_nothing_but_square_roots(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("compiler", "language"), [("gcc", "c99"), ("clang", "c++")])
-def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str) -> None:
+def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str, tmp_path: Path) -> None:
+    written(sources(), tmp_path)
     for name in HEADERS:
         command = [compiler, *LANGUAGES[language], *STRICT, "-fsyntax-only", "-include", name, "/dev/null"]
-        assert run(*command, cwd=GENERATED) == ""
+        assert run(*command, cwd=tmp_path) == ""
