@@ -1,8 +1,7 @@
 """Generation of all files of ``generated/``, the last step of ``derive``.
 
 For each formulation: derive the blocks, eliminate common subexpressions, and emit the files. The files depend
-only on this package and on SymPy's minor version, and contain no date, path, or set order. This module does
-not depend on the runtime package. Each process derives a kernel at most once.
+only on this package and on SymPy's minor version. Each process derives a kernel at most once.
 """
 
 import gc
@@ -150,34 +149,35 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
     headers = {"stewart.h": common_header(version), **shared_headers(version)}
     files = {name: text for made in found.values() for name, text in made.files.items()}
     programs = {name: each for made in found.values() for name, each in made.programs.items()}
+    # Modules of the forces alone import nothing else from ``exact``.
+    forces = {**programs, "exact": array_program("exact", forces_alone=True)}
+    for name in programs:
+        bases = programs if BY_KERNEL.get(name) in WHOLE else forces
+        files[f"{name}_arrays.py"] = array_module(name, bases, version)
     return {
         **_in_c_folder(headers),
         "every_output.py": arrays.shared_module(version),
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
         "__init__.py": filled("package.py", version=version),
         **files,
-        **{file: text for name in programs for file, text in array_module(name, programs, version).items()},
         "interface.py": layout(models, headers, version),
     }
 
 
-@cache
-def array_program(name: str) -> Program:
-    """Derive the kernel tree of the array module of one kernel."""
+def array_program(name: str, forces_alone: bool = False) -> Program:
+    """Derive the kernel tree of the array module of one kernel, on request without its other outputs."""
     form = BY_KERNEL.get(name)
     if form is None:
         return program(reduced_offsets())
-    return output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
+    return output_program(form, OUTPUTS if form in WHOLE and not forces_alone else (FORCES,))
 
 
-def array_module(name: str, programs: Mapping[str, Program], version: str) -> dict[str, str]:
+def array_module(name: str, programs: Mapping[str, Program], version: str) -> str:
     """Print the array module of one kernel; ``programs`` contains also the kernels of ``BASES``."""
-    made = programs[name]
-    if bases := BASES.get(name):
-        text = arrays.module_beside({each: programs[each] for each in bases}, made, version)
-    else:
-        text = arrays.module(made, arrays.imported(made), version)
-    return {f"{name}_arrays.py": text}
+    made, bases = programs[name], {each: programs[each] for each in BASES.get(name, ())}
+    if bases:
+        return arrays.module_beside(bases, made, version)
+    return arrays.module(made, arrays.imported(made), version)
 
 
 def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[UnitResult, float]]:

@@ -22,7 +22,7 @@ from .generated_files import (
     outputs_in_c,
     outputs_in_python,
 )
-from .mechanics.formulation import EXACT, EXACT_DRIVE, EXACT_SPHERICAL_DRIVE, FORMULATIONS, PAPER
+from .mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE, EXACT_SPHERICAL_DRIVE, FORMULATIONS, PAPER
 from .mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, GENERAL
 
 TABLE = "on_demand.sha256"
@@ -31,8 +31,8 @@ TABLE = "on_demand.sha256"
 
 def _arrays(name: str, version: str) -> UnitResult:
     """Derive the array module of one kernel, and the kernels from whose modules it imports."""
-    programs = {each: array_program(each) for each in (*BASES[name], name)}
-    return UnitResult(array_module(name, programs, version))
+    programs = {each: array_program(each, BY_KERNEL.get(name) not in WHOLE) for each in (*BASES[name], name)}
+    return UnitResult({f"{name}_arrays.py": array_module(name, programs, version)})
 
 
 _FORMS = [form for form in FORMULATIONS if form not in (EXACT, PAPER)]

@@ -58,7 +58,7 @@ class Derived(SphinxDirective):
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        """One block of code."""
+        """Return one block of code."""
         text = generated_text(self.arguments[0])
         return [nodes.literal_block(text, text, language="c")]
 

@@ -17,7 +17,7 @@ def cache_folder() -> Path:
 
 @contextlib.contextmanager
 def locked(lock: Path) -> Iterator[None]:
-    """Hold a lock file, for which other processes and threads wait; raise OSError if it cannot be written."""
+    """Hold a lock file, which makes other processes and threads wait; OSError if it cannot be written."""
     lock.parent.mkdir(parents=True, exist_ok=True)
     with lock.open("w") as stream:
         # On Windows, two processes may create the same file.
