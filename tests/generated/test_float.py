@@ -1,6 +1,5 @@
 """The float kernels: no double in the object code, and as good as float can be on machines of any size."""
 
-import shutil
 from pathlib import Path
 from typing import Any
 
@@ -8,7 +7,8 @@ import numpy as np
 import pytest
 import scalar_kernels
 import toolchain
-from attack_build import FEW, GENERATED, SOME, SOME_WITH_ROTORS
+from attack_build import FEW, SOME, SOME_WITH_ROTORS, sources
+from builds import written
 from machines import random_motion, random_robot, with_random_drives
 from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
@@ -32,7 +32,7 @@ EPSILON = float(np.finfo(np.float32).eps)
 )
 def test_float_object_code_holds_no_double(stem: str, tmp_path: Path) -> None:
     """For a Cortex-M4F, whose unit has floats alone; a promotion is a warning, thus an error."""
-    source = shutil.copytree(GENERATED, tmp_path / "c") / f"{stem}.c"
+    source = written(sources(stem), tmp_path / "c") / f"{stem}.c"
     flags = ["-DSTEWART_FLOAT", *(["-DSTEWART_ROTORS"] if "_drive" in stem else [])]
     made = toolchain.compiled(toolchain.CORES["float"], source, flags)
     assert toolchain.double_arithmetic(made) == set()

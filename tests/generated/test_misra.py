@@ -20,7 +20,6 @@ from sweeps import FULL, slow_but
 from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.generated_files import motion_files
 from stewart_sym.derive.package.misra_deviations import deviations
-from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice
 
 MOTION = ("equations", "forward_dynamics")
@@ -29,8 +28,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*physically impossible")
 
 
 def committed(stem: str) -> dict[str, str]:
-    names = (*HEADERS, f"{stem}.h", f"{stem}.c")
-    files = {name: (attack_build.GENERATED / name).read_text() for name in names}
+    files = attack_build.sources(stem)
     if "_drive" in stem:
         files["stewart.h"] = common_header("0", rotors=True)
     return files
