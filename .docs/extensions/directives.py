@@ -14,6 +14,7 @@ from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from markdown_text import table
 from sphinx.application import Sphinx
 from sphinx.pycode import ModuleAnalyzer
 from sphinx.util.docutils import SphinxDirective
@@ -22,7 +23,6 @@ import stewart_sym as ss
 from stewart_sym.cli import main
 from stewart_sym.derive.kernel.interface import STRUCTS
 from stewart_sym.derive.kernel.tree.constants import STATUSES
-from stewart_sym.studies.common.output import table
 from stewart_sym.viewer.view import frame
 
 _HEIGHT = 780
