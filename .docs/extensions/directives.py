@@ -15,6 +15,7 @@ from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from markdown_text import table
 from sphinx.application import Sphinx
 from sphinx.pycode import ModuleAnalyzer
 from sphinx.util.docutils import SphinxDirective
@@ -24,7 +25,6 @@ from stewart_sym.backend.kernel_sources import generated_text
 from stewart_sym.cli import main
 from stewart_sym.derive.kernel.interface import STRUCTS
 from stewart_sym.derive.kernel.tree.constants import STATUSES
-from stewart_sym.studies.common.output import table
 from stewart_sym.viewer.view import frame
 
 _HEIGHT = 780

@@ -59,19 +59,7 @@ class Job(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tally:
-    """Counts of the points of some cells.
-
-    Attributes
-    ----------
-    codes : ndarray of int, shape (m,)
-        Number of points per code; code 0 is inside.
-    mixed : int
-        Number of cells with one point inside.
-    extent : ndarray, shape (d, 2)
-        Minimum and maximum coordinates of points inside; inf and -inf without such points.
-    nearest : float
-        Smallest distance of a point outside.
-    """
+    """Counts of the points of some cells: by code, mixed pairs, extent (d, 2), and nearest point outside."""
 
     codes: NDArray[np.int64]
     mixed: int

@@ -1,9 +1,8 @@
-"""Tables of results as plain text, CSV, and, with paragraphs, Markdown for the documentation."""
+"""Tables of results as plain text and CSV."""
 
 import csv
 import io
 import math
-import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -98,16 +97,3 @@ def leg_table(name: str, columns: Mapping[str, Sequence[str]]) -> str:
     """Format a text table with a row for each leg, numbered in the first column ``name``."""
     numbers = [str(leg + 1) for leg in range(LEGS)]
     return aligned([name, *columns], list(zip(numbers, *columns.values(), strict=True)))
-
-
-def paragraph(line: str) -> str:
-    """Format a Markdown paragraph with lines of at most 110 characters and an empty line."""
-    return textwrap.fill(line, 110, break_on_hyphens=False, break_long_words=False) + "\n\n"
-
-
-def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Format a Markdown table with header, rows, and an empty line."""
-    lines = [header, ["---"] * len(header), *rows]
-    return (
-        "".join(f"|{'|'.join(f' {cell} ' if cell else ' ' for cell in cells)}|\n" for cells in lines) + "\n"
-    )

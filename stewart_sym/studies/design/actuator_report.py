@@ -72,7 +72,7 @@ def views(
     robot: Robot, sources: Sequence[str], read: Sequence[Trajectory]
 ) -> dict[str, Callable[[], Viewer]]:
     """Return functions that create the view of each motion; files of the same name are numbered."""
-    found = {}
+    found: dict[str, Callable[[], Viewer]] = {}
     for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
         name = f"{source}, motion {number}" if sources.count(source) > 1 else source
         found[name] = functools.partial(view, robot, trajectory)

@@ -125,7 +125,7 @@ _OF_POSE = (
 
 
 def _data(found: Examination) -> dict[str, Any]:
-    along, legs = found.along, {}
+    along, legs = found.along, dict[str, Any]()
     for name, unit in (("min_joint_sine", ""), ("min_length", "_m"), ("max_length", "_m")):
         extreme = getattr(along, name)
         legs |= {f"{name}{unit}": extreme.value, f"{name}_time_s": extreme.time}

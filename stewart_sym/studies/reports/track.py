@@ -163,7 +163,7 @@ class Digest:
         if part.effort is not None:
             values |= part.effort._asdict()
             self.torque[part.where], self.speed[part.where] = part.effort.torque, part.effort.speed
-        self.limits.add(part.where, values | (part.angles or {}), part.sd, part.there)
+        self.limits.add(part.where, {**values, **(part.angles or {})}, part.sd, part.there)
         self.F[part.where] = part.F
         i = int(_largest(part.condition))
         self.conditions.append((float(part.time[i]), float(part.condition[i])))
