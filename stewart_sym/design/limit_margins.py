@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.limit_status import EXCEEDED, WITHIN, Sides, amount_text, farthest, limit_status
+from ..drives.limit_status import EXCEEDED, WITHIN, Sides, amount_text, farthest, limit_status, sides
 from ..io.arguments import status_text
 from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
 from ..robot.units import Units
-from .actuator_requirements import ActuatorRequirementsResult, sides
+from .actuator_requirements import ActuatorRequirementsResult
 
 
 class _Limited(NamedTuple):
@@ -26,19 +26,7 @@ class _Limited(NamedTuple):
 
 
 class LimitMargins(NamedTuple):
-    """Texts about limits that are exceeded or may be exceeded, with legs numbered from 1.
-
-    Attributes
-    ----------
-    exceeded : list of str
-        Limits that a requirement exceeds.
-    inconclusive : list of str
-        Limits that are inconclusive because of noise, each after its status.
-    margin_missing : list of str
-        Limits that are sufficient without the margin, but not with it.
-    margin_inconclusive : list of str
-        Limits that are sufficient without the margin, but inconclusive with it, each after its status.
-    """
+    """Texts about limits that are exceeded or may be exceeded, without and with the margin."""
 
     exceeded: list[str]
     inconclusive: list[str]
@@ -86,7 +74,7 @@ def _line(limited: _Limited, leg: int, verdict: str, units: Units, more: float |
     name, si_unit, sizes, sd, limits = limited
     scale, unit = units.of_unit(si_unit)
     off = None if sd is None else (sd[0][:, leg], sd[1][:, leg])
-    i = farthest(sizes[:, leg], off, verdict)
+    i = int(farthest(sizes[:, leg], off, verdict))
 
     def amount(share: float) -> str:
         one = None if off is None else share * float(max(off[0][i], off[1][i]))
@@ -121,8 +109,7 @@ def _limited(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[_Limit
     def peak(name: str) -> tuple[Array, Sides | None]:
         values = getattr(course, name)
         sizes = np.zeros((1, 6)) if values is None else np.abs(values)
-        sd = None if course.std is None or values is None else sides(course.std, name)
-        return sizes, sd
+        return sizes, sides(course.std, name)
 
     def whole(need: Array, name: str) -> tuple[Array, Sides | None]:
         sd = None if needs.std is None else needs.std[name][None]

@@ -36,19 +36,7 @@ Places = NDArray[np.int64]
 
 
 class Cells(NamedTuple):
-    """Cells of a grid that may contain members.
-
-    Attributes
-    ----------
-    box : ndarray, shape (d, 2)
-        Lower and upper bounds.
-    counts : tuple of int
-        Number of cells along each axis.
-    places : ndarray of int, shape (n, d)
-        Indices of the cells along each axis.
-    splits : tuple of int
-        Number of parts of each cell along each axis.
-    """
+    """Cells of a grid over a box (d, 2) that may contain members: indices (n, d), and parts per axis."""
 
     box: Array
     counts: tuple[int, ...]

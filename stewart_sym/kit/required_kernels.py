@@ -35,7 +35,7 @@ from ..derive.package.fmu import FORCES_RPY, PLANT
 from ..derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.text_format import Numbers, robot_symbol
 from ..derive.program.cse import shared_blocks
-from ..precision.truth import form_and_level
+from ..precision.exact_forces import form_and_level
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, of_symbol
 from .kit_options import STEMS, TORQUE, Choice

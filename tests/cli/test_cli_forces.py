@@ -14,7 +14,7 @@ from plain_logs import read_log
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.drives.effort import trapezoids
+from stewart_sym.drives.limits import trapezoids
 from stewart_sym.studies.common.output import csv_lines
 
 

@@ -21,7 +21,7 @@ from stewart_sym.design.workspace import Kind, WorkspaceWarning
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.io.progress import silent
 from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
-from stewart_sym.kinematics.mounting import upright
+from stewart_sym.kinematics.mounting_side import upright
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy
 from stewart_sym.studies.design.workspace_report import slices

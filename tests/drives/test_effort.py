@@ -16,7 +16,7 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.drives.friction import friction_force
-from stewart_sym.drives.leg_limits import LEG_LIMITS, LegLimits
+from stewart_sym.drives.limits import LEG_LIMITS, LimitTracker
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.trajectory import Trajectory, Uncertainty
@@ -238,7 +238,7 @@ def test_limits_of_legs_at_which_a_motion_stops_are_kept_but_for_its_rounding(ro
     for limit in LEG_LIMITS:
         bound = limit.bound(limited)
         for share, verdict in ((1e-9, "within_limit"), (1e-4, "exceeded")):
-            run = LegLimits(limited, np.array([0.0, 1.0]))
+            run = LimitTracker(limited, np.array([0.0, 1.0]))
             values = limit.sign * np.stack([bound, bound + share * np.abs(bound)])
             run.add(slice(None), {limit.values: values})
             assert run.verdicts(limit) == [verdict] * 6, (limit.name, share)

@@ -29,7 +29,7 @@ from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
 
 import stewart_sym as ss
-from stewart_sym.precision.truth import digits
+from stewart_sym.precision.exact_forces import digits
 from stewart_sym.results import OK
 from stewart_sym.studies.robustness import study
 from stewart_sym.studies.robustness.failures import FAR, MACHINE, UNLIKE, random_cases

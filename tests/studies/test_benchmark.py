@@ -27,8 +27,7 @@ from stewart_sym.io.extras import install
 from stewart_sym.io.progress import silent
 from stewart_sym.studies.benchmark import benchmark, cases
 from stewart_sym.studies.benchmark.benchmark import of_group, picture, report
-from stewart_sym.studies.benchmark.case import FORCES, PASSES, SIZES
-from stewart_sym.studies.benchmark.poses import Poses, bench_poses
+from stewart_sym.studies.benchmark.case import FORCES, PASSES, SIZES, Poses, bench_poses
 from stewart_sym.studies.common import host, timing
 
 

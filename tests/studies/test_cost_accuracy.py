@@ -14,7 +14,7 @@ from reduced_machines import at_rest
 
 import stewart_sym as ss
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import Truth, deviation
+from stewart_sym.precision.exact_forces import Truth, deviation
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy.budget import papers_motions, read_budget

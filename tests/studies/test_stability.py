@@ -15,7 +15,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.derive.emit.header import CASES, THRESHOLDS
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import Truth, deviation
+from stewart_sym.precision.exact_forces import Truth, deviation
 from stewart_sym.results import OK, SINGULAR
 from stewart_sym.studies.robustness import failures, study
 from stewart_sym.studies.robustness.oracle import FORCES, Cases, Verdict, cases_of, check, truth_of

@@ -10,10 +10,8 @@ from importlib.resources import files
 from pathlib import Path
 
 from ...io.atomic_write import ResultFolder, write_file
-from ...io.progress import Progress
 from ...studies.common.report import Report
-from ..options import Arguments, Parser
-from ..output import results
+from ..command import Arguments, Parser, results
 
 
 def add_arguments(parser: Parser) -> None:
@@ -22,13 +20,22 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> int:
+    from ...derive.generated_files import generated_files
+    from ...dynamics.forces import CORES
+
     installed = Path(str(files("stewart_sym.generated")))
     directory = arguments.output or installed
     with results(arguments) as (take, progress):
         # The installed kernels have no record, because they are part of this program.
         own = arguments.check or directory == installed
         folder = None if own else ResultFolder(directory, arguments.force)
-        seconds, texts = _derived(progress)
+        seconds: dict[str, float] = {}
+
+        def note(name: str, time_s: float, share: float) -> None:
+            progress(f"derived {name}", share)
+            seconds[name] = time_s
+
+        texts: dict[str, str] = generated_files(note, CORES)
         lines, kernels = [], []
         for name, time_s in seconds.items():
             count = _operations(texts.get(f"{name}.py", ""))
@@ -47,21 +54,6 @@ def run(arguments: Arguments) -> int:
             more = [f"{len(texts)} files written to {directory}"]
         take(Report("\n".join(lines + more), data={"files": len(texts), "kernels": kernels, **data}))
     return 1 if any(data.values()) else 0
-
-
-def _derived(progress: Progress) -> tuple[dict[str, float], dict[str, str]]:
-    """Derive all kernels; return the time of each kernel (s) and the texts of all files."""
-    from ...derive.generated_files import generated_files
-    from ...dynamics.forces import CORES
-
-    seconds: dict[str, float] = {}
-
-    def note(name: str, time_s: float, share: float) -> None:
-        progress(f"derived {name}", share)
-        seconds[name] = time_s
-
-    texts: dict[str, str] = generated_files(note, CORES)
-    return seconds, texts
 
 
 def _operations(module: str) -> int | None:

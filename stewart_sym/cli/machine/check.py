@@ -10,9 +10,8 @@ Example: stewart-sym check hexapod.toml -o hexapod
 """
 
 from ...studies.reports.describe import report
+from ..command import Arguments, Parser, results
 from ..inputs import robot_of
-from ..options import Arguments, Parser
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

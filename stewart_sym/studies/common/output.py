@@ -47,64 +47,28 @@ def csv_lines(
     """
     if header:
         yield csv_text([[*columns]])
-    text = None if digits is None else _decimal_lines(columns, digits)
-    if text is not None:
-        yield text
-        return
+    form = None if digits is None else _form(columns, digits)
     # Rows are converted to Python numbers in blocks, because these require four times the memory of arrays.
     for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
         part = [column[start : start + _ROWS] for column in columns.values()]
-        yield csv_text(zip(*(values.tolist() for values in part), strict=True))
+        rows = zip(*(values.tolist() for values in part), strict=True)
+        yield csv_text(rows) if form is None else "".join(form % row for row in rows)
 
 
-def _decimal_lines(columns: Mapping[str, NDArray[Any]], digits: int) -> str | None:
-    """Format columns with a fixed number of decimals; None for a number that is infinite or too large.
-
-    Times have all their decimals.
-    """
-    marks: list[NDArray[np.uint8]] = []
+def _form(columns: Mapping[str, NDArray[Any]], digits: int) -> str | None:
+    """Return the format of a row with a fixed number of decimals; None for infinite or too large numbers."""
+    decimals: list[int | None] = []
     for name, values in columns.items():
-        decimals = _decimals_of_times(values) if name == "time" else _decimals(values, digits)
-        if decimals is None:
-            return None
-        marks += [*_marks(values, decimals), np.full(len(values), ord(","), np.uint8)]
-    marks[-1][:] = ord("\n")
-    return np.stack(marks, axis=1).tobytes().translate(None, b" ").decode("ascii")
-
-
-def _decimals(values: NDArray[Any], digits: int) -> int | None:
-    """Return the number of decimals at which the largest value has a number of digits."""
-    largest = float(np.abs(values).max(initial=0.0))
-    if not largest < _MOST_EXACT:
-        return None
-    whole = math.floor(math.log10(largest)) + 1 if largest > 0.0 else digits
-    return 0 if values.dtype.kind in "iu" else min(max(digits - whole, 0), _MOST_DECIMALS)
-
-
-def _decimals_of_times(time: NDArray[Any]) -> int | None:
-    """Return the number of decimals that represents all times exactly; None if they have too many digits."""
-    for decimals in range(_MOST_DECIMALS):
-        count = np.rint(time * 10.0**decimals)
-        if not np.abs(count).max(initial=0.0) < _MOST_EXACT:
-            return None
-        if np.array_equal(count / 10.0**decimals, time):
-            return decimals
-    return None
-
-
-def _marks(values: NDArray[Any], decimals: int) -> list[NDArray[np.uint8]]:
-    """Return sign, digits, and point of numbers, each of shape (n,), from left to right, or blanks."""
-    rest = np.rint(np.abs(values) * 10.0**decimals).astype(np.int64)
-    found: list[NDArray[np.uint8]] = []
-    for place in range(max(decimals + 1, len(str(rest.max(initial=0))))):
-        if place == decimals > 0:
-            found.append(np.full(len(values), ord("."), np.uint8))
-        shown = (rest > 0) | (place <= decimals)
-        tens = rest // 10
-        found.append(np.where(shown, ord("0") + rest - 10 * tens, ord(" ")).astype(np.uint8))
-        rest = tens
-    found.append(np.where(values < 0, ord("-"), ord(" ")).astype(np.uint8))
-    return found[::-1]
+        largest = float(np.abs(values).max(initial=0.0))
+        if name == "time":
+            exact = (n for n in range(_MOST_DECIMALS) if np.array_equal(np.round(values, n), values))
+            decimals.append(next(exact, None))
+        elif not largest < _MOST_EXACT:
+            decimals.append(None)
+        else:
+            whole = math.floor(math.log10(largest)) + 1 if largest > 0.0 else digits
+            decimals.append(min(max(digits - whole, 0), 0 if values.dtype.kind in "iu" else _MOST_DECIMALS))
+    return None if None in decimals else ",".join(f"%.{n}f" for n in decimals) + "\n"
 
 
 def columns_of(rows: Sequence[Sequence[object]]) -> Columns:

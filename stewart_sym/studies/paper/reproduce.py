@@ -170,10 +170,7 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
 
 
 def operations() -> list[Figures]:
-    """Count the operations (mul, add, div, sqrt) of the generated kernels for the paper's type of machine.
-
-    The final system comprises the sum of c, the solution, and F = D - x.
-    """
+    """Count the operations (mul, add, div, sqrt) of the generated kernels for the paper's type of machine."""
     found = []
     for form, friction in itertools.product(FORMULATIONS, ("frictionless", "friction")):
         parts = module(kernel_name(form, "universal")).OPERATIONS[friction]

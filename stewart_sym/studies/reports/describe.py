@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 
 from ...design.axis_travel import axis_travel
+from ...drives.limits import MOTOR_LIMITS
 from ...dynamics.home_pose import HomePose, home_pose, radius
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
-from ...kinematics.mounting import DECISIVE, AssemblyModeWarning
+from ...kinematics.mounting_side import DECISIVE, AssemblyModeWarning
 from ...results import STATUS_TEXT
 from ...robot.drive import Drive
 from ...robot.robot import Robot
@@ -36,10 +37,15 @@ def report(robot: Robot) -> Report:
 
 def _data(robot: Robot, home: HomePose) -> dict[str, Any]:
     """Return dimensions, masses, limits, and the home pose for the JSON data."""
-    offsets = {"cross_mass": "kg", "cross_inertia": "kg_m2", "cross_center": "m"}
-    offsets |= dict.fromkeys(("axis_offset", "slide_offset_y", "slide_offset_z", "wrist_offset"), "m")
+    offsets = {
+        "cross_mass": "kg",
+        "cross_inertia": "kg_m2",
+        "cross_center": "m",
+        **dict.fromkeys(_OFFSETS, "m"),
+    }
     drive = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "backdrive_efficiency": ""}
-    drive |= {name: unit for name, (_, unit) in (_DRIVE_FRICTION | _DRIVE_LIMITS).items()}
+    drive |= {name: unit for name, (_, unit) in _DRIVE_FRICTION.items()}
+    drive |= {limit.name.removeprefix("drive."): limit.unit for limit in MOTOR_LIMITS.values()}
     return {
         "robot": robot.name,
         "base_joint": robot.base_joint,
@@ -99,7 +105,7 @@ def _description(robot: Robot, home: HomePose, unit: Units) -> str:
         ("size", f"base points {sizes[0]}, platform points {sizes[1]} (RMS radius)"),
         *_conventions(robot, unit),
         ("friction", _friction(robot)),
-        *([] if robot.drive is None else _drives(robot.drive, unit)),
+        *([] if robot.drive is None else _drives(robot, robot.drive, unit)),
         ("limits", _limits(robot, unit)),
         *([] if robot.missing_bodies else [("inertias", bad if bodies else "physically possible")]),
     ]
@@ -108,9 +114,8 @@ def _description(robot: Robot, home: HomePose, unit: Units) -> str:
 
 def _masses(robot: Robot, unit: Units) -> list[tuple[str, str]]:
     """Return rows about the masses, or the keys that are missing for forces."""
-    missing = robot.missing_bodies
-    if missing:
-        return [("masses", f"missing: {', '.join(missing)}; kinematics only, no forces")]
+    if robot.missing_bodies:
+        return [("masses", f"missing: {', '.join(robot.missing_bodies)}; kinematics only, no forces")]
     masses = robot.m_d + robot.m_u
     return [
         ("platform", f"{robot.M:g} kg, center of mass {unit.lengths(robot.R_0)} {unit.length}"),
@@ -212,31 +217,24 @@ _DRIVE_FRICTION = {
     "stribeck_force": ("Stribeck force", "N"),
     "motor_coulomb": ("Coulomb friction of the motor", "N m"),
 }
-_DRIVE_LIMITS = {
-    "torque_limit": ("torque", "N m"),
-    "rated_torque": ("rated torque", "N m"),
-    "speed_limit": ("speed", "rad/s"),
-    "current_limit": ("current", "A"),
-    "power_limit": ("power", "W"),
-}
-"""Text and unit of the numbers of a drive."""
+"""Text and unit of the friction of a drive."""
 
 
-def _drives(drive: Drive, unit: Units) -> list[tuple[str, str]]:
+def _drives(robot: Robot, drive: Drive, unit: Units) -> list[tuple[str, str]]:
     """Return rows about the drives and, if any are given, the limits of their motors."""
     parts = [
         f"{_range(drive.lead / drive.gear_ratio / unit.meters)} {unit.length} per motor revolution",
         f"reflected mass {_range(drive.reflected_mass, 4)} kg",
         f"efficiency {_range(drive.efficiency)} driving, {_range(drive.backdrive_efficiency, 4)} backdriving",
     ]
-    values = {name: getattr(drive, name) for name in (*_DRIVE_FRICTION, *_DRIVE_LIMITS)}
-    friction = [(values[name], *words) for name, words in _DRIVE_FRICTION.items()]
-    limits = [(values[name], *words) for name, words in _DRIVE_LIMITS.items() if name != "speed_limit"]
-    limits.insert(2, (drive.speed_limit / unit.radians, "speed", f"{unit.angle}/s"))
-    parts += [f"{words} {_range(each)} {per}" for each, words, per in friction if np.any(each)]
-    most = [
-        f"{words} up to {_range(each, 4)} {per}" for each, words, per in limits if np.isfinite(each).any()
-    ]
+    for name, (words, per) in _DRIVE_FRICTION.items():
+        if np.any(getattr(drive, name)):
+            parts.append(f"{words} {_range(getattr(drive, name))} {per}")
+    most = []
+    for name, limit in MOTOR_LIMITS.items():
+        bound, (scale, per) = limit.bound(robot), unit.of_unit(limit.unit)
+        if np.isfinite(bound).any():
+            most.append(f"{name.replace('_', ' ')} up to {_range(scale * bound, 4)} {per}")
     return [("drives", ", ".join(parts)), *([("motors", ", ".join(most))] if most else [])]
 
 

@@ -60,12 +60,10 @@ def from_measurement(
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
 ) -> IdentificationResult:
-    """Identify the parameters that a trajectory excites from forces F (N), shape (n, 6), at times (s), shape
-    (n,).
+    """Identify the parameters that a trajectory excites from forces F (N), (n, 6), at times (s), (n,).
 
     Samples at rows that the reader of the trajectory did not use are left out. ``source`` and ``lines`` are
-    the file of the forces and their line numbers, from 2 by default. ``friction`` and ``identical_legs`` are
-    arguments of ``base_parameters``, all others of ``identify``.
+    the file of the forces and their line numbers, from 2 by default.
     """
     _need_equal_times(trajectory, time, source, lines)
     bad, motion, warnings = at_replaced(trajectory, trajectory.time), trajectory.motion, []
@@ -77,8 +75,10 @@ def from_measurement(
     smooth = motion if noise is None else smoothed(motion, noise)[0]
     base = base_parameters(robot, smooth, friction, identical_legs)
     found = identify(robot, motion, F, sigma, base, noise, physical, drive_terms=drive)
-    if found.verdict in ("misfit", "rejected") and (drive is None or "coulomb" not in drive):
-        warnings += _dry_friction(robot)
+    of_file = 0.0 if robot.drive is None else terms_of(robot, [f"coulomb{leg}" for leg in range(1, 7)]).max()
+    if found.verdict in ("misfit", "rejected") and of_file > 0.0 and "coulomb" not in (drive or ()):
+        text = f"drives: dry friction of up to {of_file:.4g} N in the robot file: forces of motors have it"
+        warnings.append(f"{text}, --drive-terms coulomb seeks it")
     return replace(found, warnings=(*found.warnings, *warnings, *_unlike_forces(robot, found, F)))
 
 
@@ -97,14 +97,6 @@ def _need_equal_times(trajectory: Trajectory, time: Array, source: str, lines: S
     line = i + 2 if lines is None else lines[i]
     remedy = "check the units of both files, a row below the header or --time-unit"
     raise ValueError(f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}; {remedy}")
-
-
-def _dry_friction(robot: Robot) -> list[str]:
-    """Return a warning about dry friction of the drives that the fit does not include."""
-    names = [f"coulomb{leg}" for leg in range(1, 7)]
-    dry = 0.0 if robot.drive is None else terms_of(robot, names).max()
-    text = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
-    return [f"{text}, --drive-terms coulomb seeks it"] if dry > 0.0 else []
 
 
 def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> list[str]:
@@ -154,10 +146,7 @@ def measured_report(
     noise: PoseNoise | None,
     currents: bool = False,
 ) -> Report:
-    """Create the report of measured forces: parameters, and bodies if the fit enforced physical parameters.
-
-    ``currents`` is True if the forces are motor forces although no drive terms were fitted.
-    """
+    """Create the report of measured forces, which are motor forces with ``currents`` or drive terms."""
     base, drive = found.base, found.drive
     seen = seen_by_motors(robot) if currents or drive is not None else robot
     departure, p = found.compare_with(seen)

@@ -1,13 +1,14 @@
 """Report of ``simulate``: columns by name, a summary, plots, and the energy drift of both formulations."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
 
 from ...backend.kernel import FORMULATIONS
+from ...drives.limits import LimitTracker
 from ...drives.motor_states import of_motor_forces
 from ...dynamics.inverse_dynamics import Formulation
 from ...io.array_types import Array
@@ -24,7 +25,7 @@ from ..common.drawing import BLUE, DARK, RED, Figure, legend_below, log_numbers,
 from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
 from ..paper.reproduce import without_friction
-from .drives import DriveDigest
+from .drives import motor_data, motor_table
 from .leg_plot import LIMIT, draw_limit
 
 _EVEN = 1001
@@ -52,26 +53,25 @@ def report(
     drifts: Mapping[str, Columns] | None = None,
     reference: Reference | None = None,
 ) -> Report:
-    """Create the report of a run, with the tracking error of a reference motion, if any.
-
-    ``drifts`` is the result of ``energy_drift``, if any.
-    """
-    drifts, fine = drifts or {}, run.dense_history
-    text, figures = summary(robot, run, fine, law), {}
-    error = None if reference is None else tracking_error(fine, reference)
-    if error is not None:
-        text = "\n".join([text, "", tracking_table(robot, error)])
+    """Create the report of a run, with tracking error and results of ``energy_drift``, if there are any."""
+    drifts, fine, figures, more = drifts or {}, run.dense_history, {}, {}
+    text = summary(robot, run, fine, law)
+    if reference is not None:
+        error = tracking_error(fine, reference)
+        table, more["tracking_error"] = _tracking(robot, error)
+        text = f"{text}\n\n{table}"
         figures["tracking"] = Picture(lambda: tracking_figure(robot, error))
-    motors = motors_of(robot, fine, run.dense_weights)
-    if motors is not None:
-        text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
+    motors = None
+    if robot.drive is not None:
+        motors = LimitTracker(robot, fine.time, weights=run.dense_weights)
+        L_dot = leg_states(robot, fine.motion).L_dot
+        motors.add(slice(None), of_motor_forces(robot, robot.drive, fine.motion, fine.F, L_dot)._asdict())
+        text = "\n".join([text, "", motor_table(motors), *motors.exceeded()])
     if len(run.time) > 1:
         figures["run"] = Picture(lambda: figure(robot, run, law))
     for name, drift in drifts.items():
         text += f"\n{name:<10} without friction, in {drift['time'][-1]:.6g} s: {_drift_text(drift['drift'])}"
-    data = _data(run, fine, law, motors)
-    if error is not None:
-        data["tracking_error"] = _tracking_data(error)
+    data = _data(run, fine, law, motors) | more
     if drifts:
         if all(len(drift["time"]) > 1 for drift in drifts.values()):
             figures["energy_drift"] = Picture(lambda: drift_figure(drifts))
@@ -83,8 +83,7 @@ def report(
 def energy_drift(scene: Scene) -> dict[str, Columns]:
     """Simulate a machine on springs in both formulations, without friction, dampers, and load.
 
-    Returns times (s) and the change of the energy of machine and springs, shape (n,), relative to the mean
-    kinetic energy in ``exact``; correct equations conserve this energy.
+    Returns times (s) and the change of energy over the mean kinetic energy; correct equations conserve it.
     """
     law, state = cast(LegSprings, scene.law), scene.state
     robot = without_friction(scene.robot)
@@ -97,18 +96,8 @@ def energy_drift(scene: Scene) -> dict[str, Columns]:
     return {name: {"time": run.time, "drift": _drift(run, law, scale)} for name, run in runs.items()}
 
 
-def motors_of(robot: Robot, run: StateHistory, weights: Array | None = None) -> DriveDigest | None:
-    """Return the motor requirements of a run with the weights of its samples; None without a drive."""
-    if robot.drive is None:
-        return None
-    found = DriveDigest(robot, run.time, weights)
-    L_dot = leg_states(robot, run.motion).L_dot
-    found.add(of_motor_forces(robot, robot.drive, run.motion, run.F, L_dot), slice(None))
-    return found
-
-
 def _data(
-    run: SimulationResult, fine: StateHistory, law: ForceLaw, motors: DriveDigest | None
+    run: SimulationResult, fine: StateHistory, law: ForceLaw, motors: LimitTracker | None
 ) -> dict[str, Any]:
     peaks, drives = np.argmax(np.abs(fine.F), axis=0), run.drive_work
     legs = {
@@ -118,7 +107,7 @@ def _data(
         "max_length_m": fine.L.max(axis=0),
         "saturated_s": run.saturation.duration,
         "saturation_max_excess_N": run.saturation.max_excess,
-        **({} if motors is None else motors.columns()),
+        **({} if motors is None else motor_data(motors)),
     }
     work = {}
     if drives is not None:
@@ -138,11 +127,7 @@ def _data(
 
 
 def springs_drift(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> float | None:
-    """Return the largest energy drift of machine and springs, relative to the mean kinetic energy.
-
-    The result is 0 if the motion is only rounding errors, and None for other actuation and for saturated
-    springs.
-    """
+    """Return the energy drift over the mean kinetic energy, 0 at rest; None without unsaturated springs."""
     if not isinstance(law, LegSprings) or (run.saturation.max_excess > 0.0).any():
         return None
     return float(np.abs(_drift(fine, law, _mean_kinetic_energy(run, law))).max())
@@ -210,10 +195,7 @@ def _taken(run: SimulationResult, law: LegSprings) -> str:
 
 
 def figure(robot: Robot, run: SimulationResult, law: ForceLaw) -> Figure:
-    """Plot motion since the start, rates, forces, lengths, and energies over time.
-
-    The planned motion of a controller is dashed, and so are the force limits.
-    """
+    """Plot motion since the start, rates, forces, lengths, and energies; planned motion and limits dashed."""
     legs, units = tuple(f"leg {leg + 1}" for leg in range(6)), Units.of(robot)
     # Angles are unwrapped, because a jump of 2 pi would be drawn as a line across the panel.
     moved = _since_start(run.motion, run.motion)
@@ -229,23 +211,31 @@ def figure(robot: Robot, run: SimulationResult, law: ForceLaw) -> Figure:
     )
     picture = new_figure(10.0, 10.0)
     grid = picture.subplots(4, 2, sharex=True)
-    for axes, (values, names, label) in zip(grid.flat, panels, strict=True):
-        for name, column in zip(names, values.T, strict=True):
-            axes.plot(run.time, column, linewidth=1.1, label=name)
-        axes.set_ylabel(label)
-        axes.margins(x=0.0)
+    for axes, panel in zip(grid.flat, panels, strict=True):
+        _curves(axes, run.time, *panel)
     if np.isfinite(robot.force_limit).any():
         grid.flat[4].plot([], [], label="limit", **LIMIT)
     for limit in np.unique(robot.force_limit):
         draw_limit(grid.flat[4].axhline, float(limit), run.F, LIMIT)
     _draw_planned(grid.flat, units, run, law)
     for axes in grid.flat:
-        # The legend is next to the panel, because curves could cover it inside.
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
+        _legend(axes)
     for axes in grid[-1]:
         axes.set_xlabel("time, s")
     picture.suptitle(run.stop.message, fontsize=10.0)
     return picture
+
+
+def _curves(axes: Any, time: Array, values: Array, names: Sequence[str], label: str) -> None:
+    for name, column in zip(names, values.T, strict=True):
+        axes.plot(time, column, linewidth=1.1, label=name)
+    axes.set_ylabel(label)
+    axes.margins(x=0.0)
+
+
+def _legend(axes: Any) -> None:
+    # The legend is next to the panel, because curves could cover it inside.
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
 
 
 def _since_start(motion: Motion, start: Motion) -> tuple[Array, Array]:
@@ -281,43 +271,28 @@ def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...
     return np.column_stack([gained, gained.sum(axis=-1)]), (*parts, "sum")
 
 
-def tracking_table(robot: Robot, error: TrackingError) -> str:
-    """Format the RMS and the peak of the tracking error of each axis."""
-    units, step, rows = Units.of(robot), least_step(error.time), []
+def _tracking(robot: Robot, error: TrackingError) -> tuple[str, list[dict[str, Any]]]:
+    """Return a table of RMS and peak of the tracking error of each axis, and the same for the JSON data."""
+    units, step, rows, data = Units.of(robot), least_step(error.time), [], []
     for (name, si), rms, peak, when in zip(_AXES, error.rms, error.peak, error.peak_time, strict=True):
         factor, unit = units.of_unit(si)
         sizes = (f"{factor * size:.3g} {unit}" for size in (rms, peak))
         rows.append((name, *sizes, f"{time_text(when, step)} s"))
-    return aligned(("tracking error", "RMS", "peak", "time of the peak"), rows)
-
-
-def _tracking_data(error: TrackingError) -> list[dict[str, Any]]:
-    """Return the tracking error of each axis with units in the keys."""
-    return [
-        {"axis": name, f"rms_{unit}": rms, f"peak_{unit}": peak, "peak_time_s": when}
-        for (name, unit), rms, peak, when in zip(_AXES, error.rms, error.peak, error.peak_time, strict=True)
-    ]
+        data.append({"axis": name, f"rms_{si}": rms, f"peak_{si}": peak, "peak_time_s": when})
+    return aligned(("tracking error", "RMS", "peak", "time of the peak"), rows), data
 
 
 def tracking_figure(robot: Robot, error: TrackingError) -> Figure:
     """Plot the tracking error along and about each axis over time."""
-    units = Units.of(robot)
-    panels = (
-        (error.position / units.meters, tuple("xyz"), f"position error, {units.length}"),
-        (
-            error.rotation / units.radians,
-            tuple(f"about {axis}" for axis in "xyz"),
-            f"rotation error, {units.angle}",
-        ),
-    )
+    units, names = Units.of(robot), [name for name, _ in _AXES]
     picture = new_figure(8.0, 6.0)
-    for axes, (values, names, label) in zip(picture.subplots(2, sharex=True), panels, strict=True):
-        for name, column in zip(names, values.T, strict=True):
-            axes.plot(error.time, column, linewidth=1.1, label=name)
-        axes.set(xlabel="time, s", ylabel=label)
-        axes.margins(x=0.0)
-        axes.label_outer()
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
+    above, below = picture.subplots(2, sharex=True)
+    position, rotation = error.position / units.meters, error.rotation / units.radians
+    _curves(above, error.time, position, names[:3], f"position error, {units.length}")
+    _curves(below, error.time, rotation, names[3:], f"rotation error, {units.angle}")
+    below.set_xlabel("time, s")
+    for axes in (above, below):
+        _legend(axes)
     return picture
 
 

@@ -1,4 +1,4 @@
-"""Inverse dynamics along a trajectory for ``forces``: columns, exceeded limits, and a summary."""
+"""Inverse dynamics along a trajectory for ``forces`` and ``view``: columns, limits, and a summary."""
 
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
@@ -7,19 +7,19 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...drives.leg_limits import (
+from ...drives.limit_status import SURE, amount_text, counts_text, unknown_forces
+from ...drives.limits import (
     BASE,
     FORCE,
     LONGEST,
     PLATFORM,
     SHORTEST,
     SPEED,
-    LegLimit,
-    LegLimits,
+    Limit,
+    LimitTracker,
     limited_angles,
     replaced_names,
 )
-from ...drives.limit_status import SURE, amount_text, counts_text, unknown_forces
 from ...drives.motor_states import MotorStates, motor_states
 from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
@@ -28,27 +28,19 @@ from ...io.array_types import Array, Codes, Flags
 from ...io.progress import Progress
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics
-from ...motion.motion import Motion
 from ...motion.sample_times import least_step, time_text
 from ...motion.trajectory import Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, SingularPoseWarning
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
+from ...viewer.view import Viewer
 from ..common.drawing import Figure
 from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
-from .drives import DriveDigest, drive_columns
+from .drives import drive_columns, motor_data, motor_table
 from .leg_plot import leg_figure
 
 NOISE_THRESHOLD = 0.02
 """Fraction of the peak force that ``SURE`` standard deviations may reach without a warning."""
-
-# Limits of the legs by their names in the JSON data.
-_LIMITS = {
-    "force_limit": FORCE,
-    "speed_limit": SPEED,
-    "min_length_limit": SHORTEST,
-    "max_length_limit": LONGEST,
-}
 
 # Number of samples that are computed at a time, because the outputs of all samples could exceed the memory.
 _PART = 1 << 14
@@ -57,11 +49,7 @@ _DIGITS = 10
 
 
 class Part(NamedTuple):
-    """Samples ``where`` of a trajectory with their dynamics (N, m, and s), shapes (n,) and (n, 6).
-
-    ``sd`` are the standard deviations of a log with noise, and ``there`` marks the samples at which they are
-    due to replaced rows. ``angles`` is the result of ``limited_angles``.
-    """
+    """Samples ``where`` of a trajectory with their dynamics (N, m, s); others as in ``LimitTracker.add``."""
 
     where: slice
     time: Array
@@ -77,19 +65,14 @@ class Part(NamedTuple):
     angles: Mapping[str, Array] | None = None
 
     @property
-    def limited(self) -> dict[str, Array]:
-        """Values that ``LegLimits`` compares with the limits of the legs."""
-        return {"F": self.F, "L": self.L, "L_dot": self.L_dot, **(self.angles or {})}
-
-    @property
     def columns(self) -> Columns:
         """Written columns (n,) by name, in SI units; noise, a drive, and reactions add columns."""
         sd = self.sd
         found: Columns = {"time": self.time} | of_legs("F", self.F)
-        found |= {} if sd is None else of_legs("F", sd.F, "_std")
+        found |= {} if sd is None else of_legs("F", sd["F"], "_std")
         found |= of_legs("L", self.L) | {"condition_number": self.condition, "status": self.status}
         if self.effort is not None:
-            found |= drive_columns(self.effort, None if sd is None else sd.motors)
+            found |= drive_columns(self.effort, sd)
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
@@ -111,10 +94,7 @@ def in_parts(
     reactions: bool = False,
     allow_singular: bool = False,
 ) -> Iterator[Part]:
-    """Compute the dynamics of a trajectory in consecutive parts.
-
-    An unsolvable pose is an error, or with ``allow_singular`` a row of nan, and a warning about the first.
-    """
+    """Compute the dynamics of a trajectory in parts; an unsolvable pose is an error or a row of nan."""
     deviations, told = None, False
     if trajectory.noise is not None:
         deviations = deviations_in_parts(robot, trajectory, formulation, backend)
@@ -122,7 +102,11 @@ def in_parts(
         where = slice(start, start + _PART)
         motion = trajectory.at(where)
         found = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
-        L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(found.status, (ZERO_LENGTH, NOT_FINITE)))
+        good = ~np.isin(found.status, (ZERO_LENGTH, NOT_FINITE))
+        L, L_dot = np.full((2, *motion.shape, LEGS), np.nan)
+        if np.any(good):
+            legs = inverse_kinematics(robot, motion[good])
+            L[good], L_dot[good] = legs.L, legs.L_dot
         status, more = found.status, None
         if reactions:
             more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
@@ -142,17 +126,26 @@ def in_parts(
         yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there, angles)
 
 
+_LIMITS = {
+    "min_length": (SHORTEST, "m", "length_limits_m", "min_length_limit"),
+    "max_length": (LONGEST, "m", "length_limits_m", "max_length_limit"),
+    "peak_speed": (SPEED, "m_per_s", "speed_limit_m_per_s", "speed_limit"),
+    "peak_base_angle": (BASE, "rad", "base_angle_limit_rad", "base_angle_limit"),
+    "peak_platform_angle": (PLATFORM, "rad", "platform_angle_limit_rad", "platform_angle_limit"),
+}
+"""Extreme values of the legs in the JSON data: limit, unit, key of the limit, and key of its status."""
+
+
 class Digest:
     """Data for the summary, the warnings, and the plot of a run."""
 
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
         """Start a run at all these times (s), shape (n,); ``replaced`` are the replaced rows of the log."""
         self.robot, self.time, self.replaced, self.step = robot, time, replaced, least_step(time)
-        self.legs = LegLimits(robot, time, replaced)
+        self.limits = LimitTracker(robot, time, replaced)
         # Time and value of the largest condition number of each part.
         self.conditions: list[tuple[float, float]] = []
-        self.drive = None if robot.drive is None else DriveDigest(robot, time)
-        self.F = np.full((len(time), LEGS), np.nan, dtype=np.float32)
+        self.F, self.torque, self.speed = np.full((3, len(time), LEGS), np.nan, dtype=np.float32)
 
     def rows(self, parts: Iterable[Part], progress: Progress) -> Iterator[str]:
         """Add all parts, and yield the text of their CSV file."""
@@ -166,20 +159,19 @@ class Digest:
 
     def add(self, part: Part) -> None:
         """Add the next part."""
-        sd = part.sd
-        if self.drive is not None and part.effort is not None:
-            self.drive.add(part.effort, part.where, None if sd is None else sd.motors, part.there)
-        self.legs.add(part.where, part.limited, sd, part.there)
+        values: dict[str, Array | None] = {"F": part.F, "L": part.L, "L_dot": part.L_dot}
+        if part.effort is not None:
+            values |= part.effort._asdict()
+            self.torque[part.where], self.speed[part.where] = part.effort.torque, part.effort.speed
+        self.limits.add(part.where, values | (part.angles or {}), part.sd, part.there)
         self.F[part.where] = part.F
         i = int(_largest(part.condition))
         self.conditions.append((float(part.time[i]), float(part.condition[i])))
 
     def doubts(self, noise_share: float) -> list[str]:
-        """Return one line for each exceeded or inconclusive limit, and for noise above a fraction of a
-        peak.
-        """
-        times, F, there, F_sd = self.legs.forces()
-        beyond = self.legs.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
+        """Return a line for each exceeded or inconclusive limit, and for noise above a fraction of a peak."""
+        times, F, there, F_sd = self.limits.forces()
+        beyond = self.limits.exceeded()
         if F_sd is None:
             return beyond
         names = replaced_names(self.replaced)
@@ -192,102 +184,74 @@ class Digest:
 
     def figure(self) -> Figure:
         """Plot the forces, and with drives the motor torques, with their limits."""
-        motors = None if self.drive is None else (self.drive.torque, self.drive.speed)
+        motors = None if self.robot.drive is None else (self.torque, self.speed)
         return leg_figure(self.robot, self.time, self.F, motors)
 
     def summary(self) -> str:
         """Format the summary as lines of text."""
-        time, F, _, F_sd = self.legs.forces()
-        verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
-        low, high, speed = self._extremes()
-        units = Units.of(self.robot)
-        low, high, speed = (found.scaled(1.0 / units.meters) for found in (low, high, speed))
-        angles = [found.scaled(1.0 / units.radians).texts() for found in self._angles().values()]
+        time, F, _, F_sd = self.limits.forces()
+        verdicts, limit, units = self.limits.verdicts(FORCE), self.robot.force_limit, Units.of(self.robot)
         peak = _largest(F)
+        lengths = self._texts(SHORTEST, units.meters), self._texts(LONGEST, units.meters)
         columns = {
-            "peak force, N": _Extreme(_at(F, peak), None if F_sd is None else _at(F_sd, peak)).texts(6),
+            "peak force, N": _texts(_at(F, peak), None if F_sd is None else _at(F_sd, peak), 6),
             "at, s": [time_text(when, self.step) for when in time[peak]],
             "force_limit, N": [
                 f"{most:g}" + (f" {status_text(verdict)}" if np.isfinite(most) else "")
                 for most, verdict in zip(limit, verdicts, strict=True)
             ],
-            f"length, {units.length}": [
-                " to ".join(ends) for ends in zip(low.texts(), high.texts(), strict=True)
-            ],
-            f"speed, {units.length}/s": speed.texts(),
+            f"length, {units.length}": [" to ".join(ends) for ends in zip(*lengths, strict=True)],
+            f"speed, {units.length}/s": self._texts(SPEED, units.meters),
         }
-        if angles:
+        if self.robot.has_joint_angle_limits:
+            angles = self._texts(BASE, units.radians), self._texts(PLATFORM, units.radians)
             columns[f"joint angles, {units.angle}"] = [", ".join(both) for both in zip(*angles, strict=True)]
         first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self._worst()[0]))
-        every = self.legs.all_verdicts()
-        every += [] if self.drive is None else self.drive.summary.all_verdicts()
         text = (
-            f"{counts_text(every)}\n"
+            f"{counts_text(self.limits.all_verdicts())}\n"
             f"{len(self.time)} sample{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
             f"number of H up to {self._worst()[1]:.4g} (at {when} s)\n"
             f"{leg_table('leg', columns)}"
         )
-        return text if self.drive is None else f"{text}\n\n{self.drive.table()}"
+        return text if self.robot.drive is None else f"{text}\n\n{motor_table(self.limits)}"
 
     def as_json(self) -> dict[str, Any]:
         """Return the numbers of the summary for the JSON data."""
-        time, F, _, F_sd = self.legs.forces()
+        time, F, _, F_sd = self.limits.forces()
         when, condition = self._worst()
-        low, high, speed = self._extremes()
         peak, robot = _largest(F), self.robot
         legs = {
             "peak_force_N": _at(F, peak),
             "peak_force_std_N": [None] * LEGS if F_sd is None else _at(F_sd, peak),
             "peak_force_time_s": time[peak],
             "force_limit_N": robot.force_limit,
-            **low.data("min_length", "m"),
-            **high.data("max_length", "m"),
-            "length_limits_m": robot.length_limits,
-            **speed.data("peak_speed", "m_per_s"),
-            "speed_limit_m_per_s": robot.speed_limit,
+            "force_limit": self.limits.verdicts(FORCE),
         }
-        for limit, angle in self._angles().items():
-            legs |= angle.data(f"peak_{limit.values}_angle", "rad")
-            legs[f"{limit.values}_angle_limit_rad"] = limit.bound(robot)
-            legs[f"{limit.values}_angle_limit"] = self.legs.verdicts(limit)
-        legs |= {name: self.legs.verdicts(limit) for name, limit in _LIMITS.items()}
-        legs |= {} if self.drive is None else self.drive.columns() | self.drive.verdicts()
+        for name, (limit, unit, key, status) in _LIMITS.items():
+            if limit not in (BASE, PLATFORM) or robot.has_joint_angle_limits:
+                peaks, sd = self.limits.peaks(limit)
+                legs |= {f"{name}_{unit}": peaks, status: self.limits.verdicts(limit)}
+                legs |= {} if sd is None else {f"{name}_std_{unit}": sd}
+                legs[key] = robot.length_limits if limit.values == "L" else limit.bound(robot)
+        legs |= {} if robot.drive is None else motor_data(self.limits)
         found = {"samples": len(self.time), "start_s": self.time[0], "end_s": self.time[-1]}
         found |= {"condition_number_peak": condition, "condition_number_peak_time_s": when}
         return found | {"legs": by_leg(legs)}
 
-    def _extremes(self) -> "list[_Extreme]":
-        """Return smallest and largest lengths, and largest speeds."""
-        return [_Extreme(*self.legs.peaks(limit)) for limit in (SHORTEST, LONGEST, SPEED)]
-
-    def _angles(self) -> "dict[LegLimit, _Extreme]":
-        """Return the largest joint angles (rad); nothing for a robot without joint-angle limits."""
-        limits = (BASE, PLATFORM) if self.robot.has_joint_angle_limits else ()
-        return {limit: _Extreme(*self.legs.peaks(limit)) for limit in limits}
+    def _texts(self, limit: Limit, unit: float) -> list[str]:
+        """Format the extreme value of each leg in a unit (m or rad)."""
+        peaks, sd = self.limits.peaks(limit)
+        return _texts(peaks / unit, None if sd is None else sd / unit, 4)
 
     def _worst(self) -> tuple[float, float]:
         """Return the time of the largest condition number (s) and its value."""
         return self.conditions[int(_largest(np.array(self.conditions)[:, 1]))]
 
 
-class _Extreme(NamedTuple):
-    """Extreme values of the legs, shape (6,), with their standard deviations, if any."""
-
-    values: Array
-    sd: Array | None
-
-    def scaled(self, scale: float) -> "_Extreme":
-        """Convert to another unit."""
-        return _Extreme(scale * self.values, None if self.sd is None else scale * self.sd)
-
-    def data(self, name: str, unit: str) -> dict[str, Any]:
-        """Return the values by name for the JSON data."""
-        return {f"{name}_{unit}": self.values} | ({} if self.sd is None else {f"{name}_std_{unit}": self.sd})
-
-    def texts(self, digits: int = 4) -> list[str]:
-        """Format the value of each leg."""
-        sd = [None] * LEGS if self.sd is None else self.sd
-        return [amount_text(value, off, digits) for value, off in zip(self.values, sd, strict=True)]
+def _texts(values: Array, sd: Array | None, digits: int) -> list[str]:
+    """Format the value of each leg with its standard deviation, if any."""
+    deviations = [None] * LEGS if sd is None else sd
+    return [amount_text(value, off, digits) for value, off in zip(values, deviations, strict=True)]
 
 
 def _largest(values: Array) -> NDArray[np.int64]:
@@ -308,9 +272,7 @@ def peak_noise(F: Array, F_sd: Array) -> Array:
 
 
 def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: Flags) -> str | None:
-    """Return a warning about the leg with the most uncertain peak, if it exceeds the fraction ``share``, at
-    the samples ``there``.
-    """
+    """Return a warning about the leg with the most uncertain peak, if it is above ``share`` of the peak."""
     spread = np.where(there[:, None], F_sd, 0.0)
     ratio = peak_noise(F, spread)
     leg = int(np.argmax(ratio))
@@ -329,14 +291,6 @@ def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, the
     )
 
 
-def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
-    L, L_dot = np.full((2, *motion.shape, 6), np.nan)
-    if np.any(good):
-        legs = inverse_kinematics(robot, motion[good])
-        L[good], L_dot[good] = legs.L, legs.L_dot
-    return L, L_dot
-
-
 def _reaction_columns(found: JointReactionsResult) -> Columns:
     columns: Columns = {}
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_s"):
@@ -344,3 +298,30 @@ def _reaction_columns(found: JointReactionsResult) -> Columns:
         for leg in range(0 if values is None else 6):
             columns |= of_axes(f"{name}_{leg + 1}", values[:, leg])
     return columns | of_legs("M_u", found.M_u)
+
+
+def view_data(view: Viewer) -> dict[str, object]:
+    """Return the numbers of a view for JSON, with peaks over the samples that have finite forces."""
+    shown, found = view.history, view.limits
+    # The legs are compared with their limits as in `forces`.
+    sd, there = (None, None) if shown.noise is None else (shown.noise.sd, shown.noise.there)
+    status = np.zeros(len(shown.time), dtype=np.int32)
+    whole = Part(slice(None), shown.time, found.F, shown.L, shown.L_dot, shown.condition, status)
+    digest = Digest(view.robot, shown.time)
+    angles = limited_angles(view.robot, shown.motion)
+    digest.add(whole._replace(effort=found.motors, sd=sd, there=there, angles=angles))
+    # NumPy warns of legs without a finite force at any sample.
+    with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
+        peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
+    return {
+        "motion": shown.name,
+        "samples": len(shown.time),
+        "start_s": shown.time[0],
+        "end_s": shown.time[-1],
+        "scaled_condition_number_peak": shown.condition.max(),
+        "peak_force_N": peaks,
+        "legs": digest.as_json()["legs"],
+        "warnings": [line for _, line in view.limits.told],
+        "marked": [{"time_s": e.time, "singular": e.singular, "twist": e.at.twist} for e in shown.events],
+        "units": {"twist": "m/s and rad/s"},
+    }

@@ -15,7 +15,7 @@ from machines import (
 
 import stewart_sym as ss
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.kinematics.mounting import path_for, platform_side
+from stewart_sym.kinematics.mounting_side import path_for, platform_side
 
 Z_DOWN = np.diag([1.0, -1.0, -1.0])
 # Base and platform frames with the former z along x, y, -x and -y.

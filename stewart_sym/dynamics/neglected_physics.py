@@ -23,7 +23,7 @@ Forces = Callable[[Motion], NDArray[np.generic]]
 """Function that returns actuator forces (N), (n, 6), of motions (n,)."""
 
 
-def left_out(robot: Robot, formulation: Formulation, level: str, reduced: Forces) -> str:
+def neglected_physics(robot: Robot, formulation: Formulation, level: str, reduced: Forces) -> str:
     """Return a clause about the physics of the robot that a level omits, or an empty text.
 
     ``reduced`` computes the forces of the level, from which the error is estimated.
