@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from counting_c import REPORT, counted
 from machines import random_motion, random_robot, random_robot_of
-from sweeps import slow_but
+from sweeps import FULL
 
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import module
@@ -39,7 +39,7 @@ FOLDED_POSE = """static Real F[6];
 
 
 OF_FORMS = pytest.mark.parametrize(
-    "form", slow_but([EXACT], [EXACT, EXACT_DRIVE, PAPER]), ids=lambda form: form.kernel_name
+    "form", [EXACT, EXACT_DRIVE, PAPER] if FULL else [EXACT_DRIVE], ids=lambda form: form.kernel_name
 )
 
 

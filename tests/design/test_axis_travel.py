@@ -144,6 +144,7 @@ def test_missing_limits_are_infinite_and_a_home_pose_beyond_a_limit_has_no_trave
     assert "condition_number" in {cause for both in ss.axis_travel(robot, limits).limits for cause in both}
 
 
+@pytest.mark.slow
 def test_a_machine_with_z_down_and_zero_offsets_travels_as_the_same_machine() -> None:
     robot = machine(6, force_limit=1e6, speed_limit=1.0)
     L = displaced(robot, 0, 0.0)
@@ -165,6 +166,7 @@ def test_a_machine_with_z_down_and_zero_offsets_travels_as_the_same_machine() ->
     np.testing.assert_allclose(with_offsets.acceleration, plain.acceleration, rtol=1e-7)
 
 
+@pytest.mark.slow
 def test_check_and_workspace_print_the_table_in_the_units_of_the_file(folder: Path, run: Run) -> None:
     (folder / "hanging.toml").write_text(HANGING)
     found = ss.axis_travel(ss.Robot.from_toml("hanging.toml"))

@@ -21,9 +21,9 @@ from sweeps import FULL, slow_but
 
 _HEAVY = ("gallery/mpc", "gallery/computed-torque", "gallery/controller-models")
 _HEAVY += ("howto/plan", "howto/languages", "howto/cmake", "howto/simulate", "howto/drives", "howto/fidelity")
-_HEAVY += ("gallery/motors",)
+_HEAVY += ("gallery/motors", "gallery/telemetry", "howto/workspace")
 HEAVY = set() if FULL else {f".docs/{name}.md" for name in _HEAVY}
-"""Pages whose examples take nine seconds of processor time and more."""
+"""Pages whose examples take five seconds and more, but those of tutorials, README and kits."""
 RUNNING = [
     page
     for page in PAGES

@@ -63,7 +63,7 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
 """Kind of source -> how its files are made, and which of them is looked at."""
 EVERY = slow_but(("rotation",), SOURCES)
 # Long sources are printed as the others are.
-LONG = ("motion", "derivatives", "reactions", "forces baked", "forces scalar")
+LONG = ("forces", "motion", "derivatives", "reactions", "forces baked", "forces scalar")
 ANY = [each for each in EVERY if FULL or each.values[0] not in LONG]
 
 

@@ -116,7 +116,9 @@ def wrapped_functions() -> list[Function]:
     return [*whole.functions, *baked.parts[0].functions]
 
 
-@pytest.fixture(scope="module", params=["double", pytest.param("float", marks=pytest.mark.slow)])
+@pytest.fixture(
+    scope="module", params=["double", pytest.param("float", marks=[pytest.mark.slow, pytest.mark.full])]
+)
 def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Folder of a kit with everything that C++ wraps."""
     needed("make")

@@ -128,8 +128,7 @@ def some_state() -> ss.Motion:
     ("which", "kind", "compiler"),
     [
         *((which, kind, "gcc") for which, kind in DRIVEN.items()),
-        (DASGUPTA, "plant", "clang"),
-        pytest.param(DASGUPTA, "plant", "gcc", marks=pytest.mark.slow),
+        pytest.param(DASGUPTA, "plant", "clang", marks=pytest.mark.slow),
     ],
 )
 def test_unit_is_valid_and_compiles_without_a_warning(

@@ -198,7 +198,8 @@ int main(void) {
 """
 
 
-@pytest.mark.parametrize("scalar", [pytest.param(False, marks=pytest.mark.slow), True])
+@pytest.mark.slow
+@pytest.mark.parametrize("scalar", [False, True])
 def test_one_program_runs_with_baked_and_other_kits(scalar: bool, tmp_path: Path) -> None:
     robot, printed = machines.dasgupta(), []
     height = float(home_pose(robot).t[2])

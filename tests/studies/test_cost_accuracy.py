@@ -151,6 +151,7 @@ def test_a_motion_without_forces_is_rejected(monkeypatch: pytest.MonkeyPatch) ->
         cost(robot, {"still": at_rest(papers_motions()["I"])})
 
 
+@pytest.mark.slow
 def test_constants_that_float_cannot_hold_leave_float_out(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
     robot = dataclasses.replace(dasgupta(), M=1e39)

@@ -93,7 +93,7 @@ def test_near_a_failure_every_kernel_is_right_or_says_so(family: failures.Family
 
 
 def test_random_cases_near_failure_are_right_or_say_so() -> None:
-    cases = share(50_000)
+    cases = share(50_000, 50)
     found = study.sweep(cases, seed=11)
     assert found["cases"] >= 0.99 * cases
     assert [count["shown"] for count in found["counts"] if count["shown"]] == []
