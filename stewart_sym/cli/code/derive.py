@@ -14,7 +14,6 @@ from pathlib import Path
 
 from ...io.arguments import shown
 from ...io.atomic_write import ResultFolder, write_file
-from ...io.progress import Progress
 from ...studies.common.report import Report
 from ..command import Arguments, Parser, hint, results
 
@@ -27,6 +26,10 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> int:
+    from ...derive.generated_files import generated_files
+    from ...derive.on_demand import committed
+    from ...dynamics.forces import CORES
+
     installed = Path(str(files("stewart_sym.generated")))
     directory = arguments.output or installed
     if arguments.kernel is not None and (arguments.check or directory == installed):
@@ -35,18 +38,24 @@ def run(arguments: Arguments) -> int:
         # The installed kernels have no record, because they are part of this program.
         own = arguments.check or directory == installed
         folder = None if own else ResultFolder(directory, arguments.force)
-        lines, kernels = [], []
-        data: dict[str, list[str]] = {}
+        seconds: dict[str, float] = {}
+
+        def note(name: str, time_s: float, share: float) -> None:
+            progress(f"derived {name}", share)
+            seconds[name] = time_s
+
         if arguments.kernel is not None:
-            stored = texts = _one(arguments.kernel)
+            stored = texts = _one_kernel(arguments.kernel)
         else:
-            seconds, texts = _derived(progress)
-            stored = _committed(texts)
-            for name, time_s in seconds.items():
-                count = _operations(texts.get(f"{name}.py", ""))
-                kernels.append({"name": name, "time_s": time_s, "operations_per_pose": count})
-                counts = "" if count is None else f"   operations per pose: {count}"
-                lines.append(f"{name:<16} {time_s:6.1f} s{counts}")
+            texts = generated_files(note, CORES)
+            stored = committed(texts)
+        lines, kernels = [], []
+        for name, time_s in seconds.items():
+            count = _operations(texts.get(f"{name}.py", ""))
+            kernels.append({"name": name, "time_s": time_s, "operations_per_pose": count})
+            counts = "" if count is None else f"   operations per pose: {count}"
+            lines.append(f"{name:<16} {time_s:6.1f} s{counts}")
+        data: dict[str, list[str]] = {}
         if arguments.check:
             more, data = _compared(directory, texts, stored)
         else:
@@ -60,22 +69,7 @@ def run(arguments: Arguments) -> int:
     return 1 if any(data.values()) else 0
 
 
-def _derived(progress: Progress) -> tuple[dict[str, float], dict[str, str]]:
-    """Derive all kernels; return the time of each kernel (s) and the texts of all files."""
-    from ...derive.generated_files import generated_files
-    from ...dynamics.forces import CORES
-
-    seconds: dict[str, float] = {}
-
-    def note(name: str, time_s: float, share: float) -> None:
-        progress(f"derived {name}", share)
-        seconds[name] = time_s
-
-    texts: dict[str, str] = generated_files(note, CORES)
-    return seconds, texts
-
-
-def _one(name: str) -> dict[str, str]:
+def _one_kernel(name: str) -> dict[str, str]:
     """Derive one of the kernels that are derived at first use; raise ValueError for another name."""
     from ...derive.on_demand import ON_DEMAND, TABLE, kernel_files
 
@@ -84,14 +78,6 @@ def _one(name: str) -> dict[str, str]:
         raise ValueError(f"--kernel: expected {expected}, got {shown(name)}{hint(name, ON_DEMAND)}")
     texts: dict[str, str] = kernel_files(name)
     return texts
-
-
-def _committed(texts: Mapping[str, str]) -> dict[str, str]:
-    """Replace the texts of kernels that are derived at first use by the table of their digests."""
-    from ...derive.on_demand import committed
-
-    files: dict[str, str] = committed(texts)
-    return files
 
 
 def _operations(module: str) -> int | None:
