@@ -9,6 +9,9 @@ from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_below, legend_line, new_figure
 
+_CURVE: dict[str, Any] = {"color": BLUE, "linewidth": 1.0}
+_MOST = 4000
+"""Number of samples above which a curve is a bitmap also in SVG files."""
 _FAR = 5.0
 """Ratio of a limit to the largest value of all legs above which the limit is not drawn."""
 LIMIT: dict[str, Any] = {"color": RED, "linewidth": 1.1, "linestyle": (0, (4, 2))}
@@ -41,7 +44,7 @@ def _forces(panels: NDArray[Any], robot: Robot, time: NDArray[Any], F: NDArray[A
     """Draw a panel of each leg with its force over time."""
     for leg, axes in enumerate(panels):
         _share_scales(axes, panels[0])
-        axes.plot(time, F[:, leg], color=BLUE, linewidth=1.0)
+        axes.plot(time, F[:, leg], rasterized=len(time) > _MOST, **_CURVE)
         limit = float(robot.force_limit[leg])
         draw_limit(axes.axhline, limit, F, LIMIT)
         axes.set_title(f"leg {leg + 1}{_named('limit', limit, 'N')}", fontsize=9.0)
@@ -56,7 +59,7 @@ def _motors(panels: NDArray[Any], robot: Robot, torque: NDArray[Any], speed: NDA
     rates = speed / units.radians
     for leg, axes in enumerate(panels):
         _share_scales(axes, panels[0])
-        axes.plot(rates[:, leg], torque[:, leg], color=BLUE, linewidth=1.0)
+        axes.plot(rates[:, leg], torque[:, leg], rasterized=len(rates) > _MOST, **_CURVE)
         rated, peak = float(drive.rated_torque[leg]), float(drive.torque_limit[leg])
         fastest = float(drive.speed_limit[leg]) / units.radians
         draw_limit(axes.axhline, rated, torque, _RATED)
