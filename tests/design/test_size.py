@@ -19,7 +19,7 @@ from stewart_sym.design.limit_margins import compared
 from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, WITHIN, legs_text
 from stewart_sym.io.arguments import status_text
 from stewart_sym.motion.trajectory import Trajectory
-from stewart_sym.studies.design.actuator_report import report
+from stewart_sym.studies.design.actuator_report import figure, report
 from stewart_sym.studies.reports.track import Digest, in_parts
 
 
@@ -97,6 +97,14 @@ def test_motors_are_sized_where_there_are_drives() -> None:
     np.testing.assert_allclose(needs.torque[-1], effort.peak_torque, rtol=1e-12)
     np.testing.assert_allclose(needs.rms_torque, effort.rms_torque, rtol=1e-9)
     assert [line[:18] for line in compared(driven, needs).exceeded] == ["drive.torque_limit"] * 6
+    panels = figure(driven, needs).axes
+    assert [axes.get_ylabel()[:12] for axes in panels] == [
+        "actuator for",
+        "length, m",
+        "joint angle,",
+        "motor torque",
+    ]
+    np.testing.assert_allclose([bar.get_height() for bar in panels[1].patches[6:]], needs.stroke)
 
 
 def test_what_is_no_question_is_one_line() -> None:

@@ -14,6 +14,7 @@ from stewart_sym.backend.kernel import MOTION
 from stewart_sym.dynamics.sample_poses import MAX_CONDITION, poses, sample
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse_kinematics import clear_of_joint_singularities
+from stewart_sym.kit.extreme_motions import extreme_motions
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.kit.vectors import vectors
 
@@ -107,3 +108,14 @@ def test_poses_begin_with_the_examples_and_are_all_good() -> None:
 def test_constants_that_float_cannot_hold_are_an_error(change: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         vectors(dataclasses.replace(machine(), **change), ("forces",), precision="float")
+
+
+def test_extreme_motions_are_of_solvable_poses_and_some_near_joint_singularities() -> None:
+    robot = machine()
+    first = sample(robot, "exact")
+    found = extreme_motions(robot, first, True)
+    clear = [clear_of_joint_singularities(robot, ss.inverse_kinematics(robot, each)) for each in found]
+    assert not all(clear)
+    assert len(extreme_motions(robot, first, False)) == sum(map(bool, clear))
+    for each in found:
+        assert np.isfinite(ss.inverse_dynamics(robot, each).F).all()

@@ -2,15 +2,17 @@
 
 import csv
 import io
+import math
 from pathlib import Path
 
 import matplotlib.image
 import numpy as np
 import pytest
 from chart_tables import entry_of
-from cost_figures import LEVELS, chart, made_up
+from cost_figures import LEVELS, chart, errors, made_up
 from matplotlib.figure import Figure
 
+from stewart_sym.studies.accuracy import cost_plot
 from stewart_sym.studies.accuracy.cost import worst
 from stewart_sym.studies.accuracy.cost_plot import ROUNDING, TOTAL, Point, csv_rows, front, points
 from stewart_sym.studies.common.report import SMALL, Picture, draw
@@ -58,6 +60,21 @@ def test_the_front_holds_what_nothing_beats() -> None:
     expected = {(p.ns, p.worst) for p, lost in zip(given, beaten, strict=True) if not lost}
     assert {(point.ns, point.worst) for point in best} == expected
     assert [point.ns for point in best] == sorted({point.ns for point in best})
+
+
+def test_points_without_an_answer_are_drawn_above_all_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    # Names of points take long to place.
+    monkeypatch.setattr(cost_plot, "name_points", lambda *_: None)
+    found = made_up()
+    unsolvable = [
+        e | {"errors": {"I": errors(0.0, 0.0, math.inf if e["precision"] == "float" else 1e-15)}}
+        for e in found["candidates"]
+    ]
+    given = found | {"candidates": unsolvable, "implementations": []}
+    left, right = (
+        [text.get_text() for text in axes.get_yticklabels()] for axes in cost_plot.figure(given).axes
+    )
+    assert left[-1] == right[-1] == "unsolvable"
 
 
 def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
