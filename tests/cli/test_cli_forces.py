@@ -15,7 +15,7 @@ from plain_logs import read_log
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.drives.limits import trapezoids
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 
 def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) -> None:

@@ -20,7 +20,7 @@ from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, WITHIN
 from stewart_sym.io.arguments import status_text
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.studies.design.actuator_report import figure, report
-from stewart_sym.studies.reports.track import Digest, in_parts
+from stewart_sym.studies.reports.force_report import Digest, in_parts
 
 
 def along(seed: int, count: int = 200) -> tuple[ss.Robot, np.ndarray, ss.Motion]:

@@ -14,7 +14,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.kinematics.pose_search import rates_per_twist
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 # Joint-space trajectories
 

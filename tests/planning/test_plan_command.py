@@ -23,7 +23,7 @@ from stewart_sym.kinematics.trajectory_writer import trajectory_columns
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.trajectory_format import EULER_ORDERS, TrajectoryFormat
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
 SHORT = "[[via]]".join(VIA.split("[[via]]")[:4])

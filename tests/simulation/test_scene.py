@@ -14,7 +14,7 @@ from stewart_sym.kinematics.trajectory_writer import trajectory_columns
 from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.simulation.scene import read_scene
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 SWING = """
 schema = 1

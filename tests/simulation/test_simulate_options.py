@@ -16,7 +16,7 @@ from robot_files import PAPERS
 import stewart_sym as ss
 from stewart_sym.simulation.actuator_models import along
 from stewart_sym.simulation.scene import read_scene
-from stewart_sym.studies.reports.run import report, summary
+from stewart_sym.studies.reports.simulation_report import report, summary
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 ZERO = np.zeros(3)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.actuator_models import along
-from stewart_sym.studies.reports.run import springs_drift
-from stewart_sym.studies.reports.run import summary as run_summary
+from stewart_sym.studies.reports.simulation_report import springs_drift
+from stewart_sym.studies.reports.simulation_report import summary as run_summary
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(3)

@@ -49,7 +49,7 @@ from stewart_sym.studies.accuracy.advice import (
 )
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
 from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, worst
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 

@@ -19,7 +19,7 @@ from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy.budget import papers_motions, read_budget
 from stewart_sym.studies.accuracy.cost import cost
-from stewart_sym.studies.common.output import Figures, csv_lines
+from stewart_sym.studies.common.text_tables import Figures, csv_lines
 
 pytestmark = pytest.mark.usefixtures("quickly")
 

@@ -12,7 +12,7 @@ from microcontroller import right
 from sweeps import FULL
 
 from stewart_sym.io.json_text import json_text
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 INSTRUCTIONS = {"double": 3300, "float": 2850}
 """Of a kit of a precision at the kit's own flags, at most."""

@@ -9,7 +9,7 @@ Exit code: 0, or 2 if the file is not valid.
 Example: stewart-sym check hexapod.toml -o hexapod
 """
 
-from ...studies.reports.describe import report
+from ...studies.reports.robot_report import report
 from ..command import Arguments, Parser, results
 from ..inputs import robot_of
 

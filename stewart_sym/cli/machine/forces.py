@@ -19,7 +19,7 @@ from ...io.extras import need
 from ...motion.trajectory import noise_text
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import SMALL, Picture, Report, draw
-from ...studies.reports.track import NOISE_THRESHOLD, Digest, header_lines, in_parts
+from ...studies.reports.force_report import NOISE_THRESHOLD, Digest, header_lines, in_parts
 from ..command import Arguments, Parser, positive, results
 from ..inputs import robot_of, trajectory_of
 

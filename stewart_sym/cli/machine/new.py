@@ -16,7 +16,7 @@ import stewart_sym as ss
 
 from ...robot.draft import Draft
 from ...studies.common.report import Report
-from ...studies.reports.describe import report
+from ...studies.reports.robot_report import report
 from ..command import Arguments, Parser, finite, positive, results
 from ..inputs import warn_of_doubts
 

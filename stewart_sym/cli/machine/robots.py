@@ -9,8 +9,8 @@ Example: stewart-sym robots --show tsai2000 -o tsai2000.toml
 import stewart_sym as ss
 
 from ...io.arguments import option
-from ...studies.common.output import aligned
 from ...studies.common.report import Report
+from ...studies.common.text_tables import aligned
 from ..command import Arguments, Parser, results
 
 

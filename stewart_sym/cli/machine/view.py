@@ -18,7 +18,7 @@ from ...dynamics.home_pose import home_pose
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...studies.common.report import Report
-from ...studies.reports.track import view_data
+from ...studies.reports.force_report import view_data
 from ...viewer import motion_history
 from ...viewer.motion_history import MotionHistory
 from ...viewer.page import BEGINNING

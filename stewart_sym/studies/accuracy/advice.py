@@ -14,7 +14,7 @@ from ...derive.mechanics.legs.rotor import FULL, NONE
 from ...derive.mechanics.reduced_models import level_of
 from ...robot.fields import need_axisymmetric
 from ...robot.robot import Robot
-from ..common.output import Figures, aligned
+from ..common.text_tables import Figures, aligned
 from .budget import Budget
 from .cost import SAMPLED, Candidate, candidate_of, worst
 

@@ -30,7 +30,7 @@ from ...motion.motion import Motion
 from ...precision.exact_forces import Truth, deviation
 from ...robot.robot import Robot
 from ..common import host
-from ..common.output import Figures
+from ..common.text_tables import Figures
 from ..common.timing import Task, batch, loop, measured, over
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")

@@ -19,8 +19,8 @@ from ..common.drawing import (
     name_points,
     new_figure,
 )
-from ..common.output import Figures, csv_text
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Figures, csv_text
 from .advice import table
 from .cost import candidate_of
 

@@ -13,8 +13,8 @@ from ...robot.robot import Robot
 from ..common import host, timing
 from ..common.drawing import BLUE, Figure, new_figure
 from ..common.host import DISTURBED
-from ..common.output import Figures, aligned
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Figures, aligned
 from .case import CALLS, EQUATIONS, FORCES, PASSES, SIZES, bench_poses
 from .cases import CLOSED, INVERSE, MANY, NAME, PLAIN, all_cases
 

@@ -15,7 +15,7 @@ from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ..common.output import Figures
+from ..common.text_tables import Figures
 from ..common.timing import Task
 
 FORCES, EQUATIONS, CALLS, SIZES, PASSES = "forces", "equations of motion", "calls", "batch sizes", "passes"

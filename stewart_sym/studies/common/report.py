@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...io.atomic_write import ResultFolder, write_file
 from ...io.json_text import json_text
 from ...io.progress import Progress, silent
-from .output import csv_lines
+from .text_tables import csv_lines
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

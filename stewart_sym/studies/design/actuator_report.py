@@ -17,8 +17,8 @@ from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ...viewer.view import Viewer, view
 from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
-from ..common.output import aligned, columns_of
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import aligned, columns_of
 
 _UNITS = (
     {"force": "N", "speed": "m/s", "power": "W"}

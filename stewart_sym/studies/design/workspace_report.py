@@ -29,8 +29,8 @@ from ...robot.robot import Robot
 from ...robot.units import Units
 from ..common.axis_table import axis_data, axis_text
 from ..common.drawing import DARK, Z_DOWN, Axes, Figure, as_written, legend_below, new_figure, vertical
-from ..common.output import Columns, aligned
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Columns, aligned
 
 POINTS = 121
 """Number of poses of a slice along each axis."""

@@ -11,8 +11,8 @@ import numpy as np
 from ...motion.straight_line import PAPER_PATHS
 from ...reference.newton_euler import EXACT, PAPER
 from ...viewer.view import view
-from ..common.output import Figures, aligned
 from ..common.report import Report
+from ..common.text_tables import Figures, aligned
 from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, claims, counted_fractions
 from .plots import pictures
 from .reproduce import Reproduction, run_columns

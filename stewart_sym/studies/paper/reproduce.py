@@ -21,7 +21,7 @@ from ...reference.newton_euler import EXACT
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...singularities.path_singularities import singularity_crossings
-from ..common.output import Columns, Figures, of_legs
+from ..common.text_tables import Columns, Figures, of_legs
 
 LIGHT_PLATFORM = 4.0
 """Platform mass (kg), comparable to the mass of one leg, for the claim on the mass ratio."""

@@ -10,7 +10,7 @@ from ...drives.motor_states import MotorStates
 from ...drives.noise import Deviations
 from ...io.array_types import Array
 from ...robot.robot import LEGS
-from ..common.output import Columns, leg_table, of_legs
+from ..common.text_tables import Columns, leg_table, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 _HEADINGS = {"power": "shaft power"}

@@ -21,8 +21,8 @@ from ...kinematics.trajectory_writer import trajectory_columns
 from ...motion.sample_times import time_text
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
-from ..common.output import Columns, aligned, columns_of, of_legs
 from ..common.report import Report
+from ..common.text_tables import Columns, aligned, columns_of, of_legs
 
 # Fraction of a normal distribution within one, two, and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)

@@ -27,8 +27,8 @@ from ...robot.units import Units
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
 from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure
-from ..common.output import Columns, by_leg, of_legs
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Columns, by_leg, of_legs
 from .drives import motor_data, motor_table
 from .leg_plot import leg_figure
 

@@ -23,8 +23,8 @@ from ...singularities.path_singularities import (
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import SingularityResult
 from ..common.drawing import BLUE, DARK, RED, Figure, as_written, log_numbers, new_figure
-from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Columns, aligned, by_leg, of_axes, of_legs
 from .machine_plot import twist_figure
 
 _EVEN = 401

@@ -6,7 +6,7 @@ from stewart_sym.io.extras import install
 from stewart_sym.studies.benchmark.benchmark import of_group, ratios
 from stewart_sym.studies.benchmark.case import CALLS, EQUATIONS, FORCES, PASSES, SIZES
 from stewart_sym.studies.benchmark.cases import CLOSED, FORWARD, PLAIN
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 README_ROWS = (
     *("one pose", "batch, one core", "batch, columns", "batch, float", "every output", "NumPy kernel"),

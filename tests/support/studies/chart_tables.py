@@ -5,7 +5,7 @@ from markdown_text import paragraph, table
 from stewart_sym.backend import fidelity
 from stewart_sym.studies.accuracy.budget import MARGIN
 from stewart_sym.studies.accuracy.cost import candidate_of
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 _TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))
 _README_LEVELS = ("massless", "slender", "frictionless", "paper", "general")

@@ -3,7 +3,7 @@
 import numpy as np
 from markdown_text import paragraph, table
 
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 
 def tables(found: Figures) -> dict[str, str]:

@@ -35,7 +35,7 @@ from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ...viewer.view import Viewer
 from ..common.drawing import Figure
-from ..common.output import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
+from ..common.text_tables import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .drives import drive_columns, motor_data, motor_table
 from .leg_plot import leg_figure
 

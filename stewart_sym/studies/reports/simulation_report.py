@@ -22,8 +22,8 @@ from ...simulation.scene import Scene
 from ...simulation.state_history import SimulationResult, StateHistory, leg_states
 from ...simulation.tracking import TrackingError, tracking_error
 from ..common.drawing import BLUE, DARK, RED, Figure, legend_below, log_numbers, new_figure
-from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
+from ..common.text_tables import Columns, aligned, by_leg, of_axes, of_legs
 from ..paper.reproduce import without_friction
 from .drives import motor_data, motor_table
 from .leg_plot import LIMIT, draw_limit
@@ -213,10 +213,11 @@ def figure(robot: Robot, run: SimulationResult, law: ForceLaw) -> Figure:
     grid = picture.subplots(4, 2, sharex=True)
     for axes, panel in zip(grid.flat, panels, strict=True):
         _curves(axes, run.time, *panel)
-    if np.isfinite(robot.force_limit).any():
-        grid.flat[4].plot([], [], label="limit", **LIMIT)
+    count = len(grid.flat[4].lines)
     for limit in np.unique(robot.force_limit):
         draw_limit(grid.flat[4].axhline, float(limit), run.F, LIMIT)
+    for line in grid.flat[4].lines[count : count + 1]:
+        line.set_label("limit")
     _draw_planned(grid.flat, units, run, law)
     for axes in grid.flat:
         _legend(axes)
@@ -251,7 +252,8 @@ def _draw_planned(panels: Any, units: Units, run: SimulationResult, law: ForceLa
     if reference is None:
         return
     time = run.time[:: max(1, len(run.time) // _EVEN)]
-    poses = [reference(float(each)) for each in time]
+    # At its last time a reference is already at rest.
+    poses = [reference(float(each)) for each in np.nextafter(time, 0.0)]
     names = ("R", "t", "omega", "v")
     planned = Motion._unchecked(*(np.stack([getattr(pose, name) for pose in poses]) for name in names))
     position, attitude = _since_start(planned, run.motion)
@@ -273,7 +275,8 @@ def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...
 
 def _tracking(robot: Robot, error: TrackingError) -> tuple[str, list[dict[str, Any]]]:
     """Return a table of RMS and peak of the tracking error of each axis, and the same for the JSON data."""
-    units, step, rows, data = Units.of(robot), least_step(error.time), [], []
+    # The dense history has shorter steps than the times of peaks require.
+    units, step, rows, data = Units.of(robot), error.time[-1] / len(error.time), [], []
     for (name, si), rms, peak, when in zip(_AXES, error.rms, error.peak, error.peak_time, strict=True):
         factor, unit = units.of_unit(si)
         sizes = (f"{factor * size:.3g} {unit}" for size in (rms, peak))
