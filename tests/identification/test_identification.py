@@ -178,7 +178,11 @@ def test_wrong_rows_of_a_log_are_left_out_of_the_fit(tmp_path: Path, run: Run, n
     [
         ("time,F_1", "time,G1", "no column F_1"),
         ("\n0.0,", "\n0.001,", "line 2: time: expected the time 0"),
-        ("\n0.0,", "\n-1.0,1,1,1,1,1,1\n0.0,", "expected 60 rows"),
+        (
+            "\n0.0,",
+            "\n" + "".join(f"{-9 + k}.5,1,1,1,1,1,1\n" for k in range(9)) + "0.0,",
+            "expected 60 rows",
+        ),
     ],
 )
 def test_bad_forces_are_rejected_in_one_line(
@@ -191,6 +195,19 @@ def test_bad_forces_are_rejected_in_one_line(
     assert f"{forces}: " in line
     assert words in line
     assert not (tmp_path / "out").exists()
+
+
+def test_rows_without_numbers_in_one_file_are_left_out_of_both(
+    simulated: Path, tmp_path: Path, run: Run
+) -> None:
+    rows = (simulated / "forces.csv").read_text().splitlines(keepends=True)
+    rows[20] = f"{rows[20].partition(',')[0]},nan,1,1,1,1,1\n"
+    forces = tmp_path / "forces.csv"
+    forces.write_text("".join(rows))
+    inputs = "--measured", simulated / "trajectory.csv", forces, "--json"
+    told = run("identify", PAPERS, *inputs, "-o", tmp_path / "out")
+    assert "1 samples of one file have no sample of the other at their time" in told.err
+    assert json.loads(told.out)["verdict"] == "consistent"
 
 
 def test_forces_with_dates_and_units_are_read_and_their_sign_is_checked(

@@ -12,7 +12,8 @@ import stewart_sym as ss
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies.design import workspace_report
-from stewart_sym.studies.reports import leg_plot, machine_plot, run
+from stewart_sym.studies.reports import leg_plot, machine_plot
+from stewart_sym.studies.reports import simulation_report as run
 
 Array = NDArray[np.float64]
 
