@@ -5,7 +5,8 @@ import sys
 from importlib.metadata import version as installed_version
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent / "extensions"))
+_here = Path(__file__).parent
+sys.path[:0] = [str(_here / "extensions"), str(_here.parent / "tests" / "support" / "studies")]
 os.environ["COLUMNS"] = "100"  # argparse wraps the help at this width
 
 project = "stewart-sym"

@@ -1,8 +1,7 @@
 """Generation of all files of ``generated/``, the last step of ``derive``.
 
 For each formulation: derive the blocks, eliminate common subexpressions, and emit the files. The files depend
-only on this package and on SymPy's minor version, and contain no date, path, or set order. This module does
-not depend on the runtime package. Each process derives a kernel at most once.
+only on this package and on SymPy's minor version. Each process derives a kernel at most once.
 """
 
 import gc
@@ -26,14 +25,14 @@ from .emit.header import common_header, layout
 from .emit.shared import shared_headers
 from .kernel import kinematics as search
 from .kernel.bounds import BoundedForces
-from .kernel.operations import force_operations, kernel_operations
+from .kernel.operations import KernelOperations, force_operations, kernel_operations
 from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.axial_forces import axial_block
 from .mechanics.closed_form.common_steps import PREPARED
 from .mechanics.closed_form.terms import SumKernel
-from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER, Formulation
+from .mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE, FORMULATIONS, PAPER, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
 from .mechanics.legs.rotor import NONE, REFLECTED, rotor_of
@@ -119,7 +118,7 @@ class UnitResult:
     programs: Mapping[str, Program] = field(default_factory=dict)
 
 
-_BASES = {
+BASES = {
     **dict.fromkeys(("paper", "exact_drive", "exact_spherical", "exact_offset"), ("exact",)),
     **dict.fromkeys(("paper_spherical", "exact_spherical_drive"), ("exact", "exact_spherical")),
 }
@@ -149,28 +148,36 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
     models = {name: count for made in found.values() for name, count in made.models.items()}
     headers = {"stewart.h": common_header(version), **shared_headers(version)}
     files = {name: text for made in found.values() for name, text in made.files.items()}
+    programs = {name: each for made in found.values() for name, each in made.programs.items()}
+    # Modules of the forces alone import nothing else from ``exact``.
+    forces = {**programs, "exact": array_program("exact", forces_alone=True)}
+    for name in programs:
+        bases = programs if BY_KERNEL.get(name) in WHOLE else forces
+        files[f"{name}_arrays.py"] = array_module(name, bases, version)
     return {
         **_in_c_folder(headers),
         "every_output.py": arrays.shared_module(version),
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
         "__init__.py": filled("package.py", version=version),
         **files,
-        **_array_modules({name: each for made in found.values() for name, each in made.programs.items()}),
         "interface.py": layout(models, headers, version),
     }
 
 
-def _array_modules(programs: Mapping[str, Program]) -> dict[str, str]:
-    """Print the array modules, text by file name."""
-    version = generator_version()
-    files = {}
-    for name, made in programs.items():
-        if bases := _BASES.get(name):
-            text = arrays.module_beside({each: programs[each] for each in bases}, made, version)
-        else:
-            text = arrays.module(made, arrays.imported(made), version)
-        files[f"{name}_arrays.py"] = text
-    return files
+def array_program(name: str, forces_alone: bool = False) -> Program:
+    """Derive the kernel tree of the array module of one kernel, on request without its other outputs."""
+    form = BY_KERNEL.get(name)
+    if form is None:
+        return program(reduced_offsets())
+    return output_program(form, OUTPUTS if form in WHOLE and not forces_alone else (FORCES,))
+
+
+def array_module(name: str, programs: Mapping[str, Program], version: str) -> str:
+    """Print the array module of one kernel; ``programs`` contains also the kernels of ``BASES``."""
+    made, bases = programs[name], {each: programs[each] for each in BASES.get(name, ())}
+    if bases:
+        return arrays.module_beside(bases, made, version)
+    return arrays.module(made, arrays.imported(made), version)
 
 
 def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[UnitResult, float]]:
@@ -191,30 +198,57 @@ def _timed(name: str) -> tuple[UnitResult, float]:
 
 def _formulation(form: Formulation, version: str) -> UnitResult:
     """Derive all outputs and the forces of one formulation, its closed form, and its axial forces."""
-    built, forces, smooth = reduced(form), prepared_model(form), None
-    counts, force_counts = {"friction": kernel_operations(built)}, {"friction": force_operations(forces)}
-    if form in COMPARED:
-        smooth = reduced_forces(form, friction=False)
-        counts["frictionless"] = kernel_operations(reduced(form, friction=False))
-        force_counts["frictionless"] = force_operations(smooth)
-    found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
-    files = _in_c_folder(
-        inverse_dynamics_text.files(built, counts, version) | lanes.files(forces, version, smooth)
-    ) | {
-        f"{form.kernel_name}.py": arrays.every_output(built, counts, force_counts, version),
-    }
+    made = [outputs_in_c(form, version), outputs_in_python(form, version), forces_in_c(form, None, version)]
     if form in WHOLE:
-        files |= _closed_form(form, version)
+        made += [closed_form_in_c(form, version), _closed_form_operations(form, version)]
     if form.drive:
-        files |= _in_c_folder(torque_text.axial_files(form, reduced_axial(form), version))
-    return UnitResult(files, {form.kernel_name: lanes.model_numbers(forces)}, {form.kernel_name: found})
+        made.append(axial_forces_in_c(form, version))
+    files = {name: text for each in made for name, text in each.files.items()}
+    models = {name: count for each in made for name, count in each.models.items()}
+    return UnitResult(files, models, {form.kernel_name: array_program(form.kernel_name)})
 
 
-def _bounds(form: Formulation, version: str) -> UnitResult:
+def outputs_in_c(form: Formulation, version: str) -> UnitResult:
+    """Print the inverse dynamics with all outputs of one formulation in C."""
+    return UnitResult(_in_c_folder(inverse_dynamics_text.files(reduced(form), _counts(form), version)))
+
+
+def outputs_in_python(form: Formulation, version: str) -> UnitResult:
+    """Print the inverse dynamics with all outputs of one formulation in Python."""
+    counts = {"friction": force_operations(prepared_model(form))}
+    if form in COMPARED:
+        counts["frictionless"] = force_operations(reduced_forces(form, friction=False))
+    text = arrays.every_output(reduced(form), _counts(form), counts, version)
+    return UnitResult({f"{form.kernel_name}.py": text})
+
+
+@cache
+def _counts(form: Formulation) -> dict[str, KernelOperations]:
+    """Count the operations of all outputs with friction and, for ``COMPARED``, without."""
+    counts = {"friction": kernel_operations(reduced(form))}
+    if form in COMPARED:
+        counts["frictionless"] = kernel_operations(reduced(form, friction=False))
+    return counts
+
+
+def forces_in_c(form: Formulation, level: Fidelity | None, version: str) -> UnitResult:
+    """Print the forces of one fidelity level in C; None is the level ``general``."""
+    built = prepared_model(form) if level is None else reduced_fidelity(form, level)
+    smooth = reduced_forces(form, friction=False) if level is None and form in COMPARED else None
+    files = lanes.files(built, version, smooth)
+    return UnitResult(_in_c_folder(files), {built.name: lanes.model_numbers(built)})
+
+
+def bounds_in_c(form: Formulation, version: str) -> UnitResult:
     """Derive the forces of one of ``WHOLE`` with bounds of their rounding errors."""
     bounded = BoundedForces(reduced_forces(form))
     models = {f"{form.kernel_name}_bounds": bounded.model_numbers()}
     return UnitResult(_in_c_folder(bounds.files(bounded, version)), models)
+
+
+def axial_forces_in_c(form: Formulation, version: str) -> UnitResult:
+    """Derive the axial forces of a formulation with rotors."""
+    return UnitResult(_in_c_folder(torque_text.axial_files(form, reduced_axial(form), version)))
 
 
 def _regressors_kinematics_torques(version: str) -> UnitResult:
@@ -232,17 +266,27 @@ def _regressors_kinematics_torques(version: str) -> UnitResult:
 
 def _offset_joints(version: str) -> UnitResult:
     """Derive the forces of legs with offset joints."""
-    built = shared_blocks(offset_kernel())
+    built, made = reduced_offsets(), offset_forces_in_c(version)
     row = f'    "forces": {force_operations(built).total.total},'
-    files = _in_c_folder(lanes.files(built, version)) | {
-        f"{built.name}_operations.py": filled("operations.py", version=version, rows=row),
-    }
-    return UnitResult(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
+    counts = {f"{built.name}_operations.py": filled("operations.py", version=version, rows=row)}
+    return UnitResult({**made.files, **counts}, made.models, {built.name: array_program(built.name)})
+
+
+def offset_forces_in_c(version: str) -> UnitResult:
+    """Print the forces of legs with offset joints in C."""
+    built = reduced_offsets()
+    return UnitResult(_in_c_folder(lanes.files(built, version)), {built.name: lanes.model_numbers(built)})
 
 
 def _in_c_folder(files: dict[str, str]) -> dict[str, str]:
     """Prefix the names of C files with their folder."""
     return {f"c/{name}": text for name, text in files.items()}
+
+
+@cache
+def reduced_offsets() -> ForceKernel:
+    """Derive the force kernel of legs with offset joints, and eliminate its common subexpressions."""
+    return shared_blocks(offset_kernel())
 
 
 @cache
@@ -257,13 +301,19 @@ def _fidelities(version: str) -> UnitResult:
     models: dict[str, int] = {}
     kernels = {}
     for level in (*FIDELITIES.values(), *DRIVE_FIDELITIES.values()):
-        built = reduced_fidelity(EXACT if level.rotor == NONE else EXACT_DRIVE, level)
-        kernels[level] = built if built.fidelity != "general" else prepared_model(built.formulation)
-        if built.fidelity != "general":
-            models[built.name] = lanes.model_numbers(built)
-            files |= _in_c_folder(lanes.files(built, version))
+        form, general = form_of_level(level), level.name == "general"
+        kernels[level] = prepared_model(form) if general else reduced_fidelity(form, level)
+        if not general:
+            made = forces_in_c(form, level, version)
+            files.update(made.files)
+            models.update(made.models)
     files["fidelities.py"] = arrays.fidelities(kernels, version)
     return UnitResult(files, models)
+
+
+def form_of_level(level: Fidelity) -> Formulation:
+    """Return the formulation from which a fidelity level is derived."""
+    return EXACT if level.rotor == NONE else EXACT_DRIVE
 
 
 def reduced_motion(
@@ -327,18 +377,22 @@ def motion_files(functions: Collection[str], form: Formulation = EXACT) -> dict[
     return motion.files(sums, prepared_model(form), generator_version(), functions)
 
 
-def _closed_form(form: Formulation, version: str) -> dict[str, str]:
+def closed_form_in_c(form: Formulation, version: str) -> UnitResult:
+    """Print all functions of the closed form in C."""
+    return UnitResult(_in_c_folder(motion_files(motion.FUNCTIONS, form)))
+
+
+def _closed_form_operations(form: Formulation, version: str) -> UnitResult:
+    """Count the operations of the closed form."""
     rows = [f'    "{each.name}": {motion.sum_operations(each).total},' for each in reduced_motion(form=form)]
-    return {
-        f"{form.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
-        **_in_c_folder(motion_files(motion.FUNCTIONS, form)),
-    }
+    text = filled("operations.py", version=version, rows="\n".join(rows))
+    return UnitResult({f"{form.kernel_name}_operations.py": text})
 
 
 UNITS: Mapping[str, Callable[[str], UnitResult]] = {
     **{form.kernel_name: partial(_formulation, form) for form in WHOLE},
     "fidelities": _fidelities,
-    **{f"{form.kernel_name}_bounds": partial(_bounds, form) for form in WHOLE},
+    **{f"{form.kernel_name}_bounds": partial(bounds_in_c, form) for form in WHOLE},
     **{form.kernel_name: partial(_formulation, form) for form in FORMULATIONS if form not in WHOLE},
     "exact_offset": _offset_joints,
     "regressors, kinematics and torques": _regressors_kinematics_torques,

@@ -70,8 +70,8 @@ from .kinematics.inverse_kinematics import wrench_matrix as wrench_matrix
 from .kinematics.inverse_kinematics import wrench_matrix_rate as wrench_matrix_rate
 from .kinematics.jacobian import inverse_jacobian as inverse_jacobian
 from .kinematics.jacobian import jacobian as jacobian
-from .kinematics.mounting import AssemblyModeWarning as AssemblyModeWarning
-from .kinematics.mounting import up_direction as up_direction
+from .kinematics.mounting_side import AssemblyModeWarning as AssemblyModeWarning
+from .kinematics.mounting_side import up_direction as up_direction
 from .kinematics.offset_legs import MotorAnglesResult as MotorAnglesResult
 from .kinematics.offset_legs import motor_angles as motor_angles
 from .kinematics.offset_legs import pose_from_motor_angles as pose_from_motor_angles

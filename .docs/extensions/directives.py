@@ -1,6 +1,7 @@
 """What the pages of reference ask for by directives.
 
 ``{statuses}`` and ``{structs}``: tables of the C interface, from the table that writes the headers.
+``{derived} PATH``: a file of ``generated/`` that is derived at first use.
 ``{subcommands}``: a section for each subcommand, from its argparse parser.
 ``{public} FOLDER ...``: the public names that modules in these folders define, by autodoc.
 ``{machine} PATH``: the paper's machine on one of its paths, as ``stewart-sym view`` shows it.
@@ -14,15 +15,16 @@ from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from markdown_text import table
 from sphinx.application import Sphinx
 from sphinx.pycode import ModuleAnalyzer
 from sphinx.util.docutils import SphinxDirective
 
 import stewart_sym as ss
+from stewart_sym.backend.kernel_sources import generated_text
 from stewart_sym.cli import main
 from stewart_sym.derive.kernel.interface import STRUCTS
 from stewart_sym.derive.trace.constants import STATUSES
-from stewart_sym.studies.common.output import table
 from stewart_sym.viewer.view import frame
 
 _HEIGHT = 780
@@ -48,6 +50,17 @@ class Structs(SphinxDirective):
             rows = [(f"`{each.name}{each.dims}`", each.unit, each.meaning) for each in members]
             parts.append(f"**`stewart_{name}`**\n\n{table(('member', 'unit', 'meaning'), rows)}")
         return self.parse_text_to_nodes("".join(parts))
+
+
+class Derived(SphinxDirective):
+    """File that ``generated/`` does not contain."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """Return one block of code."""
+        text = generated_text(self.arguments[0])
+        return [nodes.literal_block(text, text, language="c")]
 
 
 def parsers() -> dict[str, argparse.ArgumentParser]:
@@ -194,6 +207,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives and the corrections of autodoc."""
     app.connect("autodoc-skip-member", _is_alias)
     app.connect("autodoc-process-signature", _named_defaults)
-    for directive in (Statuses, Structs, Subcommands, Public, Machine):
+    for directive in (Statuses, Structs, Derived, Subcommands, Public, Machine):
         app.add_directive(directive.__name__.lower(), directive)
     return {"parallel_read_safe": True}

@@ -5,7 +5,6 @@ import functools
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -19,16 +18,13 @@ from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot.robot import Robot
 from . import native
 from .kernel import MOTION, defines_of, offset_numbers, overflows, robot_kernel, robot_numbers, takes_rotors
+from .kernel_sources import generated_text
 
 
 def c_sources(name: str) -> dict[str, str]:
     """Return the generated C sources of one kernel, text by file name."""
-    return {file: generated_c(file) for file in (*HEADERS, f"stewart_{name}.h", f"stewart_{name}.c")}
-
-
-def generated_c(file: str) -> str:
-    """Read a file of the generated C."""
-    return (files("stewart_sym.generated") / "c" / file).read_text(encoding="utf-8")
+    names = (*HEADERS, f"stewart_{name}.h", f"stewart_{name}.c")
+    return {file: generated_text(f"c/{file}") for file in names}
 
 
 @functools.cache

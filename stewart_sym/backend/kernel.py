@@ -1,7 +1,7 @@
 """Names and modules of the generated kernels, and the constants of a robot in the order of the kernels."""
 
-import importlib
 from collections.abc import Sequence
+from importlib import import_module
 from types import ModuleType
 
 import numpy as np
@@ -11,6 +11,7 @@ from ..io.arguments import option
 from ..io.array_types import Array
 from ..robot.offsets import JointOffsets, need_no_offsets
 from ..robot.robot import Robot, need_masses, of_symbol
+from .kernel_sources import PACKAGE
 
 FORMULATIONS = ("exact", "paper")
 MOTION = STRUCTS["motion"]
@@ -73,7 +74,7 @@ def defines_of(name: str) -> tuple[str, ...]:
 
 def module(name: str) -> ModuleType:
     """Import the generated NumPy module of one kernel."""
-    return importlib.import_module(f"stewart_sym.generated.{name}")
+    return import_module(f"{PACKAGE}.{name}")
 
 
 def robot_numbers(robot: Robot, rotors: bool = False) -> Array:

@@ -16,6 +16,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from .cache import cache_folder, locked
+
 # Code on Windows is always position independent, and clang rejects the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
 _COMMON = ("-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off")
@@ -81,7 +83,7 @@ def load(
     inputs = (name, sorted(sources.items()), command, compiler.version, _processor())
     file = f"{name}-{hashlib.sha256(repr(inputs).encode()).hexdigest()[:32]}{_SUFFIX}"
     if file not in _loaded:
-        library = _cache_folder() / file
+        library = cache_folder() / file
         try:
             if not library.exists():
                 _publish(library, name, sources, command)
@@ -144,23 +146,10 @@ def _processor() -> str:
 
 def _publish(library: Path, name: str, sources: Mapping[str, str], command: tuple[str, ...]) -> None:
     """Compile a library in a temporary folder, and move it into the cache folder, once for all processes."""
-    library.parent.mkdir(parents=True, exist_ok=True)
-    with library.with_suffix(".lock").open("w") as lock:
-        # On Windows, two processes may compile the same library.
-        if sys.platform != "win32":
-            import fcntl
-
-            fcntl.flock(lock, fcntl.LOCK_EX)
+    with locked(library.with_suffix(".lock")):
         if not library.exists():
             with tempfile.TemporaryDirectory(dir=library.parent) as place:
                 os.replace(_compile(Path(place), name, sources, command), library)
-
-
-def _cache_folder() -> Path:
-    import platformdirs
-
-    own = os.environ.get("STEWART_SYM_CACHE")
-    return Path(own or platformdirs.user_cache_dir("stewart-sym", appauthor=False)).absolute()
 
 
 def _compile(folder: Path, name: str, sources: Mapping[str, str], command: tuple[str, ...]) -> Path:

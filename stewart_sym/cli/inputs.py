@@ -18,7 +18,7 @@ from ..motion.trajectory import Trajectory
 from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 from ..plausibility.plausibility import find_implausible
 from ..singularities.joint_space import on_platform
-from .options import LOG_FORM
+from .command import LOG_FORM
 
 FEW_ROWS = 10
 """Number of rows below which a trajectory does not resolve its motion."""
@@ -37,10 +37,7 @@ def robot_of(source: Path) -> ss.Robot:
 
 
 def warn_of_doubts(robot: ss.Robot, source: Path) -> None:
-    """Warn of implausible values of a robot, one line each.
-
-    ``source`` is the file that contains or references the robot.
-    """
+    """Warn of implausible values of a robot, one line each; ``source`` is the file of the robot or scene."""
     for name, text in find_implausible(robot):
         warn(f"{source}: {text} [{name}]", ss.RobotWarning)
 
@@ -69,11 +66,9 @@ def plain_trajectory(source: Path, arguments: argparse.Namespace, progress: Prog
 
 def _smoothing(arguments: argparse.Namespace, form: ss.TrajectoryFormat) -> ss.SmoothingOptions:
     """Return the smoothing that the options specify, for a file of this format."""
-    if not arguments.smoothing:
-        for name in ("position_std", "angle_std", "cutoff"):
-            if getattr(arguments, name) is not None:
-                option = name.replace("_", "-")
-                raise ValueError(f"--{option} and --no-smoothing cannot be given together")
+    for name in () if arguments.smoothing else ("position_std", "angle_std", "cutoff"):
+        if getattr(arguments, name) is not None:
+            raise ValueError(f"--{name.replace('_', '-')} and --no-smoothing cannot be given together")
     return ss.SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
 
 
@@ -83,10 +78,8 @@ def _resampled(trajectory: Trajectory, arguments: argparse.Namespace) -> Traject
         return trajectory
     few = ss.resample(trajectory, arguments.rate)
     if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
-        span = f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at {arguments.rate:g} Hz"
-        finding = (
-            f"{len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(trajectory.time)} rows in {span}"
-        )
+        finding = f"{len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(trajectory.time)} rows in "
+        finding += f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at {arguments.rate:g} Hz"
         warn(f"{trajectory.source}: {finding}; the motion between them is not computed; raise --rate")
     return few
 
@@ -110,10 +103,7 @@ def log_format(arguments: argparse.Namespace) -> ss.TrajectoryFormat:
 
 
 def poses_of(
-    robot: ss.Robot,
-    log: Trajectory,
-    arguments: argparse.Namespace,
-    progress: Progress,
+    robot: ss.Robot, log: Trajectory, arguments: argparse.Namespace, progress: Progress
 ) -> Trajectory:
     """Return the poses of a log, computed by forward kinematics if the log contains leg lengths."""
     start = None if arguments.pose_guess is None else np.asarray(arguments.pose_guess)

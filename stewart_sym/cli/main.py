@@ -19,7 +19,7 @@ from ..backend.native import CompilerError
 from ..io.arguments import shown
 from ..io.extras import needed_for
 from . import renamed
-from .options import Parser, hint
+from .command import Parser, hint
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
 GROUPS = {
@@ -63,8 +63,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 130
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
         text, file = one_line(error), getattr(arguments, "robot", None)
-        if isinstance(file, Path) and text.startswith("robot: "):
-            text = f"{file}: {text.removeprefix('robot: ')}"
+        if isinstance(file, Path) and text.removeprefix(f"{file}: ").startswith("robot: "):
+            text = text.removeprefix(f"{file}: ").replace("robot", str(file), 1)
         print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()

@@ -18,11 +18,9 @@ PROGRAM = "stewart-sym"
 _WIDTH = 24
 """Width of the progress bar (characters)."""
 _PAUSE = 0.2
-_VALUED = "length_unit|angle_unit|time_unit|length_mode|pose_mode"
-"""Parameters that messages state with a value."""
-_NAMED = "position_std|angle_std|drop_lines|row_rate|time_unit|length_unit|length_mode"
-"""Parameters that messages state without a value."""
 """Shortest time between two updates of the progress line (s)."""
+_NAMED = "length_unit|angle_unit|time_unit|length_mode|pose_mode|position_std|angle_std|drop_lines|row_rate"
+"""Parameters that messages name, some of them with a value."""
 
 
 @contextlib.contextmanager
@@ -71,11 +69,9 @@ def _bar(share: float, passed: float) -> str:
 
 @contextlib.contextmanager
 def warnings_in_lines() -> Iterator[None]:
-    """Print the warnings of the block at its end, one line each, before the error message of the block.
-
-    NumPy's warnings of overflows are not printed, because results show the non-finite numbers.
-    """
+    """Print the warnings of the block at its end, one line each, before the error message of the block."""
     with warnings.catch_warnings(record=True) as caught:
+        # Results show the non-finite numbers.
         warnings.filterwarnings("ignore", ".* encountered in ", RuntimeWarning)
         try:
             yield
@@ -97,15 +93,11 @@ def one_line(error: object) -> str:
 def as_options(text: str) -> str:
     """Replace names of parameters in the remedy of a message by options, such as ``--length-unit mm``."""
     finding, mark, remedy = text.partition("; ")
-    remedy = re.sub(rf"\b({_VALUED})=(\w+)", r"--\1 \2", remedy)
-    remedy = re.sub(r"\bcolumns (?=\w+=)", "--columns ", remedy)
-    remedy = re.sub(rf"(?<!-)\b({_NAMED})\b", r"--\1", remedy)
+    remedy = re.sub(rf"\b({_NAMED})=(?=\w)", r"\1 ", remedy)
+    remedy = re.sub(rf"(?<!-)\b({_NAMED}|columns (?=\w+=))\b", r"--\1", remedy)
     return finding + mark + re.sub(r"--\w+", lambda option: option[0].replace("_", "-"), remedy)
 
 
 def give_up_stdout() -> None:
-    """Replace standard output by the null device.
-
-    The reader has closed the pipe or the disk is full, and the interpreter flushes the stream again at exit.
-    """
+    """Replace standard output, which failed, by the null device, because it is flushed again at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

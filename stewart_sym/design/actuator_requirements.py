@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..drives.effort import trapezoids
-from ..drives.limit_status import SURE
+from ..drives.limit_status import SURE, sides
+from ..drives.limits import trapezoids
 from ..drives.motor_states import motor_states
 from ..drives.noise import all_deviations, at_replaced
 from ..dynamics.inverse_dynamics import Formulation, inverse_dynamics, need_motion
@@ -313,33 +313,24 @@ def _joined(
         every[end] = angles_between(s, neutral[-1])
     if all(each.log is None or each.log.noise is None for each in given):
         return ActuatorHistory(**every)
-    parts = [
-        _noise(robot, each, course, formulation, np.array(neutral))
-        for each, course in zip(given, courses, strict=True)
-    ]
+    parts = [_noise(robot, each, formulation, np.array(neutral)) for each in given]
     sd = {name: read_only(np.concatenate([part[name] for part, _ in parts])) for name in parts[0][0]}
     return ActuatorHistory(**every, std=sd, replaced=np.concatenate([flags for _, flags in parts]))
 
 
 def _noise(
-    robot: Robot, given: _Given, course: dict[str, Array], formulation: Formulation, neutral: Array
+    robot: Robot, given: _Given, formulation: Formulation, neutral: Array
 ) -> tuple[dict[str, Array], Flags]:
     """Return the standard deviations of a motion by name, and a flag for samples of replaced rows."""
     trajectory = Trajectory(given.time, given.motion, "", ()) if given.log is None else given.log
     found = all_deviations(robot, trajectory, formulation, neutral=neutral)
-    ends = {"base": "base_angle", "platform": "platform_angle"}
-    named = {ends.get(name, name): values for name, values in found._asdict().items()}
-    sd = {name: values for name, values in named.items() if name in (*course, "power")}
-    if found.motors is not None and robot.drive is not None:
-        motors = found.motors
-        sd |= {"torque": motors.torque, "motor_speed": motors.speed, "motor_power": motors.power}
-        sd |= {"torque_rise": motors.torque_rise, "torque_fall": motors.torque_fall}
-        if motors.current is not None:
-            constant = np.where(robot.drive.torque_constant > 0.0, robot.drive.torque_constant, np.nan)
-            sd |= {"current": motors.current}
-            sd |= {f"current_{side}": sd[f"torque_{side}"] / constant for side in ("rise", "fall")}
+    sd = {_NAMES.get(name, name): values for name, values in found.items() if name != "electrical_power"}
     return sd, at_replaced(trajectory, given.time)
 
+
+_NAMES = {"base": "base_angle", "platform": "platform_angle", "leg_power": "power"}
+_NAMES |= {"speed": "motor_speed", "power": "motor_power"}
+"""Names of standard deviations that differ from the names of ``ActuatorHistory``."""
 
 _OVER_TIME = {"force": "F", "speed": "L_dot", "power": "power", "torque": "torque"} | {
     name: name for name in ("motor_speed", "motor_power", "current")
@@ -386,11 +377,6 @@ def _rms(values: Array, weight: Array) -> Array:
     return np.asarray(np.sqrt(np.average(values**2, axis=0, weights=weight)))
 
 
-def sides(sd: Mapping[str, Array], name: str) -> tuple[Array, Array]:
-    """Return the standard deviations, shape (n, 6), of the magnitude of a field, upward and downward."""
-    return sd.get(f"{name}_rise", sd[name]), sd.get(f"{name}_fall", sd[name])
-
-
 def _deviations(course: ActuatorHistory, sd: Mapping[str, Array], shares: Array) -> dict[str, Array]:
     """Return the largest change of each requirement for errors of one standard deviation at every sample.
 
@@ -400,7 +386,9 @@ def _deviations(course: ActuatorHistory, sd: Mapping[str, Array], shares: Array)
 
     def change(of: Callable[[Array], Array], values: Array, name: str) -> Array:
         at, found = of(values), np.zeros(())
-        rise, fall = sides(sd, name)
+        both = sides(sd, name)
+        assert both is not None
+        rise, fall = both
         for times in (1.0, SURE):
             up, down = of(values + times * rise), of(values - times * fall)
             found = np.maximum(found, np.maximum(up - at, at - down) / times)

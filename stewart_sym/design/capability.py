@@ -213,20 +213,14 @@ def capability_polytope(
 
 
 def _cut(A: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
-    """Return half-spaces n . x <= o of |A x + forces| <= limits: unit n (..., 12, d), o (..., 12).
-
-    A: (..., 6, d). forces: (..., 6). limits: (6,).
-    """
+    """Return half-spaces n . x <= o of |A x + forces| <= limits: unit n (..., 12, d), o (..., 12)."""
     normals = np.concatenate([A, -A], axis=-2)
     offsets = np.concatenate([limits - forces, limits + forces], axis=-1)
     return _unit_normals(normals, offsets)
 
 
 def _projected(B: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
-    """Return half-spaces n . x <= o of {B (f - forces): |f| <= limits}: n (..., 30, 3), o (..., 30).
-
-    B: (..., 3, 6). forces: (..., 6). limits: (6,).
-    """
+    """Return half-spaces n . x <= o of {B (f - forces): |f| <= limits}: n (..., 30, 3), o (..., 30)."""
     generators = np.swapaxes(B * limits, -1, -2)
     one, other = generators[..., _PAIRS[0], :], generators[..., _PAIRS[1], :]
     normals = np.cross(one, other)

@@ -7,12 +7,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.limit_status import EXCEEDED, WITHIN, Sides, amount_text, farthest, limit_status
+from ..drives.limit_status import EXCEEDED, WITHIN, Sides, amount_text, farthest, limit_status, sides
+from ..drives.limits import LONGEST, RATED, limits_of
 from ..io.arguments import status_text
 from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
 from ..robot.units import Units
-from .actuator_requirements import ActuatorRequirementsResult, sides
+from .actuator_requirements import ActuatorRequirementsResult
 
 
 class _Limited(NamedTuple):
@@ -26,19 +27,7 @@ class _Limited(NamedTuple):
 
 
 class LimitMargins(NamedTuple):
-    """Texts about limits that are exceeded or may be exceeded, with legs numbered from 1.
-
-    Attributes
-    ----------
-    exceeded : list of str
-        Limits that a requirement exceeds.
-    inconclusive : list of str
-        Limits that are inconclusive because of noise, each after its status.
-    margin_missing : list of str
-        Limits that are sufficient without the margin, but not with it.
-    margin_inconclusive : list of str
-        Limits that are sufficient without the margin, but inconclusive with it, each after its status.
-    """
+    """Texts about limits that are exceeded or may be exceeded, without and with the margin."""
 
     exceeded: list[str]
     inconclusive: list[str]
@@ -86,7 +75,7 @@ def _line(limited: _Limited, leg: int, verdict: str, units: Units, more: float |
     name, si_unit, sizes, sd, limits = limited
     scale, unit = units.of_unit(si_unit)
     off = None if sd is None else (sd[0][:, leg], sd[1][:, leg])
-    i = farthest(sizes[:, leg], off, verdict)
+    i = int(farthest(sizes[:, leg], off, verdict))
 
     def amount(share: float) -> str:
         one = None if off is None else share * float(max(off[0][i], off[1][i]))
@@ -113,30 +102,26 @@ def _lengths(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[tuple[
         yield verdict, f"length_limits of leg {leg + 1}: {limits}, needed {least} to {most} {unit}"
 
 
+_FIELDS = {"base": "base_angle", "platform": "platform_angle", "speed": "motor_speed", "power": "motor_power"}
+"""Fields of ``ActuatorHistory`` whose names differ from the names of limited quantities."""
+
+
 def _limited(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[_Limited]:
-    """Yield the limits that a robot may have."""
-    course, drive = needs.history, robot.drive
-    low, high = robot.length_limits.T
+    """Yield the limits that a robot may have, except lengths."""
+    std, (low, high) = needs.std or {}, robot.length_limits.T
+    for limit in limits_of(robot):
+        name, course = _FIELDS.get(limit.values, limit.values), needs.history
+        if limit is LONGEST:
+            yield _Limited("stroke", "m", needs.stroke[None], _row(std.get("stroke")), high - low)
+            continue
+        if limit is RATED and needs.rms_torque is not None:
+            sizes, sd = needs.rms_torque[None], _row(std.get(name))
+        elif limit is RATED or limit.values == "L" or getattr(course, name) is None:
+            continue
+        else:
+            sizes, sd = np.abs(getattr(course, name)), sides(course.std, name)
+        yield _Limited(limit.name, limit.unit, sizes, sd, limit.bound(robot))
 
-    def peak(name: str) -> tuple[Array, Sides | None]:
-        values = getattr(course, name)
-        sizes = np.zeros((1, 6)) if values is None else np.abs(values)
-        sd = None if course.std is None or values is None else sides(course.std, name)
-        return sizes, sd
 
-    def whole(need: Array, name: str) -> tuple[Array, Sides | None]:
-        sd = None if needs.std is None else needs.std[name][None]
-        return need[None], None if sd is None else (sd, sd)
-
-    yield _Limited("force_limit", "N", *peak("F"), robot.force_limit)
-    yield _Limited("speed_limit", "m/s", *peak("L_dot"), robot.speed_limit)
-    yield _Limited("stroke", "m", *whole(needs.stroke, "stroke"), high - low)
-    for end, limits in zip(("base", "platform"), robot.joint_angle_limit.T, strict=True):
-        yield _Limited(f"joint_angle_limit at the {end}", "rad", *peak(f"{end}_angle"), limits)
-    if drive is not None and needs.rms_torque is not None:
-        rms = whole(needs.rms_torque, "rms_torque")
-        yield _Limited("drive.torque_limit", "N m", *peak("torque"), np.asarray(drive.torque_limit))
-        yield _Limited("drive.rated_torque", "N m", *rms, np.asarray(drive.rated_torque))
-        yield _Limited("drive.speed_limit", "rad/s", *peak("motor_speed"), np.asarray(drive.speed_limit))
-        yield _Limited("drive.current_limit", "A", *peak("current"), np.asarray(drive.current_limit))
-        yield _Limited("drive.power_limit", "W", *peak("motor_power"), np.asarray(drive.power_limit))
+def _row(sd: Array | None) -> Sides | None:
+    return None if sd is None else (sd[None], sd[None])

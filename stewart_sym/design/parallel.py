@@ -24,9 +24,7 @@ def run(
 ) -> list[Result]:
     """Return the results of ``work`` in the order of the jobs; both are pickled for workers.
 
-    ``scheduler`` is None for this process, "local" for one worker per core, or the address of a Dask
-    scheduler. ``progress`` receives ``text``. Raises ValueError if no scheduler answers, and ImportError,
-    with the name of the extra, if Dask is missing.
+    ``scheduler`` is None for this process, "local" for one worker per core, or the address of a scheduler.
     """
     if scheduler is None:
         return [work(job) for job in tracked(progress, jobs, lambda _: text)]

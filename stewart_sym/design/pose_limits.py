@@ -18,7 +18,7 @@ from ..io.frozen import Frozen
 from ..kinematics.clearance import PAIRS, distances_of, joined, neutral_directions
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import leg_vectors, length_rows
-from ..kinematics.mounting import up_direction
+from ..kinematics.mounting_side import up_direction
 from ..kinematics.offset_legs import inverse_jacobians, leg_axes
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets

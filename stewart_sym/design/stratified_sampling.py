@@ -36,19 +36,7 @@ Places = NDArray[np.int64]
 
 
 class Cells(NamedTuple):
-    """Cells of a grid that may contain members.
-
-    Attributes
-    ----------
-    box : ndarray, shape (d, 2)
-        Lower and upper bounds.
-    counts : tuple of int
-        Number of cells along each axis.
-    places : ndarray of int, shape (n, d)
-        Indices of the cells along each axis.
-    splits : tuple of int
-        Number of parts of each cell along each axis.
-    """
+    """Cells of a grid over a box (d, 2) that may contain members: indices (n, d), and parts per axis."""
 
     box: Array
     counts: tuple[int, ...]
@@ -71,19 +59,7 @@ class Job(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tally:
-    """Counts of the points of some cells.
-
-    Attributes
-    ----------
-    codes : ndarray of int, shape (m,)
-        Number of points per code; code 0 is inside.
-    mixed : int
-        Number of cells with one point inside.
-    extent : ndarray, shape (d, 2)
-        Minimum and maximum coordinates of points inside; inf and -inf without such points.
-    nearest : float
-        Smallest distance of a point outside.
-    """
+    """Counts of the points of some cells: by code, mixed pairs, extent (d, 2), and nearest point outside."""
 
     codes: NDArray[np.int64]
     mixed: int

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics
-from ..io.arguments import finite_array, instance, real_array, status_text
-from ..io.array_types import Array, Flags
+from ..io.arguments import finite_array, instance, real_array
+from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.frozen import Frozen, read_only
 from ..kinematics.inverse_kinematics import inverse_kinematics
@@ -19,12 +20,13 @@ from ..motion.motion import Motion
 from ..motion.sample_times import least_step, time_text
 from ..motion.trajectory import Trajectory
 from ..results import SingularPoseWarning
-from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
-from ..robot.units import Units
-from .limit_status import USED_UP, Beyond, Extremes, Sides, amount_text, limit_status, status_codes
-from .motor_states import MotorStates, motor_states
-from .noise import MotorDeviations, all_deviations, at_replaced
+from .limits import MOTOR_LIMITS, PEAKS, LimitTracker, trapezoids
+from .motor_states import motor_states
+from .noise import Deviations, all_deviations, at_replaced
+
+_NOISY = ("torque", "speed", "current", "power", "electrical_power", "torque_rise", "torque_fall")
+"""Quantities with standard deviations at every sample."""
 
 
 class DriveLimitWarning(UserWarning):
@@ -165,25 +167,26 @@ def drive_effort(
     when = None if time is None else _times(time, motion)
     F = inverse_dynamics(robot, motion, formulation, backend).F
     found = motor_states(robot, robot.drive, motion, F, inverse_kinematics(robot, motion).L_dot)
-    weights = np.full(motion.shape, 1.0) if when is None else trapezoids(when)
-    summary = Summary(robot, 0.0 if when is None else least_step(when))
+    values = {name: None if x is None else x.reshape(-1, LEGS) for name, x in found._asdict().items()}
+    weights = np.ones(math.prod(motion.shape)) if when is None else trapezoids(when)
+    limits = LimitTracker(robot, when, weights=weights)
     sd = there = None
     if trajectory is not None and trajectory.noise is not None:
-        sd = all_deviations(robot, trajectory, formulation, backend).motors
+        sd = all_deviations(robot, trajectory, formulation, backend)
         there = at_replaced(trajectory, trajectory.time)
-    summary.add(found, weights, when, sd, there)
-    lines = tuple(summary.exceeded())
+    limits.add(slice(None), values, sd, there)
+    lines = tuple(limits.exceeded())
     for line in lines:
         warn(line, DriveLimitWarning)
     if when is not None:
         _warn_of_crossing(robot, motion, when)
     return DriveEffortResult(
         **found._asdict(),
-        rms_torque=summary.rms_torque,
-        **{f"peak_{name}": summary.peaks[name] for name in PEAKS},
-        energy=None if when is None else summary.energy,
+        rms_torque=limits.rms_torque,
+        **{f"peak_{name}": limits.peaks(MOTOR_LIMITS[name])[0] for name in PEAKS},
+        energy=None if when is None else limits.energy,
         limit_messages=lines,
-        std=None if sd is None else _deviations(sd, summary),
+        std=None if sd is None else _deviations(sd, limits),
     )
 
 
@@ -195,11 +198,11 @@ def _warn_of_crossing(robot: Robot, motion: Motion, when: Array) -> None:
         warn(f"{text}: torques are unbounded", SingularPoseWarning)
 
 
-def _deviations(sd: MotorDeviations, summary: Summary) -> dict[str, Array]:
-    found = {name: values for name, values in sd._asdict().items() if values is not None}
-    found |= {f"peak_{name}": values for name, values in summary.peak_sd.items()}
-    rms = summary.rms_torque_sd
-    found |= {"energy": summary.energy_sd} | ({} if rms is None else {"rms_torque": rms})
+def _deviations(sd: Deviations, limits: LimitTracker) -> dict[str, Array]:
+    found = {name: sd[name] for name in _NOISY if name in sd}
+    found |= {f"peak_{name}": values for name, values in limits.peak_sd.items()}
+    rms = limits.rms_torque_sd
+    found |= {"energy": limits.energy_sd} | ({} if rms is None else {"rms_torque": rms})
     return {name: read_only(values) for name, values in found.items()}
 
 
@@ -245,12 +248,6 @@ def motor_forces(robot: Robot, current: ArrayLike) -> Array:
     return np.asarray(robot.drive.transmission_ratio * robot.drive.torque_constant * given)
 
 
-def trapezoids(time: Array) -> Array:
-    """Return the weight of each sample in the trapezoidal rule (s), for times of shape (n,)."""
-    half = 0.5 * np.diff(time)
-    return np.asarray(np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half]))
-
-
 def _times(time: ArrayLike, motion: Motion) -> Array:
     when = real_array(time, "time", "times of shape (n,)")
     if motion.shape != when.shape or when.ndim != 1 or len(when) < 2:
@@ -264,156 +261,3 @@ def _times(time: ArrayLike, motion: Motion) -> Array:
         i = int(np.flatnonzero(late)[0]) + 1
         raise ValueError(f"time: expected increasing times, got {when[i]} at index {i} after {when[i - 1]}")
     return when
-
-
-# Peaks and limits
-
-PEAKS = {"torque": "N m", "speed": "rad/s", "current": "A", "power": "W"}
-"""Quantities with a motor limit, and their units."""
-
-
-class Summary:
-    """Peaks, root mean squares, and energy of a sequence of samples that is processed in parts."""
-
-    def __init__(self, robot: Robot, step: float) -> None:
-        """Start a sequence for a robot with a drive; ``step`` is the smallest time step (s), or 0."""
-        assert robot.drive is not None
-        self.drive, self.step, self.units = robot.drive, step, Units.of(robot)
-        self.extremes = {name: Extremes() for name in PEAKS}
-        self.energy, self.squares, self.span, self.count = np.zeros(LEGS), np.zeros(LEGS), 0.0, 0
-        # Upper bounds: errors of all samples are added, because their correlation is unknown.
-        self.energy_sd, self._square_sd, self.noisy = np.zeros(LEGS), np.zeros(LEGS), False
-
-    def add(
-        self,
-        part: MotorStates,
-        weights: Array,
-        time: Array | None,
-        sd: MotorDeviations | None = None,
-        there: Flags | None = None,
-    ) -> None:
-        """Add samples of shape (..., 6) with weights (s), shape (...), and optional times (s), shape (n,).
-
-        ``sd`` contains standard deviations. ``there`` marks samples at replaced rows of a log.
-        """
-        if not part.torque.size:
-            return
-        flat = MotorStates(*(None if x is None else x.reshape(-1, LEGS) for x in part))  # type: ignore[arg-type]
-        good = np.isfinite(flat.torque)
-        each = weights.ravel()[:, None] * good
-        self.energy = self.energy + np.sum(each * np.where(good, flat.electrical_power, 0.0), axis=0)
-        self.squares = self.squares + np.sum(each * np.where(good, flat.torque, 0.0) ** 2, axis=0)
-        self.span += float(weights.sum())
-        if sd is not None:
-            self.noisy = True
-            counted = each > 0.0
-            self.energy_sd = self.energy_sd + np.sum(
-                each * np.where(counted, sd.electrical_power, 0.0), axis=0
-            )
-            self._square_sd = self._square_sd + np.sum(each * np.where(counted, sd.torque, 0.0) ** 2, axis=0)
-
-        def when(samples: list[int]) -> list[str]:
-            if time is None:
-                return [f"sample {self.count + i}" for i in samples]
-            return [f"{time_text(time[i], self.step)} s" for i in samples]
-
-        for name, extremes in self.extremes.items():
-            values = getattr(flat, name)
-            if values is not None:
-                extremes.add(np.abs(values), when, _sides(self.drive, sd, name), there)
-        self.count += len(flat.torque)
-
-    @property
-    def peaks(self) -> dict[str, Array]:
-        """Largest magnitudes by quantity, shape (6,) each."""
-        return {name: extremes.peaks for name, extremes in self.extremes.items()}
-
-    @property
-    def peak_sd(self) -> dict[str, Array]:
-        """Standard deviations of the peaks by quantity, shape (6,) each."""
-        found = {name: extremes.peak_sd for name, extremes in self.extremes.items()}
-        return {name: sd for name, sd in found.items() if sd is not None}
-
-    @property
-    def rms_torque(self) -> Array:
-        """Root mean square torque (N m), shape (6,)."""
-        return np.asarray(np.sqrt(self.squares / self.span)) if self.span > 0.0 else np.zeros(LEGS)
-
-    @property
-    def rms_torque_sd(self) -> Array | None:
-        """Upper bound of the standard deviation of ``rms_torque`` (N m), or None without noise."""
-        if not self.noisy:
-            return None
-        return np.asarray(np.sqrt(self._square_sd / self.span)) if self.span > 0.0 else np.zeros(LEGS)
-
-    def exceeded(self, share: float = USED_UP) -> list[str]:
-        """Return one line for each exceeded or inconclusive limit: legs, worst value, and time.
-
-        ``share`` is the fraction of the limit by which it must be exceeded.
-        """
-        return [line for _, line in self.told(share)]
-
-    def told(self, share: float = USED_UP) -> Iterator[tuple[str, str]]:
-        """Yield the status and the line of each exceeded or inconclusive limit, as in ``exceeded``."""
-        rms = Extremes()
-        rms.add(self.rms_torque[None], lambda _: [""], _row(self.rms_torque_sd))
-        # The prefix distinguishes drive.speed_limit from the speed limit of the legs.
-        limits = [(f"drive.{name}_limit", name, unit, self.extremes[name]) for name, unit in PEAKS.items()]
-        limits += [("drive.rated_torque", "root mean square of torque", "N m", rms)]
-        for name, what, unit, extremes in limits:
-            limit = getattr(self.drive, name.removeprefix("drive."))
-            for beyond in extremes.beyond(limit * (1.0 + share)):
-                yield beyond.verdict, _line(name, what, self.units.of_unit(unit), beyond, limit)
-
-    def all_verdicts(self) -> list[list[str]]:
-        """Return the status of each leg for all limits of the drive."""
-        limits = {name: getattr(self.drive, f"{name}_limit") for name in PEAKS}
-        limits["rated_torque"] = self.drive.rated_torque
-        return [self.verdicts(name) for name, limit in limits.items() if np.isfinite(limit).any()]
-
-    def verdicts(self, name: str) -> list[str]:
-        """Return the status of each leg for one of ``PEAKS`` or for "rated_torque"."""
-        if name == "rated_torque":
-            limits = self.drive.rated_torque * (1.0 + USED_UP)
-            return limit_status(self.rms_torque[None], limits, _row(self.rms_torque_sd))
-        return self.extremes[name].verdicts(getattr(self.drive, f"{name}_limit") * (1.0 + USED_UP))
-
-
-def motor_codes(
-    drive: Drive, part: MotorStates, sd: MotorDeviations | None = None, there: Flags | None = None
-) -> dict[str, NDArray[np.uint8]]:
-    """Return the limit codes of each sample by quantity, shape (n, 6) each.
-
-    Arguments are the same as for ``Summary.add``; ``status_codes`` defines the codes.
-    """
-    found = {}
-    for name in PEAKS:
-        values = getattr(part, name)
-        if values is not None:
-            limits = getattr(drive, f"{name}_limit") * (1.0 + USED_UP)
-            found[name] = status_codes(np.abs(values), limits, _sides(drive, sd, name), there)
-    return found
-
-
-def _sides(drive: Drive, sd: MotorDeviations | None, name: str) -> Array | Sides | None:
-    """Return the standard deviations of magnitudes, as an (up, down) pair if the two differ."""
-    if sd is None or name not in ("torque", "current"):
-        return None if sd is None else np.asarray(getattr(sd, name))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        unit = np.asarray(drive.torque_constant) if name == "current" else np.ones(LEGS)
-        return sd.torque_rise / unit, sd.torque_fall / unit
-
-
-def _row(values: Array | None) -> Array | None:
-    return None if values is None else values[None]
-
-
-def _line(name: str, what: str, unit: tuple[float, str], beyond: Beyond, limits: Array) -> str:
-    """Return the text about a limit; ``unit`` is the factor from the SI unit, and the name of the unit."""
-    at, (scale, per) = f" at {beyond.when}" if beyond.when else "", unit
-    sd = None if beyond.sd is None else scale * beyond.sd
-    value = f"{amount_text(scale * beyond.size, sd)} {per}{at}"
-    return (
-        f"{name} {status_text(beyond.verdict)} by {beyond.legs_text}: {beyond.worst_text}{what} {value}, "
-        f"limit {scale * limits[beyond.worst]:g} {per}{beyond.needed_noise(limits[beyond.worst])}"
-    )

@@ -24,10 +24,7 @@ def smooth_sign(rate: Array, within: Array) -> Array:
 
 
 def dry_sign(drive: Drive, L_dot: Array, side: Array) -> Array:
-    """Return the sign of dry friction from the signs of the rates next to a sample, ``side``, shape (..., 6).
-
-    When a leg turns back, its sign changes at the sample. Regularized signs ignore ``side``.
-    """
+    """Return the sign of dry friction from the signs of the rates next to a sample, ``side``, (..., 6)."""
     within = np.asarray(drive.regularization_speed)
     return np.where(within > 0.0, smooth_sign(L_dot, within), side)
 
@@ -55,12 +52,7 @@ def viscous(drive: Drive) -> Array:
 
 
 def friction_force(drive: Drive, F: Array, L_dot: Array, sign: Array | None = None) -> Array:
-    """Return the friction of the drives along the legs (N), (..., 6), positive against an extending leg.
-
-    F: axial force between the parts of each leg (N), shape (..., 6). L_dot: leg rate (m/s), shape (..., 6).
-    At rate 0 the friction is 0, the middle of its possible values. sign: sign of dry friction, shape (...,
-    6); None for the sign of the rate.
-    """
+    """Return the friction of the drives along the legs (N), (..., 6), positive against an extending leg."""
     if sign is None:
         sign = smooth_sign(L_dot, np.asarray(drive.regularization_speed))
     dry = constant_part(drive, L_dot) + load_share(drive, F, sign) * np.abs(F)

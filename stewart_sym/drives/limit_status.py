@@ -1,7 +1,7 @@
 """Status of limits: one rule for every quantity, with the standard deviations caused by noise in a log."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -73,9 +73,9 @@ def counts_text(verdicts: Sequence[Sequence[str]]) -> str:
     return f"limits: {within} not exceeded, {exceeded} exceeded, {inconclusive} inconclusive"
 
 
-def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> int:
-    """Return the index of the magnitude of a leg, shape (n,), that determines the status."""
-    return int(np.argmax(_scores(sizes, sd, verdict)))
+def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> NDArray[np.intp]:
+    """Return the indices of the magnitudes, first axis, that determine the status; NaN are left out."""
+    return np.asarray(np.argmax(_scores(sizes, sd, verdict), axis=0))
 
 
 def _scores(sizes: Array, sd: Array | Sides | None, verdict: str) -> Array:
@@ -85,126 +85,77 @@ def _scores(sizes: Array, sd: Array | Sides | None, verdict: str) -> Array:
     return np.asarray(np.where(np.isnan(scores), -np.inf, scores))
 
 
-class Beyond(NamedTuple):
-    """Status of a limit with its legs, counted from 0, and the worst leg.
-
-    size, sd, when: value, standard deviation (None without noise), and time of the worst leg.
-    """
-
-    verdict: str
-    legs: list[int]
-    worst: int
-    size: float
-    sd: float | None
-    when: Any
-
-    def needed_noise(self, limit: float) -> str:
-        """Return a text with the noise at which an inconclusive limit is decided, otherwise an empty text."""
-        if self.verdict == EXCEEDED or not self.sd or not np.isfinite(self.sd):
-            return ""
-        share = abs(limit - self.size) / (SURE * self.sd)
-        return f"; needs noise below {100.0 * share:.2g} % of the noise here"
-
-    @property
-    def legs_text(self) -> str:
-        """Names of the legs: ``leg 1``, ``legs 1, 2``."""
-        return legs_text(self.legs)
-
-    @property
-    def worst_text(self) -> str:
-        """Prefix that names the worst of several legs."""
-        return "" if len(self.legs) == 1 else f"worst leg {self.worst + 1}: "
+def sides(std: Mapping[str, Array] | None, name: str) -> Sides | None:
+    """Return the standard deviations, shape (n, 6), of the magnitude of a quantity, upward and downward."""
+    if std is None or name not in std:
+        return None
+    return std.get(f"{name}_rise", std[name]), std.get(f"{name}_fall", std[name])
 
 
 class Extremes:
     """Samples with the largest magnitudes of six legs: certain, possible, and nominal."""
 
     def __init__(self) -> None:
-        self._sizes: list[Array] = []
-        self._up: list[Array] = []
-        self._down: list[Array] = []
-        self._there: list[Flags] = []
-        self._when: list[Any] = []
+        nothing = np.full((1, LEGS), -np.inf), *np.zeros((3, 1, LEGS))
+        self._parts = [(*nothing, np.array([-1]), np.array([False]))]
+        self._noisy = False
 
     def add(
-        self,
-        sizes: Array,
-        when: Callable[[list[int]], Iterable[Any]],
-        sd: Array | Sides | None = None,
-        there: Flags | None = None,
+        self, sizes: Array, values: Array, first: int, sd: Sides | None = None, there: Flags | None = None
     ) -> None:
-        """Add n > 0 samples of magnitudes, shape (n, 6), NaN if missing.
+        """Add n > 0 samples of magnitudes, shape (n, 6), NaN if missing, from the index ``first`` on.
 
-        ``when`` returns the names of samples. ``sd`` and ``there`` are as in ``limit_status``.
+        ``values`` have the signs. ``sd`` and ``there`` are as in ``status_codes``.
         """
-        sizes = np.where(np.isnan(sizes), -np.inf, sizes)
-        scores, flags = [sizes], np.zeros(len(sizes), dtype=bool) if there is None else there
+        sizes, flags = np.where(np.isnan(sizes), -np.inf, sizes), np.zeros(len(sizes), dtype=bool)
+        flags = flags if there is None else there
+        up, down = (np.broadcast_to(each, sizes.shape) for each in _sides(sd))
+        scores = [sizes]
         if sd is not None:
-            up, down = _sides(sd)
+            self._noisy = True
             apart = np.where(flags[:, None], np.nan, 0.0)
             scores += [sizes + SURE * x for x in (up, -down, up + apart, -down + apart)]
         all_scores = np.hstack(scores)
         i = np.unique(np.argmax(np.where(np.isnan(all_scores), -np.inf, all_scores), axis=0))
-        self._sizes.append(sizes[i])
-        self._there.append(flags[i])
-        self._when.extend(when(i.tolist()))
-        if sd is not None:
-            self._up.append(up[i])
-            self._down.append(down[i])
+        self._parts.append((sizes[i], values[i], up[i], down[i], first + i, flags[i]))
 
-    def _deviations(self) -> Sides | None:
-        return (np.concatenate(self._up), np.concatenate(self._down)) if self._up else None
+    def _all(self) -> list[Any]:
+        """Return magnitudes, values, deviations upward and downward, indices, and flags of the samples."""
+        return [np.concatenate(each) for each in zip(*self._parts, strict=True)]
 
     @property
-    def samples(self) -> tuple[list[Any], Flags, Array | None]:
-        """Names of the samples, flags of replaced rows (k,), upward standard deviations (k, 6) or None."""
-        return self._when, np.concatenate(self._there), np.concatenate(self._up) if self._up else None
+    def samples(self) -> tuple[NDArray[np.intp], Array, Flags, Array | None]:
+        """Indices, values (k, 6), flags of replaced rows (k,), and upward deviations (k, 6) or None."""
+        _, values, up, _, index, flags = (each[1:] for each in self._all())
+        return index, values, flags, up if self._noisy else None
 
     @property
     def largest(self) -> Array:
         """Largest magnitudes, shape (6,); -inf without samples."""
-        return np.asarray(np.concatenate([np.full((1, LEGS), -np.inf), *self._sizes]).max(axis=0))
-
-    @property
-    def peaks(self) -> Array:
-        """Largest magnitudes, shape (6,), at least 0."""
-        return np.maximum(self.largest, 0.0)
+        return np.asarray(self._all()[0].max(axis=0))
 
     @property
     def peak_sd(self) -> Array | None:
         """Standard deviations of the largest magnitudes, shape (6,); None without noise."""
-        sd = self._deviations()
-        if sd is None:
-            return None
-        at = np.argmax(np.concatenate(self._sizes), axis=0)
-        return np.asarray(np.maximum(*sd)[at, np.arange(LEGS)])
+        sizes, _, up, down, *_ = self._all()
+        at = np.argmax(sizes, axis=0)
+        return np.asarray(np.maximum(up, down)[at, np.arange(LEGS)]) if self._noisy else None
 
     def verdicts(self, limits: Array) -> list[str]:
         """Return the status of each leg for limits (6,), as ``limit_status``."""
-        if not self._sizes:
-            return [WITHIN] * LEGS
-        return limit_status(
-            np.concatenate(self._sizes), limits, self._deviations(), np.concatenate(self._there)
-        )
+        sizes, _, up, down, _, flags = self._all()
+        return limit_status(sizes, limits, (up, down), flags)
 
-    def beyond(self, limits: Array) -> Iterator[Beyond]:
-        """Yield every status other than ``WITHIN`` with its legs."""
-        found = self.verdicts(limits)
-        for verdict in (EXCEEDED, INCONCLUSIVE_NOISE, INCONCLUSIVE_REPLACED_ROWS):
-            legs = [leg for leg in range(LEGS) if found[leg] == verdict]
-            if legs:
-                yield self._worst(verdict, legs, limits)
-
-    def _worst(self, verdict: str, legs: list[int], limits: Array) -> Beyond:
-        sizes, sd = np.concatenate(self._sizes), self._deviations()
-        scores = _scores(sizes, sd, verdict)
-        at = np.argmax(scores, axis=0)
+    def worst(self, verdict: str, legs: list[int], limits: Array) -> tuple[int, int, float, float | None]:
+        """Return the leg farthest beyond its limit, the index of the sample, value, and deviation if any."""
+        sizes, values, up, down, index, _ = self._all()
+        scores = _scores(sizes, (up, down), verdict)
         with np.errstate(invalid="ignore"):
-            excess = (scores[at, np.arange(LEGS)] - limits) / np.maximum(np.abs(limits), _TINY)
+            excess = (scores.max(axis=0) - limits) / np.maximum(np.abs(limits), _TINY)
         worst = max(legs, key=lambda leg: float(excess[leg]))
-        i = int(at[worst])
-        off = None if sd is None else float(np.maximum(*sd)[i, worst])
-        return Beyond(verdict, legs, worst, float(sizes[i, worst]), off, self._when[i])
+        i = int(np.argmax(scores[:, worst]))
+        sd = float(max(up[i, worst], down[i, worst])) if self._noisy else None
+        return worst, int(index[i]), float(values[i, worst]), sd
 
 
 def amount_text(value: float, sd: float | None, digits: int = 6) -> str:

@@ -48,10 +48,7 @@ def rotor_force(robot: Robot, motion: Motion) -> Array:
 
 
 def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_dot: Array) -> MotorStates:
-    """Compute the motor quantities from motor forces, N times torque (N), shape (..., 6), of a simulation.
-
-    The friction and rotor parts are NaN, because they cannot be separated.
-    """
+    """Compute the motor quantities from motor forces, N times torque (N), (..., 6); others are NaN."""
     unknown = np.full(np.shape(force), np.nan)
     return _instants(drive, force, unknown, unknown, motor_rates(robot, drive, motion, L_dot))
 
@@ -69,10 +66,7 @@ def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: 
 
 
 def motor_rates(robot: Robot, drive: Drive, motion: Motion, L_dot: Array) -> Array:
-    """Return the motor speeds divided by their transmission ratios (m/s), shape (..., 6).
-
-    They equal L_dot, except for U-C-U legs, whose upper parts also turn in the nuts.
-    """
+    """Return motor speeds over transmission ratios (m/s), (..., 6): L_dot unless parts turn in nuts."""
     if robot.offsets is None:
         return L_dot
     with np.errstate(all="ignore"):

@@ -4,8 +4,7 @@ They are of first order in the noise with two exceptions. Products include the p
 friction, which is discontinuous, takes the value of any rate within ``SURE`` standard deviations.
 """
 
-from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable
 
 import numpy as np
 
@@ -27,46 +26,15 @@ from .motor_states import motor_rates, rotor_force
 _PRODUCT = 3.0
 
 
-class MotorDeviations(NamedTuple):
-    """Standard deviations of the fields of ``MotorStates`` with the same names, shape (n, 6).
+Deviations = dict[str, Array]
+"""Standard deviations at n samples by quantity, (n, 6); infinite if a pose within the noise is unsolvable.
 
-    torque_rise, torque_fall: standard deviations of the torque magnitude, upward and downward. They differ
-    because the opposite direction of dry friction makes the magnitude either larger or smaller.
-    """
-
-    torque: Array
-    speed: Array
-    current: Array | None
-    power: Array
-    electrical_power: Array
-    torque_rise: Array
-    torque_fall: Array
-
-
-class Deviations(NamedTuple):
-    """Standard deviations at n samples, shape (n, 6); infinite if a pose within the noise is unsolvable.
-
-    Attributes
-    ----------
-    F : ndarray
-        Actuator forces (N).
-    L, L_dot : ndarray
-        Leg lengths (m) and rates (m/s).
-    power : ndarray
-        Mechanical power F L_dot (W).
-    base, platform : ndarray, optional
-        Joint angles (rad), if they are requested or limited.
-    motors : MotorDeviations, optional
-        Motor quantities of a robot with a drive.
-    """
-
-    F: Array
-    L: Array
-    L_dot: Array
-    power: Array
-    base: Array | None = None
-    platform: Array | None = None
-    motors: MotorDeviations | None = None
+F: actuator forces (N). L, L_dot: leg lengths (m) and rates (m/s). leg_power: mechanical power F L_dot (W).
+base, platform: joint angles (rad), if they are requested or limited. A drive adds the quantities of
+``MotorStates`` that have units other than N. torque_rise, torque_fall, current_rise, current_fall: standard
+deviations of the magnitudes, upward and downward. They differ because the opposite direction of dry friction
+makes the magnitude either larger or smaller.
+"""
 
 
 def deviations_in_parts(
@@ -117,9 +85,7 @@ def all_deviations(
     """Compute ``deviations_in_parts`` for all samples."""
     some = deviations_in_parts(robot, trajectory, formulation, backend, neutral)
     parts = [some(slice(i, i + CHUNK)) for i in range(0, len(trajectory.time), CHUNK)]
-    motors = [part.motors for part in parts if part.motors is not None]
-    joined = Deviations(*_joined([part[:-1] for part in parts]))
-    return joined._replace(motors=MotorDeviations(*_joined(motors)) if motors else None)
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 
 def at_replaced(trajectory: Trajectory, time: Array) -> Flags:
@@ -130,19 +96,12 @@ def at_replaced(trajectory: Trajectory, time: Array) -> Flags:
     return found
 
 
-def _joined(parts: Sequence[tuple[Any, ...]]) -> list[Any]:
-    return [None if each[0] is None else np.concatenate(each) for each in zip(*parts, strict=True)]
-
-
 def _open(values: Array, changes: Array) -> Array:
     return np.where(np.isfinite(values), changes, np.inf)
 
 
 class _State:
-    """Values of a motion by name, shape (n, 6): F, L, L_dot, base, platform, and motor force and rate.
-
-    ``sign`` is the sign of dry friction, which is kept for displaced motions; None for the sign of the rates.
-    """
+    """Values of a motion by name, (n, 6), with the sign of dry friction, which displaced motions keep."""
 
     def __init__(
         self,
@@ -209,10 +168,10 @@ def _heat(drive: Drive) -> Array:
     return np.asarray(heat)
 
 
-def _finished(robot: Robot, at: _State, sd: dict[str, Array], products: dict[str, Array]) -> Deviations:
+def _finished(robot: Robot, at: _State, sd: Deviations, products: Deviations) -> Deviations:
     sd = {name: np.where(np.isfinite(at.values[name]), each, np.nan) for name, each in sd.items()}
-    power = _with_product(products["power"], sd["F"], sd["L_dot"])
-    found = Deviations(sd["F"], sd["L"], sd["L_dot"], power, sd.get("base"), sd.get("platform"))
+    found = {name: each for name, each in sd.items() if name not in ("force", "rate")}
+    found["leg_power"] = _with_product(products["power"], sd["F"], sd["L_dot"])
     if robot.drive is None:
         return found
     drive, turns = robot.drive, np.abs(robot.drive.transmission_ratio)
@@ -221,22 +180,19 @@ def _finished(robot: Robot, at: _State, sd: dict[str, Array], products: dict[str
     shaft = np.hypot(products["shaft"], _times(step, np.abs(at.rate)))
     by_step = _times(step, np.abs(at.rate) + 2.0 * _heat(drive) * np.abs(at.force))
     electrical = _with_product(np.hypot(products["electrical"], by_step), force, sd["rate"])
-    torque, current = force / turns, None
+    found |= {"torque": force / turns, "speed": turns * sd["rate"]}
+    found |= {"power": _with_product(shaft, force, sd["rate"]), "electrical_power": electrical}
+    for name, side in (("torque_rise", rise), ("torque_fall", fall)):
+        found[name] = np.hypot(sd["force"], side) / turns
     if np.any(drive.torque_constant):
-        known = drive.torque_constant > 0.0
-        current = torque / np.where(known, drive.torque_constant, np.nan)
-        electrical = _with_product(electrical, _heat(drive) * force, force)
-    shaft = _with_product(shaft, force, sd["rate"])
-    sides = (np.hypot(sd["force"], side) / turns for side in (rise, fall))
-    motors = MotorDeviations(torque, turns * sd["rate"], current, shaft, electrical, *sides)
-    return found._replace(motors=motors)
+        found["electrical_power"] = _with_product(electrical, _heat(drive) * force, force)
+        constant = np.where(drive.torque_constant > 0.0, drive.torque_constant, np.nan)
+        found |= {f"current{side}": found[f"torque{side}"] / constant for side in ("", "_rise", "_fall")}
+    return found
 
 
 def _steps(drive: Drive, at: _State, sd: Array) -> Array:
-    """Return the standard deviations (N), (3, n, 6), from dry friction of rates within ``SURE`` deviations.
-
-    The three parts belong to the motor force and to its magnitude, upward and downward.
-    """
+    """Return deviations (N), (3, n, 6), by dry friction: of the force, and of its magnitude up and down."""
     found = np.zeros((3, *at.force.shape))
     for side in (-SURE, SURE):
         sign = smooth_sign(at.rate + side * sd, np.asarray(drive.regularization_speed))

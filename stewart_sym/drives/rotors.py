@@ -13,11 +13,10 @@ from ..robot.robot import Robot
 
 
 class LegRates(NamedTuple):
-    """Leg rates (m/s), shape (..., 6), and the rows [s, q x s] that map a twist to them, shape (..., 6, 6).
+    """Leg rates (m/s), (..., 6), and the rows [s, q x s], (..., 6, 6), that map a twist to them.
 
-    own: L_ddot without platform accelerations (m/s^2), (..., 6). L: lengths (m), (..., 6). q, tip, turned:
-    platform points from the reference point (m), their velocities (m/s), and their accelerations due to the
-    angular velocity (m/s^2), (..., 6, 3).
+    own: L_ddot without platform accelerations. q, tip, turned: platform points, their velocities, and their
+    accelerations due to the angular velocity, (..., 6, 3).
     """
 
     L_dot: Array
@@ -44,10 +43,8 @@ def leg_rates(robot: Robot, state: Motion) -> LegRates:
 
 
 def rotors_by_acceleration(robot: Robot, legs: LegRates) -> tuple[Array, Array]:
-    """Return rotor forces (N) without accelerations, (..., 6), and per acceleration, (..., 6, 6).
-
-    They depend on L_ddot, (8), and on the rate of the leg spin (k.s) (y.sdot) / y^2 with y = k x s.
-    """
+    """Return rotor forces (N) without accelerations, (..., 6), and per acceleration, (..., 6, 6)."""
+    # They depend on L_ddot, (8), and on the rate of the leg spin (k.s) (y.sdot) / y^2 with y = k x s.
     k, m_r, j_r = robot.k, robot.reflected_mass, robot.rotor_momentum
     alone, per = m_r * legs.own, m_r[:, None] * legs.J
     if robot.base_joint == "spherical":

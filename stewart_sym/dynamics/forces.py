@@ -25,7 +25,7 @@ from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .array_layouts import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
 from .inverse_dynamics import Formulation, damped_terms, need_motion, report_faults
-from .left_out import left_out
+from .neglected_physics import neglected_physics
 
 Array = NDArray[Any]
 Precision = Literal["double", "float"]
@@ -110,7 +110,7 @@ class ForceKernel(Frozen):
         """Warn if the fidelity level omits physics of the robot, with the effect on the forces."""
         # The estimate has double precision, so that it contains no rounding.
         reduced = replace(self, precision="double", warns=False)
-        missing = left_out(self.robot, self.formulation, self.fidelity, reduced.forces)
+        missing = neglected_physics(self.robot, self.formulation, self.fidelity, reduced.forces)
         if missing:
             warn(f'{missing}; for all of it use fidelity="general"')
 

@@ -85,7 +85,7 @@ def inverse_dynamics(
     motion : Motion, shape (...)
         Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
     formulation : {"exact", "paper"}, optional
-        "exact" for the corrected equations, "paper" for the printed equations with only fault 4 corrected.
+        "exact" for the corrected equations, "paper" for the equations as printed.
     backend : {"c", "numpy", "reference"}, optional
         "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
         NumPy code, "reference" for an independent vector implementation. Robots with offset joints always use
@@ -120,8 +120,9 @@ def inverse_dynamics(
 
     Notes
     -----
-    The function implements equations (1)-(37) of Dasgupta and Mruthyunjaya (1998). The formulation
-    "exact" corrects the four faults of the printed equations.
+    The function implements equations (1)-(37) of Dasgupta and Mruthyunjaya (1998). The printed
+    equations have four faults. "exact" corrects all of them, "paper" keeps faults 1 to 3. Fault 4, a sign in
+    (33), affects neither, because both use (35).
 
     Examples
     --------
@@ -167,7 +168,7 @@ def joint_reactions(
     motion : Motion, shape (...)
         Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
     formulation : {"exact", "paper"}, optional
-        "exact" for the corrected equations, "paper" for the printed equations with only fault 4 corrected.
+        "exact" for the corrected equations, "paper" for the equations as printed.
     backend : {"c", "numpy", "reference"}, optional
         "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
         NumPy code, "reference" for an independent vector implementation. Robots with offset joints always use

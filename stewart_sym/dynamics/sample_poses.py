@@ -16,7 +16,7 @@ from ..backend.kernel import MOTION
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import clear_of_joint_singularities, inverse_kinematics
-from ..kinematics.mounting import platform_side, radius
+from ..kinematics.mounting_side import platform_side, radius
 from ..motion.motion import Motion
 from ..results import InverseDynamicsResult
 from ..robot.robot import Robot

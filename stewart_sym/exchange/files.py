@@ -12,7 +12,7 @@ import numpy as np
 from ..drives.friction import losses
 from ..drives.motor_states import motor_states
 from ..dynamics.inverse_dynamics import inverse_dynamics
-from ..dynamics.left_out import effect
+from ..dynamics.neglected_physics import effect
 from ..io.arguments import instance, option, shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
@@ -192,7 +192,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     >>> np.array_equal(imported.robot.b, robot.b)
     True
     >>> imported.assumptions[-1]
-    'robot file: the note in the file, with which bodies and joints agree'
+    'robot file: from the note in the file; bodies and joints agree with it'
     """
     source = os.fsdecode(path)
     text, beside = read_text(source, "model"), loops_path(source)
@@ -281,5 +281,5 @@ def _read(root: ET.Element, loops: str | None, path: str, text: str) -> Model:
             return sdf_in.model(root)
         if root.tag == "robot":
             return urdf_in.model(root, loops)
-    expected = "expected MJCF, SDF or URDF with a root mujoco, sdf or robot"
+    expected = "expected MJCF, SDF, or URDF with a root mujoco, sdf, or robot"
     raise ValueError(f"{expected}, got {shown(root.tag)}{at_line(root)}")

@@ -46,7 +46,7 @@ def robot_of(model: Model, source: str) -> tuple[Robot, tuple[str, ...]]:
             expected = _Derived(model_of(noted)).robot
         changed = changed_fields(robot, expected, model.unstated)
         if not changed:
-            return noted, (*said, "robot file: the note in the file, with which bodies and joints agree")
+            return noted, (*said, "robot file: from the note in the file; bodies and joints agree with it")
         differ = f"bodies and joints differ from the note ({', '.join(map(key_of, changed))})"
         lost = ", ".join(key_of(name) for name in noted_alone(noted, robot, changed))
         remedy = f"; add these keys of the note to the robot file: {lost}" if lost else ""

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..drives.effort import Summary
-from ..drives.leg_limits import LEG_LIMITS, limited_angles
+from ..drives.limits import LEG_LIMITS, LimitTracker, limited_angles
 from ..drives.motor_states import motor_states
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse_dynamics import inverse_dynamics, need_universal
@@ -307,8 +306,8 @@ def _limits_kept(robot: Robot, motion: Motion, F: Array) -> bool:
         return False
     if robot.drive is None:
         return True
-    used = Summary(robot, 0.0)
-    used.add(motor_states(robot, robot.drive, motion, F, legs.L_dot), np.ones(len(F)), None)
+    used = LimitTracker(robot, None, weights=np.ones(len(F)))
+    used.add(slice(None), motor_states(robot, robot.drive, motion, F, legs.L_dot)._asdict())
     return not used.exceeded(0.0)
 
 

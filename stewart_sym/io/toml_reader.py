@@ -49,6 +49,8 @@ def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
         top = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
+    if what != "robot file" and {"base", "platform"} <= top.keys():
+        raise ValueError(f"{source}: expected a {what}, got a robot file")
     try:
         yield top
     except ValueError as error:

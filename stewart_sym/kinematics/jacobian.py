@@ -29,7 +29,7 @@ def inverse_jacobian(robot: Robot, motion: Motion) -> Array:
     Raises
     ------
     ValueError
-        If a leg has length zero or no solution, or if a result overflows.
+        If a leg has length zero, if a leg with joint offsets has no solution, or if a result overflows.
 
     See Also
     --------
@@ -70,7 +70,8 @@ def jacobian(robot: Robot, motion: Motion) -> Array:
     Raises
     ------
     ValueError
-        If a pose is singular, a leg has length zero or no solution, or a result overflows.
+        If a pose is singular, if a leg has length zero, if a leg with joint offsets has no solution, or if a
+        result overflows.
 
     See Also
     --------

@@ -12,7 +12,7 @@ from ..motion import rotation
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
 from .inverse_kinematics import ROUNDING, leg_vectors, length_rows
-from .mounting import base_normal, upright
+from .mounting_side import base_normal, upright
 from .offset_legs import length_jacobian, search
 
 Poses = tuple[Array, Array]

@@ -15,7 +15,8 @@ from ..motion.trajectory import MOST_TURNS, Trajectory, angle_range
 from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS, TrajectoryWarning
 from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
-from .mounting import platform_side
+from ..robot.units import Units
+from .mounting_side import platform_side
 from .offset_legs import leg_lengths
 from .pose_search import rates_per_twist
 
@@ -56,9 +57,12 @@ def need_units(robot: Robot, log: LogSamples) -> None:
     few = replace(log, lines=log.lines[some], vectors={name: x[some] for name, x in log.vectors.items()})
     found = [_angle_error(robot, log, few)] if "theta" in log.vectors else []
     found.append(_home_error(robot, few) or _length_error(robot, few))
-    for kind, error in filter(None, found):
-        if log.places.get(kind) != "the options":
-            raise ValueError(error)
+    errors = [error for kind, error in filter(None, found) if log.places.get(kind) != "the options"]
+    if errors:
+        raise ValueError(
+            "; ".join([errors[0], *(error.removeprefix(f"{log.source}: ") for error in errors[1:])])
+        )
+    for _, error in filter(None, found):
         warn(error, TrajectoryWarning)
 
 
@@ -216,8 +220,9 @@ def _beside_size(robot: Robot, lengths: Array) -> tuple[float, float, tuple[floa
     size, shares, of = float(limits.max(initial=0.0)), _SHARES_OF_LIMITS, "legs of up to"
     if not limits.size:
         size, shares, of = float(np.ptp([robot.b, robot.p], axis=1).max()), _SHARES_OF_SIZE, "a machine of"
-    typical = float(np.median(lengths))
-    return typical, size, shares, f"lengths of {typical:.4g} m compared with {of} {size:.4g} m"
+    typical, units = float(np.median(lengths)), Units.of(robot)
+    own, other = (f"{number / units.meters:.4g} {units.length}" for number in (typical, size))
+    return typical, size, shares, f"lengths of {own} compared with {of} {other}"
 
 
 def impossible(robot: Robot, t: Array, R: Array) -> str | None:
@@ -259,5 +264,5 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
         unless = " (forces are correct for a suspended machine)"
     return (
         f"the platform is {where} in every sample: does z of the log point the other way than in the robot "
-        f"file?{unless}"
+        f"file? Then state scales = {{ t_z = -1 }} in its table [trajectory]{unless}"
     )

@@ -24,7 +24,7 @@ from ..derive.package.selftest import selftest
 from ..drives.friction import drive_numbers
 from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse_dynamics import Formulation
-from ..dynamics.left_out import left_out
+from ..dynamics.neglected_physics import neglected_physics
 from ..dynamics.sample_poses import sample
 from ..io.array_types import Array
 from ..io.error_policy import warn
@@ -32,7 +32,7 @@ from ..io.json_text import json_text
 from ..io.progress import Progress, silent
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rpy_from_rotation
-from ..precision.truth import Truth
+from ..precision.exact_forces import Truth
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
@@ -108,7 +108,7 @@ def _left_out(robot: Robot, choice: Choice) -> str:
     level = fidelity.resolve_level(robot, choice.formulation, choice.level)
     # The reference in 50-digit arithmetic requires no compiler.
     reduced = Truth(robot, choice.formulation, level).forces
-    return left_out(robot, cast("Formulation", choice.formulation), choice.level, reduced)
+    return neglected_physics(robot, cast("Formulation", choice.formulation), choice.level, reduced)
 
 
 def _with_missing(readme: str, missing: str) -> str:

@@ -28,7 +28,7 @@ from ..derive.trace.nodes import Program
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
 from ..io.array_types import Array
-from ..precision.truth import ON_DIGITS, digits, form_and_level
+from ..precision.exact_forces import ON_DIGITS, digits, form_and_level
 from ..results import OK
 from ..robot.robot import LEGS
 

@@ -8,7 +8,7 @@ from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents
 from ..derive.package.robot_source import Machine
 from ..io.arguments import option, shown
-from ..precision.truth import form_and_level
+from ..precision.exact_forces import form_and_level
 from ..robot.robot import Robot
 from .kit_options import STEMS, Choice, options, robot_toml
 from .required_kernels import generator, robot_numbers

@@ -8,8 +8,8 @@ from importlib.metadata import version
 import numpy as np
 
 from ..backend import fidelity
-from ..backend.c_kernel import generated_c
 from ..backend.kernel import module, robot_kernel
+from ..backend.kernel_sources import generated_text
 from ..derive.emit import lanes, scalar
 from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
@@ -35,7 +35,7 @@ from ..derive.package.fmu import FORCES_RPY, PLANT
 from ..derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.text_format import Numbers, robot_symbol
 from ..derive.program.cse import shared_blocks
-from ..precision.truth import form_and_level
+from ..precision.exact_forces import form_and_level
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, of_symbol
 from .kit_options import STEMS, TORQUE, Choice
@@ -69,7 +69,7 @@ class Parts:
     def files(self) -> dict[str, str]:
         """Text of all headers and sources, including the shared headers, by file name."""
         found = {"stewart.h": common_header(generator_version(), self.precision, self.rotors)}
-        found |= {name: generated_c(name) for name in self.shared}
+        found |= {name: generated_text(f"c/{name}") for name in self.shared}
         for part in self.parts:
             found |= part.files
         return found
@@ -294,10 +294,10 @@ def _part(
     """Build one header and one source with functions ``<prefix>_<stem>``.
 
     ``costs`` contains the operations by stem, and ``shared`` is a key of ``INCLUDED``. If ``files`` is None,
-    the files of ``generated/c`` are used.
+    the files of ``generated/c`` are used, which are derived at first use if they are not installed.
     """
     if files is None:
-        files = {name: generated_c(name) for name in (f"{file}.h", f"{file}.c")}
+        files = {name: generated_text(f"c/{name}") for name in (f"{file}.h", f"{file}.c")}
     functions = tuple(
         Function(stem, f"{prefix}_{stem}", f"{file}.h", subject, prefix, cost) for stem, cost in costs.items()
     )

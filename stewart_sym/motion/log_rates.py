@@ -73,7 +73,8 @@ def rates_of(
     fastest = _SECOND_RATE * fitted.curves.noise_std / float(np.median(np.diff(since))) ** 2
     unknown = np.mean(found[2] ** 2, axis=0) + fastest**2
     uncertainty.covariance[:, coarse, -1] += unknown[coarse]
-    if uncertainty.sigma[~clean].any():
+    # Noise of half a step or less cannot be distinguished from rounding.
+    if np.any((uncertainty.sigma > 0.5 * steps)[~clean]):
         remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
         form = log.file_format
         noise = noise_text(uncertainty, form.length_unit, form.angle_unit)

@@ -1,4 +1,4 @@
-"""Path parameterization: the fastest motion along a path, or the best one of a given duration."""
+"""Path parameterization: the motion of least time, or of least energy or peak force in a given time."""
 
 from __future__ import annotations
 
@@ -49,7 +49,8 @@ _TIGHT = 0.9
 _FEW_TURNS = 2
 # Number of parts of the first and the last cell.
 _AT_ENDS = 20
-# A limit at 100 % static utilization in a pose would require an infinite time there.
+# Static utilization of a limit from which a pose is rejected. At 100 % the motion would need an infinite
+# time there.
 _HOLD = 1.0 - 1e-6
 _RESTS = 1e-12
 _ROUGH_CELLS = 200
@@ -146,7 +147,7 @@ def parameterize_path(
     minimize: Minimize = "time",
     duration: float | None = None,
 ) -> TimedPath:
-    """Compute the fastest motion along a path within all limits, or the best one of a given duration.
+    """Compute the motion of least time, energy, or peak force along a path within all limits.
 
     The motion begins and ends at rest.
 
@@ -417,7 +418,7 @@ def need_duration(least: Minimize, duration: float | None) -> None:
 
 
 def need_losses(robot: Robot) -> None:
-    """Raise ValueError if all motions of a robot need the same energy, ignoring the Stribeck force."""
+    """Raise ValueError if viscous friction, winding resistance, and efficiency losses are all zero."""
     losses, drive = [robot.C_u, robot.C_p, robot.C_s], robot.drive
     if drive is not None:
         losses += [drive.resistance, viscous(drive), 1.0 - drive.efficiency, 1.0 - drive.backdrive_efficiency]

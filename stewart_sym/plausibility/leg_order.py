@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
-from ..kinematics.mounting import level_positions
+from ..kinematics.mounting_side import level_positions
 from ..robot.robot import LEGS, Robot
 from .finding import Finding
 from .level_poses import GOOD_CONDITION, HEIGHTS, MISPAIRED, level_conditions

@@ -6,7 +6,7 @@ from ..dynamics.home_pose import home_pose, level_lengths, radius
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
 from ..kinematics.inverse_kinematics import length_rows
-from ..kinematics.mounting import level_positions
+from ..kinematics.mounting_side import level_positions
 from ..robot.robot import Robot
 
 GOOD_CONDITION, MISPAIRED = 12.0, 6.0

@@ -1,4 +1,4 @@
-"""Plausibility of single numbers: units of points, exchanged points, masses, inertias, and speeds."""
+"""Plausibility of single numbers: units of points, exchanged points, masses, inertias, speeds, and leads."""
 
 from collections.abc import Iterator
 
@@ -40,6 +40,10 @@ Rods have 0.1; an inertia that is too small by 1e-6 makes it 1000 times smaller.
 """
 MOST_SPEED = 50.0
 """Largest plausible leg speed limit (m/s)."""
+MOST_STROKE_TIME = 300.0
+"""Largest plausible time for the whole stroke at the speed limit (s); slow positioning stages need 100 s."""
+LEAST_LEAD = 5e-5
+"""Smallest plausible change of the leg length per turn of the screw (m); micrometer screws have 2.5e-4 m."""
 MOST_MOTOR_SPEED = 3200.0
 """Largest plausible motor speed (rad/s), 30,000 revolutions per minute."""
 
@@ -152,18 +156,30 @@ def _gyration(inertias: Array, masses: Array | float) -> Array:
 
 
 def _of_speeds(robot: Robot) -> Iterator[Finding]:
-    """Yield a finding about speed limits of legs or motors that are too large."""
-    fast = _above(robot.speed_limit, MOST_SPEED)
-    if fast:
+    """Yield a finding about implausible speed limits of legs or motors, and about implausible leads."""
+    stroke = np.ptp(robot.length_limits, axis=1)
+    # Legs of usual machines change by about half of the base radius; implausible limits are found elsewhere.
+    stroke = np.where(np.isfinite(stroke), np.minimum(stroke, 2.0 * radius(robot.b)), 0.5 * radius(robot.b))
+    cause = f"likely cause: given in a larger unit, expected {robot.length_unit}"
+    if fast := _above(robot.speed_limit, MOST_SPEED):
         worst = robot.speed_limit[fast[0]]
         text = f"speed_limit of {legs_text(fast)}: {worst:.4g} m/s; likely cause: given in mm/s"
         yield Finding("speed-limit", text)
-    elif robot.drive is not None and (fast := _above(robot.drive.speed_limit, MOST_MOTOR_SPEED)):
+    elif slow := _above(stroke / robot.speed_limit, MOST_STROKE_TIME):
+        worst, time = (float(each[slow[0]]) for each in (robot.speed_limit, stroke / robot.speed_limit))
+        text = f"speed_limit of {legs_text(slow)}: {worst:.4g} m/s, {time:.3g} s for the stroke; "
+        yield Finding("speed-limit", f"{text}{cause}/s")
+    if robot.drive is None:
+        return
+    if fast := _above(robot.drive.speed_limit, MOST_MOTOR_SPEED):
         yield Finding(
             "drive-speed",
             f"speed_limit of the drives of {legs_text(fast)}: {robot.drive.speed_limit[fast[0]]:.4g} rad/s; "
             "likely cause: revolutions given, expected angle_unit a second",
         )
+    if fine := _above(LEAST_LEAD / np.abs(robot.drive.lead), 1.0):
+        text = f"lead of {legs_text(fine)}: {robot.drive.lead[fine[0]]:.3g} m; "
+        yield Finding("drive-lead", text + cause)
 
 
 def _above(limit: Array, most: float) -> list[int]:

@@ -9,10 +9,10 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from ..kinematics.mounting import AssemblyModeWarning
+from ..kinematics.mounting_side import AssemblyModeWarning
 from ..robot.robot import Robot
-from .at_home import of_home
 from .finding import Finding
+from .home_pose_checks import of_home
 from .leg_order import of_order
 from .level_poses import level_home
 from .numbers import of_numbers

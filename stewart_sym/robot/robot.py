@@ -372,7 +372,7 @@ _SYMBOLS = {
 }
 
 
-def need_masses(robot: Robot, used_for: str = "this function") -> None:
+def need_masses(robot: Robot, used_for: str = "dynamics") -> None:
     """Raise ValueError for a robot file without all masses; ``used_for`` is the subject of the message."""
     missing = robot.missing_bodies
     if missing:

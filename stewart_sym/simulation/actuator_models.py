@@ -152,20 +152,6 @@ class ModelTorque:
     The index w denotes the reference; e is the rotation vector of R_w R^T in the base frame. If model and
     load are exact, the position error satisfies x'' + k_d x' + k_p x = 0. For rotation this holds about a
     fixed axis.
-
-    Attributes
-    ----------
-    model : callable
-        Function Motion of shape () with accelerations -> actuator forces (N), shape (6,).
-    reference : callable
-        Function time (s) -> reference Motion with accelerations. Its external load is passed to the model.
-    k_p, k_d : float
-        Gains of position (1/s^2) and velocity (1/s).
-
-    Raises
-    ------
-    ValueError
-        If a gain is negative or not finite.
     """
 
     model: Model
@@ -236,29 +222,10 @@ class ComputedTorque:
 
 @dataclass(frozen=True, eq=False)
 class GravityCompensation(Frozen):
-    """PD control with gravity compensation: H F = g + M_0 u.
+    """PD control with gravity compensation: H F = g + M_0 u, without inertia forces and load.
 
-    The gravity wrench is g. The feedback is u = [k_d (v_w - v) + k_p (t_w - t); k_d (omega_w - omega) +
-    k_p e], with the symbols of ``ModelTorque``. The law computes no inertia forces, and ignores accelerations
-    and load of the reference.
-
-    Attributes
-    ----------
-    model : callable
-        Inverse dynamics: function Motion of shape () with accelerations and load -> F (N), shape (6,). The
-        law evaluates it at rest.
-    inertia : ndarray, shape (6, 6)
-        Constant mass matrix M_0 for twists [v; omega] in the base frame. It converts the gains to stiffness
-        and damping.
-    reference : callable
-        Function time (s) -> reference Motion.
-    k_p, k_d : float
-        Gains of position (1/s^2) and velocity (1/s).
-
-    Raises
-    ------
-    ValueError
-        If a gain is negative or not finite, or if ``inertia`` has another shape.
+    The feedback is u = [k_d (v_w - v) + k_p (t_w - t); k_d (omega_w - omega) + k_p e], with the symbols of
+    ``ModelTorque``. M_0 is the constant ``inertia``, shape (6, 6), for twists [v; omega] in the base frame.
     """
 
     model: Model
@@ -313,10 +280,7 @@ def along(path: StraightLinePath) -> Reference:
 
 
 def at_samples(reference: Reference, rate: float, duration: float) -> Reference:
-    """Evaluate a reference motion at all samples of a law at once; ``rate`` is in Hz, ``duration`` in s.
-
-    The reference must accept arrays of times. Other times get the motion at the nearest sample.
-    """
+    """Evaluate a reference motion, which accepts arrays of times, at all samples of a law (Hz, s)."""
     last = math.ceil(duration * rate)
     motion = reference(np.arange(last + 1) / rate)
     return lambda time: motion[min(round(time * rate), last)]

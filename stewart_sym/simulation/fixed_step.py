@@ -16,36 +16,10 @@ from .state_history import motion_of
 def advance(
     plant: ForwardDynamics, state: Motion, F: Array, duration: float, steps: int = 1
 ) -> tuple[Motion, Codes]:
-    """Integrate states over a duration under constant actuator forces.
+    """Integrate states (...) with their loads over a duration (s) under constant forces F (N); return status.
 
     The method is the classical Runge-Kutta method of order 4. Each step represents its rotations as rotation
     vectors relative to the R at its start (Runge-Kutta-Munthe-Kaas), so R remains orthonormal to rounding.
-
-    Parameters
-    ----------
-    plant : ForwardDynamics
-        Forward dynamics of the robot.
-    state : Motion
-        Initial states, shape (...). The load of a state is constant in the platform frame.
-    F : ndarray, shape (..., 6)
-        Actuator forces (N).
-    duration : float
-        Duration (s).
-    steps : int, optional
-        Number of equal steps, at least 1.
-
-    Returns
-    -------
-    state : Motion
-        Final states, shape (...), without accelerations and with the load. A state whose status is not 0 is
-        NaN.
-    status : ndarray of int, shape (...)
-        0, or the first code of ``results.STATUS_TEXT`` that forward dynamics returned.
-
-    Raises
-    ------
-    ValueError
-        If ``steps`` is below 1.
     """
     if steps < 1:
         raise ValueError(f"steps: expected at least 1, got {shown(steps)}")

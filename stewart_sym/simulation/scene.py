@@ -14,7 +14,7 @@ from ..io import toml_reader
 from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
-from ..kinematics.mounting import path_for
+from ..kinematics.mounting_side import path_for
 from ..kinematics.robot_logs import read_log_of
 from ..motion.interpolation import followed
 from ..motion.motion import Motion
@@ -74,18 +74,8 @@ _LAW_NEEDS = {
 class Scene:
     """Simulation with all arguments of ``simulate``, under the same names and in the same units.
 
-    Attributes
-    ----------
-    law : callable
-        Force law. With ``control_rate`` (Hz) its forces are constant between samples.
-    reference : callable, optional
-        Reference motion of a tracking law: function of times (s), of any shape.
-    load : callable, optional
-        Load in the file of a tracked path; None for the load of ``state``.
-    files : tuple of Path
-        Files from which the scene was read.
-    stated : mapping
-        Values in the file for the initial state and the actuation, by key, for example ``state.theta``.
+    control_rate: sampling rate of the law (Hz). reference: motion of a tracking law for times (s), any shape.
+    load: load in the file of a tracked path. stated: values in the file by key.
     """
 
     robot: Robot
@@ -112,24 +102,7 @@ class Scene:
 
 
 def read_scene(path: str | os.PathLike[str]) -> Scene:
-    """Read a scene file.
-
-    Parameters
-    ----------
-    path : str or path-like
-        TOML file, schema 1. Relative file names in it refer to its folder.
-
-    Returns
-    -------
-    Scene
-        Validated scene.
-
-    Raises
-    ------
-    ValueError
-        If this file or a file named in it cannot be read or violates its schema. The message is one line,
-        ``file: key: expected value (at line n)``.
-    """
+    """Read and validate a scene file, TOML, schema 1, with file names relative to its folder."""
     source = os.fsdecode(path)
     with toml_reader.toml_tables(source, "scene of simulate") as d:
         return _scene(d, source)

@@ -229,23 +229,7 @@ def simulate(
 
 @dataclass(eq=False)
 class _Run:
-    """Parts and current state of one simulation, and its integration over all charts.
-
-    Attributes
-    ----------
-    y, center : ndarray
-        Chart coordinates at ``time`` (s), and the center of the chart.
-    step : float, optional
-        Size of the next trial step (s); None if the solver chooses it.
-    sampled : ndarray, shape (6,), optional
-        Last forces of a sampled law (N).
-    fault : int
-        Last nonzero status.
-    unknown : str
-        Message about the input for which the last accelerations were not finite.
-    unwatched : int
-        Number of the last pieces whose stop conditions are not checked yet.
-    """
+    """Parts and current state of one simulation, and its integration over all charts."""
 
     robot: Robot
     accelerations: Callable[[Motion, Array], tuple[Array, int]]
@@ -256,14 +240,18 @@ class _Run:
     tolerances: dict[str, float]
     watch: Watch
     reached: Callable[[float], None]
+    # Last nonzero status, and message about the input for which the last accelerations were not finite.
     fault: int = 0
     unknown: str = ""
     sticking: StickSlip | None = None
     pieces: list[Piece] = field(default_factory=list)
+    # Number of the last pieces whose stop conditions are not checked yet.
     unwatched: int = 0
     time: float = 0.0
+    # Next trial step (s), None if the solver chooses it; last forces of a sampled law (N).
     step: float | None = None
     sampled: Array | None = None
+    # Chart coordinates, and center of the chart.
     y: Array = field(init=False)
     center: Array = field(init=False)
 

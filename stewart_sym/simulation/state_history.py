@@ -76,16 +76,8 @@ class ForceSaturation:
 class DriveWork:
     """Work of the motors and energy dissipated by the friction of the drives in a simulation.
 
-    Attributes
-    ----------
-    done : ndarray, shape (6,)
-        Work of each motor (J).
-    lost : ndarray, shape (6,)
-        Energy dissipated by the friction of each drive (J).
-    friction : ndarray, shape (n, 6)
-        Motor force less leg force (N) at the times of the history.
-    sticks : ndarray of bool, shape (n, 6)
-        True for sticking legs.
+    done, lost: work (J), shape (6,). friction: motor force less leg force (N), sticks: sticking legs, at the
+    times of the history, shape (n, 6).
     """
 
     done: Array
@@ -167,15 +159,7 @@ class Actuators(NamedTuple):
 
 
 class Piece(NamedTuple):
-    """Accepted step: its times (s), the interpolant of the chart coordinates, and the center of the chart.
-
-    Attributes
-    ----------
-    sampled : ndarray, shape (6,), optional
-        Forces that a sampled law commands (N); None for other laws.
-    modes : tuple of int
-        Mode of each leg: sticking or slipping.
-    """
+    """Accepted step: times (s), interpolant of the chart coordinates and center, forces, leg modes."""
 
     start: float
     end: float

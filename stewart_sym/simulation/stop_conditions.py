@@ -65,23 +65,13 @@ class StopConditions:
 
 @dataclass(frozen=True, eq=False)
 class Watch:
-    """Margins of all stop conditions; a margin is positive while its condition is satisfied.
-
-    Attributes
-    ----------
-    robot : Robot
-        Robot with limits.
-    thresholds : StopConditions
-        Limits of the model.
-    force_limit : ndarray, shape (6,)
-        Limits of the actuator forces (N); inf if forces are clipped.
-    side : float
-        Sign of det H at the start of the simulation.
-    """
+    """Margins of all stop conditions; a margin is positive while its condition is satisfied."""
 
     robot: Robot
     thresholds: StopConditions
+    # Infinite if forces are clipped (N), (6,).
     force_limit: Array
+    # Sign of det H at the start.
     side: float
 
     def first(self, pieces: Sequence[Piece], actuators: Actuators) -> tuple[int, StopEvent] | None:
@@ -184,26 +174,22 @@ class Watch:
             condition = condition_number(_scaled_H(legs, platform_size(robot)))[0]
             text = f"condition number of H reaches {condition:.4g} at {time:.9g} s"
             return StopEvent("singular", time, None, f"near a singular pose: {text}")
+        (base, most_b), (tip, most_p) = angles / units.radians
+        F = actuators.forces(at, state, piece.sampled)[0, leg]
         kind, text = (
             ("length_limits", f"length {length} reaches its lower limit {low:g} {unit}"),
             ("length_limits", f"length {length} reaches its upper limit {high:g} {unit}"),
-            (
-                "speed_limit",
-                f"speed {speed:.6g} {unit}/s reaches its limit {fastest:g} {unit}/s",
-            ),
-            (
-                "force_limit",
-                f"force {actuators.forces(at, state, piece.sampled)[0, leg]:.6g} N reaches its limit "
-                f"{robot.force_limit[leg]:g} N",
-            ),
+            ("speed_limit", f"speed {speed:.6g} {unit}/s reaches its limit {fastest:g} {unit}/s"),
+            ("force_limit", f"force {F:.6g} N reaches its limit {robot.force_limit[leg]:g} N"),
             ("zero_length", f"length {length} is near zero"),
             ("joint_singularity", "is nearly parallel to the fixed axis of its universal joint"),
-            *(
-                (
-                    "joint_angle_limit",
-                    f"joint angle at the {end} {angle:.6g} {turn} reaches its limit {most:g} {turn}",
-                )
-                for end, (angle, most) in zip(("base", "platform"), angles / units.radians, strict=True)
+            (
+                "joint_angle_limit",
+                f"joint angle at the base {base:.6g} {turn} reaches its limit {most_b:g} {turn}",
+            ),
+            (
+                "joint_angle_limit",
+                f"joint angle at the platform {tip:.6g} {turn} reaches its limit {most_p:g} {turn}",
             ),
         )[row // 6]
         return StopEvent(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")

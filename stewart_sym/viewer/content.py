@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drives.effort import PEAKS
 from ..drives.limit_status import EXCEEDED, VERDICTS, shows
+from ..drives.limits import PEAKS, RATED
 from ..io.arguments import safe_text
 from ..io.array_types import Array
 from ..io.json_text import plain
 from ..kinematics.conditioning import characteristic_length
-from ..kinematics.mounting import platform_side, radius
+from ..kinematics.mounting_side import platform_side, radius
 from ..motion.rotation import quaternion_from_rotation
 from ..motion.sample_times import least_step, time_text
 from ..robot.offset_chains import chains
@@ -150,10 +150,10 @@ def _deviations(robot: Robot, shown: MotionHistory, limits: LimitReport) -> Iter
         return
     sd, motors = shown.noise.sd, limits.motors
     found = [(f"F_{name}", F, shown.noise.forces[name]) for name, F in shown.forces.items()]
-    found += [("L", shown.L, sd.L), ("L_dot", shown.L_dot, sd.L_dot)]
-    if motors is not None and sd.motors is not None:
-        found += [(name, getattr(motors, name), getattr(sd.motors, name)) for name in ("torque", "power")]
-        found += [] if robot.offsets is None else [("speed", motors.speed, sd.motors.speed)]
+    found += [("L", shown.L, sd["L"]), ("L_dot", shown.L_dot, sd["L_dot"])]
+    if motors is not None:
+        names = ("torque", "power") if robot.offsets is None else ("torque", "power", "speed")
+        found += [(name, getattr(motors, name), sd[name]) for name in names]
     for name, *pair in found:
         peak, most = (np.nan_to_num(np.abs(each), nan=0.0).max(axis=0, initial=0.0) for each in pair)
         if shows(peak, most, _DIGITS + (name == "L")).any():
@@ -171,10 +171,10 @@ def _runs(codes: NDArray[np.uint8]) -> Iterator[list[int]]:
 
 def _motors(limits: LimitReport) -> dict[str, Any] | None:
     """Return motor data: conversion factors of speeds and currents, limits, and RMS torques."""
-    found = limits.summary
-    if found is None:
+    found, drive = limits.tracker, limits.tracker.robot.drive
+    if drive is None:
         return None
-    drive, known = found.drive, np.isfinite(limits.F).any(axis=0) & (found.span > 0.0)
+    known = np.isfinite(limits.F).any(axis=0) & (found.weights.sum() > 0.0)
     return {
         "turns": drive.transmission_ratio,
         "constant": drive.torque_constant,
@@ -182,7 +182,7 @@ def _motors(limits: LimitReport) -> dict[str, Any] | None:
         "rated": drive.rated_torque,
         "rms": np.where(known, found.rms_torque, np.nan),
         "rmsDeviation": found.rms_torque_sd,
-        "rmsVerdict": [VERDICTS.index(each) for each in found.verdicts("rated_torque")],
+        "rmsVerdict": [VERDICTS.index(each) for each in found.verdicts(RATED)],
     }
 
 

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drives.effort import Summary, motor_codes, trapezoids
-from ..drives.leg_limits import LegLimits, leg_codes, limited_angles
 from ..drives.limit_status import INCONCLUSIVE_NOISE, unknown_forces
+from ..drives.limits import LimitTracker, limit_codes, limited_angles, limits_of
 from ..drives.motor_states import MotorStates as Motors
 from ..drives.motor_states import motor_states, of_motor_forces
 from ..io.array_types import Array
-from ..motion.sample_times import elapsed, least_step
 from ..robot.robot import Robot
 from .motion_history import FORMULATIONS, MotionHistory
-
-_OF_LEGS = ("force_limit", "speed_limit", "length_limits", "joint_angle_limit")
-_OF_MOTORS = ("torque_limit", "speed_limit", "current_limit", "power_limit", "rated_torque")
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +32,10 @@ class LimitReport:
         torque, speed, current, and power.
     F : ndarray, shape (n, 6)
         Forces from which the motor quantities are computed (N).
-    motors, summary : MotorStates, Summary, optional
-        Motor quantities of each sample and of the whole motion; None without a drive.
+    motors : MotorStates, optional
+        Motor quantities of each sample; None without a drive.
+    tracker : LimitTracker
+        Status of the limits, and motor quantities of the whole motion.
     """
 
     stated: bool
@@ -46,43 +43,29 @@ class LimitReport:
     codes: Mapping[str, NDArray[np.uint8]]
     F: Array
     motors: Motors | None
-    summary: Summary | None
+    tracker: LimitTracker
 
 
 def limits(robot: Robot, shown: MotionHistory) -> LimitReport:
     """Compare a motion with all limits; without forces, only with the limits of lengths and speeds."""
-    name, noise = next(iter(shown.forces), None), shown.noise
-    F = np.full_like(shown.L, np.nan) if name is None else shown.forces[name]
+    first, noise = next(iter(shown.forces), None), shown.noise
+    F = np.full_like(shown.L, np.nan) if first is None else shown.forces[first]
     sd, there = (None, None) if noise is None else (noise.sd, noise.there)
-    legs = LegLimits(robot, shown.time, () if noise is None else noise.replaced)
-    values = {"F": F, "L": shown.L, "L_dot": shown.L_dot}
-    legs.add(slice(None), values | limited_angles(robot, shown.motion), sd, there)
-    unknown = None if noise is None else unknown_forces(F, np.where(noise.there[:, None], 0.0, noise.sd.F))
-    told = [*([] if unknown is None else [(INCONCLUSIVE_NOISE, unknown)]), *legs.told()]
-    codes = dict(_leg_codes(robot, shown))
-    if robot.drive is None:
-        return LimitReport(_stated(robot), tuple(told), codes, F, None, None)
-    of = motor_states if name in FORMULATIONS else of_motor_forces
-    motors = of(robot, robot.drive, shown.motion, F, shown.L_dot)
-    motors_sd = None if sd is None else sd.motors
-    summary = Summary(robot, least_step(shown.time))
-    summary.add(motors, trapezoids(elapsed(shown.time)), shown.time, motors_sd, there)
-    codes |= motor_codes(robot.drive, motors, motors_sd, there)
-    return LimitReport(_stated(robot), (*told, *summary.told()), codes, F, motors, summary)
-
-
-def _leg_codes(robot: Robot, shown: MotionHistory) -> Iterator[tuple[str, NDArray[np.uint8]]]:
-    noise = shown.noise
-    there = None if noise is None else noise.there
-    for name, F in shown.forces.items():
-        yield f"F_{name}", leg_codes(robot, "F", F, None if noise is None else noise.forces[name], there)
-    for name in ("L", "L_dot"):
-        sd = None if noise is None else getattr(noise.sd, name)
-        yield name, leg_codes(robot, name, getattr(shown, name), sd, there)
-
-
-def _stated(robot: Robot) -> bool:
-    found = [getattr(robot, name) for name in _OF_LEGS]
+    tracker = LimitTracker(robot, shown.time, () if noise is None else noise.replaced)
+    lengths = {"L": shown.L, "L_dot": shown.L_dot}
+    values = {"F": F, **lengths, **limited_angles(robot, shown.motion)}
+    codes = limit_codes(robot, lengths, sd, there)
+    for name, forces in shown.forces.items():
+        off = None if noise is None else {"F": noise.forces[name]}
+        codes[f"F_{name}"] = limit_codes(robot, {"F": forces}, off, there)["F"]
+    motors = None
     if robot.drive is not None:
-        found += [getattr(robot.drive, name) for name in _OF_MOTORS]
-    return any(bool(np.any(np.isfinite(each) & (np.asarray(each) != 0.0))) for each in found)
+        of = motor_states if first in FORMULATIONS else of_motor_forces
+        motors = of(robot, robot.drive, shown.motion, F, shown.L_dot)
+        values |= motors._asdict()
+        codes |= limit_codes(robot, motors._asdict(), sd, there)
+    tracker.add(slice(None), values, sd, there)
+    unknown = None if noise is None else unknown_forces(F, np.where(noise.there[:, None], 0.0, noise.sd["F"]))
+    told = [*([] if unknown is None else [(INCONCLUSIVE_NOISE, unknown)]), *tracker.told()]
+    stated = any(limit.is_stated(robot) for limit in limits_of(robot))
+    return LimitReport(stated, tuple(told), codes, F, motors, tracker)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..drives.leg_limits import replaced_names, replaced_rows
+from ..drives.limits import replaced_names, replaced_rows
 from ..drives.noise import Deviations, all_deviations, at_replaced
 from ..dynamics.force_noise import force_std
 from ..dynamics.inverse_dynamics import inverse_dynamics
@@ -18,7 +18,7 @@ from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
-from ..kinematics.mounting import path_for
+from ..kinematics.mounting_side import path_for
 from ..kinematics.pose_search import rates_per_twist
 from ..motion.csv_table import read_table
 from ..motion.interpolation import Path, interpolate
@@ -253,7 +253,7 @@ def _noise(robot: Robot, trajectory: Trajectory, formulations: list[str]) -> Noi
     if replaced:
         said.append(f"replaced rows: {replaced_names(replaced)}")
     text, there = "; ".join(said), at_replaced(trajectory, trajectory.time)
-    return Noise(text, sd, {first: sd.F} | forces, there, replaced)
+    return Noise(text, sd, {first: sd["F"]} | forces, there, replaced)
 
 
 def _forces(robot: Robot, motion: Motion, formulation: str) -> Array:

@@ -22,7 +22,7 @@ from stewart_sym.robot.robot import Robot
 
 Array = NDArray[Any]
 LOADS = ("F_ext", "M_ext")
-SIZES = (0, 1, 7, 8, 9, 1000)
+SIZES = (0, 1, 8, 9, 300)
 
 
 def flat(rng: np.random.Generator, base_joint: str = "universal") -> Robot:

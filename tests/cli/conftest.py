@@ -10,7 +10,7 @@ from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.motion.rotation import rpy_from_rotation
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 
 @pytest.fixture

@@ -67,25 +67,41 @@ def test_bad_robot_files_are_rejected_by_all_subcommands(robot: Path, trajectory
 
 
 def test_derive_check_tells_what_differs(tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("stewart_sym.derive.generated_files.generated_files", _two_files)
+    monkeypatch.setattr("stewart_sym.derive.generated_files.generated_files", _three_files)
     target = tmp_path / "generated"
     out = run("derive", "-o", target).out
     assert "exact" in out
     assert "operations per pose: 10\n" in out
-    assert "all 2 files are as derived" in run("derive", "--check", "-o", target).out
+    assert "all 3 files are as derived" in run("derive", "--check", "-o", target).out
+    assert results(target) == ["c", "exact.py", "on_demand.sha256"]
+    assert results(target / "c") == ["stewart_exact.c"]
     (target / "c" / "stewart_exact.c").write_text("int y;\n")
+    (target / "on_demand.sha256").write_text(f"{'0' * 64}  c/stewart_exact_bounds.h\n")
     (target / "stray.py").write_text("")
     (target / "exact.py").unlink()
     before = folder_state(target)
     lines = run("derive", "--check", "-o", target, code=1).out.splitlines()
-    assert lines[-3:] == ["differs: c/stewart_exact.c", "missing: exact.py", "not generated: stray.py"]
+    changed = ["differs: c/stewart_exact.c", "differs: c/stewart_exact_bounds.h"]
+    assert lines[-4:] == [*changed, "missing: exact.py", "not generated: stray.py"]
     assert folder_state(target) == before
 
 
-def _two_files(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
+def _three_files(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
     progress("exact", 1.0, 1.0)
     counts = {"friction": {"total": (4, 3, 2, 1)}}
-    return {"exact.py": f"OPERATIONS: dict = {counts}\n", "c/stewart_exact.c": "int x;\n"}
+    return {
+        "exact.py": f"OPERATIONS: dict = {counts}\n",
+        "c/stewart_exact.c": "int x;\n",
+        "c/stewart_exact_bounds.h": "int y;\n",
+    }
+
+
+def test_derive_writes_one_kernel_for_reading(tmp_path: Path, run: Run, fails: Fails) -> None:
+    name = "stewart_exact_massless_static_forces"
+    run("derive", "--kernel", name, "-o", tmp_path / "out")
+    assert results(tmp_path / "out" / "c") == [f"{name}.c", f"{name}.h"]
+    assert "did you mean stewart_exact_bounds?" in fails("derive", "--kernel", "exact_bounds", "-o", tmp_path)
+    assert "--kernel: must be given with --output" in fails("derive", "--kernel", name)
 
 
 def test_generate_names_the_option_that_is_wrong(robot: Path, fails: Fails) -> None:

@@ -14,8 +14,8 @@ from plain_logs import read_log
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.drives.effort import trapezoids
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.drives.limits import trapezoids
+from stewart_sym.studies.common.text_tables import csv_lines
 
 
 def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) -> None:
@@ -92,13 +92,6 @@ def test_a_pose_without_an_answer_is_rejected_unless_allowed(robot: Path, run: R
     assert np.isfinite(float(rows[2]["L_1"]))
 
 
-def test_an_output_that_cannot_be_written_is_named_before_work(robot: Path, fails: Fails) -> None:
-    for output in (robot / "f.csv", robot.parent):
-        line = fails("forces", robot, robot.parent / "none.csv", "-o", output)
-        assert str(output) in line
-    assert list(robot.parent.iterdir()) == [robot]
-
-
 @pytest.mark.slow
 def test_a_full_standard_output_is_one_line(robot: Path) -> None:
     command = [sys.executable, "-W", "ignore", "-m", "stewart_sym", "check", str(robot)]
@@ -107,24 +100,6 @@ def test_a_full_standard_output_is_one_line(robot: Path) -> None:
     lines = [line for line in done.stderr.splitlines() if "warning" not in line]
     assert done.returncode == 2
     assert lines == ["stewart-sym: error: standard output: No space left on device"]
-
-
-@pytest.mark.slow
-def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, trajectory: Path, run: Run) -> None:
-    # Millimeters as leg lengths in m: the likely cause is a warning, what came of it the error.
-    lengths = [f"{time},{','.join(6 * [str(900 + time)])}" for time in range(8)]
-    header = ",".join(["time", *(f"L_{leg}" for leg in range(1, 7))])
-    trajectory.write_text("\n".join([header, *lengths]) + "\n")
-    captured = run("forces", robot, trajectory, "-o", "-", "--length-unit", "m", code=2)
-    *warned, error = captured.err.splitlines()
-    assert captured.out == ""
-    assert error.startswith("stewart-sym: error: ")
-    assert all(line.startswith("stewart-sym: warning: ") for line in warned)
-    assert (
-        len([line for line in warned if "compared with a machine" in line and "--length-unit mm" in line])
-        == 1
-    )
-    assert "--length-unit mm" not in error
 
 
 def test_exchanged_files_are_named_and_remedies_are_options(
@@ -180,15 +155,6 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     ]
     assert min(sides) < -1e6
     assert max(sides) > 1e6
-
-
-def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path, run: Run) -> None:
-    folder = robot.parent / "found"
-    out = run("singularities", robot, trajectory, "-o", folder, "--no-plots").out
-    assert results(folder) == ["events.csv", "path.csv", "report.json", "report.txt"]
-    assert "crossings  0" in out
-    assert "Nearest approach at" in out
-    assert json.loads((folder / "report.json").read_text())["crossings"] == []
 
 
 def test_singularities_fails_in_one_line(robot: Path, trajectory: Path, crossing: Path, fails: Fails) -> None:

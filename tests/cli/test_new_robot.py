@@ -47,17 +47,6 @@ def test_a_stroke_in_meters_among_millimeters_is_doubted_by_new_and_check(tmp_pa
         assert "stroke or limits given in m in a file of another unit of length [length-limits]" in line
 
 
-def test_millimeters_and_meters_make_the_same_machine(tmp_path: Path) -> None:
-    made = []
-    for unit, factor in (("m", 1.0), ("mm", 1000.0)):
-        numbers = {name: value * (1.0 if "mass" in name else factor) for name, value in NUMBERS.items()}
-        path = tmp_path / f"{unit}.toml"
-        assert main(["new", "-o", str(path), "--length-unit", unit, *options(numbers)]) == 0
-        made.append(ss.Robot.from_toml(path))
-    for name in ("b", "p", "M", "I_p", "m_d", "I_d0", "r_u0", "I_u0", "length_limits", "home_position"):
-        np.testing.assert_allclose(getattr(made[0], name), getattr(made[1], name), rtol=1e-14, atol=1e-16)
-
-
 def test_z_may_point_down(tmp_path: Path, run: Run) -> None:
     up, down = tmp_path / "up.toml", tmp_path / "down.toml"
     assert main(["new", "-o", str(up), *options(NUMBERS)]) == 0

@@ -12,7 +12,7 @@ from robot_files import HANGING
 import stewart_sym as ss
 from stewart_sym.io.toml_text import toml_text
 from stewart_sym.kinematics.trajectory_writer import trajectory_columns
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 DRIVE = "[legs.drive]\nlead = 5.0\ntorque_limit = 5.0\nspeed_limit = 9e4\n"
 LOG_UNITS = '[trajectory]\nlength_unit = "m"\nangle_unit = "rad"\n'

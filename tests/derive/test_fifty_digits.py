@@ -18,7 +18,7 @@ from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS, PAPER,
 from stewart_sym.derive.mechanics.regressor import dependencies
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import digits
+from stewart_sym.precision.exact_forces import digits
 from stewart_sym.robot.robot import Robot
 
 UNITS = 40

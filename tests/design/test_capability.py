@@ -111,19 +111,6 @@ def test_corners_are_in_reach_and_nothing_beyond_them_is(others: str) -> None:
             assert bool(np.all(np.abs(F) <= robot.force_limit)) is kept
 
 
-def test_an_exerted_force_is_the_load_that_fills_the_limits() -> None:
-    rng = np.random.default_rng(5)
-    robot = with_limits(rng)
-    motion = random_motion(rng, robot, (7,), load=False)
-    direction = np.array([0.0, 0.0, 1.0])
-    size = ss.capability_polytope(robot, motion).max_along(direction)
-    assert np.isfinite(size).any()
-    for i in np.flatnonzero(np.isfinite(size)):
-        load = -size[i] * motion.R[i].T @ direction
-        F = ss.inverse_dynamics(robot, dataclasses.replace(motion[i], F_ext=load, M_ext=np.zeros(3))).F
-        assert np.max(np.abs(F) / robot.force_limit) == pytest.approx(1.0, rel=1e-9)
-
-
 def test_capability_refers_to_the_tool_of_the_robot_file() -> None:
     rng = np.random.default_rng(14)
     robot = with_limits(rng)

@@ -63,30 +63,6 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        (("--position", 0, 0, 700), "mm long: change --position"),
-        (("--load", 0, 0, 9000, 0, 0, 0), "actuator force"),
-    ],
-)
-def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, run: Run) -> None:
-    errors = run("workspace", "hanging.toml", "--samples", 100, "--no-plots", *options).err
-    assert "center pose: violates a limit, " in errors
-    assert words in errors
-    assert ("--position" in errors) == (words.startswith("mm long"))
-
-
-@pytest.mark.slow
-def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
-    volumes = []
-    for ignored in ((), ("--ignore", "joint_angles")):
-        told = run("workspace", "hanging.toml", *FEW, *ignored, "--no-plots", "--json", "-").out
-        volumes.append(json.loads(told)["volume"])
-    assert volumes[0] < 0.9 * volumes[1]
-
-
-@pytest.mark.slow
 def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(folder: Path, run: Run) -> None:
     edit(folder / "hexapod.toml", "force_limit = 500.0", "force_limit = 150.0")
     captured = run("size-actuators", "hexapod.toml", "trajectory.csv", "trajectory.csv", "--quantile", 1)
@@ -124,21 +100,3 @@ def test_bad_input_is_one_line_and_leaves_nothing(
     before = folder_state(folder)
     assert message in fails(*arguments)
     assert folder_state(folder) == before
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "message"),
-    [
-        ("[30.0, 22.0]", "[30.0, 0.0]", "legs.joint_angle_limit: expected angles > 0 and <= 180, got [30.0"),
-        ("home_position = [0.0, 0.0, 700.0]\n", "", "expected a key home"),
-    ],
-)
-def test_a_joint_angle_limit_that_is_none_is_named_with_its_line(
-    folder: Path, fails: Fails, old: str, new: str, message: str
-) -> None:
-    if not new:
-        edit(folder / "hanging.toml", "stroke = [-150.0, 150.0]\n", "")
-    edit(folder / "hanging.toml", old, new)
-    line = fails("workspace", "hanging.toml")
-    assert message in line
-    assert "(at line " in line

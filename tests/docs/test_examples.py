@@ -21,9 +21,9 @@ from sweeps import FULL, slow_but
 
 _HEAVY = ("gallery/mpc", "gallery/computed-torque", "gallery/controller-models")
 _HEAVY += ("howto/plan", "howto/languages", "howto/cmake", "howto/simulate", "howto/drives", "howto/fidelity")
-_HEAVY += ("gallery/motors",)
+_HEAVY += ("gallery/motors", "gallery/telemetry", "howto/workspace")
 HEAVY = set() if FULL else {f".docs/{name}.md" for name in _HEAVY}
-"""Pages whose examples take nine seconds of processor time and more."""
+"""Pages whose examples take five seconds and more, but those of tutorials, README and kits."""
 RUNNING = [
     page
     for page in PAGES
@@ -33,7 +33,7 @@ SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blo
 LONG = {
     f".docs/gallery/{name}.md"
     for name in ("mpc", "computed-torque", "controller-models", "around-a-singularity")
-} | {f".docs/howto/{name}.md" for name in ("arrays", "controller")}
+} | {f".docs/howto/{name}.md" for name in ("arrays", "cluster", "controller", "friction")}
 DARKEST_PAPER = 0.94
 """Brightness below which a dot of a drawing is ink, 0 to 1."""
 
@@ -51,6 +51,7 @@ def test_examples_run_in_order_and_give_what_the_page_says(
             assert same_picture(made, committed), committed.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", DRAWINGS)
 def test_drawings_are_those_of_their_scripts_and_not_cut_off(name: str, tmp_path: Path) -> None:
     save(DRAWINGS[name](), tmp_path / "drawing.png")

@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run, rejects
+from command_line import Run
 from machines import random_robot
 from motion_fields import motion_of, waves
 from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.drives.friction import friction_force
-from stewart_sym.drives.leg_limits import LEG_LIMITS, LegLimits
+from stewart_sym.drives.limits import LEG_LIMITS, LimitTracker
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.trajectory import Trajectory, Uncertainty
@@ -146,20 +146,6 @@ def test_limits_are_named_with_leg_value_and_time(robot: ss.Robot) -> None:
         ss.drive_effort(rated, motion, time)
 
 
-def test_weights_of_unequal_steps_and_wrong_arguments(robot: ss.Robot) -> None:
-    time = np.sort(np.random.default_rng(0).uniform(0.0, 2.0, 3000))
-    even = np.linspace(0.0, 2.0, 3001)
-    machine = with_drive(robot, torque_constant=0.4, resistance=1.0)
-    one = ss.drive_effort(machine, swing(robot, time, 2.0), time)
-    other = ss.drive_effort(machine, swing(robot, even, 2.0), even)
-    np.testing.assert_allclose(one.rms_torque, other.rms_torque, rtol=2e-3)
-    np.testing.assert_allclose(one.energy, other.energy, rtol=5e-3, atol=0.2)
-    with pytest.raises(ValueError, match=r"robot: expected a drive, got a robot without one"):
-        ss.drive_effort(robot, swing(robot, even, 2.0))
-    for wrong in (even[::-1], even[1:], np.zeros(3001)):
-        rejects(r"\Atime: expected", ss.drive_effort, machine, swing(robot, even, 2.0), wrong)
-
-
 def forces(folder: Path, robot: ss.Robot, time: np.ndarray, *options: str) -> list[str]:
     """Files of a robot and its swing, and the command that takes them."""
     motion = swing(robot, time, 2.0)
@@ -210,8 +196,6 @@ def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     page = (tmp_path / "F.html").read_text(encoding="utf-8")
     assert f'data-value="{leg["motor_rms_torque_N_m"]!r}"' in page
     assert 'alt="forces"' in page
-    assert "use --force" in run(*command, code=2).err
-    run(*command, "--force")
 
 
 def test_dry_friction_is_as_unsure_as_the_direction_of_the_leg(robot: ss.Robot) -> None:
@@ -242,17 +226,6 @@ def test_dry_friction_is_as_unsure_as_the_direction_of_the_leg(robot: ss.Robot) 
         assert np.all(effort.std["speed"] > 0.0)
 
 
-def test_a_trajectory_has_its_own_times(robot: ss.Robot) -> None:
-    time = np.linspace(0.0, 1.0, 50)
-    motion = swing(robot, time, 1.0)
-    driven = with_drive(robot, **LOSSY)
-    log = Trajectory(time, motion, "log.csv", range(50))
-    effort, same = ss.drive_effort(driven, log), ss.drive_effort(driven, motion, time)
-    assert effort.std is None
-    np.testing.assert_array_equal(effort.energy, same.energy)
-    rejects(r"^time: expected None with a trajectory", ss.drive_effort, driven, log, time)
-
-
 def test_limits_of_legs_at_which_a_motion_stops_are_kept_but_for_its_rounding(robot: ss.Robot) -> None:
     limited = dataclasses.replace(
         robot,
@@ -265,7 +238,7 @@ def test_limits_of_legs_at_which_a_motion_stops_are_kept_but_for_its_rounding(ro
     for limit in LEG_LIMITS:
         bound = limit.bound(limited)
         for share, verdict in ((1e-9, "within_limit"), (1e-4, "exceeded")):
-            run = LegLimits(limited, np.array([0.0, 1.0]))
+            run = LimitTracker(limited, np.array([0.0, 1.0]))
             values = limit.sign * np.stack([bound, bound + share * np.abs(bound)])
             run.add(slice(None), {limit.values: values})
             assert run.verdicts(limit) == [verdict] * 6, (limit.name, share)

@@ -11,6 +11,7 @@ from machines import Array, random_motion, random_robot, rotation, with_random_r
 from numpy.typing import NDArray
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
 from reduced_machines import as_simple_as
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
@@ -21,6 +22,7 @@ from stewart_sym.reference import newton_euler
 RELATIVE = 1e-10
 MACHINES, POSES = 6, 2
 BACKENDS: tuple[Literal["c", "numpy", "reference"], ...] = ("c", "numpy", "reference")
+REFLECTED = [each for each in DRIVE_FIDELITIES if each.startswith("reflected")]
 QUANTITIES = ("F", "F_s", "F_u", "F_p", "M_p", "M_u")
 
 
@@ -152,18 +154,6 @@ def _slope(function: Any, robot: ss.Robot, motion: ss.Motion, field: str, axis: 
     return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step)
 
 
-def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:
-    robot, motion, _ = _case(0)
-    plain = dataclasses.replace(robot, drive=None)
-    driven = dataclasses.replace(robot, drive=ss.Drive(lead=0.01))
-    assert ss.ForceKernel(driven).name == ss.ForceKernel(plain).name == "exact"
-    for found in (ss.inverse_dynamics, ss.equations_of_motion, ss.force_derivatives):
-        one, other = found(plain, motion), found(driven, motion)
-        for name, values in vars(one).items():
-            if values is not None:
-                np.testing.assert_array_equal(values, getattr(other, name))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
@@ -185,7 +175,7 @@ def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
         )
 
 
-@pytest.mark.parametrize("name", [each for each in DRIVE_FIDELITIES if each.startswith("reflected")])
+@pytest.mark.parametrize("name", slow_but(REFLECTED[:1], REFLECTED))
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple(name: str) -> None:
     level = DERIVED[name]
@@ -199,18 +189,6 @@ def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple
         )
         size = max(np.abs(values).max() for values in (expected.F, expected.D, expected.x))
         assert np.abs(found - expected.F).max() <= 1e-8 * size
-
-
-def test_levels_without_rotors_are_those_of_the_robot_without_a_drive() -> None:
-    robot, motion, _ = _case(1)
-    plain = dataclasses.replace(robot, drive=None)
-    for name, other in (
-        ("no_rotor", "general"),
-        ("slender", "slender"),
-        ("general_static", "general_static"),
-    ):
-        found, expected = ss.ForceKernel(robot, fidelity=name), ss.ForceKernel(plain, fidelity=other)
-        np.testing.assert_array_equal(found.forces(motion), expected.forces(motion))
 
 
 def test_the_regressor_of_rotors_stands_beside_that_of_the_bodies() -> None:

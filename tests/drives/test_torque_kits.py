@@ -89,26 +89,6 @@ def test_torques_are_those_of_the_python_layer(case: tuple[ss.Robot, Compiled]) 
             np.testing.assert_allclose(current[known], expected.current[i, known], rtol=1e-12)
 
 
-@pytest.mark.slow
-def test_stribecks_decay_is_the_exponential_to_rounding() -> None:
-    ones = np.ones(6)
-    robot = dataclasses.replace(
-        dasgupta(), name="turned", drive=ss.Drive(2 * np.pi, stribeck_force=ones, stribeck_speed=ones)
-    )
-    torques = Compiled(robot)
-    ratios = np.concatenate([np.linspace(-9.0, 9.0, 3001), np.geomspace(1e-200, 1.0, 101)])
-    found = np.concatenate([torques(0 * ones, None, part)[1] for part in ratios.reshape(-1, 6)])
-    assert np.abs(found - np.sign(ratios) * np.exp(-(ratios**2))).max() <= 3 * EPSILON
-
-
-@pytest.mark.slow
-def test_without_axial_forces_they_are_those_of_the_motors() -> None:
-    torques = Compiled(robot_named(machine(False)))
-    F, L_dot = np.linspace(-900.0, 1300.0, 6), np.linspace(0.3, -0.2, 6)
-    np.testing.assert_array_equal(torques(F, None, L_dot)[1], torques(F, F, L_dot)[1])
-    assert np.any(torques(F, 0.5 * F, L_dot)[1] != torques(F, F, L_dot)[1])
-
-
 def test_torques_need_a_drive_and_those_of_rotors_are_exact() -> None:
     with pytest.raises(ValueError, match=r"^formulation: expected \"exact\" for a robot whose drive has"):
         check(Choice(("torque",), "paper"), machine(True))

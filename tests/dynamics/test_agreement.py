@@ -37,7 +37,7 @@ def deviation(
 def test_backends_agree_to_rounding(formulation, backend, base_joint: str) -> None:
     """Forces and reactions of random machines, all terms on, beside the reference's."""
     rng = np.random.default_rng(100)
-    for _ in range(share(400)):
+    for _ in range(share(400, 40)):
         robot, motion = machine_in_motion(rng, (POSES,), base_joint)
         bearing = rng.uniform(0, 1, 6)
         truth = ss.inverse_dynamics(robot, motion, formulation, "reference")
@@ -95,18 +95,6 @@ def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once
             for name in (*FORCES, "status"):
                 np.testing.assert_array_equal(getattr(found, name), getattr(expected, name), name)
     assert {1, 2, 4} <= set(expected.status)
-
-
-def test_no_load_is_zero_load() -> None:
-    robot, free = machine_in_motion(9, (4,), load=False)
-    zero = np.zeros((4, 3))
-    loaded = ss.Motion(
-        R=free.R, t=free.t, omega=free.omega, v=free.v, alpha=free.alpha, a=free.a, F_ext=zero, M_ext=zero
-    )
-    for backend in ("c", "numpy", "reference"):
-        left = ss.inverse_dynamics(robot, free, backend=backend).F
-        right = ss.inverse_dynamics(robot, loaded, backend=backend).F
-        assert (left == right).all()
 
 
 def test_massless_legs_leave_F0() -> None:

@@ -81,12 +81,6 @@ def test_a_leg_of_length_zero_is_seen_wherever_the_base_stands(backend, base_joi
         assert found.status == results.ZERO_LENGTH, offset
 
 
-def test_inverse_dynamics_needs_accelerations() -> None:
-    still = at_rest([0.1, 0, 0.5])
-    with pytest.raises(ValueError, match="motion: expected accelerations"):
-        ss.inverse_dynamics(dasgupta(), ss.Motion(R=still.R, t=still.t, omega=still.omega, v=still.v))
-
-
 def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
     from stewart_sym.backend import c_kernel, native
     from stewart_sym.dynamics import inverse_dynamics

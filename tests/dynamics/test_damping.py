@@ -5,8 +5,7 @@ import warnings
 
 import numpy as np
 import pytest
-from command_line import rejects
-from machines import Array, dasgupta, machine_in_motion
+from machines import Array
 from motion_fields import UNLOADED, stacked
 from unsolvable_poses import BACKENDS, at_rest, leg_along_its_axis, singular, zero_length_leg
 
@@ -53,16 +52,6 @@ def test_all_other_poses_are_the_same_bits(backend) -> None:
     np.testing.assert_array_equal(damped.F[1], damped.F[4])
 
 
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-def test_without_singular_poses_nothing_changes(base_joint: str) -> None:
-    robot, motion = machine_in_motion(1, (2, 5), base_joint)
-    damped = ss.inverse_dynamics(robot, motion, on_singular="damped")
-    np.testing.assert_array_equal(damped.F, ss.inverse_dynamics(robot, motion).F)
-    np.testing.assert_array_equal(damped.wrench_error, np.zeros((2, 5, 6)))
-    fast = ss.ForceKernel(robot)
-    np.testing.assert_array_equal(fast.forces(motion, on_singular="damped"), fast.forces(motion))
-
-
 @pytest.mark.parametrize(
     ("make", "code", "text"),
     [(zero_length_leg, ZERO_LENGTH, "length zero"), (leg_along_its_axis, JOINT_SINGULAR, "universal")],
@@ -92,12 +81,6 @@ def test_the_force_kernel_takes_damped_forces_from_the_full_road(precision) -> N
     np.testing.assert_allclose(F[1], expected[1], rtol=1e-6)
     np.testing.assert_array_equal(F[0], kernel.forces(mixed, on_singular="nan")[0])
     np.testing.assert_array_equal(kernel.forces(bad, on_singular="damped"), F[1])
-
-
-def test_the_force_kernel_damps_no_reduced_physics() -> None:
-    robot, bad = singular()
-    with pytest.raises(ValueError, match=r'^on_singular: "damped" needs fidelity "general", this one is'):
-        ss.ForceKernel(robot, fidelity="massless").forces(bad, on_singular="damped")
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -140,24 +123,3 @@ def test_below_it_forces_stay_bounded_and_only_the_lost_wrench_is_missing(smalle
     assert (np.linalg.norm(x, axis=-1) <= np.linalg.norm(c, axis=-1) * (1 / SHARE + 5.0)).all()
     missing = np.sum(u * c, axis=-1) * (1.0 - (smallest / SHARE) ** 2)
     np.testing.assert_allclose(error, missing[..., None] * u, atol=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "text"),
-    [
-        ((np.eye(5), np.ones(6), 1.0), r"H: expected shape"),
-        ((np.eye(6), np.ones(5), 1.0), r"c: expected wrenches of shape \(..., 6\), got shape \(5,\)"),
-        ((np.eye(6), np.ones(6), 0.0), r"length: expected a finite length > 0 m"),
-        ((np.eye(6), np.ones(6), 1.0, 1.0), r"rcond: expected a number > 0 and < 1, got 1.0"),
-    ],
-)
-def test_bad_arguments_are_one_line(arguments: tuple[object, ...], text: str) -> None:
-    rejects(rf"\A{text}.*\Z", damped_least_squares, *arguments)
-
-
-def test_functions_without_a_solve_for_forces_know_no_damping() -> None:
-    robot = dasgupta()
-    with pytest.raises(ValueError, match=r'^on_singular: expected "raise", "warn" or "nan", got \'damped\'$'):
-        ss.equations_of_motion(robot, at_rest([0.1, 0.0, 0.5]), on_singular="damped")
-    with pytest.raises(ValueError, match=r'^on_singular: expected "raise", "warn", "nan" or "damped", got'):
-        ss.inverse_dynamics(robot, at_rest([0.1, 0.0, 0.5]), on_singular="pass")

@@ -9,7 +9,6 @@ from machines import Array, machine_in_motion, machine_size, rotation
 from motion_fields import acceleration
 
 import stewart_sym as ss
-from stewart_sym.dynamics.forward_dynamics import solve_positive
 from stewart_sym.reference import newton_euler
 from stewart_sym.reference.equations_of_motion import equations_of_motion as oracle
 
@@ -148,15 +147,3 @@ def test_poses_without_an_answer_are_named_or_nan(backend: Any) -> None:
     assert np.isnan(e.M[1]).all()
     with pytest.warns(ss.SingularPoseWarning):
         ss.forward_dynamics(robot, motion, F, backend=backend, on_singular="warn")
-
-
-def test_cholesky_solves_and_tells_which_of_a_batch_is_not_positive() -> None:
-    rng = np.random.default_rng(10)
-    A = rng.normal(size=(3, 6, 6))
-    M = A @ np.swapaxes(A, -1, -2) + np.eye(6)
-    M[1, 4, 4] = -1.0
-    w = rng.normal(size=(3, 6))
-    with np.errstate(invalid="ignore"):
-        x, definite = solve_positive(M, w)
-    assert definite.tolist() == [True, False, True]
-    np.testing.assert_allclose(x[::2], np.linalg.solve(M[::2], w[::2][..., None])[..., 0], rtol=1e-11)

@@ -5,6 +5,7 @@ import pytest
 from machines import random_motion, random_robot
 from motion_fields import FIELDS, stacked
 from reduced_machines import as_simple_as, at_rest
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.derive.mechanics.formulation import PAPER
@@ -16,9 +17,12 @@ from stewart_sym.derive.mechanics.reduced_models import (
 
 EPSILON = np.finfo(np.float64).eps
 UNITS = 100
+FAST = ("general", "slender", "massless_static")
 
 
-@pytest.fixture(params=FIDELITIES.values(), ids=lambda level: level.name)
+@pytest.fixture(
+    params=slow_but(FAST, FIDELITIES.values(), lambda level: level.name), ids=lambda level: level.name
+)
 def level(request: pytest.FixtureRequest) -> Fidelity:
     return request.param
 

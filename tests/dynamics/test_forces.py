@@ -11,11 +11,8 @@ import pytest
 from command_line import rejects
 from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from motion_fields import FIELDS
-from unsolvable_poses import at_rest
 
 import stewart_sym as ss
-from stewart_sym.backend.c_kernel import address
-from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.dynamics import forces
 
 
@@ -70,11 +67,6 @@ def test_empty_and_many_dimensional_batches_work() -> None:
     motion = random_motion(rng, robot, (2, 3, 5))
     flat = kernel.forces(motion, threads=2).reshape(-1, 6)
     assert (flat[17] == kernel.forces(motion[1, 0, 2])).all()
-
-
-@pytest.mark.parametrize("threads", [0, 1.5, True])
-def test_bad_thread_counts_are_named(threads) -> None:
-    rejects(r"^threads: expected", ss.ForceKernel(dasgupta()).forces, at_rest([0.1, 0, 0.5]), threads=threads)
 
 
 @pytest.mark.parametrize("how", ["broadcast", "in columns"], ids=lambda how: how.replace(" ", "_"))
@@ -146,29 +138,3 @@ def test_constants_that_overflow_the_precision_are_rejected() -> None:
     heavy = dataclasses.replace(robot, M=1e39)
     ss.ForceKernel(heavy)
     rejects("exceed the range of float", ss.ForceKernel, heavy, precision="float")
-
-
-@pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize("exponent", [-1, 1])
-def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.Precision) -> None:
-    """To 1e-300 and 1e300 in double, 1e-37 and 1e37 in float."""
-    size = 10.0 ** (exponent * {"double": 300, "float": 37}[precision])
-    robot = random_robot(np.random.default_rng(15))
-    kernel = ss.ForceKernel(robot, precision=precision)
-    numbers = robot_numbers(robot)
-    legs = numbers[:-13].reshape(6, -1)  # the platform's own: M, R_0, I_p, g
-    assert np.array_equal(legs[:, 6:9], robot.k)
-    legs[:, 6:9] *= size
-    numbers = numbers.astype(kernel.dtype)
-    model = np.zeros_like(kernel.model)
-    assert kernel.c_function("prepare")(address(numbers), address(model)) == 0
-    unit = 64 * np.finfo(kernel.dtype).eps
-    np.testing.assert_allclose(model, kernel.model, rtol=unit, atol=unit * 9.81)
-    numbers[6:9] = 0.0
-    assert kernel.c_function("prepare")(address(numbers), address(model)) == ss.results.NOT_FINITE
-
-
-def test_prepared_constants_begin_where_a_line_of_the_cache_does_and_stay_as_they_are() -> None:
-    prepared = ss.ForceKernel(ss.robots.dasgupta1998())
-    assert prepared.model.ctypes.data % 64 == 0
-    rejects("cannot set WRITEABLE", prepared.model.setflags, write=True)

@@ -15,7 +15,6 @@ import stewart_sym as ss
 from stewart_sym.backend import fidelity
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
-from stewart_sym.results import JOINT_SINGULAR, OK
 
 EPSILON = np.finfo(np.float64).eps
 UNITS = 1000
@@ -57,15 +56,3 @@ def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: s
     kernel = ss.ForceKernel(robot, formulation)
     error = np.abs(kernel.forces(motion) - expected).max() / np.abs(expected).max()
     assert error <= UNITS * EPSILON * 60 / sine
-
-
-@pytest.mark.slow
-def test_the_joint_singularity_itself_is_said_by_every_kernel() -> None:
-    robot, motion = calm(0)
-    for sine, status in ((3e-12, OK), (3e-13, JOINT_SINGULAR), (0.0, JOINT_SINGULAR)):
-        leaned = leaning(robot, motion, sine)
-        for name in ("general", "axisymmetric", "general_static"):
-            assert ss.ForceKernel(leaned, fidelity=name).status(motion) == status
-        for backend in ("c", "numpy"):
-            found = ss.inverse_dynamics(leaned, motion, backend=backend, on_singular="nan")
-            assert found.status == status

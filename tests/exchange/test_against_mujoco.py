@@ -54,27 +54,6 @@ def test_a_leg_is_limited_to_the_largest_force_of_its_actuators_in_mujoco(name: 
     np.testing.assert_allclose(imported(text, tmp_path).robot.force_limit, limit, rtol=1e-12)
 
 
-@pytest.mark.parametrize(("controls", "limit"), [("-900 300", 500.0), ("-100 900", 700.0), ("-9 9", 9.0)])
-def test_a_joints_own_limits_hold_what_its_actuators_have_on_each_side(
-    controls: str, limit: float, tmp_path: Path
-) -> None:
-    text = hexapod("", f'<motor joint="#" ctrlrange="{controls}"/>', 'actuatorfrcrange="-500 700"')
-    np.testing.assert_allclose(largest_forces(text), limit, rtol=1e-12)
-    np.testing.assert_allclose(imported(text, tmp_path).robot.force_limit, limit, rtol=1e-12)
-
-
-@pytest.mark.parametrize("attributes", ['biastype="affine"', 'ctrllimited="false"'])
-def test_actuators_without_limits_of_what_they_push_with_are_limited_by_their_forces_alone(
-    attributes: str, tmp_path: Path
-) -> None:
-    default = f'<general {attributes} gear="7" ctrlrange="-5 5"/>'
-    assert np.all(imported(hexapod(default, '<general joint="#"/>'), tmp_path).robot.force_limit == np.inf)
-    limited = imported(hexapod(default, '<general joint="#" forcerange="-9 9"/>'), tmp_path)
-    np.testing.assert_array_equal(limited.robot.force_limit, 63.0)
-    servo = '<position joint="#" ctrlrange="-5 5" forcerange="-80 80"/>'
-    np.testing.assert_array_equal(imported(hexapod("", servo), tmp_path).robot.force_limit, 80.0)
-
-
 def test_damping_and_armatures_of_actuators_are_those_of_their_slides(tmp_path: Path) -> None:
     motors = '<motor joint="#" gear="-3" damping="4" armature="2"/><motor joint="#" armature="5"/>'
     of_actuators = hexapod("", motors)

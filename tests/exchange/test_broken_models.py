@@ -137,7 +137,7 @@ OF_SDF: dict[str, tuple[Change, str]] = {
 }
 TABLES = {"mjcf": OF_MJCF, "sdf": OF_SDF, "urdf": OF_URDF}
 BROKEN: dict[str, tuple[str, Change, str]] = {
-    "USD": ("usd", to("x", "x"), "expected MJCF, SDF or URDF, got USD, which is exported"),
+    "USD": ("usd", to("x", "x"), "expected MJCF, SDF, or URDF, got USD, which is exported"),
     **{name: (form, *row) for form, rows in TABLES.items() for name, row in rows.items()},
     **{
         f"tool of {mass} kg, {form}": (

@@ -1,6 +1,5 @@
 """``export`` and ``import`` write what they say, replace nothing of others, and need no extra."""
 
-import json
 from pathlib import Path
 
 import pytest
@@ -24,15 +23,6 @@ def test_a_robot_file_goes_out_and_comes_back(form: str, folder: Path, run: Run)
     # Its own files are replaced.
     run("export", "back.toml", "--format", form, "-o", "machine.xml")
     run("import", "machine.xml", "-o", "back.toml")
-
-
-def test_figures_go_to_json(folder: Path) -> None:
-    assert main(["export", "hexapod.toml", "--format", "urdf", "-o", "m.urdf", "--json", "out.json"]) == 0
-    assert json.loads(Path("out.json").read_text())["files"] == ["m.urdf", "m.loops.json"]
-    assert main(["import", "m.urdf", "-o", "r.toml", "--json", "in.json"]) == 0
-    found = json.loads(Path("in.json").read_text())
-    assert found["robot"]["name"] == "hexapod"
-    assert found["assumptions"][0].startswith("legs")
 
 
 def test_nothing_of_others_is_replaced(folder: Path, fails: Fails) -> None:

@@ -5,7 +5,6 @@ import re
 from pathlib import Path
 from typing import Any
 
-import mujoco
 import numpy as np
 import pytest
 from exported_mujoco import Exported
@@ -13,7 +12,7 @@ from exported_pinocchio import accelerations
 from machines import offset_case, random_motion, random_robot
 from model_statics import balanced
 from numpy.typing import NDArray
-from pxr import Usd, UsdGeom, UsdPhysics, UsdValidation
+from pxr import Usd, UsdValidation
 
 import stewart_sym as ss
 from stewart_sym.plausibility.level_poses import level_home
@@ -25,11 +24,6 @@ MACHINES = {
     "offset joints": lambda: offset_case(2)[0],
 }
 pytestmark = pytest.mark.filterwarnings("ignore:.*no place in the format")
-
-
-def moving_mass(robot: ss.Robot) -> float:
-    crosses = 0.0 if robot.offsets is None else robot.offsets.cross_mass.sum()
-    return float(robot.M + robot.m_d.sum() + robot.m_u.sum() + crosses)
 
 
 def parsed(text: str, form: str, step: float = 0.0) -> Any:
@@ -60,17 +54,6 @@ def test_the_parser_of_sdf_finds_the_machine(name: str) -> None:
         assert slide.default_damping() == robot.C_p[i]
         for part, mass in (("lower", robot.m_d), ("upper", robot.m_u)):
             assert plant.GetBodyByName(f"{part}_{i + 1}").default_mass() == mass[i]
-
-
-@pytest.mark.parametrize("name", MACHINES)
-def test_the_parser_of_urdf_finds_the_tree_and_its_mass(name: str) -> None:
-    robot = MACHINES[name]()
-    plant = parsed(ss.export_model(robot, "urdf").text, "urdf")
-    plant.Finalize()
-    turns = 2 if robot.base_joint == "universal" else 3
-    assert plant.num_velocities() == 6 * (turns + 1) + 6
-    total = plant.CalcTotalMass(plant.CreateDefaultContext())
-    np.testing.assert_allclose(total, moving_mass(robot))
 
 
 def closures_in_drake(
@@ -144,38 +127,6 @@ def test_usd_is_valid_and_has_only_attributes_of_its_schemas(stage: tuple[ss.Rob
     assert {kind: kinds.count(f"Physics{kind}Joint") for kind in expected} == expected
 
 
-def test_usd_places_bodies_and_joints_where_the_machine_has_them(stage: tuple[ss.Robot, Usd.Stage]) -> None:
-    robot, opened = stage
-    assert UsdGeom.GetStageMetersPerUnit(opened) == 1.0
-    assert UsdGeom.GetStageUpAxis(opened) == "Z"
-    cache = UsdGeom.XformCache()
-
-    def placed(body: str, point: tuple[float, ...]) -> np.ndarray:
-        return np.array(cache.GetLocalToWorldTransform(opened.GetPrimAtPath(body)).Transform(point))
-
-    joints = [UsdPhysics.Joint(prim) for prim in opened.Traverse() if prim.IsA(UsdPhysics.Joint)]
-    for joint in joints:
-        sides = [
-            placed(str(rel.GetTargets()[0]), tuple(map(float, point.Get())))
-            for rel, point in (
-                (joint.GetBody0Rel(), joint.GetLocalPos0Attr()),
-                (joint.GetBody1Rel(), joint.GetLocalPos1Attr()),
-            )
-            if rel.GetTargets() and point.HasAuthoredValue()
-        ]
-        if len(sides) == 2 and not joint.GetPrim().IsA(UsdPhysics.PrismaticJoint):
-            np.testing.assert_allclose(*sides, rtol=0, atol=1e-5 * np.abs(robot.b).max())
-    mass = sum(
-        UsdPhysics.MassAPI(prim).GetMassAttr().Get()
-        for prim in opened.Traverse()
-        if prim.HasAPI(UsdPhysics.MassAPI) and not prim.GetName().startswith("base")
-    )
-    np.testing.assert_allclose(mass, moving_mass(robot), rtol=1e-6)
-    scene = UsdPhysics.Scene(opened.GetPrimAtPath("/machine/physics"))
-    g = scene.GetGravityMagnitudeAttr().Get() * np.array(scene.GetGravityDirectionAttr().Get())
-    np.testing.assert_allclose(g, robot.g, rtol=0, atol=1e-5)
-
-
 SEEDS = range(4)
 OFFSET_SEEDS = range(2)
 NONE = np.zeros(6)
@@ -228,27 +179,3 @@ def test_machines_with_offset_joints_accelerate_in_both_engines_as_in_the_refere
         )
     assert max(each for each, _ in worst.values()) < MUJOCO, worst
     assert max(each for _, each in worst.values()) < PINOCCHIO, worst
-
-
-@pytest.mark.parametrize("seed", [1, 2])
-def test_rotors_resist_in_mujoco_as_their_reflected_mass(seed: int) -> None:
-    robot, motion, F, truth = case(seed, C_s=NONE)
-    robot = dataclasses.replace(robot, drive=ss.Drive(lead=0.01, rotor_inertia=1e-5 * robot.M))
-    motion = dataclasses.replace(motion, a=truth[:3], alpha=truth[3:])
-    L_ddot = ss.inverse_kinematics(robot, motion).L_ddot
-    found = Exported(robot).accelerations(motion, F + robot.drive.reflected_mass * L_ddot)
-    assert off(found, truth) < MUJOCO
-
-
-def test_the_exported_machine_stands_assembled_at_its_home_pose() -> None:
-    robot = ss.robots.mathworks2002()
-    model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    np.testing.assert_allclose(data.body("platform").xpos, robot.home_position)
-    assert np.abs(data.efc_pos).max() < 1e-12
-    assert data.ncon == 0
-    lengths = [data.joint(f"leg_{i}").qpos[0] for i in range(1, 7)]
-    np.testing.assert_allclose(
-        lengths, np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1), rtol=1e-12
-    )

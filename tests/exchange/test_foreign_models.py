@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import rejects
-from exported_models import HEXAPOD, exported, imported, written
+from exported_models import exported, imported, written
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -49,13 +49,6 @@ def test_what_has_no_place_in_a_robot_is_said_to_be_left_out(name: str, tmp_path
     form, change, said = LEFT_OUT[name]
     found = altered(tmp_path, form, *change).assumptions
     assert any(line.startswith(f"left out: {said}") for line in found), found
-
-
-def test_what_an_inertial_of_sdf_does_not_state_is_said(tmp_path: Path) -> None:
-    part, said = "<mass>40.0</mass>", "mass: not in the file, SDF's default is taken (1 kg, 1 kg m^2)"
-    found = altered(tmp_path, "sdf", part, "")
-    assert f"link 'platform': inertial: {said}" in found.assumptions
-    assert 1.0 in (found.robot.M, found.robot.I_p[2, 2])
 
 
 MODEL, JOINT = (f"<use_parent_model_frame>{flag}</use_parent_model_frame>" for flag in ("true", "0"))
@@ -142,25 +135,6 @@ def test_an_old_version_is_the_machine_that_drake_takes_it_for(name: str, tmp_pa
 )
 def test_other_frames_are_rejected(change: tuple[str, str], said: str, tmp_path: Path) -> None:
     rejects(re.escape(said), imported, changed(newest(), change), tmp_path)
-
-
-def test_a_slide_that_is_stated_from_the_rod_to_the_cylinder_is_the_same(tmp_path: Path) -> None:
-    robot, text = ss.Robot.from_toml(HEXAPOD), exported("sdf").text
-
-    def reversed_slide(found: re.Match[str]) -> str:
-        start, low, between, high, end = found.groups()
-        start = start.replace("<parent>lower_1", "<parent>upper_1").replace(
-            "<child>upper_1", "<child>lower_1"
-        )
-        return f"{start}{-float(high)!r}{between}{-float(low)!r}{end}"
-
-    joint = r'(<joint name="leg_1".*?<lower>)(.*?)(</lower>\s*<upper>)(.*?)(</upper>)'
-    changed = re.sub(joint, reversed_slide, text, flags=re.DOTALL)
-    assert changed != text
-    found = imported(changed, tmp_path).robot
-    np.testing.assert_allclose(found.length_limits, robot.length_limits, rtol=1e-12)
-    mine, theirs = (dict(each.to_dict()["leg"], **{"1": None}) for each in (found, robot))
-    assert mine == theirs
 
 
 def test_a_link_of_sdf_without_an_inertial_has_the_mass_that_drake_gives_it(tmp_path: Path) -> None:

@@ -19,14 +19,14 @@ from machines import (
     with_random_drives,
 )
 from motion_fields import FIELDS
-from sweeps import slow_but
+from sweeps import FULL, slow_but
 
 import stewart_sym as ss
 from stewart_sym.io.extras import install
 
 OF_MACHINES = pytest.mark.parametrize(
     ("machine", "checked"),
-    [("paper", True), *slow_but((), [("random", False), ("upside down, mm", False)])],
+    [("paper", True), *slow_but((), [("random", False), ("upside down, mm", False)][: 2 if FULL else 1])],
 )
 
 

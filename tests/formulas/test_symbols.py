@@ -8,13 +8,10 @@ import numpy as np
 import pytest
 import sympy as sp
 from command_line import rejects
-from machines import MACHINES, dasgupta, machine_in_motion, random_motion, random_robot
+from machines import dasgupta, machine_in_motion, random_motion
 from motion_fields import FIELDS
 
 import stewart_sym as ss
-
-OF_FORCES = ("F", "K", "c")
-OF_MOTION = ("M", "C", "g", "friction", "bias")
 
 
 def value(formulas: ss.SymbolicResult, motion: ss.Motion, **more: Any) -> np.ndarray:
@@ -37,21 +34,6 @@ def test_formulas_of_the_papers_machine_have_the_values_of_the_c(what: str) -> N
         value(ss.symbolic(replace(robot, offsets=ss.JointOffsets()), what), motion),
         getattr(source(robot, motion), what),
     )
-
-
-@pytest.mark.full
-@pytest.mark.slow
-def test_formulas_of_any_machine_have_the_values_of_the_c() -> None:
-    robot = MACHINES["random"]()
-    motion = random_motion(np.random.default_rng(40), robot)
-    forces, equations = ss.inverse_dynamics(robot, motion), ss.equations_of_motion(robot, motion)
-    condition = np.linalg.cond(equations.M)
-    for name in OF_FORCES:
-        close(value(ss.symbolic(robot, name), motion), getattr(forces, name))
-    for name in OF_MOTION:
-        close(value(ss.symbolic(robot, name), motion), getattr(equations, name))
-    for name in ("a", "alpha"):
-        close(value(ss.symbolic(robot, name), motion, F=forces.F), getattr(motion, name), condition)
 
 
 @pytest.mark.slow
@@ -131,14 +113,6 @@ def test_a_name_without_formulas_is_one_line(what: Any, line: str) -> None:
     rejects(f"^{line}", ss.symbolic, dasgupta(), what)
 
 
-@pytest.mark.slow
-def test_what_spherical_joints_lack_is_one_line() -> None:
-    robot = random_robot(np.random.default_rng(44), "spherical")
-    rejects(r'^M: expected formulation "exact" and universal base joints', ss.symbolic, robot, "M")
-    with pytest.raises(ValueError, match=r"^argument: expected"):
-        ss.symbolic(robot, "H").function()(q=3)
-
-
 @pytest.mark.parametrize(
     ("wrong", "line"),
     [
@@ -150,11 +124,3 @@ def test_what_spherical_joints_lack_is_one_line() -> None:
 def test_arguments_that_do_not_fit_are_one_line(wrong: dict[str, Any], line: str) -> None:
     evaluate = ss.symbolic(dasgupta(), "H").function()
     rejects(f"^{line}", evaluate, **{"R": np.eye(3), "t": [0.1, 0.0, 0.5]} | wrong)
-
-
-@pytest.mark.parametrize(("what", "missing"), [("H", "R"), ("a", "F")])
-def test_a_pose_and_actuator_forces_must_be_given(what: str, missing: str) -> None:
-    given = {"R": np.eye(3), "t": [0.1, 0.0, 0.5]} | ({"F": np.ones(6)} if what == "a" else {})
-    given.pop(missing)
-    with pytest.raises(ValueError, match=f"^{missing}: expected a value, got none$"):
-        ss.symbolic(dasgupta(), what).function()(**given)

@@ -8,13 +8,12 @@ import re
 from pathlib import Path
 
 import pytest
-from attack_build import GENERATED, SOME
-from builds import run
+from attack_build import SOME, sources
+from builds import run, written
 from kits import STRICT
 from sweeps import FULL, slow_but
 
 from stewart_sym.backend.kernel import defines_of
-from stewart_sym.generated.interface import HEADERS
 
 LANGUAGES = {"c99": ["-x", "c", "-std=c99"], "c++": ["-x", "c++", "-std=c++11"]}
 PRECISIONS: dict[str, list[str]] = {"double": [], "float": ["-DSTEWART_FLOAT"]}
@@ -32,18 +31,23 @@ WAYS = [
 ]
 
 
-def compiled_silently(compiler: str, precision: str, language: str, kernel: str, *flags: str) -> None:
+def compiled_silently(
+    folder: Path, compiler: str, precision: str, language: str, kernel: str, *flags: str
+) -> None:
     defines = [f"-D{name}" for name in defines_of(kernel)]
     command = [compiler, *LANGUAGES[language], *STRICT, *PRECISIONS[precision], *defines, *flags]
-    assert run(*command, f"stewart_{kernel}.c", cwd=GENERATED) == ""
+    written(sources(f"stewart_{kernel}"), folder)
+    assert run(*command, f"stewart_{kernel}.c", cwd=folder) == ""
 
 
 @pytest.mark.parametrize(
     ("compiler", "precision", "language", "kernel"),
     slow_but(SHORT, WAYS, lambda way: way[3] if way[:3] in FAST_WAYS else ""),
 )
-def test_c_compiles_silently(compiler: str, precision: str, language: str, kernel: str) -> None:
-    compiled_silently(compiler, precision, language, kernel, "-fsyntax-only")
+def test_c_compiles_silently(
+    compiler: str, precision: str, language: str, kernel: str, tmp_path: Path
+) -> None:
+    compiled_silently(tmp_path, compiler, precision, language, kernel, "-fsyntax-only")
 
 
 OF_EACH_KIND = [stem.removeprefix("stewart_") for stem in SOME]
@@ -58,18 +62,10 @@ def test_optimized_c_compiles_silently_and_calls_nothing_but_square_roots(
     Warnings that come from optimizing show here; all others need no code. Float: ``test_float``.
     """
     target = str(tmp_path / "k.o")
-    compiled_silently("gcc", "double", "c99", kernel, "-O1", "-c", "-o", target)
+    compiled_silently(tmp_path, "gcc", "double", "c99", kernel, "-O1", "-c", "-o", target)
     undefined = {line.split()[-1] for line in run("nm", "-u", target).splitlines()}
     forces = {"stewart_exact_forces", "stewart_exact_forces_batch"}
     copies = {"memcpy", "memmove", "memset"}
     assert undefined <= forces | copies | {"sqrt", "_GLOBAL_OFFSET_TABLE_"}
     data = run("nm", target)
     assert not re.search(r" [bBdDC] ", data), "a global variable"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("compiler", "language"), [("gcc", "c99"), ("clang", "c++")])
-def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str) -> None:
-    for name in HEADERS:
-        command = [compiler, *LANGUAGES[language], *STRICT, "-fsyntax-only", "-include", name, "/dev/null"]
-        assert run(*command, cwd=GENERATED) == ""

@@ -136,21 +136,6 @@ def test_a_guess_that_drifted_from_a_rotation_serves_and_another_does_not() -> N
 # Where it fails
 
 
-def unreachable(robot: ss.Robot) -> Array:
-    """Lengths that no pose has: one leg ten times the machine longer than the rest."""
-    L = np.full(6, machine_size(robot))
-    L[2] *= 10.0
-    return L[None]
-
-
-@pytest.mark.parametrize("precision", PRECISIONS)
-def test_lengths_out_of_reach_are_not_found(precision: str) -> None:
-    for rng, robot in machines(10):
-        motion = random_motion(rng, robot, (1,))
-        status = forward(robot, unreachable(robot), motion.R, motion.t, precision)[2]
-        assert status.tolist() == [results.NOT_CONVERGED]
-
-
 def singular_poses(count: int, shift: float) -> tuple[ss.Robot, Array, Array]:
     """Poses of the paper's machine, a share of a line through its workspace away from where det H is 0."""
     rng, robot = np.random.default_rng(1), dasgupta()

@@ -125,16 +125,3 @@ def test_a_kit_checks_itself(
     need(TARGETS[name], tmp_path)
     put(made(layout, precision), tmp_path / "kit")
     checked(tmp_path / "kit", TARGETS[name], (standard, level), tmp_path)
-
-
-@pytest.mark.slow
-@pytest.mark.full
-@pytest.mark.parametrize(
-    ("name", "precision", "flag"),
-    # For x87, gcc 12 looks half a minute for instructions to combine.
-    [("s390x", "double", ""), ("clang", "float", ""), ("gcc-x87", "double", "-fdisable-rtl-combine")],
-)
-def test_a_kit_of_everything_checks_itself(tmp_path: Path, name: str, precision: str, flag: str) -> None:
-    need(TARGETS[name], tmp_path)
-    put(made("all", precision), tmp_path / "kit")
-    checked(tmp_path / "kit", TARGETS[name], ("-std=c99", "-O1", flag), tmp_path)

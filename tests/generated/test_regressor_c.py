@@ -11,7 +11,7 @@ import pytest
 from command_line import rejects
 from fifty_digits import DIGITS, block_inputs, whole_regressor
 from leaning_legs import leaning
-from machines import dasgupta, home_position, machine_in_motion, machine_size, random_motion
+from machines import dasgupta, home_position, machine_in_motion, machine_size
 from mpmath import mp
 
 import stewart_sym as ss
@@ -106,13 +106,3 @@ def test_every_backend_finds_the_same_faults(backend: Any) -> None:
     Y = ss.regressor(robot, motion, on_singular="nan", backend=backend)
     assert np.isnan(Y).all(axis=(-1, -2)).tolist() == [code != OK for code in expected]
     rejects(r"^motion\[1\]: a leg has length zero \(leg 4\)", ss.regressor, robot, motion, backend=backend)
-
-
-@pytest.mark.parametrize("columns", [[148], [-1], [0.5], [[1]], ["m_d1"]])
-def test_columns_that_there_are_not_are_named(columns: Any) -> None:
-    robot = dasgupta()
-    motion = random_motion(np.random.default_rng(0), robot)
-    for backend in ("c", "numpy"):
-        with pytest.raises(ValueError, match=r"^columns: expected whole numbers from 0 to 147, \(n,\), got "):
-            ss.regressor(robot, motion, columns=columns, backend=backend)
-    assert ss.regressor(robot, motion, columns=[]).shape == (6, 0)

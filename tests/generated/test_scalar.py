@@ -16,7 +16,7 @@ import stewart_sym as ss
 from stewart_sym.backend import fidelity
 from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.motion.motion import Motion
-from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
+from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot
 
 EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
@@ -60,7 +60,7 @@ def test_every_level_answers_as_with_lanes(level: str, precision: str) -> None:
         agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level)
 
 
-@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("precision", slow_but(["double"], ["double", "float"]))
 @pytest.mark.parametrize(
     ("formulation", "joint"),
     [("paper", "universal"), ("exact", "spherical"), *slow_but((), [("paper", "spherical")])],
@@ -84,7 +84,7 @@ def test_near_a_joint_singularity_status_and_code_path_are_those_of_the_lanes(
 ) -> None:
     rng = np.random.default_rng(9)
     seen = set()
-    for sine in 10.0 ** rng.uniform(-17, 0, 40):
+    for sine in 10.0 ** rng.uniform(-17, 0, 20):
         robot, motion = machine_in_motion(rng)
         robot = leaning(robot, motion, float(sine))
         kernel = prepared(robot, formulation, "general", precision)
@@ -100,11 +100,11 @@ def test_near_a_joint_singularity_status_and_code_path_are_those_of_the_lanes(
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize("level", slow_but(["general"], ["general", "slender", "massless"]))
+@pytest.mark.parametrize("level", slow_but(["general"], ["general", "massless"]))
 def test_zero_length_legs_have_the_status_of_the_lanes_at_every_length(level: str, precision: str) -> None:
     rng = np.random.default_rng(11)
     seen = set()
-    for length in 10.0 ** rng.uniform(-18, -3, 40):
+    for length in 10.0 ** rng.uniform(-18, -3, 20):
         robot = random_robot(rng, scale=float(10 ** rng.uniform(-3, 1)))
         robot = dataclasses.replace(robot, b=robot.b + 10 ** rng.uniform(-2, 2) * rng.uniform(-1, 1, 3))
         motion, leg = random_motion(rng, robot), int(rng.integers(6))
@@ -118,7 +118,7 @@ def test_zero_length_legs_have_the_status_of_the_lanes_at_every_length(level: st
     assert {OK, ZERO_LENGTH} <= seen
 
 
-@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("precision", slow_but(["double"], ["double", "float"]))
 @pytest.mark.parametrize("make", [zero_length_leg, leg_along_its_axis, singular])
 def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> None:
     robot, motion = make()
@@ -131,28 +131,6 @@ def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> Non
             status, F = kernel.one(numbers(motion))
             assert status == lanes.status(motion)
             assert status == OK or (F == UNTOUCHED).all()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("level", LEVELS)
-def test_numbers_that_are_not_finite_or_overflow_have_the_status_of_the_lanes(level: str) -> None:
-    robot = random_robot(np.random.default_rng(12))
-    motion = numbers(random_motion(np.random.default_rng(13), robot))
-    lanes = ss.ForceKernel(robot, fidelity=level).single_pose()
-    kernels = [prepared(robot, "exact", level), baked_kernel(robot, level)]
-    statuses = set()
-    for where in range(motion.size):
-        for value in (np.nan, np.inf, -np.inf, 1e155, 1e200, 1e308):
-            given = motion.copy()
-            given[where] = value
-            lanes.numbers[:] = given
-            expected = lanes.solve()
-            statuses.add(expected)
-            for kernel in kernels:
-                status, F = kernel.one(given)
-                assert status == expected, (where, value)
-                assert (F == UNTOUCHED).all() == (status != OK)
-    assert NOT_FINITE in statuses
 
 
 # --- wrong calls ------------------------------------------------------------------------------

@@ -87,7 +87,7 @@ TIDIED = [
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """All sources, those of a kit beside the committed ones."""
     place = tmp_path_factory.mktemp("sources")
-    shutil.copytree(attack_build.GENERATED, place, dirs_exist_ok=True)
+    written(attack_build.sources(*(stem for stem in SOURCES if stem not in OF_KIT)), place)
     made = c_of(kit_of(choice=Choice(("forces", "kinematics"), scalar=True)))
     return written({Path(name).name: text for name, text in made.items()}, place)
 

@@ -2,7 +2,6 @@
 
 import dataclasses
 import re
-from typing import Any
 
 import numpy as np
 import pytest
@@ -98,29 +97,6 @@ def test_a_motion_tells_no_more_than_it_excites() -> None:
     assert 6 < base.rank < GENERAL
     Y = ss.regressor(robot, motion)
     assert np.max(np.abs(Y[..., base.independent_columns] @ base.matrix - Y)) <= 1e-6 * np.max(np.abs(Y))
-
-
-def test_what_has_no_base_parameters_is_rejected_in_one_line() -> None:
-    rejects("motion: expected a Motion", ss.base_parameters, dasgupta(), 3)
-    with pytest.raises(ValueError, match="motion: expected poses, got none"):
-        ss.base_parameters(dasgupta(), ss.PAPER_PATHS["I"][0].sample(np.zeros(0)))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("backend", ["c", "numpy", "reference"])
-def test_terms_by_parameter_sum_to_those_of_the_closed_form(backend: Any) -> None:
-    robot, motion = machine_in_motion(0, (1, 2))
-    pi, found = (
-        ss.inertial_parameters(robot).values,
-        ss.equations_by_parameter(robot, motion, backend=backend),
-    )
-    expected = ss.equations_of_motion(robot, motion)
-    for name in ("M", "C", "g", "friction"):
-        terms, whole = getattr(found, name) * pi, getattr(expected, name)
-        assert terms.shape == (*whole.shape, 148)
-        error, size = np.abs(terms.sum(axis=-1) - whole), np.abs(terms).sum(axis=-1)
-        rows = size.reshape(*size.shape[:2], 2, -1).max(axis=-1)
-        assert (error.reshape(*size.shape[:2], 2, -1).max(axis=-1) <= 1e-12 * rows).all(), name
 
 
 def test_terms_by_parameter_sum_to_the_regressor() -> None:

@@ -118,17 +118,6 @@ def test_currents_become_forces_of_the_motors(robot: ss.Robot, excited: ss.Excit
         ss.motor_forces(robot, effort.current)
 
 
-def test_rotors_are_found_with_all_that_they_do(robot: ss.Robot, excited: ss.Excitation) -> None:
-    drive = ss.Drive(lead=[5e-3, -5e-3, 4e-3, 2e-2, 1e-2, 1e-2], rotor_inertia=5e-5, motor_coulomb=0.02)
-    machine = dataclasses.replace(robot, drive=drive)
-    F = ss.drive_effort(machine, excited.motion).force
-    found = ss.identify(
-        machine, excited.motion, F, 1e-6, excited.base, drive_terms=("reflected_mass", "coulomb")
-    )
-    np.testing.assert_allclose(found.drive.values[:6], drive.reflected_mass, rtol=1e-6)
-    np.testing.assert_allclose(found.drive.values[6:], 0.02 * np.abs(drive.transmission_ratio), rtol=1e-5)
-
-
 def with_rotors(robot: ss.Robot, **changes: float) -> ss.Robot:
     return dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, rotor_inertia=5e-5), **changes)
 
@@ -147,17 +136,6 @@ def test_forces_of_motors_identify_the_bodies_beside_the_rotors_of_the_robot_fil
     other = dataclasses.replace(machine, drive=ss.Drive(lead=5e-3, rotor_inertia=6e-5))
     wrong = ss.identify(other, excited.motion, F, 1e-6, excited.base)
     assert any(line.startswith("rotors: ") for line in wrong.warnings)
-
-
-def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
-    F = np.zeros((120, 6))
-    for wrong in ("coulomb", ("friction",), (), 3):
-        with pytest.raises(
-            ValueError, match=r"\Adrive_terms: expected some of reflected_mass, coulomb, offset, viscous"
-        ):
-            ss.identify(robot, excited.motion, F, SIGMA, excited.base, drive_terms=wrong)
-    with pytest.raises(ValueError, match=r"\Apose_noise: expected"):
-        ss.identify(robot, excited.motion, F, SIGMA, excited.base, 1e-4, drive_terms=TERMS)
 
 
 def noisy(excited: ss.Excitation, size: float, seed: int) -> tuple[ss.Motion, ss.PoseNoise]:

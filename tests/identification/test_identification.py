@@ -58,20 +58,6 @@ def test_masses_and_friction_of_the_robot_file_may_be_wrong_and_load_is_taken_of
     assert np.max(np.abs(right.values - truth) / right.std) < 1e-3
 
 
-def test_a_force_counts_as_much_as_its_deviation_says() -> None:
-    machine, way = robot(0), excited(0)
-    F = ss.inverse_dynamics(machine, way.motion).F
-    same, double = (ss.identify(machine, way.motion, F, sigma) for sigma in (1.0, 2.0))
-    assert np.allclose(double.std, 2.0 * same.std, rtol=1e-9)
-    unknown = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1e6])
-    off = F + np.array([0.0, 0.0, 0.0, 0.0, 0.0, 100.0])
-    right, wrong = (ss.identify(machine, way.motion, forces, unknown) for forces in (F, off))
-    assert np.all(right.std > same.std)
-    assert np.max(np.abs(wrong.values - right.values) / right.std) < 1e-2
-    believed = ss.identify(machine, way.motion, off, 1.0)
-    assert np.max(np.abs(believed.values - same.values) / same.std) > 10.0
-
-
 def test_what_a_motion_does_excite_can_be_identified() -> None:
     machine = dasgupta()
     path, step = ss.PAPER_PATHS["II"]
@@ -110,13 +96,6 @@ def test_excitation_keeps_within_the_limits_and_tells_more_the_more_is_tried() -
     H = ss.inverse_dynamics(machine, free.motion).H
     bound = 3.0 * home_pose(machine).scaled_condition
     assert np.max(ss.scaled_condition_number(H, ss.characteristic_length(machine))) <= bound
-
-
-def test_machines_that_cannot_be_excited_are_rejected() -> None:
-    machine = robot(0)
-    rejects("without gravity", ss.choose_excitation, dataclasses.replace(machine, g=np.zeros(3)))
-    stiff = dataclasses.replace(machine, speed_limit=np.full(6, 1e-9))
-    rejects("within the limits", ss.choose_excitation, stiff, candidates=1, samples=10)
 
 
 @pytest.mark.parametrize(
@@ -169,7 +148,7 @@ def test_identify_writes_a_table_a_trajectory_and_forces(tmp_path: Path, run: Ru
     assert rows[-10]["formula"] == "M + m_u1 + m_u2 + m_u3 + m_u4 + m_u5 + m_u6"
 
 
-@pytest.mark.parametrize("noisy", [False, True])
+@pytest.mark.parametrize("noisy", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_wrong_rows_of_a_log_are_left_out_of_the_fit(tmp_path: Path, run: Run, noisy: bool) -> None:
     machine, rng = ss.Robot.from_toml(PAPERS), np.random.default_rng(5)
     chosen = choose_excitation(machine, harmonics=3, samples=600, candidates=5)
@@ -199,7 +178,11 @@ def test_wrong_rows_of_a_log_are_left_out_of_the_fit(tmp_path: Path, run: Run, n
     [
         ("time,F_1", "time,G1", "no column F_1"),
         ("\n0.0,", "\n0.001,", "line 2: time: expected the time 0"),
-        ("\n0.0,", "\n-1.0,1,1,1,1,1,1\n0.0,", "expected 60 rows"),
+        (
+            "\n0.0,",
+            "\n" + "".join(f"{-9 + k}.5,1,1,1,1,1,1\n" for k in range(9)) + "0.0,",
+            "expected 60 rows",
+        ),
     ],
 )
 def test_bad_forces_are_rejected_in_one_line(
@@ -214,6 +197,19 @@ def test_bad_forces_are_rejected_in_one_line(
     assert not (tmp_path / "out").exists()
 
 
+def test_rows_without_numbers_in_one_file_are_left_out_of_both(
+    simulated: Path, tmp_path: Path, run: Run
+) -> None:
+    rows = (simulated / "forces.csv").read_text().splitlines(keepends=True)
+    rows[20] = f"{rows[20].partition(',')[0]},nan,1,1,1,1,1\n"
+    forces = tmp_path / "forces.csv"
+    forces.write_text("".join(rows))
+    inputs = "--measured", simulated / "trajectory.csv", forces, "--json"
+    told = run("identify", PAPERS, *inputs, "-o", tmp_path / "out")
+    assert "1 samples of one file have no sample of the other at their time" in told.err
+    assert json.loads(told.out)["verdict"] == "consistent"
+
+
 def test_forces_with_dates_and_units_are_read_and_their_sign_is_checked(
     simulated: Path, tmp_path: Path, run: Run
 ) -> None:
@@ -226,18 +222,3 @@ def test_forces_with_dates_and_units_are_read_and_their_sign_is_checked(
     forces.write_text("\n".join(["stamp;" + ";".join(f"Force{leg} [kN]" for leg in range(1, 7)), *rows]))
     told = run("identify", PAPERS, "--measured", simulated / "trajectory.csv", forces, "-o", tmp_path / "out")
     assert "forces: opposite to the forces by the robot file; change their sign" in told.err
-
-
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        (("--force-std", "0"), "--force-std: expected"),
-        (("--samples", "5"), "motion: excites"),
-        (("--harmonics", "0"), "harmonics: expected"),
-    ],
-)
-def test_identify_rejects_in_one_line_and_writes_nothing(
-    tmp_path: Path, fails: Fails, options: tuple[str, str], words: str
-) -> None:
-    assert words in fails("identify", PAPERS, *FEW, *options, "-o", tmp_path / "out")
-    assert not list(tmp_path.iterdir())

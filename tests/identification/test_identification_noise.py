@@ -61,14 +61,6 @@ def test_motion_without_period_is_identified_with_stated_or_estimated_noise() ->
         assert np.max(np.abs(seen.values - found.true_values) / seen.std) < 4.0
 
 
-def test_noise_beyond_the_stated_one_is_named_without_a_period() -> None:
-    found = experiment(0)
-    noise = ss.PoseNoise(found.excitation.time, NOISE / 3, NOISE / 3)
-    seen = ss.identify(robot(0), found.measured_motion, found.F, 1.0, excited(0).base, noise)
-    assert seen.verdict in ("misfit", "rejected")
-    assert seen.warnings[0].startswith("poses: expected a residual of the size of the specified noise")
-
-
 def misfits(machine: ss.Robot, found: ss.Experiment) -> dict[str, ss.IdentificationResult]:
     """Estimates from models that are wrong."""
     without = ss.base_parameters(machine, friction=False)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Run, rejects
+from command_line import Run
 from machines import random_motion, random_robot
 from noisy_experiments import change
 from robot_files import written
@@ -86,16 +86,3 @@ def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:
     measured = ["--measured", *(str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv"))]
     again = ["-o", str(tmp_path / "again"), "--force-std", "0.5", "--identical-legs", *measured]
     assert "verdict: consistent" in run("identify", file, *again).out
-
-
-def test_wrong_ways_of_sharing_are_named() -> None:
-    base = ss.base_parameters(robot(0))
-    rejects(
-        "identical_legs: expected True or False, got 'arms'",
-        ss.base_parameters,
-        robot(0),
-        identical_legs="arms",
-    )
-    motion = excited(0).motion
-    with pytest.raises(ValueError, match="identical_legs: expected False with base_parameters"):
-        ss.identify(robot(0), motion, np.zeros((60, 6)), 1.0, base, identical_legs=True)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Fails, Run
+from command_line import Run
 from robot_files import PAPERS
 
 import stewart_sym as ss
@@ -62,6 +62,7 @@ def lengths(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     return ["--measured", str(folder / "L.csv"), str(folder / "F.csv"), "--force-std", "0.5"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stated", [True, False])
 def test_noise_of_leg_lengths_is_noise_along_the_legs(
     lengths: list[str], stated: bool, tmp_path: Path, run: Run
@@ -74,9 +75,3 @@ def test_noise_of_leg_lengths_is_noise_along_the_legs(
     off = np.array([row["departure"] for row in found["parameters"]])
     assert np.abs(off).max() < 4.0
     assert 0.75 < np.sqrt(np.mean(off**2)) < 1.25
-
-
-def test_leg_lengths_have_no_noise_of_angles(lengths: list[str], tmp_path: Path, fails: Fails) -> None:
-    options = ["--position-std", "2e-5", "--angle-std", "2e-5"]
-    line = fails("identify", PAPERS, *lengths, *options, "-o", tmp_path / "out")
-    assert "--angle-std: the trajectory contains leg lengths; state --position-std alone" in line

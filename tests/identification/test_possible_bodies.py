@@ -7,27 +7,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Fails, Run, read
+from command_line import Run, read
 from log_files import NAMES
 from machines import dasgupta
 from noisy_experiments import change, excited, experiment, robot, truth
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.identification import physical
 from stewart_sym.identification.excitation import force_regressor
 from stewart_sym.identification.parameters import with_parameters
 from stewart_sym.studies.reports import identify
-
-
-def test_parameters_make_the_robot_again() -> None:
-    machine = robot(2)
-    again = with_parameters(machine, ss.inertial_parameters(machine).values)
-    for field in dataclasses.fields(ss.Robot):
-        old, new = (getattr(made, field.name) for made in (machine, again))
-        plain = isinstance(old, (str, ss.TrajectoryFormat)) or old is None
-        assert old == new if plain else np.allclose(old, new, rtol=1e-9, atol=1e-12)
 
 
 def test_possible_machines_are_not_named_and_impossible_ones_are() -> None:
@@ -120,34 +110,3 @@ def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
     found = json.loads((estimated / "report.json").read_text())
     assert (found["verdict"], found["robot_file"]["agreement"]) == ("consistent", "agrees")
     assert found["position_noise_m"] == pytest.approx(1e-4, rel=0.4)
-
-
-@pytest.mark.slow
-def test_command_keeps_to_possible_bodies(tmp_path: Path) -> None:
-    few = ("--samples", "80", "--candidates", "2")
-    assert main(["identify", str(PAPERS), *few, "-o", str(tmp_path)]) == 0
-    measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
-    out = tmp_path / "out"
-    assert (
-        main(["identify", str(PAPERS), *measured, "--enforce-physical", "--no-friction", "-o", str(out)]) == 0
-    )
-    rows = read(out / "bodies.csv")
-    assert [row["name"] for row in rows] == list(ss.inertial_parameters(dasgupta()).names)
-    assert not any(row["name"].startswith("C_") for row in read(out / "parameters.csv"))
-
-
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        (("--position-std", "1e-4"), "--angle-std"),
-        (("--enforce-physical",), "enforce_physical: applies to measured forces"),
-        (
-            ("--length-unit", "mm"),
-            "--pose-guess and options of the trajectory file: apply to measured forces",
-        ),
-    ],
-)
-def test_command_names_bad_options_in_one_line(
-    tmp_path: Path, fails: Fails, options: tuple[str, ...], words: str
-) -> None:
-    assert words in fails("identify", PAPERS, *options, "-o", tmp_path / "out")

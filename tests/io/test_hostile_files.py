@@ -3,9 +3,7 @@
 The fuzzer of fuzz_files.py starts from sound files; what it can't reach by changing bytes stands here.
 """
 
-import importlib.util
 import os
-import resource
 import socket
 import subprocess
 import sys
@@ -13,12 +11,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import attack_build
 import pytest
 from command_line import Run, rejects
 from plain_logs import read_log
 from robot_files import PAPERS
-from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.motion.log_samples import read_samples
@@ -139,23 +135,6 @@ def test_a_pipe_is_read_to_its_end() -> None:
     script = "from stewart_sym.robot.robot import Robot; print(Robot.from_toml('/dev/stdin').M)"
     command = [sys.executable, "-W", "ignore", "-c", script]
     assert subprocess.run(command, input=ROBOT, capture_output=True).stdout == b"40.0\n"
-
-
-@pytest.mark.full
-@pytest.mark.slow
-def test_fuzzing_the_readers_finds_nothing(tmp_path: Path) -> None:
-    if importlib.util.find_spec("atheris") is None:
-        pytest.skip("atheris is not installed: it has wheels for Linux on x86-64 alone")
-    for number, (name, (_, sound)) in enumerate(READERS.items()):
-        (tmp_path / name).write_bytes(bytes([number]) + sound)
-    script = str(Path(__file__).parents[1] / "support" / "fuzz_files.py")
-    runs = share(50_000, 50)
-    # A process begins with the largest size that the one which started it ever had.
-    most = 2048 + resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
-    limits = [f"-runs={runs}", "-seed=1", "-max_len=4096", f"-rss_limit_mb={most}"]
-    limits += [f"-artifact_prefix={tmp_path}{os.sep}"]
-    told = attack_build.ran([sys.executable, script, *limits, str(tmp_path)], tmp_path)
-    assert f"Done {runs} runs" in told
 
 
 KINDS = {

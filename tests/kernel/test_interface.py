@@ -1,8 +1,6 @@
 """The interface table is what headers declare and what the package, kits and the sweep go by."""
 
 import re
-from functools import cache
-from importlib.resources import files
 from pathlib import Path
 
 import pytest
@@ -11,6 +9,7 @@ from builds import run
 from stewart_sym import results
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import defines_of
+from stewart_sym.backend.kernel_sources import generated_text
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function
@@ -19,16 +18,6 @@ from stewart_sym.generated import interface
 from stewart_sym.kit.kit_options import STEMS
 
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")
-
-
-@cache
-def headers() -> dict[str, str]:
-    folder = files("stewart_sym.generated") / "c"
-    return {
-        path.name: path.read_text(encoding="utf-8")
-        for path in folder.iterdir()
-        if path.name.endswith(".h") and not path.name.startswith("stewart_fmi")
-    }
 
 
 def functions() -> list[Function]:
@@ -53,7 +42,8 @@ def functions() -> list[Function]:
 def test_headers_declare_what_the_table_says_and_no_more() -> None:
     every = functions()
     for header in {function.header for function in every}:
-        declared = re.findall(r"^STEWART_NODISCARD (int [^;]*;)", headers()[header], re.M)
+        text = generated_text(f"c/{header}")
+        declared = re.findall(r"^STEWART_NODISCARD (int [^;]*;)", text, re.M)
         plain = {" ".join(text.replace("(\n    ", "(").split()) for text in declared}
         of_table = {text for each in every if each.header == header for text in each.prototypes}
         assert of_table == {text for text in plain if "_prepare(" not in text}
@@ -64,15 +54,15 @@ def test_status_codes_are_the_same_everywhere() -> None:
     codes = {name: code for name, code, _ in STATUSES}
     assert {name: code for name, (code, _) in STATUS.items()}.items() <= codes.items()
     assert all(getattr(results, name) == code for name, code in codes.items())
-    defined = re.findall(r"^#define STEWART_([A-Z_]+) (\d) /\*", headers()["stewart.h"], re.M)
+    defined = re.findall(r"^#define STEWART_([A-Z_]+) (\d) /\*", generated_text("c/stewart.h"), re.M)
     assert [(name, int(code)) for name, code in defined] == list(codes.items())
 
 
 @pytest.mark.parametrize("name", interface.MODELS)
 def test_prepared_models_have_the_size_of_the_table(name: str, tmp_path: Path) -> None:
     header = f"stewart_{name}.h" if name.endswith("_bounds") else f"stewart_{name}_forces.h"
-    for each, text in headers().items():
-        (tmp_path / each).write_text(text, encoding="utf-8")
+    for each in (*interface.HEADERS, header):
+        (tmp_path / each).write_text(generated_text(f"c/{each}"), encoding="utf-8")
     right = f"sizeof(stewart_{name}_model) == {interface.MODELS[name]} * sizeof(stewart_real)"
     (tmp_path / "size.c").write_text(f'#include "{header}"\ntypedef char right[{right} ? 1 : -1];\n')
     compiler = native.find_compiler()

@@ -12,11 +12,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from kits import few_vectors
 from leaning_legs import leaning
 from machines import dasgupta, machine_in_motion, random_motion, random_robot_of
-from motion_fields import FIELDS
-from sweeps import FULL, UNFUSED
+from sweeps import FULL
 
 import stewart_sym as ss
 from stewart_sym.backend.numpy_kernel import loaded
@@ -28,7 +26,7 @@ from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.derive.trace import read
 from stewart_sym.derive.trace.constants import constants
 from stewart_sym.derive.trace.interpret import Arithmetic, Interpreter
-from stewart_sym.derive.trace.nodes import Integer, Program
+from stewart_sym.derive.trace.nodes import Program
 from stewart_sym.formulas.trees import robot_structure
 from stewart_sym.kit import Choice, write_kit
 
@@ -97,38 +95,6 @@ def test_fidelities_have_trees_as_well() -> None:
         np.testing.assert_array_equal(F, expected, name)
 
 
-@few_vectors()
-def printed_python(robot: ss.Robot, folder: Path, **choice: Any) -> dict[str, Any]:
-    """What a kit's modules define."""
-    write_kit(robot, folder, Choice(language="python", **choice))
-    space: dict[str, Any] = {"__name__": "stewart_arrays"}
-    exec((folder / "stewart_arrays.py").read_text(), space)
-    exec((folder / "robot.py").read_text().replace("from stewart_arrays import Robot", ""), space)
-    return space
-
-
-@pytest.mark.slow
-@pytest.mark.full
-def test_jax_compiles_the_forces(tmp_path: Path) -> None:
-    import jax
-    import jax.numpy as jnp
-
-    robot, motion = machine_in_motion(12, (7,))
-    with jax.enable_x64(True):
-        printed = printed_python(robot, tmp_path, fidelity="massless")
-        on = printed["Arithmetic"](jnp)
-        model = printed["prepare"](on, printed["robot"]())
-
-        def forces(given: dict[str, Any]) -> Any:
-            F = printed["forces"](on, model, printed["motion_of"](on, **given)).F
-            return jnp.stack(F, axis=-1)
-
-        given = {name: jnp.asarray(getattr(motion, name)) for name in FIELDS}
-        compiled = jax.jit(jax.vmap(forces), compiler_options=UNFUSED)(given)
-    answer = ss.ForceKernel(robot, fidelity="massless").forces(motion)
-    np.testing.assert_allclose(compiled, answer, rtol=0, atol=1e-12 * np.abs(answer).max())
-
-
 @pytest.mark.parametrize(
     ("choice", "line"),
     [
@@ -163,11 +129,6 @@ def with_power(x: "array(6)") -> "Real":  # noqa: F821
     return x[0] ** 2
 
 
-def with_hidden_change(A: "array(6, 7)", x: "array(6)") -> "Integer":  # noqa: F821
-    """Not allowed: what a call changes is handed back in some languages."""
-    return where(eliminate(A, x) == 0, 1, 0)  # noqa: F821
-
-
 def smallest_share(x: "Real", y: "Real") -> "Real":  # noqa: F821
     """A quotient where there is one."""
     root = where(y >= 0.0, sqrt(y), 0.0)  # noqa: F821
@@ -195,12 +156,6 @@ class AnyTest(Fraction):
 
     def __ge__(self, other: object) -> Any:
         return "undecided"
-
-
-def test_a_call_that_changes_an_argument_stands_by_itself() -> None:
-    eliminate = program(reduced_forces(EXACT)).function("eliminate")
-    with pytest.raises(ValueError, match="a statement of its own for a call that changes an argument"):
-        read.function(with_hidden_change, {}, {"eliminate": eliminate})
 
 
 @pytest.mark.parametrize(

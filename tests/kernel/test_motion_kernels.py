@@ -43,16 +43,6 @@ def check_bits(robot: Robot, motion: Motion) -> set[int]:
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("rounded_twice")
-def test_numpy_has_the_bits_of_the_c_batch() -> None:
-    rng = np.random.default_rng(7)
-    for _ in range(6):
-        robot = random_robot(rng)
-        assert check_bits(robot, random_motion(rng, robot, (4,))) == {0}
-    assert check_bits(dasgupta(), random_motion(rng, dasgupta(), (4,))) == {0}
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
     rng = np.random.default_rng(17)
     robot, motion = machine_in_motion(rng)
@@ -113,11 +103,6 @@ def test_derivatives_of_the_forces_agree_with_50_digits(seed: int) -> None:
     for name in ("F", "by_pose", "by_twist", "by_acceleration"):
         expected = true[name].reshape(getattr(found, name).shape)
         assert np.abs(getattr(found, name) - expected).max() <= 1e-9 * np.abs(expected).max(), name
-
-
-def test_the_reference_has_no_derivatives() -> None:
-    robot, motion, _ = at_50_digits(0)
-    rejects("backend: expected", ss.force_derivatives, robot, motion, backend="reference")
 
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])

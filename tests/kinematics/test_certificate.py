@@ -21,7 +21,7 @@ import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.kinematics.pose_search import newton
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
-from stewart_sym.precision.truth import digits
+from stewart_sym.precision.exact_forces import digits
 
 
 def turn_between(exact: mpmath.matrix, R: Array) -> float:

@@ -8,16 +8,6 @@ import stewart_sym as ss
 
 
 @pytest.mark.parametrize("seed", range(2))
-def test_the_inverse_jacobian_turns_the_twist_into_leg_rates(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (4,))
-    twist = np.concatenate([motion.v, motion.omega], axis=-1)
-    rates = np.einsum("...ij,...j->...i", ss.inverse_jacobian(robot, motion), twist)
-    np.testing.assert_allclose(rates, ss.inverse_kinematics(robot, motion).L_dot, rtol=1e-12, atol=1e-12)
-
-
-@pytest.mark.parametrize("seed", range(2))
 def test_the_jacobian_turns_leg_rates_into_the_twist(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng)

@@ -5,17 +5,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Fails, Run, rejects
-from leg_lengths import HOME, Array, lengths, paper_legs
+from command_line import Run, rejects
+from leg_lengths import Array, paper_legs
 from machines import dasgupta
-from plain_logs import read_log
 from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.kinematics.pose_search import rates_per_twist
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 # Joint-space trajectories
 
@@ -112,23 +111,6 @@ def test_forces_takes_leg_lengths(tmp_path: Path, loads: bool) -> None:
     np.testing.assert_array_equal(table["time"], time)
 
 
-def test_lengths_without_rates_are_differentiated(tmp_path: Path) -> None:
-    rng = np.random.default_rng(17)
-    time = np.linspace(0.0, 1.0, 80)
-    swing = 0.05 * np.sin(2 * np.pi * time[:, None] * rng.uniform(0.5, 1.0, 6) + rng.uniform(0, 6, 6))
-    L = lengths(dasgupta(), np.eye(3), HOME) + swing
-    trajectory = tmp_path / "legs.csv"
-    trajectory.write_text("".join(csv_lines({"time": time, **dict(zip(LEGS, L.T, strict=True))})))
-    read = read_log(trajectory)
-    slope = np.gradient(L, time, axis=0, edge_order=2)
-    np.testing.assert_allclose(read.lengths[1], slope, atol=2e-3)
-    output = tmp_path / "forces.csv"
-    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output)]) == 0
-    table = written(output)
-    np.testing.assert_allclose(np.column_stack([table[f"L_{leg}"] for leg in range(1, 7)]), L, atol=1e-13)
-    assert np.isfinite(forces_of(table)).all()
-
-
 def test_start_chooses_the_assembly_mode(tmp_path: Path, run: Run) -> None:
     path, _ = ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, 6.0, 13)
@@ -155,34 +137,6 @@ def test_start_chooses_the_assembly_mode(tmp_path: Path, run: Run) -> None:
         ([poses, "--pose-guess", *start], "too few rows for rates"),
     ):
         assert expected in run("forces", PAPERS, *arguments, "-o", output, code=2).err
-
-
-GOOD = [",".join(["time", *LEGS]), *(f"{0.1 * i:g},0.6,0.6,0.6,0.6,0.6,0.{60 + i}" for i in range(6))]
-FULL = [",".join(["time", *LEGS, *RATES]), "0," + ",".join(["0.6"] * 18)]
-
-
-def with_line(number: int, line: str, lines: list[str] = GOOD) -> str:
-    """The text with line ``number`` replaced; line 1 is the header."""
-    return "\n".join([*lines[: number - 1], line, *lines[number:]]) + "\n"
-
-
-BAD = [
-    (with_line(3, "0.1,0.6,0.6,0.6,0.6,0.6,-0.6"), "line 3: L_6: -0.6 m is no length"),
-    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5"), "no column L_6"),
-    (
-        with_line(1, "time,L_1,L_2,L_3,L_4,L_5,t_x"),
-        "columns of poses and of leg lengths",
-    ),
-]
-
-
-@pytest.mark.parametrize(("text", "expected"), BAD)
-def test_bad_lengths_are_one_line(tmp_path: Path, fails: Fails, text: str, expected: str) -> None:
-    path = tmp_path / "legs.csv"
-    path.write_text(text)
-    line = fails("forces", PAPERS, path, "-o", tmp_path / "f.csv")
-    assert line.startswith(f"stewart-sym: error: {path}: {expected}")
-    assert not (tmp_path / "f.csv").exists()
 
 
 def test_a_row_without_a_pose_is_named(tmp_path: Path, run: Run) -> None:

@@ -67,22 +67,3 @@ def test_what_cannot_be_found_is_said() -> None:
     without, motion = offset_case(0)
     rejects("drive: expected a drive with a lead", ss.motor_angles, without, motion)
     rejects("angle: no pose", ss.pose_from_motor_angles, robot, np.full(6, 1e5), (motion.R, motion.t))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
-def test_a_moving_platform_comes_back_from_the_lengths_of_its_legs(joint: str) -> None:
-    robot, _ = offset_case(5, joint)
-    time = np.linspace(0.0, 0.2 * path_period(robot), 30)
-    motion, size = random_path(np.random.default_rng(5), robot, load=False)(time), machine_size(robot)
-    legs = ss.inverse_kinematics(robot, motion)
-    guess = (motion.R[0], motion.t[0] + 0.01 * size)
-    found = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, guess, time=time)
-    np.testing.assert_allclose(found.R, motion.R, atol=1e-11)
-    np.testing.assert_allclose(found.t, motion.t, atol=1e-11 * size)
-    for name in ("v", "omega", "a", "alpha"):
-        expected = getattr(motion, name)
-        np.testing.assert_allclose(getattr(found, name), expected, atol=1e-8 * np.abs(expected).max())
-    jumped = legs.L.copy()
-    jumped[15:, 2] += 10.0 * size
-    rejects(r"\AL\[15\]", ss.motion_from_lengths, robot, jumped, legs.L_dot, legs.L_ddot, guess, time=time)

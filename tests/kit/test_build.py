@@ -23,7 +23,6 @@ from kits import contents, few_vectors
 from sweeps import FULL
 
 from stewart_sym.cli import main as cli
-from stewart_sym.derive.package.build import build_files
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice
 from stewart_sym.robot.robot import Robot
@@ -185,25 +184,6 @@ def test_build_follows_its_robot_file_and_stops_with_the_words_of_the_generator(
     assert made.stamps() == before
 
 
-@pytest.mark.slow
-def test_other_options_and_another_generator_run_it_again(tmp_path: Path, generator: Path) -> None:
-    made = project(tmp_path, generator, QUICK)
-    again = shutil.copy(generator, tmp_path / "newer")
-    lists = made.source / "CMakeLists.txt"
-    for old, new in (
-        ("forces motion)", "forces motion PRECISION float)"),
-        ("ROBOT}", 'ROBOT}" EXECUTABLE "' + str(again)),
-    ):
-        assert "generating" not in run("cmake", made.build)
-        text = lists.read_text(encoding="utf-8")
-        assert old in text
-        lists.write_text(text.replace(old, new), encoding="utf-8")
-        assert "generating" in run("cmake", made.build)
-    Path(again).touch()
-    assert "generating" in run("ninja", "-C", made.build, "build.ninja")
-    assert "define STEWART_FLOAT" in (made.kit / "stewart.h").read_text(encoding="utf-8")
-
-
 def test_wrong_calls_are_told(tmp_path: Path, generator: Path) -> None:
     needed("cmake", "ninja")
     package = Path(cli.__file__).parents[1] / "cmake"
@@ -301,26 +281,6 @@ def test_two_kits_are_parts_of_one_project(tmp_path: Path, files: dict[str, str]
 
 
 @pytest.mark.slow
-def test_cross_compiling_runs_nothing_and_builds_the_library_alone(
-    tmp_path: Path, files: dict[str, str]
-) -> None:
-    needed("cmake", "ninja", "clang")
-    kit, build = written(files, tmp_path / "kit"), tmp_path / "build"
-    toolchain = tmp_path / "bare.cmake"
-    toolchain.write_text(
-        "set(CMAKE_SYSTEM_NAME Generic)\nset(CMAKE_SYSTEM_PROCESSOR arm)\nset(CMAKE_C_COMPILER clang)\n"
-        "set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)\n"
-    )
-    run("cmake", "-S", kit, "-B", build, "-G", "Ninja", QUICK, f"-DCMAKE_TOOLCHAIN_FILE={toolchain}")
-    output = run("cmake", "--build", build, "--verbose")
-    assert (build / f"lib{SYMBOL}.a").exists()
-    assert not (build / "selftest").exists()
-    compiled = [line for line in output.splitlines() if " -c " in line]
-    assert len(compiled) == 3
-    assert all("-ffp-contract=off" in line and "-std=c99" in line for line in compiled)
-
-
-@pytest.mark.slow
 def test_kit_is_built_proved_and_installed_by_plain_make(tmp_path: Path, files: dict[str, str]) -> None:
     needed("make")
     kit = written(files, tmp_path / "kit")
@@ -362,8 +322,3 @@ def test_make_fails_where_the_self_test_does(tmp_path: Path, files: dict[str, st
     run("cmake", "-S", kit, "-B", tmp_path / "build", "-G", "Ninja", QUICK)
     run("cmake", "--build", tmp_path / "build")
     run("ctest", "--test-dir", tmp_path / "build", code=8)
-
-
-def test_version_that_is_no_release_still_configures() -> None:
-    files = build_files("x", "1.2.0.dev3+gabc", ("a.c",), ("a.h",))
-    assert "project(x VERSION 1.2.0 LANGUAGES C)" in files["CMakeLists.txt"]

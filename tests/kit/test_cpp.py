@@ -11,7 +11,7 @@ from kits import STRICT, few_vectors
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package import cpp as kit_cpp
 from stewart_sym.derive.package.build import build_files
-from stewart_sym.derive.package.functions import MODEL, Function
+from stewart_sym.derive.package.functions import Function
 from stewart_sym.kit import Choice
 from stewart_sym.kit.required_kernels import parts
 from stewart_sym.robot.robot import Robot
@@ -116,7 +116,9 @@ def wrapped_functions() -> list[Function]:
     return [*whole.functions, *baked.parts[0].functions]
 
 
-@pytest.fixture(scope="module", params=["double", pytest.param("float", marks=pytest.mark.slow)])
+@pytest.fixture(
+    scope="module", params=["double", pytest.param("float", marks=[pytest.mark.slow, pytest.mark.full])]
+)
 def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Folder of a kit with everything that C++ wraps."""
     needed("make")
@@ -163,11 +165,3 @@ def test_no_status_is_ignored(wrapped: Path, compiler: str) -> None:
     run(*command, cwd=wrapped)
     (wrapped / "call.cpp").write_text(use.replace("KEEP", "").replace("\n}\n", "\n    return {};\n}\n"))
     assert "nodiscard" in run(*command, cwd=wrapped, code=1)
-
-
-def test_kernels_of_one_pose_have_no_batch() -> None:
-    name = "stewart_exact_pose"
-    pose = Function("forces", f"{name}_forces", f"{name}.h", MODEL, name, one_pose=True)
-    text = kit_cpp.wrapper([pose], "0")
-    assert "class exact_pose_kernel" in text
-    assert "batch" not in text

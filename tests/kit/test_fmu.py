@@ -1,24 +1,19 @@
 """The FMI unit in another tool's hands: valid, the kernel's forces, and honest about the rest."""
 
-import ctypes
 import dataclasses
-import io
-import zipfile
 from pathlib import Path
 
 import fmpy
-import machines
 import numpy as np
 import pytest
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi2 import fmi2CoSimulation, fmi2LastSuccessfulTime, fmi2ModelExchange
+from fmpy.fmi2 import fmi2LastSuccessfulTime
 from fmpy.validation import validate_fmu
 from fmu_units import (
     EVERY,
     FORCES,
     NOT_FINITE,
     PREPARED,
-    SINGULAR,
     ZERO_LENGTH,
     Array,
     assert_forces,
@@ -32,13 +27,10 @@ from fmu_units import (
     started,
     status,
     step,
-    told_to,
-    unit,
 )
 
 from stewart_sym import PAPER_PATHS
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.kit import Choice, kit
 
 # --- what it computes -------------------------------------------------------------------------
 
@@ -180,47 +172,6 @@ def test_pose_without_forces_leaves_the_outputs_and_is_told_once(which: str) -> 
         assert status(slave) == 0
 
 
-@pytest.mark.slow
-def test_singular_pose_has_its_status(tmp_path: Path) -> None:
-    robot = machines.dasgupta()
-    flat = dataclasses.replace(
-        robot, b=robot.b * np.array([1.0, 1.0, 0.0]), p=robot.p * np.array([1.0, 1.0, 0.0])
-    )
-    files = kit(flat, Choice(("kinematics",))).files
-    sources = made("lanes").sources | {"stewart_robot.c": files["stewart_robot.c"].decode()}
-    with zipfile.ZipFile(io.BytesIO(unit(flat, sources))) as archive:
-        archive.extractall(tmp_path)
-    row = np.zeros(30)
-    row[:9], row[9:12] = np.eye(3).ravel(), [0.05, 0.02, 0.0]
-    with running("flat", place=tmp_path) as slave:
-        before = slave.getReal(FORCES)
-        assert step(slave, row).tolist() == before
-        assert status(slave) == SINGULAR
-
-
-def test_number_too_large_for_float_is_not_finite() -> None:
-    good = some_rows("float")[0]
-    bad = good.copy()
-    bad[12] = 1e39
-    with running("float") as slave:
-        before = step(slave, good)
-        np.testing.assert_array_equal(step(slave, bad), before)
-        assert status(slave, "float") == NOT_FINITE
-
-
-def test_payload_that_is_not_finite_is_told_and_mended_by_the_next() -> None:
-    good, at = some_rows()[0], references("lanes")
-    with running("lanes") as slave:
-        before = step(slave, good)
-        mass = slave.getReal([at["M"]])
-        slave.setReal([at["M"]], [np.nan])
-        np.testing.assert_array_equal(step(slave, good), before)
-        assert status(slave) == NOT_FINITE
-        slave.setReal([at["M"]], mass)
-        np.testing.assert_array_equal(step(slave, good), before)
-        assert status(slave) == 0
-
-
 def test_calls_that_make_no_sense_are_rejected_and_change_nothing() -> None:
     good = some_rows()[0]
     log: list[tuple[int, str, str]] = []
@@ -276,17 +227,3 @@ def test_state_comes_back_and_goes_over_to_another_instance() -> None:
         with pytest.raises(FMICallException):
             slave.deSerializeFMUstate(b"{" + bytes(len(held) - 1))
         slave.freeFMUstate(state)
-
-
-@pytest.mark.parametrize("wrong", ["guid", "kind", "name"])
-def test_unit_rejects_what_does_not_belong_to_it(wrong: str) -> None:
-    told: list[bytes] = []
-    callbacks = told_to(lambda *entry: told.append(entry[2]))
-    with loaded("lanes") as slave:
-        guid = slave.guid.replace(slave.guid[1], "x", 1) if wrong == "guid" else slave.guid
-        name, kind = (
-            b"" if wrong == "name" else b"one",
-            fmi2ModelExchange if wrong == "kind" else fmi2CoSimulation,
-        )
-        assert slave.fmi2Instantiate(name, kind, guid.encode(), b"", ctypes.byref(callbacks), 0, 0) is None
-    assert len(told) == 1

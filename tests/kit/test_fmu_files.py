@@ -1,37 +1,29 @@
 """The archive of an FMI unit and its C: what it holds, what it shows and what other tools make of it."""
 
-import dataclasses
 import io
 import os
 import re
-import sys
 import zipfile
 from pathlib import Path
 
 import fmpy
 import pytest
 from builds import run
-from fmpy.build import build_platform_binary
 from fmpy.validation import validate_fmu
 from fmu_units import (
     CASES,
     EVERY,
-    assert_forces,
     contents,
     folder,
     guid,
     made,
     references,
-    running,
-    some_rows,
-    step,
     unit,
 )
 from kits import COMPILERS, STRICT, few_vectors, silently
 from sweeps import FULL
 
 from stewart_sym.backend import native
-from stewart_sym.derive.package import fmu as texts
 from stewart_sym.kit import kit
 from stewart_sym.kit.fmu import binary_folder
 
@@ -77,24 +69,6 @@ def test_without_a_compiler_the_unit_has_sources_alone(
     assert validate_fmu(str(tmp_path / "unit.fmu")) == []
 
 
-def test_any_name_is_described(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    name = 'a<b> & "c" ünï 机器人 @GUID@ @VERSION@ \\ */ /*'
-    monkeypatch.setattr(native, "find_compiler", lambda: None)
-    odd = dataclasses.replace(made("lanes").robot, name=name)
-    (tmp_path / "unit.fmu").write_bytes(unit(odd, made("lanes").sources))
-    assert validate_fmu(str(tmp_path / "unit.fmu")) == []
-    told = fmpy.read_model_description(str(tmp_path / "unit.fmu"))
-    assert told.modelName == name
-
-
-def test_long_symbol_gives_an_identifier_that_simulink_takes() -> None:
-    longer = ["stewart_robot_" + "a" * 80 + end for end in "bc"]
-    short = [texts.model_identifier(symbol) for symbol in longer]
-    assert len(set(short)) == 2
-    assert all(re.fullmatch(r"[a-z]\w{0,62}", one) for one in short)
-    assert texts.model_identifier("stewart_robot_x") == "stewart_robot_x"
-
-
 # --- the C ------------------------------------------------------------------------------------
 
 
@@ -103,15 +77,6 @@ def test_long_symbol_gives_an_identifier_that_simulink_takes() -> None:
 def test_unit_compiles_with_every_warning_an_error(case: str, compiler: str, tmp_path: Path) -> None:
     command = [*COMPILERS[compiler], *STRICT, "-O1", "-c", "stewart_fmi2.c", "-o", str(tmp_path / "unit.o")]
     silently(command, folder(case) / "sources")
-
-
-def test_declarations_are_the_standards(tmp_path: Path) -> None:
-    """The C compiles against the standard's own headers in place of ours."""
-    for file in (folder("lanes") / "sources").iterdir():
-        (tmp_path / file.name).write_bytes(file.read_bytes())
-    (tmp_path / "stewart_fmi2.h").write_text('#include "fmi2Functions.h"\n', encoding="utf-8")
-    standard = Path(fmpy.__file__).parent / "c-code"
-    silently(["gcc", "-std=c99", *STRICT, "-isystem", str(standard), "-c", "stewart_fmi2.c"], tmp_path)
 
 
 def test_binary_shows_the_functions_of_co_simulation_and_nothing_else() -> None:
@@ -123,22 +88,6 @@ def test_binary_shows_the_functions_of_co_simulation_and_nothing_else() -> None:
     every = set(re.findall(r"FMI2_Export fmi2\w+TYPE\s+(\w+);", standard))
     assert own <= shown <= every
     assert not shown & {"fmi2SetTime", "fmi2GetDerivatives", "fmi2EnterEventMode", "fmi2NewDiscreteStates"}
-
-
-@pytest.mark.full
-@pytest.mark.slow
-def test_another_tool_builds_the_unit_of_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    case = "lanes"
-    for name, content in contents(made(case).content).items():
-        if not name.startswith("binaries/"):
-            (tmp_path / name).parent.mkdir(exist_ok=True)
-            (tmp_path / name).write_bytes(content)
-    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
-    build_platform_binary(tmp_path)
-    row = some_rows(case)[0]
-    with running(case, place=tmp_path) as slave:
-        F = step(slave, row)
-    assert_forces(F, case, row[None])
 
 
 @pytest.mark.slow

@@ -5,7 +5,6 @@ import dataclasses
 import hashlib
 import json
 import os
-import re
 from pathlib import Path
 
 import builds
@@ -74,19 +73,6 @@ def test_kit_holds_only_what_was_asked_for() -> None:
         assert set(kit_names(machine("random"), choice)) == NAMES | files
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("scalar", "bake"), [(False, False), (True, True)])
-def test_operations_of_a_kit_are_those_that_its_header_counts(scalar: bool, bake: bool) -> None:
-    made = kit_of(choice=Choice(scalar=scalar, bake=bake))
-    (header,) = (
-        text.decode() for name, text in made.files.items() if name.endswith(("_forces.h", "_pose.h"))
-    )
-    total = int(re.findall(r"^ \* total +(\d+) ", header, re.M)[0])
-    assert total == (made.baked_operations if bake else made.operations)
-    assert not bake or f"a pose took {made.operations} operations" in header
-    assert f"| {total:,} |" in made.files["README.md"].decode()
-
-
 def test_selftest_without_stdio_prints_nothing_and_needs_no_printf(tmp_path: Path) -> None:
     put(kit_of(choice=Choice(scalar=True)), tmp_path)
     command = ["gcc", "-std=c99", *STRICT, "-DSTEWART_NO_STDIO", "-I.", "-c", "test/selftest.c"]
@@ -111,20 +97,6 @@ def test_kernel_files_are_the_committed_ones(formulation: str) -> None:
     files = parts(machine("random"), Choice(("forces", "reactions"), formulation)).files
     committed = [c_kernel.c_sources(name) for name in (formulation, f"{formulation}_forces", "rotation")]
     assert files == dict(item for each in committed for item in each.items())
-
-
-@pytest.mark.slow
-def test_digest_follows_constants() -> None:
-    robot = machines.dasgupta()
-    variants = [robot, dataclasses.replace(robot, M=np.nextafter(robot.M, 41))]
-    digests = set()
-    for variant in variants:
-        with few_vectors():
-            files = kit(variant, Choice(("kinematics",))).files
-        digest = json.loads(files["manifest.json"])["robot"]["sha256"]
-        assert all(digest.encode() in files[name] for name in ("README.md", "stewart_robot.c"))
-        digests.add(digest)
-    assert len(digests) == 2
 
 
 @pytest.mark.slow
@@ -162,21 +134,6 @@ def test_manifest_tells_options_version_and_every_file() -> None:
 )
 def test_symbol_is_an_identifier_made_of_the_name(name: str, symbol: str) -> None:
     assert robot_symbol(name) == symbol
-
-
-@pytest.mark.parametrize("length", [48, 49, 5000])
-def test_symbols_of_long_names_are_short_and_remain_different(length: int) -> None:
-    one, other = robot_symbol("n" * length), robot_symbol("n" * (length - 1) + "m")
-    assert one != other
-    assert max(len(one), len(other)) <= len("stewart_robot_") + 48
-    assert (one == f"stewart_robot_{'n' * length}") == (length == 48)
-    assert re.fullmatch(r"[a-z][a-z0-9_]*[a-z0-9]", robot_symbol("a b " * length))
-
-
-def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
-    symbols = {robot_symbol(name) for name in ("并联机器人", "平台", "***")}
-    assert len(symbols) == 3
-    assert all(re.fullmatch(r"stewart_robot_[0-9a-f]{12}", symbol) for symbol in symbols)
 
 
 @pytest.mark.slow

@@ -61,7 +61,7 @@ def test_a_glitch_of_any_size_changes_no_force_elsewhere() -> None:
 
 @pytest.mark.slow
 def test_no_force_is_wrong_without_a_warning_for_random_faults() -> None:
-    seeds = range(share(500))
+    seeds = range(share(500, 40))
     beyond = []
     for seed in seeds:
         faults = random_faults(np.random.default_rng([seed, 9]))

@@ -69,17 +69,6 @@ def test_one_motion_is_the_same_in_every_order(tmp_path: Path, order: str) -> No
         np.testing.assert_allclose(getattr(motion, name), getattr(expected, name), atol=1e-12)
 
 
-def test_angles_whose_rates_are_without_bounds_as_roll_pitch_yaw_are_read(tmp_path: Path) -> None:
-    """At R = Rx(90 deg) Rz(90 deg), which is upright by (38) alone."""
-    found = np.zeros((3, 1, 6))
-    found[0, 0, 3:] = 0.5 * np.pi, 0.0, 0.5 * np.pi
-    found[1, 0, 3:], found[2, 0, 3:] = [0.5, 0.0, 0.0], [5.0, 0.0, 0.0]
-    path = saved(tmp_path / "row.csv", np.zeros(1), found)
-    motion = read_log(path, ss.TrajectoryFormat(euler_order="xyz")).motion
-    assert abs(motion.R[0, 2, 0]) == pytest.approx(1.0)
-    np.testing.assert_allclose([motion.omega[0], motion.alpha[0]], found[1:, 0, 3:], atol=1e-14)
-
-
 @pytest.mark.parametrize("pitch", [60.0, 90.0])
 @pytest.mark.parametrize("written", ["quaternions", "angles"])
 def test_a_platform_with_a_pitched_frame_moves_as_any(tmp_path: Path, written: str, pitch: float) -> None:

@@ -17,7 +17,7 @@ from plain_logs import read_log, read_poses
 import stewart_sym as ss
 from stewart_sym.kinematics.offset_legs import leg_lengths
 from stewart_sym.kinematics.robot_logs import read_log_of
-from stewart_sym.motion.log_samples import components_of, line_ranges, read_samples
+from stewart_sym.motion.log_samples import components_of, read_samples
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.TrajectoryWarning")
 TABLE = poses()
@@ -199,12 +199,6 @@ def test_rows_without_numbers_are_counted_in_one_warning(tmp_path: Path) -> None
     path = log(tmp_path, "\n".join(lines))
     with pytest.warns(ss.TrajectoryWarning, match=r"rows without numbers \(lines 4, 10-11, 21\); they are"):
         assert len(read_log(path).rows) == len(TABLE) - 4
-
-
-def test_lines_are_named_in_ranges() -> None:
-    assert line_ranges(np.array([3])) == "line 3"
-    assert line_ranges(np.array([3, 7, 8, 9])) == "lines 3, 7-9"
-    assert line_ranges(np.arange(3, 40, 2), 3) == "lines 3, 5, 7 and 16 more places"
 
 
 def test_poses_and_lengths_relative_to_the_home_pose_become_absolute(tmp_path: Path) -> None:

@@ -6,14 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import error_of, rejects
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from machines import Array
 from motion_fields import skew_part
 
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import (
-    motion_about_axes,
     quaternion_from_rotation,
     rotation_from_rpy,
     rpy_from_rotation,
@@ -21,8 +18,6 @@ from stewart_sym.motion.rotation import (
 
 ZERO = np.zeros(3)
 E = np.eye(3)
-
-angles = st.tuples(*[st.floats(-7.0, 7.0)] * 3)
 
 
 def turn(axis: int, angle: float) -> Array:
@@ -62,54 +57,20 @@ def test_quaternions_may_have_any_length_but_zero(size: float) -> None:
         assert getattr(other, name) == pytest.approx(getattr(one, name), abs=1e-14)
 
 
-@settings(deadline=None)
-@given(theta=angles)
-def test_rotation_is_the_product_of_three_turns(theta: tuple[float, float, float]) -> None:
-    product = turn(2, theta[2]) @ turn(1, theta[1]) @ turn(0, theta[0])
-    np.testing.assert_allclose(rotation_from_rpy(theta), product, atol=1e-15)
+def test_rotation_is_the_product_of_three_turns() -> None:
+    for theta in [*np.random.default_rng(1).uniform(-7.0, 7.0, (50, 3)), np.zeros(3), np.full(3, np.pi / 2)]:
+        product = turn(2, theta[2]) @ turn(1, theta[1]) @ turn(0, theta[0])
+        np.testing.assert_allclose(rotation_from_rpy(theta), product, atol=1e-15)
 
 
-@settings(deadline=None)
-@given(theta=angles)
-def test_angles_give_the_rotation_back(theta: tuple[float, float, float]) -> None:
-    R = rotation_from_rpy(theta)
-    np.testing.assert_allclose(rotation_from_rpy(rpy_from_rotation(R)), R, atol=1e-14)
-
-
-@settings(deadline=None)
-@given(x=st.floats(-3.14, 3.14), y=st.floats(-1.57, 1.57), z=st.floats(-3.14, 3.14))
-def test_angles_in_their_range_come_back(x: float, y: float, z: float) -> None:
-    back = rpy_from_rotation(rotation_from_rpy([x, y, z]))
+def test_angles_in_their_range_come_back() -> None:
+    ends = np.array([3.14, 1.57, 3.14])
+    angles = np.concatenate(
+        [np.random.default_rng(2).uniform(-ends, ends, (200, 3)), np.zeros((1, 3)), [ends, -ends]]
+    )
+    back = rpy_from_rotation(rotation_from_rpy(angles))
     # Near theta_y = +-pi/2 theta_x and theta_z are known less and less well apart.
-    np.testing.assert_allclose(back, [x, y, z], atol=1e-14 / np.cos(y) ** 2)
-
-
-@settings(deadline=None)
-@given(theta=angles, rate=angles)
-def test_omega_is_the_skew_part_of_R_dot_R_transposed(
-    theta: tuple[float, float, float], rate: tuple[float, float, float]
-) -> None:
-    h = 1e-5
-    ahead, behind = np.add(theta, h * np.array(rate)), np.subtract(theta, h * np.array(rate))
-    R_dot = (rotation_from_rpy(ahead) - rotation_from_rpy(behind)) / (2.0 * h)
-    omega = motion_about_axes(np.array(theta), np.array(rate), ZERO)[1]
-    np.testing.assert_allclose(omega, skew_part(R_dot @ rotation_from_rpy(theta).T), atol=3e-7)
-
-
-@settings(deadline=None)
-@given(theta=angles, rate=angles, second=angles)
-def test_alpha_is_the_derivative_of_omega(
-    theta: tuple[float, float, float], rate: tuple[float, float, float], second: tuple[float, float, float]
-) -> None:
-    h = 1e-5
-    x, v, a = np.array(theta), np.array(rate), np.array(second)
-
-    def omega(time: float) -> Array:
-        return motion_about_axes(x + v * time + 0.5 * a * time**2, v + a * time, a)[1]
-
-    difference = (omega(h) - omega(-h)) / (2.0 * h)
-    alpha = motion_about_axes(x, v, a)[2]
-    np.testing.assert_allclose(alpha, difference, atol=3e-6)
+    assert (np.abs(back - angles) <= 1e-14 / np.cos(angles[:, 1:2]) ** 2).all()
 
 
 def test_leading_shapes_broadcast() -> None:
@@ -135,20 +96,6 @@ def test_slices_are_those_of_the_leading_shape(index: Any) -> None:
     np.testing.assert_array_equal(part.R, motion.R.reshape(20, 3, 3)[places])
 
 
-def test_iteration_goes_along_the_first_axis() -> None:
-    t = np.arange(30.0).reshape(5, 2, 3)
-    for i, part in enumerate(Motion(R=E, t=t, omega=ZERO, v=ZERO)):
-        np.testing.assert_array_equal(part.t, t[i])
-    assert i == 4
-    with pytest.raises(TypeError, match="one sample"):
-        iter(Motion(R=E, t=ZERO, omega=ZERO, v=ZERO))
-
-
-def test_empty_batch() -> None:
-    motion = Motion(R=np.zeros((0, 3, 3)), t=np.zeros((0, 3)), omega=np.zeros((0, 3)), v=np.zeros((0, 3)))
-    assert motion.shape == motion[:0].shape == (0,)
-
-
 NAN = np.array([0.0, np.nan, 0.0])
 BAD: list[tuple[dict[str, Any], str]] = [
     ({"t": np.zeros(4)}, "t: expected shape (..., 3), got (4,)"),
@@ -170,30 +117,6 @@ BAD: list[tuple[dict[str, Any], str]] = [
 def test_what_is_no_motion_is_named(wrong: dict[str, Any], expected: str) -> None:
     good = {"R": E, "t": ZERO, "omega": ZERO, "v": ZERO, "alpha": ZERO, "a": ZERO}
     assert error_of(lambda: Motion(**(good | wrong))).startswith(expected)
-
-
-@pytest.mark.parametrize(
-    ("Q", "expected"),
-    [
-        (np.diag([1, 1, -1]), "Q: expected a rotation matrix, this one is a reflection (det Q = -1)"),
-        (np.stack([E, E]), "Q: expected shape (3, 3), got (2, 3, 3)"),
-    ],
-)
-def test_axes_that_no_rotation_turns_are_rejected(Q: Array, expected: str) -> None:
-    motion = Motion(R=E, t=ZERO, omega=[0.0, 0.0, 1.0], v=ZERO)
-    assert error_of(lambda: motion.in_rotated_frames(Q)) == expected
-
-
-@pytest.mark.parametrize(
-    ("wrong", "expected"),
-    [
-        ({"theta_ddot": None}, "theta_ddot: expected both accelerations"),
-        ({"theta": np.zeros((2, 3)), "theta_dot": np.zeros((3, 3))}, "theta_dot: expected a leading shape"),
-    ],
-)
-def test_from_rpy_names_the_wrong_argument(wrong: dict[str, Any], expected: str) -> None:
-    good = dict.fromkeys(("t", "theta", "v", "theta_dot", "a", "theta_ddot"), ZERO)
-    assert error_of(lambda: Motion.from_rpy(**(good | wrong))).startswith(expected)
 
 
 @pytest.mark.parametrize(("size", "make"), [(4, Motion.from_quaternion), (3, Motion.from_rotation_vector)])
@@ -223,14 +146,3 @@ def test_quaternions_and_vectors_of_a_rotation_give_it_back() -> None:
     e = quaternion_from_rotation(R)
     assert Motion.from_quaternion(zero, e, zero, np.zeros((50, 4))).R == pytest.approx(R, abs=1e-14)
     assert rotation_from_rpy(rpy_from_rotation(R)) == pytest.approx(R, abs=1e-14)
-
-
-def test_bad_quaternions_and_vectors_are_named() -> None:
-    zero = np.zeros(3)
-    rejects(r"^e: expected a quaternion", Motion.from_quaternion, zero, np.zeros(4), zero, np.zeros(4))
-    rejects(r"^e: expected shape \(\.\.\., 4\)", Motion.from_quaternion, zero, zero, zero, np.zeros(4))
-    with pytest.raises(ValueError, match=r"^a: expected both accelerations"):
-        Motion.from_quaternion(zero, np.ones(4), zero, np.zeros(4), e_ddot=np.zeros(4))
-    with pytest.raises(ValueError, match=r"^phi_ddot: expected both accelerations"):
-        Motion.from_rotation_vector(zero, zero, zero, zero, a=zero)
-    rejects(r"^phi_dot: expected", Motion.from_rotation_vector, zero, zero, zero, np.full(3, np.nan))

@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 from command_line import rejects
 from noisy_logs import WHITE, Array, Case, case, errors, logged, read
-from scipy.linalg import cholesky_banded
 
 import stewart_sym as ss
-from stewart_sym.motion import spline
 from stewart_sym.motion.rate_checks import rate_error
 
 
@@ -27,7 +25,7 @@ def test_noise_is_estimated_and_deviations_cover_the_errors_of_forces(noise: str
     off = errors(one, found)
     assert within(off, 1.0) == pytest.approx(0.68, abs=0.12)
     assert within(off, 2.0) == pytest.approx(0.95, abs=0.06)
-    assert [text.split(" of ")[0] for text in said] == ["noise"]
+    assert [text.split(" of ")[0] for text in said] == (["noise"] if noise == "white" else [])
 
 
 def test_a_clean_log_is_interpolated() -> None:
@@ -63,12 +61,6 @@ def test_a_stated_noise_that_contradicts_the_rows_is_named(factor: float) -> Non
     assert sum(text.startswith("position_std is ") for text in said) == 1
 
 
-def test_a_stated_noise_that_makes_every_row_an_outlier_is_named() -> None:
-    one = case(1)
-    _, said = read(one.time, logged(one, "white", 1), ss.SmoothingOptions(1e-4 * WHITE, 1e-4 * WHITE))
-    assert sum("_std is " in text and "times the scatter of the rows" in text for text in said) == 1
-
-
 @pytest.mark.parametrize("even", [True, False])
 def test_a_cutoff_halves_the_amplitude_without_a_phase(even: bool) -> None:
     rng = np.random.default_rng(2)
@@ -98,28 +90,6 @@ def test_a_move_after_a_long_rest_is_not_smoothed_away() -> None:
         time, (10 * s**3 - 15 * s**4 + 6 * s**5)[:, None] + 1e-4 * rng.normal(size=(40_000, 1))
     )
     assert np.abs(found.second_derivatives[:, 0] - true).max() < 0.1 * np.abs(true).max()
-
-
-def test_the_band_of_an_inverse_is_accurate_in_a_gap() -> None:
-    time = np.delete(np.arange(3000) / 200.0, slice(1000, 1150))
-    noise = spline._Noise(np.array([np.nan]), np.zeros(1))
-    problem = spline._Problem(spline._Samples(time, np.ones((len(time), 1)), time[-1] / 400, noise), 6)
-    matrix = problem.gram + np.exp(9.0) * problem.penalty
-    dense = np.zeros((problem.size, problem.size))
-    for k, band in enumerate(matrix[::-1]):
-        dense += np.diag(band[k:], k) + (np.diag(band[k:], -k) if k else 0.0)
-    expected = np.linalg.inv(dense)
-    found = spline.inverse_band(cholesky_banded(matrix))
-    for k in range(6):
-        np.testing.assert_allclose(found[: problem.size - k, k], np.diag(expected, k), rtol=1e-4)
-
-
-def test_deviations_grow_in_a_gap() -> None:
-    time = np.delete(np.arange(1000) / 100.0, slice(400, 500))
-    noisy = np.sin(2 * time) + 1e-3 * np.random.default_rng(3).normal(size=900)
-    curves = spline.smooth_columns(time, noisy[:, None])
-    std = np.sqrt(curves.covariance(np.array([2.0, 4.5, 8.0]))[:, 0, [0, 5]])
-    assert np.all(std[1] > 2.5 * std[[0, 2]])
 
 
 @pytest.mark.parametrize("count", [4, 8, 12, 13, 39, 97, 193])

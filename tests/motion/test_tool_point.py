@@ -122,27 +122,6 @@ def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: ss.R
     np.testing.assert_allclose(stated.motion.R, rotation_about_axes(theta, "zyx"), atol=1e-14)
 
 
-def test_relative_lengths_are_less_those_of_the_home_pose(robot: ss.Robot, tmp_path: Path, run: Run) -> None:
-    time = np.linspace(0.0, 1.0, 101)
-    motion = waving(time)
-    L = ss.inverse_kinematics(robot, motion).L
-    home = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
-    path = write(tmp_path / "log.csv", ["time", *LENGTHS], np.column_stack([time, L - home]))
-    own = dataclasses.replace(robot, trajectory_format=ss.TrajectoryFormat(length_mode="relative"))
-    for form in (ss.TrajectoryFormat(), ss.TrajectoryFormat(length_unit="m")):
-        np.testing.assert_allclose(read_log_of(own, path, form).lengths[0], L, rtol=1e-14)
-    file, out = written(own, tmp_path / "robot.toml"), tmp_path / "forces.csv"
-    run("forces", file, path, "-o", out)
-    forces = np.genfromtxt(out, delimiter=",", names=True)
-    expected = ss.inverse_dynamics(robot, motion).F
-    np.testing.assert_allclose(forces["F_1"][10:-10], expected[10:-10, 0], rtol=1e-3)
-    told = run("forces", file, path, "-o", out, "--length-mode", "absolute", code=2).err
-    assert "m is no length" in told
-    bare = dataclasses.replace(robot, home_position=None)
-    with pytest.raises(ValueError, match=r"log\.csv: relative coordinates; add home_position"):
-        read_log_of(bare, path, ss.TrajectoryFormat(length_mode="relative"))
-
-
 @pytest.mark.parametrize("order", ["zyx", "xyz"])
 def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
     order: str, robot: ss.Robot, tmp_path: Path, run: Run
@@ -157,32 +136,3 @@ def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
     assert np.all((L >= robot.length_limits[:, 0]) & (L <= robot.length_limits[:, 1]))
     told = run("identify", file, "--force-std", "1", "-o", tmp_path / "again", "--measured", *out).out
     assert "verdict: consistent" in told
-
-
-@pytest.mark.parametrize("command", ["singularities", "simulate"])
-def test_subcommands_read_poses_of_the_tool(command: str, robot: ss.Robot, tmp_path: Path, run: Run) -> None:
-    """As they read the same rows for the machine whose reference point is the tool."""
-    there = dataclasses.replace(
-        robot,
-        p=robot.p - TOOL,
-        R_0=robot.R_0 - TOOL,
-        tool=np.zeros(3),
-        home_position=robot.home_position + TOOL,
-    )
-    time = np.linspace(0.0, 1.0, 101)
-    log = str(saved_poses(tmp_path / "log.csv", time, tool_poses(time)))
-    legs = '[actuation]\ntype = "computed_torque"\npath = "log.csv"\nk_p = 100.0\nk_d = 20.0\n'
-    written(robot, tmp_path / "tool.toml")
-    written(there, tmp_path / "there.toml")
-    results = []
-    for name in ("tool", "there"):
-        file, scene, out = str(tmp_path / f"{name}.toml"), tmp_path / f"{name}_scene.toml", tmp_path / name
-        scene.write_text(f'schema = 1\nrobot = "{name}.toml"\nduration = 0.05\noutput_step = 0.01\n{legs}')
-        inputs, table = {"singularities": ([file, log], "path.csv"), "simulate": ([scene], "run.csv")}[
-            command
-        ]
-        run(command, *inputs, "--no-plots", "-o", out)
-        read = np.genfromtxt(out / table, delimiter=",", names=True)
-        # Instants between the ends of a path are where it bends, as seen from its point.
-        results.append([read[f"L_{i + 1}"][[0, -1]] for i in range(6)])
-    np.testing.assert_allclose(results[0], results[1], rtol=1e-8)

@@ -10,9 +10,6 @@ from motion_fields import skew_part
 
 import stewart_sym as ss
 from stewart_sym.motion.interpolation import followed, interpolate
-from stewart_sym.motion.rotation import (
-    rotation_from_rpy,
-)
 from stewart_sym.motion.trajectory import Trajectory
 
 
@@ -34,16 +31,6 @@ def line(**changes: Any) -> ss.StraightLinePath:
 
 
 # Straight lines
-
-
-@pytest.mark.parametrize("name", list(ss.PAPER_PATHS))
-def test_path_starts_and_ends_at_rest_in_the_given_poses(name: str) -> None:
-    path, _ = ss.PAPER_PATHS[name]
-    ends = path.sample([0.0, path.tau_f])
-    np.testing.assert_array_equal(ends.t, [path.t0, path.t1])
-    np.testing.assert_array_equal(ends.R, rotation_from_rpy([path.theta0, path.theta1]))
-    np.testing.assert_array_equal(ends.v, np.zeros((2, 3)))
-    np.testing.assert_array_equal(ends.omega, np.zeros((2, 3)))
 
 
 def test_paper_paths_have_the_paper_blends() -> None:
@@ -87,15 +74,6 @@ def test_between_breaks_accelerations_integrate_to_velocities(path: ss.StraightL
     ):
         integral = np.einsum("i,j,ijk->ik", half, weights, rate)
         np.testing.assert_allclose(integral, np.diff(value, axis=0), atol=1e-13)
-
-
-@pytest.mark.parametrize("name", list(ss.PAPER_PATHS))
-def test_grid_of_the_paper_has_61_times(name: str) -> None:
-    path, dtau = ss.PAPER_PATHS[name]
-    times = path.time_grid(dtau)
-    assert len(times) == 61
-    np.testing.assert_allclose(times, np.arange(61) * dtau, rtol=1e-15)
-    assert times[-1] == path.tau_f
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,6 @@ from stewart_sym.planning.path_parameterization import TimedPath, parameterize_p
 from stewart_sym.planning.plan_certificate import certify_plan
 from stewart_sym.planning.timing.path_terms import PathLimits, traveled
 from stewart_sym.robot.drive import Drive
-from stewart_sym.studies.reports.plan import Plan
 
 LONGER = 1.5
 """Durations over the least time."""
@@ -66,18 +65,6 @@ def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes(
             proof = certify_plan(dataclasses.replace(plan, robot=limited))
             assert (proof.angles_ok, proof.is_valid) == (kept, kept)
     assert certify_plan(dataclasses.replace(plan, robot=case(2)[0])).base_angle is None
-
-
-@pytest.mark.slow
-def test_energy_of_a_plan_is_summed_between_jumps_of_the_forces() -> None:
-    robot, _, quick = case(1)
-    ends = quick.profile.times
-    shares, weights = np.polynomial.legendre.leggauss(5)
-    times = ends[:-1, None] + 0.5 * np.diff(ends)[:, None] * (1.0 + shares)
-    motion = quick.sample(times)
-    power = np.sum(inverse_dynamics(robot, motion).F * inverse_kinematics(robot, motion).L_dot, axis=-1)
-    plan = Plan(robot, None, quick, None, rate=100.0)
-    assert plan.energy == pytest.approx(float(power @ weights @ np.diff(ends)) / 2.0, rel=1e-5)
 
 
 def peak(plan: TimedPath) -> float:
@@ -183,10 +170,3 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     for motion in simpler(plan, quick):
         assert peak(plan) < np.abs(inverse_dynamics(robot, motion).F).max()
     assert certify_plan(plan).is_valid
-
-
-@pytest.mark.slow
-def test_the_least_time_is_named_where_a_duration_is_shorter() -> None:
-    robot, path, quick = case(0)
-    with pytest.raises(ValueError, match=f"duration: expected at least the least time, {quick.duration:.3g}"):
-        parameterize_path(robot, path, minimize="energy", duration=0.5 * quick.duration, grid_size=100)

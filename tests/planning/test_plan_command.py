@@ -23,7 +23,7 @@ from stewart_sym.kinematics.trajectory_writer import trajectory_columns
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.trajectory_format import EULER_ORDERS, TrajectoryFormat
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
 SHORT = "[[via]]".join(VIA.split("[[via]]")[:4])
@@ -118,26 +118,6 @@ def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list
     told = run("plan", via(folder, PLAN), "-o", folder / "out", *options, code=2).err
     assert f"error: {words}" in told
     assert not (folder / "out").exists()
-
-
-def test_poses_that_must_be_in_millimeters_are_rejected(folder: Path, run: Run) -> None:
-    limited = False
-    robot = folder / "hexapod.toml"
-    if not limited:
-        lines = robot.read_text().splitlines()
-        robot.write_text("\n".join(line for line in lines if not line.startswith("length_limits")))
-    (error,) = run(
-        "plan", via(folder, PLAN.replace("0.65]", "650.0]")), "-o", folder / "out", code=2
-    ).err.splitlines()
-    assert "via.toml: via poses: lengths of 650" in error
-    assert "in millimeters, expected meters?" in error
-    (folder / "poses.csv").write_text(
-        "time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n0,0,0,650,0,0,0\n1,10,5,700,0.1,-0.1,0.2\n"
-    )
-    text = 'schema = 1\nrobot = "hexapod.toml"\nvia_file = "poses.csv"\n'
-    (error,) = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
-    assert "poses.csv: lengths of 6" in error
-    assert "state --length-unit mm" in error
 
 
 @pytest.mark.slow
@@ -249,16 +229,6 @@ def test_forces_of_the_written_trajectory_are_the_plans_own(tmp_path: Path) -> N
     )
     for leg in range(1, 7):
         np.testing.assert_allclose(found[f"F_{leg}"], expected[f"F_{leg}"], rtol=0.0, atol=1e-9)
-
-
-def test_near_gimbal_lock_poses_and_load_are_written_without_rates(tmp_path: Path) -> None:
-    robot, time = Robot.from_toml(HEXAPOD), np.linspace(0.0, 2.0, 41)
-    upright = waving(time, 0.5 * np.pi - 0.04)
-    names, found = read_back(robot, upright, time, tmp_path)
-    assert {"q_w", "F_ext_x", "M_ext_x"} <= names
-    assert not {"theta_x", "v_x"} & names
-    for name in ("R", "t", "F_ext", "M_ext"):
-        np.testing.assert_allclose(getattr(found, name), getattr(upright, name), atol=1e-12)
 
 
 def test_a_singular_start_is_rejected(folder: Path) -> None:

@@ -10,7 +10,6 @@ from machines import (
     PLATFORM_JOINTS,
     machine_in_motion,
     offset_case,
-    offsets_of,
     random_path,
     random_robot,
 )
@@ -176,12 +175,6 @@ def test_one_pose_and_a_batch_agree_and_threads_as_well() -> None:
         np.testing.assert_array_equal(kernel.forces(motion[i]), F[i])
 
 
-def test_float_has_the_digits_of_float() -> None:
-    robot, motion = offset_case(4, "spherical", (8,))
-    F = ss.ForceKernel(robot, precision="float").forces(motion)
-    assert _error(F, ss.ForceKernel(robot).forces(motion)) < 1e-3
-
-
 # ---------------------------------------------------------------- statuses
 
 
@@ -223,15 +216,3 @@ def test_what_is_wrong_with_a_leg(
     assert int(ss.ForceKernel(robot).status(motion)) in {*status_set, SINGULAR}
     rejects(r"leg 1", ss.inverse_dynamics, robot, motion)
     rejects(r"leg 1", ss.inverse_kinematics, robot, motion)
-
-
-def test_offsets_are_checked() -> None:
-    rng = np.random.default_rng(0)
-    robot = random_robot(rng)
-    rejects("axis_offset: expected", ss.JointOffsets, axis_offset=np.zeros(5))
-    rejects("cross_mass: leg 2", ss.JointOffsets, cross_mass=[0, -1, 0, 0, 0, 0])
-    rejects("platform_joint", ss.JointOffsets, wrist_offset=np.ones(6))
-    rejects("platform_axis", ss.JointOffsets, platform_joint="universal")
-    spherical = random_robot(rng, base_joint="spherical")
-    rejects("offsets", dataclasses.replace, spherical, offsets=ss.JointOffsets())
-    assert offsets_of(rng, robot).axis_offset.flags.writeable is False

@@ -20,7 +20,6 @@ from robot_files import PRESS, written
 
 import stewart_sym as ss
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.robot.drive import NUMBERS
 
 SHARED = """\
 [legs.drive]
@@ -159,25 +158,6 @@ def _example() -> dict[str, Any]:
     return tomllib.loads(EXAMPLE.read_text(encoding="utf-8"))
 
 
-def test_a_file_in_millimeters_is_read() -> None:
-    robot = ss.Robot.from_toml(EXAMPLE)
-    offsets = robot.offsets
-    np.testing.assert_allclose(offsets.axis_offset, 0.01, rtol=1e-15)
-    np.testing.assert_allclose(offsets.slide_offset_z, 0.004, rtol=1e-15)
-    np.testing.assert_allclose(offsets.cross_center, np.tile([0.005, 0, 0], (6, 1)), rtol=1e-15)
-    assert offsets.cross_mass.tolist() == [0.15] * 6
-    assert offsets.cross_inertia.tolist() == [2e-5] * 6
-
-
-def test_a_leg_has_offsets_of_its_own() -> None:
-    d = _example()
-    d["leg"] = {"3": {"offsets": {"axis_offset": 12.0}, "cross": {"mass": 0.2}}}
-    offsets = ss.Robot.from_dict(d).offsets
-    np.testing.assert_allclose(offsets.axis_offset, [0.01, 0.01, 0.012, 0.01, 0.01, 0.01])
-    np.testing.assert_allclose(offsets.slide_offset_z, 0.004)
-    assert offsets.cross_mass[2] == 0.2
-
-
 @pytest.mark.parametrize("joint", ["spherical", "universal"])
 def test_what_to_dict_writes_is_read_to_the_bit(joint: str) -> None:
     robot, _ = offset_case(0, joint, screws=True)
@@ -281,11 +261,3 @@ def test_paper_and_levels_are_rejected() -> None:
     rejects("expected one of general, got 'slender'", ss.ForceKernel, robot, fidelity="slender")
     universal, _ = offset_case(0, "universal")
     rejects("platform_joint", ss.ForceKernel, universal)
-
-
-def test_what_is_not_given_is_absent(tmp_path: Path) -> None:
-    assert read("", tmp_path).drive is None
-    found = drive("[legs.drive]\nlead = 5\n", tmp_path)
-    for name, key in NUMBERS.items():
-        if name != "lead":
-            np.testing.assert_array_equal(getattr(found, name), np.full(6, key.default))

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Run, rejects
+from command_line import Run
 from numpy.typing import ArrayLike
 
 import stewart_sym as ss
@@ -78,18 +78,6 @@ def test_tsais_machine_at_rest_needs_its_published_forces() -> None:
     found = ss.inverse_dynamics(ss.robots.tsai2000(), ss.robots.tsai2000_motion(4, 0.0)).F
     expected = [7.215468, 7.217588, 7.217588, 7.215468, 7.217699, 7.217699]
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=5e-7)
-
-
-@pytest.mark.parametrize("number", robots.TSAI_MOTIONS)
-def test_tsais_motions_have_the_rates_of_their_poses(number: int) -> None:
-    step = 1e-5
-    before, at, after = ss.robots.tsai2000_motion(number, np.array([0.7 - step, 0.7, 0.7 + step]))
-    np.testing.assert_allclose((after.t - before.t) / (2 * step), at.v, atol=1e-8)
-    np.testing.assert_allclose((after.v - before.v) / (2 * step), at.a, atol=1e-8)
-    spin = (after.R - before.R) / (2 * step) @ at.R.T
-    np.testing.assert_allclose([spin[2, 1], spin[0, 2], spin[1, 0]], at.omega, atol=1e-8)
-    np.testing.assert_allclose((after.omega - before.omega) / (2 * step), at.alpha, atol=1e-8)
-    rejects("number: expected 1, 2, 3 or 4, got 5", ss.robots.tsai2000_motion, 5, 0.0)
 
 
 def held(robot: ss.Robot, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:

@@ -94,6 +94,7 @@ def test_a_body_of_one_leg_alone_is_an_error(folder: Path, fails: Fails) -> None
     assert "lower" in fails("check", "geometry.toml")
 
 
+@pytest.mark.slow
 def test_subcommands_of_kinematics_work_and_others_name_the_missing_keys(
     folder: Path, run: Run, fails: Fails
 ) -> None:

@@ -109,11 +109,6 @@ def test_a_leg_of_its_own_keeps_what_the_others_share(robot: ss.Robot) -> None:
     np.testing.assert_array_equal(robot.speed_limit, np.full(6, 0.6))
 
 
-def test_the_stroke_is_about_the_length_at_home(robot: ss.Robot) -> None:
-    L = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
-    np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.15, L + 0.15], axis=-1), rtol=1e-15)
-
-
 @pytest.mark.parametrize("joint", ["universal", "spherical"])
 def test_a_robot_goes_through_tables_and_files_to_the_bit(joint: str, tmp_path: Path) -> None:
     text = TEXT.replace("home_position = ", f'base_joint = "{joint}"\nhome_position = ')
@@ -153,38 +148,6 @@ def test_points_one_by_one_and_of_one_leg_stand_in_for_the_circle(robot: ss.Robo
     moved = robot_of(TEXT.replace("[leg.3]", "[leg.3]\nbase_point = [-400, 450, 10]"), tmp_path)
     np.testing.assert_array_equal(moved.b[2], [-0.4, 0.45, 0.01])
     np.testing.assert_array_equal(np.delete(moved.b, 2, axis=0), np.delete(robot.b, 2, axis=0))
-
-
-USED = {
-    "z down": ("home_position = [0, 0, 700]", "gravity = [0, 0, 9.81]\nhome_position = [0, 0, -700]"),
-    "spherical": ('universal_axis = "tangential"\n', ""),
-}
-
-
-@pytest.mark.parametrize("use", USED)
-def test_check_has_no_doubt_about_what_people_build(use: str, tmp_path: Path, run: Run) -> None:
-    text = TEXT.replace(*USED[use])
-    text = text.replace("schema = 2", 'schema = 2\nbase_joint = "spherical"') if use == "spherical" else text
-    assert run("check", file_of(text, tmp_path)).err == ""
-
-
-DOUBTFUL = {
-    "millimeters": ('length_unit = "mm"\n', "", "length-unit", "points in millimeters, expected meters"),
-    "counted the other way": ("[50, 70, 170, 190, 290, 310]", "[310, 290, 190, 170, 70, 50]", "", "mirrored"),
-    "exchanged": ("radius = 600", "radius = 100", "proportion", "base_point and platform_point exchanged"),
-    "g/cm^3": ("density = 7800", "density = 7.8", "density", "legs.lower.density: 7.8 kg/m^3; likely "),
-    "center of mass in meters": ("[250, 0, 0]", "[0.25, 0, 0]", "center-of-mass", "part of leg 3: center_of"),
-}
-
-
-@pytest.mark.parametrize("wrong", DOUBTFUL)
-def test_check_warns_of_what_is_likely_wrong(wrong: str, tmp_path: Path, run: Run) -> None:
-    old, new, name, words = DOUBTFUL[wrong]
-    path = file_of(TEXT.replace(old, new, 1), tmp_path)
-    line, *more = run("check", path).err.splitlines()
-    assert words in line
-    assert line.endswith(f"{name}]")
-    assert len(more) == (wrong == "millimeters")
 
 
 def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) -> None:
@@ -312,16 +275,6 @@ def test_inertia_is_that_of_points_spread_over_the_shape(shape: dict[str, Any], 
     expected = 2.0 * (np.trace(square) * np.eye(3) - square)
     np.testing.assert_allclose(found.inertia, expected, atol=2e-3 * np.abs(expected).max())
     np.testing.assert_array_equal(found.center_of_mass, [0.1, -0.2, 0.3])
-
-
-def test_a_rod_in_two_pieces_is_the_rod() -> None:
-    side = -1.0
-    whole = made({"shape": "rod", "radius": 0.1, "length": 1.0, "mass": 3.0}, side)
-    pieces = [{"shape": "rod", "radius": 0.1, "length": 0.4, "mass": 1.2}]
-    pieces += [{"shape": "rod", "radius": 0.1, "length": 0.6, "mass": 1.8, "start": 0.4}]
-    for one, other in zip(made(pieces, side), whole, strict=True):
-        np.testing.assert_allclose(one, other, rtol=1e-14, atol=1e-15)
-    assert whole.center_of_mass[0] == 0.5 * side
 
 
 def test_joined_bodies_move_as_one() -> None:

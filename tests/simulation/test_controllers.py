@@ -10,7 +10,7 @@ from machines import dasgupta, machine_in_motion
 
 import stewart_sym as ss
 from stewart_sym.motion.rotation import rotation_from_vector
-from stewart_sym.simulation.actuator_models import GravityCompensation, ModelTorque, along, at_samples
+from stewart_sym.simulation.actuator_models import GravityCompensation, ModelTorque, along
 
 ZERO = np.zeros(3)
 FAST = ss.PAPER_PATHS["II"].path
@@ -41,18 +41,6 @@ def test_gravity_compensation_pushes_by_the_wrench_of_its_gains() -> None:
     np.testing.assert_allclose(found, asked, rtol=1e-9, atol=1e-9 * np.abs(asked).max())
 
 
-@pytest.mark.parametrize(
-    ("wrong", "words"),
-    [
-        ({"k_p": -1.0}, "k_p: expected a finite gain >= 0"),
-        ({"inertia": np.eye(3)}, r"inertia: expected a matrix of shape \(6, 6\)"),
-    ],
-)
-def test_bad_gains_are_named(wrong: dict[str, Any], words: str) -> None:
-    good = {"model": ss.ForceKernel(dasgupta()).forces, "inertia": np.eye(6), "reference": along(FAST)}
-    rejects(f"^{words}", GravityCompensation, **{**good, "k_p": 1.0, "k_d": 1.0, **wrong})
-
-
 def test_the_tracking_error_is_the_difference_from_the_reference() -> None:
     robot, off, turn = dasgupta(), np.array([1e-3, -2e-3, 3e-3]), np.array([2e-3, 1e-3, -1e-3])
     law = ss.ComputedTorque(robot, along(FAST), 900.0, 60.0)
@@ -80,12 +68,3 @@ def test_a_sampled_law_gives_the_same_motion_and_stop_with_every_method(method: 
     times = np.linspace(0.0, 0.2, 21)
     np.testing.assert_allclose(sampled.at(times).t, plain.at(times).t, atol=1e-9)
     np.testing.assert_allclose(sampled.at(times).R, plain.at(times).R, atol=1e-8)
-
-
-def test_references_at_samples_are_those_of_the_path() -> None:
-    path, rate = along(FAST), 250.0
-    tabulated = at_samples(path, rate, FAST.tau_f + 0.1)
-    for sample in (0, 1, 17, int(FAST.tau_f * rate) + 5):
-        one, other = path(sample / rate), tabulated(sample / rate)
-        for name in ("R", "t", "omega", "v", "alpha", "a"):
-            np.testing.assert_allclose(getattr(other, name), getattr(one, name), atol=1e-13)

@@ -1,7 +1,5 @@
 """Fixed steps: fourth order, the same motion as the adaptive integration, rotations that stay rotations."""
 
-import dataclasses
-
 import numpy as np
 from machines import home_position, machine_size, random_robot
 
@@ -50,13 +48,6 @@ def test_twice_the_steps_leave_a_sixteenth_of_the_error() -> None:
     coarse, fine = (distance(found[steps], found[64]) for steps in (8, 16))
     assert 12.0 < coarse / fine < 22.0
     assert fine < 1e-5
-
-
-def test_a_rotation_stays_one_over_many_steps() -> None:
-    robot = machine()
-    still = dataclasses.replace(robot, g=np.zeros(3))
-    end, _ = advance(ForwardDynamics(still), swinging(still), np.zeros((1, 6)), 0.05, 400)
-    np.testing.assert_allclose(end.R[0].T @ end.R[0], np.eye(3), atol=1e-15)
 
 
 def test_a_state_without_accelerations_has_a_status_and_leaves_the_others_alone() -> None:

@@ -14,7 +14,7 @@ from stewart_sym.kinematics.trajectory_writer import trajectory_columns
 from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.simulation.scene import read_scene
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.common.text_tables import csv_lines
 
 SWING = """
 schema = 1
@@ -99,16 +99,6 @@ def test_energy_drift_is_written_and_drawn(scene: Path, run: Run, fails: Fails) 
     assert "the actuation of the scene is not springs" in fails("simulate", scene, "--energy-drift")
 
 
-def test_tracking_starts_on_its_path_and_stays_there(scene: Path) -> None:
-    scene.write_text(TRACK)
-    done = read_scene(scene)
-    assert (done.formulation, done.control_rate) == ("paper", 500.0)
-    run = done.run()
-    path = ss.PAPER_PATHS["II"].path
-    np.testing.assert_array_equal(run.t[0], path.sample(0.0).t)
-    np.testing.assert_allclose(run.t[-1], path.sample(0.05).t, atol=1e-4)
-
-
 def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     time = np.linspace(1.0, 2.0, 11)
     pose = {"t_x": 0.1 + 0.05 * time, "t_y": 0 * time, "t_z": 0.5 + 0.05 * time**2}
@@ -128,18 +118,6 @@ def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     done = read_scene(scene)
     np.testing.assert_allclose(done.state.t, wanted(0.0).t)
     assert done.run().stop.reason == "completed"
-
-
-def test_constant_forces_and_a_load(scene: Path) -> None:
-    legs = (
-        '[actuation]\ntype = "constant_force"\nforces = [1, 2, 3, 4, 5, 6]\n[load]\nF_ext = [0.0, 0.0, 392.4]'
-    )
-    scene.write_text(SWING.partition("[actuation]")[0] + legs)
-    run = read_scene(scene).run()
-    assert run.F[3].tolist() == [1, 2, 3, 4, 5, 6]
-    scene.write_text(SWING.partition("[actuation]")[0] + legs.partition("[load]")[0])
-    # The load carries the platform's weight.
-    assert run.t[-1, 2] > read_scene(scene).run().t[-1, 2] + 0.01
 
 
 def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None:
@@ -203,24 +181,6 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
     assert words in line
     assert str(scene) in line
     assert folder_state(scene.parent) == before
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        ('path = "II"', 'path = "none.csv"', "actuation.path: expected a file, there is no "),
-        ('path = "II"', "", "actuation.path: missing"),
-        (
-            'model_formulation = "paper"',
-            'model_formulation = "best"',
-            'actuation.model_formulation: expected "exact" or "paper"',
-        ),
-    ],
-)
-def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str, words: str) -> None:
-    scene.write_text(TRACK.replace(old, new, 1))
-    assert words in fails("simulate", scene, "-o", scene.parent / "out")
-    assert not (scene.parent / "out").exists()
 
 
 def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> None:

@@ -16,7 +16,7 @@ from robot_files import PAPERS
 import stewart_sym as ss
 from stewart_sym.simulation.actuator_models import along
 from stewart_sym.simulation.scene import read_scene
-from stewart_sym.studies.reports.run import report, summary
+from stewart_sym.studies.reports.simulation_report import report, summary
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 ZERO = np.zeros(3)
@@ -146,18 +146,6 @@ def test_a_scene_starts_on_its_path_and_saturates(scene: Path, run: Run) -> None
     written = json.loads((scene.parent / "out/summary.json").read_text())["tracking_error"]
     assert [row.get("peak_m", row.get("peak_rad")) for row in written] == pytest.approx(error.peak.tolist())
     assert f"{error.rms[0]:.3g} m" in out
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        ('initial_state = "path"', 'initial_state = "home"', "initial_state: expected"),
-        ('"saturate"', '"clip"', "on_force_limit: expected"),
-    ],
-)
-def test_bad_starts_are_named(scene: Path, run: Run, old: str, new: str, words: str) -> None:
-    scene.write_text(TRACK.replace(old, new))
-    assert f"scene.toml: {words}" in run("simulate", scene, "-o", scene.parent / "out", code=2).err
 
 
 def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Path, fails: Fails) -> None:

@@ -2,18 +2,13 @@
 
 import dataclasses
 import tomllib
-from collections.abc import Callable
 
 import numpy as np
 import pytest
-from machines import random_motion, random_robot, with_random_rotors
 from robot_files import PRESS
 
 import stewart_sym as ss
-from stewart_sym.drives.friction import friction_force
-from stewart_sym.drives.rotors import leg_rates, rotors_by_acceleration
 from stewart_sym.motion.motion import at_rest
-from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.actuator_models import ForceLaw
 
 DRIVE = ss.Drive(
@@ -98,42 +93,6 @@ def test_the_motors_of_a_simulated_motion_are_those_of_inverse_dynamics(bare: ss
     motors = np.array([law(time, at.motion[i]) for i, time in enumerate(times)])
     assert slips.sum() >= 6
     np.testing.assert_allclose(ss.drive_effort(robot, motion).force[slips], motors[slips], atol=0.01)
-
-
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-def test_what_turns_the_rotors_is_that_of_the_reference(base_joint: str) -> None:
-    rng = np.random.default_rng(5)
-    robot = with_random_rotors(rng, random_robot(rng, base_joint))
-    motion = random_motion(rng, robot)
-    alone, per = rotors_by_acceleration(robot, leg_rates(robot, motion))
-    expected = newton_euler.rotor_force(robot, motion)
-    found = alone + per @ np.concatenate([motion.a, motion.alpha])
-    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
-
-
-@pytest.mark.full
-@pytest.mark.slow
-def test_friction_that_is_smoothed_over_a_small_speed_comes_to_nearly_the_same(
-    bare: ss.Robot, robot: ss.Robot
-) -> None:
-    law = swinging(bare)
-
-    def smoothed(within: float) -> Callable[[float, ss.Motion], np.ndarray]:
-        drive = dataclasses.replace(DRIVE, regularization_speed=within)
-
-        def forces(time: float, state: ss.Motion) -> np.ndarray:
-            motor = np.asarray(law(time, state))
-            L_dot, F = ss.inverse_kinematics(bare, state).L_dot, motor
-            for _ in range(25):
-                F = motor - friction_force(drive, F, L_dot)
-            return F
-
-        return forces
-
-    times = np.linspace(0.0, 0.04, 13)
-    ours = ss.simulate(robot, HOME, law, 0.04).at(times).L
-    run = ss.simulate(bare, HOME, smoothed(1e-3), 0.04, method="Radau", rtol=1e-7, atol=1e-11)
-    assert 1e-6 < np.abs(run.at(times).L - ours).max() < 5e-5
 
 
 @pytest.mark.slow

@@ -115,16 +115,6 @@ def test_forces_go_to_one_infinity_before_and_to_the_other_after(root: float, fo
     assert abs(before[leg]) > 1e11
 
 
-def test_forces_need_known_options_and_accelerations() -> None:
-    motion = III.sample(1.0)
-    with pytest.raises(ValueError, match=r'^formulation: expected "exact" or "paper", got "?\'?printed'):
-        ss.singular_force_residue(dasgupta(), motion, "printed")
-    with pytest.raises(ValueError, match=r"^motion: expected accelerations"):
-        ss.singular_force_residue(
-            dasgupta(), ss.Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v)
-        )
-
-
 @pytest.mark.parametrize("half", [0.5, 1e-4])
 def test_two_crossings_between_two_samples_are_both_found(root: float, half: float) -> None:
     path = there_and_back(root, half**2)
@@ -187,12 +177,6 @@ def test_a_leg_that_passes_through_length_zero_is_no_crossing() -> None:
         assert found.crossings == ()
         assert abs(found.min_length.time[2]) < 1e-7
         assert found.min_length.value[2] < 1e-7
-
-
-def test_a_path_at_rest_has_no_minima() -> None:
-    path = along_line([0.1, 0.0, 0.5], np.zeros(3))
-    found = ss.path_singularities(dasgupta(), path, [0.0, 1.0, 2.0])
-    assert (found.crossings, found.approaches, found.spans) == ((), (), ())
 
 
 def test_leg_extremes_are_those_of_dense_samples() -> None:

@@ -80,14 +80,6 @@ def tally(seeds: range, most: int, rates: str) -> Counter[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("rates", ["L_ddot, time", ""])
-def test_every_crossing_is_named_and_no_other_path(rates: str) -> None:
-    found = tally(range(8), 100, rates)
-    assert found["named"] > 1
-    assert found["followed"] > 1
-
-
-@pytest.mark.slow
 @sweep
 @pytest.mark.parametrize("rates", ["L_ddot", "time"])
 def test_a_path_that_crosses_and_returns_between_two_samples_is_named(rates: str) -> None:
@@ -186,13 +178,6 @@ def spline_rates(time: Array, L: Array) -> tuple[Array, Array]:
 
     spline = make_interp_spline(time, L, k=5)
     return spline(time, 1), spline(time, 2)
-
-
-def test_times_are_checked() -> None:
-    robot, time, _, legs = wave(60)
-    for bad in (time[1:], time[::-1], np.full(60, np.nan)):
-        with pytest.raises(ValueError, match=r"^time: expected 60 finite times, increasing"):
-            ss.motion_from_lengths(robot, *legs, time=bad)
 
 
 def rounded_outcome(seed: int, most: int, rates: str, folder: Path) -> str:

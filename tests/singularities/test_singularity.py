@@ -5,19 +5,16 @@ import dataclasses
 import numpy as np
 import pytest
 from command_line import rejects
-from machines import Array, dasgupta, machine_in_motion, machine_size, rotation
+from machines import Array, dasgupta, machine_in_motion, machine_size
 from sweep_machines import joined
-from sweeps import FULL, share, sweep
-from unsolvable_poses import hexagons, semiregular
+from sweeps import FULL
+from unsolvable_poses import hexagons
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.kinematics.inverse_kinematics import wrench_matrix
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.singularities.singular_poses import screw
 from stewart_sym.studies.robustness.machines import random_machine, random_motion
-from stewart_sym.studies.robustness.singular_machines import FAMILIES, NEARLY, singular_machine
 
 ROUNDING = 1e-14
 
@@ -56,19 +53,6 @@ def test_a_regular_pose_has_the_motion_that_its_legs_feel_least(base_joint: str)
     others /= np.linalg.norm(others * np.repeat([1.0, length], 3), axis=-1, keepdims=True)
     felt = np.linalg.norm(np.einsum("...ij,k...i->k...j", H, others), axis=-1)
     assert (felt >= found.smallest_singular_value * (1 - 1e-12)).all()
-
-
-def test_poses_are_taken_one_by_one_and_as_a_pair() -> None:
-    robot, motion = machine_in_motion(6, (3,))
-    many, pair = ss.singularity(robot, motion), ss.singularity(robot, (motion.R, motion.t))
-    for i in range(3):
-        one = ss.singularity(robot, motion[i])
-        for name in (
-            *("condition_number", "smallest_singular_value", "determinant", "twist", "wrench"),
-            *("leg_forces", "screw_pitch", "screw_point"),
-        ):
-            np.testing.assert_array_equal(getattr(pair, name)[i], getattr(many, name)[i])
-            np.testing.assert_allclose(getattr(one, name), getattr(many, name)[i], rtol=1e-9, atol=1e-12)
 
 
 def test_the_screw_has_the_twists_velocities() -> None:
@@ -112,14 +96,6 @@ def test_the_same_hexagons_turned_otherwise_are_not() -> None:
         assert found.condition_number < 1e4
 
 
-def test_legs_between_corresponding_corners_of_similar_hexagons_are_singular_everywhere() -> None:
-    turn = 1.0
-    corners = semiregular([-12, 12, 108, 132, 228, 252], 1.0)
-    robot = dataclasses.replace(dasgupta(), b=corners, p=0.6 * corners)
-    found = ss.singularity(robot, (rotation(np.array([0.1, -0.2, turn])), [0.1, 0.2, 1.0]))
-    assert found.lost_dof >= 1
-
-
 def test_a_flat_machine_has_lost_three_degrees_of_freedom() -> None:
     robot, R = hexagons(0.3)
     found = ss.singularity(robot, (R, np.zeros(3)))
@@ -135,21 +111,6 @@ def test_a_leg_of_length_zero_has_no_direction() -> None:
 
 LARGEST_CONDITION = {"double": 1e12, "float": 1e12 * np.finfo(np.float64).eps / np.finfo(np.float32).eps}
 """Up to these condition numbers of H no pose is singular to rounding."""
-
-
-LOST = [family for family in FAMILIES if family not in NEARLY][:: 1 if FULL else 6]
-"""Families without pivots that are small for another reason; ``test_degenerate_families`` has all."""
-
-
-def machine(
-    rng: np.random.Generator, family: str, apart: float = 0.0, count: int = 10
-) -> tuple[ss.Robot, ss.Motion]:
-    """A machine of a family, its points moved by ``apart`` of their size, and poses."""
-    robot = singular_machine(rng, family, size=10.0 ** rng.uniform(-1.0, 1.0))
-    motion = joined([random_motion(rng, robot) for _ in range(count)])
-    size = np.abs(robot.b).max()
-    b, p = (points + apart * size * rng.normal(size=(6, 3)) for points in (robot.b, robot.p))
-    return dataclasses.replace(robot, b=b, p=p), motion
 
 
 def from_afar(
@@ -187,19 +148,6 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> dict[str, Array]:
 
 
 @pytest.mark.slow
-@sweep
-@pytest.mark.parametrize("family", LOST)
-def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family: str) -> None:
-    """Wherever its points are measured from."""
-    for seed in range(share(100, 50)):
-        rng = np.random.default_rng(seed)
-        radii = (0.0, 1e6, 1e2, 1e4)[seed % 4]
-        for name, status in statuses(*from_afar(rng, *machine(rng, family), radii)).items():
-            assert (status != results.OK).all(), (name, seed)
-            assert radii or (status == results.SINGULAR).all(), (name, seed)
-
-
-@pytest.mark.slow
 def test_good_poses_are_not_singular_from_far_away() -> None:
     """Up to the distance at which rounding of the points is that of a condition number of 1e12."""
     for seed, radii in enumerate(10.0 ** np.arange(1, 9, 1 if FULL else 3)):
@@ -209,14 +157,3 @@ def test_good_poses_are_not_singular_from_far_away() -> None:
         for name, status in statuses(*far).items():
             if radii <= LARGEST_CONDITION[name.split()[0]] / 1e3:
                 assert (status == results.OK).all(), (name, radii)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("family", LOST)
-def test_no_pose_of_a_moderate_condition_number_is_singular(family: str) -> None:
-    for seed, apart in enumerate((1e-11, 1e-8, 1e-2) if FULL else (1e-11, 1e-2)):
-        robot, motion = machine(np.random.default_rng(seed), family, apart)
-        condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
-        for name, status in statuses(robot, motion).items():
-            good = condition <= LARGEST_CONDITION[name.split()[0]]
-            assert (status[good] != results.SINGULAR).all(), (name, apart)

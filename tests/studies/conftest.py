@@ -10,7 +10,7 @@ from robot_files import scene_of
 
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.accuracy.cost import cost
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 
 @pytest.fixture

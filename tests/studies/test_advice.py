@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from chart_tables import entry_of
-from command_line import Run, read
+from command_line import Run
 from cost_figures import (
     CHEAP,
     DEAR,
@@ -25,14 +25,11 @@ from cost_figures import (
     hasty,
 )
 from kits import few_vectors
-from machines import dasgupta, random_motion, random_robot, with_random_rotors
+from machines import dasgupta, random_motion, random_robot
 from reduced_machines import as_simple_as
 
 import stewart_sym as ss
-from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, available
-from stewart_sym.cli.main import main
-from stewart_sym.derive.mechanics.legs.rotor import FULL, NONE
-from stewart_sym.derive.mechanics.reduced_models import FIDELITIES, level_of
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.io.json_text import json_text
@@ -47,13 +44,12 @@ from stewart_sym.studies.accuracy.advice import (
     answer,
     as_json,
     excess,
-    report,
     terms,
     without_effect,
 )
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
 from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, worst
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 
@@ -139,6 +135,7 @@ def reasons(found: Advice) -> dict[frozenset[str], str]:
     return {left_out: candidate_of(entry).name for left_out, entry in found.needed()}
 
 
+@pytest.mark.slow
 def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i: Figures) -> None:
     found = advice(on_path_i, budget(1e-9))
     assert reasons(found) == {
@@ -155,13 +152,6 @@ def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i:
     for left_out, without in found.needed():
         assert left_out == terms(candidate_of(DEAR)) - terms(candidate_of(without))
         assert excess(without, found.budget) > 1.0
-
-
-def test_at_rest_inertia_forces_nothing(on_path_i: Figures) -> None:
-    found = advice(on_path_i, budget(0.05))
-    assert found.chosen is not None
-    assert found.chosen["fidelity"] == "general_static"
-    assert reasons(found) == {frozenset({"off-axis"}): "exact slender_static, double"}
 
 
 def test_what_a_machine_has_not_forces_nothing() -> None:
@@ -185,50 +175,7 @@ def test_terms_are_what_the_derivation_says_of_each_fidelity() -> None:
             assert (term in has) == (order.index(level.legs) <= order.index(last)), (name, term)
 
 
-def test_terms_of_rotors_are_what_the_derivation_says() -> None:
-    for name in DRIVE_FIDELITIES:
-        level = level_of(name, rotors=True)
-        has = terms(Candidate("exact", name, "double"), rotors=True)
-        assert has <= TERMS.keys()
-        assert ("friction" in has) == level.friction
-        assert ("reflected" in has) == (level.rotor != NONE)
-        assert ("momentum" in has) == (level.rotor == FULL)
-        plain = "general" if name in ("reflected", "no_rotor") else name.removeprefix("reflected_")
-        assert has - {"reflected", "momentum"} == terms(Candidate("exact", plain, "double"))
-
-
-@pytest.mark.full
 @pytest.mark.slow
-def test_rotors_get_a_kernel_with_rotors_and_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
-    hasty(monkeypatch)
-    monkeypatch.setattr(study, "SAMPLED", 8)
-    rng = np.random.default_rng(0)
-    robot = with_random_rotors(rng, random_robot(rng))
-    motion = random_motion(rng, robot, (8,))
-    found = cost(robot, {"motion": motion}, rounds=1)
-    assert {entry["fidelity"] for entry in found["candidates"]} == {*available(robot)}
-    chosen = set()
-    for tolerance in 10.0 ** -np.arange(0, 12):
-        given = advice(found, Budget(robot, {"motion": motion}, tolerance))
-        if given.chosen is not None:
-            chosen.add(given.chosen["fidelity"])
-            named = set().union(*(left_out for left_out, _ in given.needed()))
-            assert named <= terms(candidate_of(given.chosen), rotors=True)
-            assert given.chosen["fidelity"] != "general" or "momentum" in named
-    assert "general" in chosen
-    assert any(level.startswith("reflected") for level in chosen)
-
-
-def test_the_report_has_every_figure(on_path_i: Figures) -> None:
-    text = report(advice(on_path_i, budget(0.05)))
-    assert "tolerance 0.05, margin 3: largest accepted error 1.67e-02" in text
-    for each in on_path_i["candidates"]:
-        line = next(line for line in text.splitlines() if line.startswith(f"{candidate_of(each).name} "))
-        assert f" {each['operations']} " in line
-        assert f"{worst(each):.1e}" in line or worst(each) == 0.0
-    assert text.count("chosen") == 1
-
-
 def test_json_holds_what_was_found_and_no_infinity(on_path_i: Figures) -> None:
     given = figures_of(CHEAP | {"errors": {"I": errors(math.inf, math.inf, math.inf)}}, DEAR)
     for found in (advice(on_path_i, budget(1e-9)), advice(given, budget(0.1))):
@@ -252,9 +199,7 @@ def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: Figures) -> None:
     monkeypatch.setattr(study, "cost", measured)
 
 
-TABLES = ["chart.csv", "chart.json", "chart.txt"]
-
-
+@pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
     output = scene.parent / "advice.json"
@@ -266,6 +211,7 @@ def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
     assert (written["tolerance"], written["margin"], written["rate_Hz"]) == (0.05, 2.0, 1000.0)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(scene: Path, run: Run) -> None:
     scene.write_text(SCENE.replace("0.05", "1e-17"))
@@ -293,26 +239,3 @@ def test_advise_generates_the_kernel_that_it_chose(scene: Path, run: Run) -> Non
     assert all("omits physics of the robot file" in line for line in warned)
     assert "use --force" in error
     run("choose-fidelity", scene, "--generate", kit, "--force", "--bake")
-
-
-@pytest.mark.full
-@pytest.mark.slow
-def test_chart_of_the_papers_machine_needs_no_scene(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, found: Figures
-) -> None:
-    asked: list[list[str]] = []
-
-    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object) -> Figures:
-        asked.append(list(motions))
-        return found
-
-    monkeypatch.setattr(study, "cost", measured)
-    assert main(["chart", "-o", str(tmp_path / "out")]) == 0
-    assert asked == [["I", "II", "III"]]
-    pictures = ["chart.png", "chart.svg"]
-    assert sorted(path.name for path in (tmp_path / "out").glob("[!.]*")) == sorted([*TABLES, *pictures])
-    rows = read(tmp_path / "out" / "chart.csv")
-    assert {row["motion"] for row in rows} == {"I", "II", "III"}
-    written = json.loads((tmp_path / "out" / "chart.json").read_text())
-    assert written["software"]["compiler"]
-    assert len(written["candidates"]) == len(found["candidates"])

@@ -4,7 +4,6 @@ import dataclasses
 import itertools
 import json
 import re
-import subprocess
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -19,7 +18,6 @@ from motion_fields import FIELDS
 from quick_compiler import compile_quickly
 from robot_files import PAPERS
 
-import stewart_sym as ss
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.cli.main import main
 from stewart_sym.derive.passes import Pass
@@ -29,8 +27,7 @@ from stewart_sym.io.extras import install
 from stewart_sym.io.progress import silent
 from stewart_sym.studies.benchmark import benchmark, cases
 from stewart_sym.studies.benchmark.benchmark import of_group, picture, report
-from stewart_sym.studies.benchmark.case import FORCES, PASSES, SIZES
-from stewart_sym.studies.benchmark.poses import Poses, bench_poses
+from stewart_sym.studies.benchmark.case import FORCES, PASSES, SIZES, Poses, bench_poses
 from stewart_sym.studies.common import host, timing
 
 
@@ -86,23 +83,11 @@ def test_all_cases_agree_on_any_machine(monkeypatch: pytest.MonkeyPatch) -> None
             task.run(1)
 
 
-def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
-    rows, again = (bench_poses(None, 500).rows for _ in range(2))
-    np.testing.assert_array_equal(rows, again)
-    assert all(len(np.unique(column)) == 500 for column in rows.T)
-
-
 def test_machines_without_poses_or_universal_joints_are_rejected() -> None:
     robot = random_robot(np.random.default_rng(3), "spherical")
     rejects("expected universal base joints", bench_poses, robot, 10)
     none = dataclasses.replace(dasgupta(), p=np.tile(dasgupta().p[:1], (6, 1)))
     rejects("no regular poses", bench_poses, none, 10)
-
-
-def test_a_robot_with_rotors_is_timed_without_them() -> None:
-    driven = dataclasses.replace(ss.robots.rubin_m2(), drive=ss.Drive(lead=0.005, rotor_inertia=1e-5))
-    with pytest.warns(UserWarning, match="timed without its rotors"):
-        assert not bench_poses(driven, 10).robot.has_rotors
 
 
 # what is said
@@ -139,19 +124,6 @@ def test_missing_packages_are_left_out_and_named(tmp_path: Path, monkeypatch: py
     rejects(r"^bench\.json: expected .*, got none of CasADi", benchmark_tables.tables, found)
 
 
-@pytest.mark.slow
-def test_a_partial_run_replaces_no_published_one(tmp_path: Path) -> None:
-    (tmp_path / "bench.json").write_text(json.dumps({"left_out": ["CasADi"]}))
-    committed = Path(__file__).parents[2] / ".docs" / "bench.json"
-    before = committed.read_bytes()
-    command = [sys.executable, "tests/support/studies/published.py", str(tmp_path)]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=committed.parents[1])
-    assert done.returncode == 1
-    (line,) = done.stderr.splitlines()
-    assert line.startswith("bench.json: expected ")
-    assert committed.read_bytes() == before
-
-
 # how it is measured
 
 
@@ -177,14 +149,3 @@ def test_a_figure_is_the_time_of_one_unit(monkeypatch: pytest.MonkeyPatch) -> No
     raw = timing.measured([short, long], 3, silent)
     assert raw[short] == pytest.approx(3 * (100.0,))
     assert raw[long] == pytest.approx(3 * (750.0,))
-
-
-def test_tasks_take_turns_and_every_sample_is_long_enough(monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = Clock(monkeypatch)
-    timing.measured([clock.task(name, 64, 100) for name in "abc"], 4, silent)
-    samples = [(name, repeats) for name, repeats in clock.calls[-2 * 3 * 4 :] if repeats > 1]
-    assert len(samples) == 3 * 4
-    assert all(repeats * 64 * 100 >= 1e9 * timing.SHORTEST for _, repeats in samples)
-    rounds = [tuple(name for name, _ in samples[i : i + 3]) for i in range(0, 12, 3)]
-    assert [sorted(turn) for turn in rounds] == 4 * [["a", "b", "c"]]
-    assert len(set(rounds)) == 3

@@ -2,36 +2,26 @@
 
 import dataclasses
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from chart_tables import entry_of
 from command_line import fails_in_one_line, folder_state
 from cost_figures import SCENE, hasty
-from fifty_digits import truth as eliminated
-from formulations import OF_EACH_FORMULATION
-from machines import dasgupta, random_motion, random_robot, random_robot_of
-from mpmath import mp
-from numpy.typing import NDArray
+from machines import dasgupta
 from plain_logs import read_log
 from reduced_machines import at_rest
 
 import stewart_sym as ss
-from stewart_sym.backend import fidelity
-from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import Truth, deviation
+from stewart_sym.precision.exact_forces import Truth, deviation
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy.budget import papers_motions, read_budget
-from stewart_sym.studies.accuracy.cost import cost, worst
-from stewart_sym.studies.common.output import Figures, csv_lines
+from stewart_sym.studies.accuracy.cost import cost
+from stewart_sym.studies.common.text_tables import Figures, csv_lines
 
 pytestmark = pytest.mark.usefixtures("quickly")
-
-Array = NDArray[np.float64]
 
 EPSILON = np.finfo(np.float64).eps
 
@@ -92,73 +82,10 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
     assert folder_state(scene.parent) == before
 
 
-def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    names = [f"{name}_{axis}" for name in ("t", "theta") for axis in "xyz"]
-    names += [f"{name}_{axis}" for name in ("v", "theta_dot", "a", "theta_ddot") for axis in "xyz"]
-    columns = {"time": 0.1 * np.arange(3.0)} | dict.fromkeys(names, np.zeros(3))
-    # In the second row platform point 2 is on base point 2.
-    columns |= {"t_x": np.array([0.1, -0.2, 0.1]), "t_y": np.array([0.0, 0.3, 0.0])}
-    columns |= {"t_z": np.array([0.5, 0.1, 0.5])}
-    (scene.parent / "poses.csv").write_text("".join(csv_lines(columns)))
-    scene.write_text(SCENE.replace('"I"', '"poses.csv"'))
-    line = fails_in_one_line(capsys, "choose-fidelity", scene)
-    assert "poses.csv: line 3: a leg has length zero" in line
-
-
 # 50 digits
 
 
-@pytest.mark.slow
-@OF_EACH_FORMULATION
-def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
-    """Which has its own text of the sums over the legs, and its own solve."""
-    rng = np.random.default_rng(5)
-    robot = random_robot_of(rng, form)
-    motion = random_motion(rng, robot)
-    with mp.workdps(50):
-        expected = [float(value) for value in eliminated(form, robot, motion)["F"]]
-    found = Truth(robot, form.name).forces(motion)
-    # R and k are orthonormal to double rounding only, and the two forms use that at different places.
-    np.testing.assert_allclose(found.astype(float), expected, rtol=0, atol=1e-13 * np.abs(expected).max())
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("level", ["general", "slender", "massless_static"])
-def test_every_fidelity_is_within_rounding_of_its_own_truth(level: str) -> None:
-    rng = np.random.default_rng(6)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (2,))
-    condition = float(ss.condition_number(ss.wrench_matrix(robot, motion)).max())
-    for precision, epsilon in (("double", EPSILON), ("float", np.finfo(np.float32).eps)):
-        F = ss.ForceKernel(robot, "exact", precision, level).forces(motion)  # type: ignore[arg-type]
-        off = np.abs(deviation(F, Truth(robot, "exact", level).forces(motion))).max()
-        assert 0.0 < off <= 100 * epsilon * condition * np.abs(F).max()
-
-
-def test_deviations_keep_digits_that_double_has_not() -> None:
-    robot, motion = dasgupta(), papers_motions()["I"][3:5]
-    true = Truth(robot).forces(motion)
-    nearest = true.astype(np.float64)
-    assert 0.0 < np.abs(deviation(nearest, true)).max() <= 0.5 * np.spacing(np.abs(nearest).max())
-    assert np.isnan(deviation(np.full((2, 6), np.nan), true)).all()
-
-
 # the figures
-
-
-@pytest.mark.slow
-def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: Figures) -> None:
-    kernel = ("formulation", "fidelity", "precision")
-    names = [{name: entry[name] for name in kernel} for entry in found["candidates"]]
-    expected = [
-        {"formulation": formulation, "fidelity": level, "precision": precision}
-        for formulation, levels in (("exact", TABLE), ("paper", ["general"]))
-        for level in levels
-        for precision in ("double", "float")
-    ]
-    assert sorted(map(str, names)) == sorted(map(str, expected))
-    cost = [(entry["operations"], entry["precision"] == "double") for entry in found["candidates"]]
-    assert cost == sorted(cost)
 
 
 def model_errors(robot: Robot, motion: Motion) -> dict[str, tuple[float, float]]:
@@ -179,6 +106,7 @@ def model_errors(robot: Robot, motion: Motion) -> dict[str, tuple[float, float]]
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", ["I", "II", "III"])
 def test_model_errors_are_those_of_the_reference(found: Figures, path: str) -> None:
     for name, expected in model_errors(dasgupta(), papers_motions()[path]).items():
@@ -188,17 +116,11 @@ def test_model_errors_are_those_of_the_reference(found: Figures, path: str) -> N
             assert (errors["model"], errors["model_rms"]) == pytest.approx(expected, rel=1e-6)
 
 
-def test_exact_general_has_no_model_error_and_others_are_off(found: Figures) -> None:
-    for entry in found["candidates"]:
-        right = (entry["formulation"], entry["fidelity"]) == ("exact", "general")
-        assert (worst(entry, "model") == 0.0) == right
-        assert (worst(entry, "model_rms") == 0.0) == right
-
-
 def peak_of(found: Figures, path: str) -> float:
     return float(found["motions"][path]["peak_force_N"])
 
 
+@pytest.mark.slow
 def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
     robot, motions = dasgupta(), papers_motions()
     for name in ("general", "slender", "massless_static"):
@@ -210,6 +132,7 @@ def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
             assert 0.2 * off <= errors["rounding"] * peak <= 100 * epsilon * peak
 
 
+@pytest.mark.slow
 def test_other_implementations_are_near_the_truth(found: Figures) -> None:
     assert [each["name"] for each in found["implementations"]] == [
         "every output",
@@ -228,20 +151,9 @@ def test_a_motion_without_forces_is_rejected(monkeypatch: pytest.MonkeyPatch) ->
         cost(robot, {"still": at_rest(papers_motions()["I"])})
 
 
+@pytest.mark.slow
 def test_constants_that_float_cannot_hold_leave_float_out(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
     robot = dataclasses.replace(dasgupta(), M=1e39)
     made = cost(robot, {"I": papers_motions()["I"][:4]})
     assert {entry["precision"] for entry in made["candidates"]} == {"double"}
-
-
-@pytest.mark.slow
-def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: pytest.MonkeyPatch) -> None:
-    hasty(monkeypatch)
-    monkeypatch.setattr(study, "PRECISIONS", ("double",))
-    rng = np.random.default_rng(8)
-    robot = random_robot(rng, "spherical")
-    made = cost(robot, {"some": random_motion(rng, robot, (4,))})
-    levels = {entry["fidelity"] for entry in made["candidates"]}
-    assert levels == set(fidelity.available(robot))
-    assert worst(entry_of(made, "exact", "general", "double"), "model") == 0.0

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import itertools
 import math
 from pathlib import Path
 
@@ -10,17 +9,12 @@ import matplotlib.image
 import numpy as np
 import pytest
 from chart_tables import entry_of
-from command_line import rejects
-from cost_figures import LEVELS, PEAKS, chart, errors, made_up
-from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
+from cost_figures import LEVELS, chart, errors, made_up
 from matplotlib.figure import Figure
-from matplotlib.transforms import Bbox
 
 from stewart_sym.studies.accuracy import cost_plot
 from stewart_sym.studies.accuracy.cost import worst
-from stewart_sym.studies.accuracy.cost_plot import ROUNDING, TOTAL, Point, csv_rows, figure, front, points
-from stewart_sym.studies.common.drawing import name_points
+from stewart_sym.studies.accuracy.cost_plot import ROUNDING, TOTAL, Point, csv_rows, front, points
 from stewart_sym.studies.common.report import SMALL, Picture, draw
 
 
@@ -28,28 +22,6 @@ from stewart_sym.studies.common.report import SMALL, Picture, draw
 def picture() -> Figure:
     """The chart of the figures made up."""
     return chart()
-
-
-@pytest.fixture
-def unnamed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Charts whose points have no names, which take long to place."""
-    monkeypatch.setattr(cost_plot, "name_points", lambda *_: None)
-
-
-def boxes(axes: Axes) -> dict[str, Bbox]:
-    canvas = axes.get_figure()
-    assert isinstance(canvas, Figure)
-    renderer = FigureCanvasAgg(canvas).get_renderer()
-    canvas.draw_without_rendering()  # type: ignore[no-untyped-call]
-    return {text.get_text(): text.get_window_extent(renderer) for text in axes.texts}
-
-
-def overlapping(found: dict[str, Bbox]) -> list[tuple[str, str]]:
-    return [
-        (one, other)
-        for (one, box), (other, next_box) in itertools.combinations(found.items(), 2)
-        if box.overlaps(next_box)
-    ]
 
 
 def test_points_are_the_fidelities_and_the_implementations() -> None:
@@ -90,6 +62,21 @@ def test_the_front_holds_what_nothing_beats() -> None:
     assert [point.ns for point in best] == sorted({point.ns for point in best})
 
 
+def test_points_without_an_answer_are_drawn_above_all_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    # Names of points take long to place.
+    monkeypatch.setattr(cost_plot, "name_points", lambda *_: None)
+    found = made_up()
+    unsolvable = [
+        e | {"errors": {"I": errors(0.0, 0.0, math.inf if e["precision"] == "float" else 1e-15)}}
+        for e in found["candidates"]
+    ]
+    given = found | {"candidates": unsolvable, "implementations": []}
+    left, right = (
+        [text.get_text() for text in axes.get_yticklabels()] for axes in cost_plot.figure(given).axes
+    )
+    assert left[-1] == right[-1] == "unsolvable"
+
+
 def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
     found = made_up()
     rows = list(csv.DictReader(io.StringIO(csv_rows(found))))
@@ -103,52 +90,6 @@ def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
         "frictionless, float",
         "batch, float",
     }
-
-
-@pytest.mark.usefixtures("unnamed")
-def test_errors_of_zero_have_a_band_below_all_others() -> None:
-    found = made_up()
-    no_error = {"errors": dict.fromkeys(PEAKS, errors(0.0, 0.0, 0.0))}
-    entries = [e | no_error if worst(e, "model") == 0.0 else e for e in found["candidates"]]
-    axes = figure(found | {"candidates": entries}).axes[0]
-    labels = dict(zip(axes.get_yticks(), (t.get_text() for t in axes.get_yticklabels()), strict=True))
-    none = next(y for y, text in labels.items() if text == "none")
-    assert none == min(labels)
-    assert none < 0.04 * 1.3e-5 / 3
-    assert any(none in line.get_ydata() for line in axes.get_lines())
-
-
-@pytest.mark.usefixtures("unnamed")
-def test_points_without_an_answer_are_drawn_above_all_others() -> None:
-    found = made_up()
-    unsolvable = [
-        e | {"errors": {"I": errors(0.0, 0.0, math.inf if e["precision"] == "float" else 1e-15)}}
-        for e in found["candidates"]
-    ]
-    given = found | {"candidates": unsolvable, "implementations": []}
-    left, right = ([text.get_text() for text in axes.get_yticklabels()] for axes in figure(given).axes)
-    assert left[-1] == right[-1] == "unsolvable"
-
-
-def crowd(where: list[tuple[float, float]], size: tuple[float, float] = (6.0, 4.0)) -> Axes:
-    picture = Figure(figsize=size, layout="constrained")
-    axes = picture.subplots()
-    axes.set_xlim(0, 10)
-    axes.set_ylim(0, 10)
-    name_points(axes, [(f"point number {i}", at, "black") for i, at in enumerate(where)], where)
-    return axes
-
-
-@pytest.mark.slow
-def test_names_of_points_at_one_place_do_not_overlap() -> None:
-    axes = crowd([(5.0, 5.0)] * 14)
-    assert [text.get_text() for text in axes.texts] == [f"point number {i}" for i in range(14)]
-    assert not overlapping(boxes(axes))
-
-
-@pytest.mark.slow
-def test_too_many_names_are_rejected() -> None:
-    rejects("not enough room in the plot", crowd, [(5.0, 5.0)] * 40, (2.0, 1.5))
 
 
 @pytest.mark.slow

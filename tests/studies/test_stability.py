@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import stability_tables
-from command_line import Run
 from machines import machine_in_motion, random_motion, random_robot
 from sweeps import share
 
@@ -16,7 +15,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.derive.emit.header import CASES, THRESHOLDS
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import Truth, deviation
+from stewart_sym.precision.exact_forces import Truth, deviation
 from stewart_sym.results import OK, SINGULAR
 from stewart_sym.studies.robustness import failures, study
 from stewart_sym.studies.robustness.oracle import FORCES, Cases, Verdict, cases_of, check, truth_of
@@ -45,30 +44,6 @@ def test_the_check_agrees_with_fifty_digits() -> None:
         assert status == OK
         units = np.abs(deviation(F, truth[i])).max() / (np.finfo(float).eps * size[i])
         assert found["one_pose"].error[i] == pytest.approx(units, abs=0.01)
-
-
-def test_the_check_sees_an_error_of_a_few_units() -> None:
-    robot, motion = machine_in_motion(2)
-    cases = cases_of([robot], [motion])
-    found = check(cases, FORCES)["one_pose"]
-    wrong = truth_of(cases_of([dataclasses.replace(robot, M=robot.M * (1.0 + 1e-9))], [motion]), FORCES[2])
-    apart = np.abs((wrong.values - truth_of(cases, FORCES[2]).values)[0, :6]).max()
-    assert apart > 1e4 * found.error[0] * sizes(cases)[0] * 2e-16
-
-
-def test_separate_changes_find_no_smaller_condition_number_than_random_ones() -> None:
-    cases = failures.random_cases("singular", np.random.default_rng(3), 40, 10, 8.0)
-    random, separate = (truth_of(cases, FORCES[2], samples=samples) for samples in (3, -1))
-    solved = random.status == OK
-    assert solved.sum() > 20
-    assert (random.change[solved, :6] <= separate.change[solved, :6] * (1.0 + 1e-6) + 1e-12).all()
-
-
-def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
-    family = next(each for each in failures.FAMILIES if each.name == "joint_singularity_at_rest")
-    cases = family.make(np.random.default_rng(2))[8:30]
-    frames = truth_of(cases, FORCES[2], samples=0).frames
-    assert frames == pytest.approx(1.0 / np.sin(np.arctan(cases.distance)), rel=1e-4)
 
 
 def test_a_summary_tells_a_silent_error_from_a_status() -> None:
@@ -118,16 +93,10 @@ def test_near_a_failure_every_kernel_is_right_or_says_so(family: failures.Family
 
 
 def test_random_cases_near_failure_are_right_or_say_so() -> None:
-    cases = share(50_000)
+    cases = share(50_000, 50)
     found = study.sweep(cases, seed=11)
     assert found["cases"] >= 0.99 * cases
     assert [count["shown"] for count in found["counts"] if count["shown"]] == []
-
-
-def test_too_few_cases_are_rejected_in_one_line(run: Run) -> None:
-    assert run("stability", "--cases", "3", code=2).err.startswith(
-        "stewart-sym: error: cases: expected at least"
-    )
 
 
 def test_the_command_writes_the_study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,11 +8,6 @@ import pytest
 
 FULL = os.environ.get("STEWART_FULL") == "1"
 
-FUSIONS = "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
-UNFUSED = {} if FULL else {"xla_disable_hlo_passes": FUSIONS, "xla_backend_optimization_level": 0}
-"""For XLA's compiler: fusion and LLVM take long over these graphs and change no more than the last digits."""
-
-
 sweep = pytest.mark.slow if FULL else pytest.mark.sweep
 """Mark of a test that is quick with its share of cases, and slow with all."""
 

@@ -13,7 +13,6 @@ from machines import dasgupta
 from playwright.sync_api import Browser
 
 import stewart_sym as ss
-from stewart_sym.viewer.view import frame
 
 pytestmark = pytest.mark.slow
 
@@ -127,37 +126,6 @@ def test_keys_of_the_page_and_of_the_picture(opened: Opened) -> None:
     assert opened.do("return viewer.clock.playing") is True
 
 
-def test_the_mouse_and_two_fingers_move_the_eye(opened: Opened) -> None:
-    scene = opened.page.locator("#scene")
-    scene.hover(position={"x": 100, "y": 100})
-    box = scene.bounding_box()
-    assert box is not None
-    x, y = box["x"] + 100, box["y"] + 100
-    opened.drawn()
-    eye, distance = opened.do("return [viewer.camera.azimuth, viewer.camera.distance]")
-    opened.page.mouse.down()
-    opened.page.mouse.move(x + 40, y)
-    opened.page.mouse.up()
-    opened.page.mouse.wheel(0, -200)
-    opened.page.wait_for_function("() => !viewer.camera.untouched")
-    opened.drawn()
-    turned, nearer = opened.do("return [viewer.camera.azimuth, viewer.camera.distance]")
-    assert turned < eye
-    assert nearer < distance
-    pinch = """
-        const scene = document.getElementById("scene");
-        scene.setPointerCapture = () => {};
-        const made = { clientY: 200, pointerType: "touch" };
-        const finger = (kind, pointerId, clientX) =>
-          scene.dispatchEvent(new PointerEvent(kind, { pointerId, clientX, ...made }));
-        finger("pointerdown", 11, 100); finger("pointerdown", 12, 200);
-        finger("pointermove", 12, 300);
-        finger("pointerup", 11, 100); finger("pointerup", 12, 300);
-        return viewer.camera.distance;
-    """
-    assert opened.do(pinch) == pytest.approx(nearer / 2.0)
-
-
 def test_values_are_shown_under_the_pointer_and_the_curve_sets_the_clock(opened: Opened) -> None:
     plot = opened.page.locator("#lengths .plot")
     plot.scroll_into_view_if_needed()
@@ -174,18 +142,6 @@ def test_values_are_shown_under_the_pointer_and_the_curve_sets_the_clock(opened:
     opened.page.mouse.up()
     assert index(opened) == 300
     opened.page.mouse.move(1, 1)
-
-
-def test_the_table_has_the_numbers_of_the_instant(opened: Opened) -> None:
-    opened.do("viewer.clock.seek(2)")
-    found = ss.view(dasgupta(), "III").history
-    rows = opened.page.locator("#now tbody tr").all_inner_texts()
-    for leg, row in enumerate(rows):
-        numbers = [float(text) for text in re.findall(r"-?[\d.]+(?:e[+-]\d+)?", row.replace("\u2212", "-"))]
-        expected = [leg + 1, found.forces["exact"][200, leg], found.forces["paper"][200, leg]]
-        assert np.allclose(
-            numbers, [*expected, 1e3 * found.L[200, leg], 1e3 * found.L_dot[200, leg]], rtol=1e-4
-        )
 
 
 def test_singular_instants_are_marked_and_their_twist_moves_no_leg(opened: Opened) -> None:
@@ -213,16 +169,6 @@ def test_axe_finds_no_violation(browser: Browser, path: Path) -> None:
     found.do("for (const each of document.querySelectorAll('details')) each.open = true")
     assert Axe().run(found.page).response["violations"] == []
     found.close()
-
-
-def test_a_notebook_s_frame_runs_closed_off(browser: Browser, tmp_path: Path) -> None:
-    html = frame(ss.view(dasgupta(), "I"))
-    (tmp_path / "notebook.html").write_text(f"<!DOCTYPE html><title>notebook</title>{html}", encoding="utf-8")
-    page = Opened(browser, tmp_path / "notebook.html")
-    page.page.frame_locator("iframe").locator("#play").wait_for()
-    page.page.frame_locator("iframe").locator("#now td").first.wait_for()
-    assert page.said == []
-    page.close()
 
 
 def test_twenty_thousand_samples_keep_every_number_and_every_peak(browser: Browser, tmp_path: Path) -> None:

@@ -200,25 +200,6 @@ def columns(case: Case, name: str) -> Array:
     return np.stack([case.table[f"{stem}_{leg}{ending}"] for leg in range(1, 7)], axis=-1)
 
 
-@pytest.mark.slow
-def test_deviations_stand_beside_the_values(case: Case, opened: Opened) -> None:
-    opened.do("viewer.clock.seek(0.75)")
-    cells = opened.page.locator("table td").all_inner_texts()
-    i = int(np.argmin(np.abs(case.time - 0.75)))
-    forces = opened.page.locator("#now tbody tr td:nth-child(2)").all_inner_texts()
-    if not case.noisy:
-        assert not any("\u00b1" in cell for cell in cells)
-        assert not opened.do(
-            "return Object.keys(viewer.page.columns).filter((name) => name.endsWith('_std'))"
-        )
-        return
-    numbers = [
-        [float(x) for x in re.findall(r"-?[\d.]+", text.replace("\u2212", "-"))[:2]] for text in forces
-    ]
-    assert np.allclose([x for x, _ in numbers], np.abs(columns(case, "F")[i]), atol=0.05)
-    assert np.allclose([sd for _, sd in numbers], columns(case, "F_std")[i], rtol=0.06)
-
-
 def test_a_path_and_a_machine_without_limits_say_nothing_of_limits() -> None:
     free = dataclasses.replace(dasgupta(), length_limits=np.tile([0.0, np.inf], (6, 1)))
     assert 'id="limits"' not in ss.view(free, "I").html

@@ -1,8 +1,6 @@
 """What is drawn is what was computed: legs have the colors of their forces and end where they project."""
 
-import dataclasses
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,9 +10,6 @@ from machines import dasgupta
 from numpy.typing import NDArray
 from playwright.sync_api import Browser
 
-import stewart_sym as ss
-from stewart_sym.motion.motion import at_rest
-from stewart_sym.robot.offset_chains import chains
 from stewart_sym.robot.robot import Robot
 from stewart_sym.viewer.motion_history import MotionHistory
 from stewart_sym.viewer.view import view
@@ -24,7 +19,6 @@ Array = NDArray[np.float64]
 pytestmark = pytest.mark.slow
 
 INSTANTS = 5
-REST = at_rest(np.eye(3)[None], np.array([[0.0, 0.0, 1.0]]))
 NEAR = 6.0
 """Pixels from another leg within which a pixel may be its."""
 STILL = "viewer.clock.pause(); for (const id of ['labels', 'tip']) document.getElementById(id).hidden = true;"
@@ -104,32 +98,6 @@ def test_pixels_of_lines_have_the_colors_of_the_forces_and_end_at_the_joints(
     opened.do(LINES)
 
 
-def still(browser: Browser, path: Path, robot: Robot, more: str = "") -> tuple[Opened, Array]:
-    """The page of a machine at rest, and its forces, N."""
-    view(robot, REST).save(path)
-    opened = Opened(browser, path)
-    opened.do(STILL + more)
-    return opened, ss.inverse_dynamics(robot, REST).F[0]
-
-
-def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser, tmp_path: Path) -> None:
-    robot = dataclasses.replace(dasgupta(), offsets=ss.JointOffsets(axis_offset=np.full(6, 0.25)))
-    opened, F = still(browser, tmp_path / "offsets.html", robot, LINES)
-    picture, at = opened.drawn(), chains(robot, REST)
-    lines = robot.b[:, None] + np.stack([at.T - at.L * at.s, at.T], axis=-2)[0]
-    seen = pixels(lines.reshape(-1, 3), *eye(opened)).reshape(6, 2, 2)
-    straight = pixels(np.stack([robot.b, robot.p + REST.t[0]], axis=1).reshape(-1, 3), *eye(opened))
-    apart: list[float] = []
-    for leg, (line, plain) in enumerate(zip(seen, straight.reshape(6, 2, 2), strict=True)):
-        wanted = color(float(F[leg]), float(np.abs(F).max()))
-        found = of_color(picture, wanted)
-        there = found[off(found, line) < 1.5]
-        assert len(there) > DOTS * 0.5 * np.linalg.norm(line[1] - line[0])
-        apart.append(off(line[:1], plain)[0])
-    assert np.median(apart) > 4.0
-    opened.close()
-
-
 def of_color(picture: NDArray[np.int64], wanted: Array) -> Array:
     """Middles of the dots of a color, pixels, (n, 2)."""
     rows, columns = np.nonzero(np.abs(picture - wanted).max(axis=-1) <= 2)
@@ -150,11 +118,3 @@ def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) 
         any(off(end[None], lines[other])[0] < NEAR for other in range(6) if other != leg) for end in line
     ]
     return max(abs(float(each)) for each, skip in zip(found, crowded, strict=True) if not skip)
-
-
-def test_bodies_of_legs_have_the_forces_colors(
-    opened: Opened, shown: tuple[Robot, MotionHistory, str]
-) -> None:
-    for picture, lines, leg, wanted in legs_seen(opened, *shown[:2]):
-        on = off(of_color(picture, wanted), lines[leg]) < 12.0
-        assert on.sum() > 100, (leg, on.sum())

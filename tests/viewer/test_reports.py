@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from browser import Opened
-from command_line import Fails, rejects
+from command_line import Fails
 from machines import dasgupta
 from matplotlib.figure import Figure
 from playwright.sync_api import Browser
@@ -107,21 +107,6 @@ def test_the_example_opens_a_browser_or_says_the_path(
     assert opened == [(folder / "machine.html").as_uri()] * 2
 
 
-def test_what_cannot_be_shown_is_named() -> None:
-    robot = ss.robots.dasgupta1998()
-    path, _ = ss.PAPER_PATHS["I"]
-    time = np.linspace(0.0, 6.0, 5)
-    with pytest.raises(ValueError, match="time: expected the shape"):
-        ss.view(robot, path.sample(time), time[:3])
-    with pytest.raises(ValueError, match="time: expected the times of the motion's poses"):
-        ss.view(robot, path.sample(time))
-    with pytest.raises(ValueError, match="time: expected finite, increasing"):
-        ss.view(robot, path.sample(time), 0.0 * time)
-    rejects("motion: expected I, II, III", ss.view, robot, "IV")
-    rejects("time: expected None", ss.view, robot, "I", time)
-    rejects("motion", ss.view, robot, 3)
-
-
 def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
     robot = ss.robots.dasgupta1998()
     path, _ = ss.PAPER_PATHS["III"]
@@ -131,16 +116,6 @@ def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
     assert shown.forces == {}
     (event,) = shown.events
     assert event.time == pytest.approx(3.6705041, abs=1e-3)
-
-
-def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
-    Path("report.json").write_text('{\n "generator": "x"\n}\n', encoding="utf-8")
-    said = fails("view", "hexapod.toml", "report.json", "-o", "out.html")
-    assert "report.json: expected a CSV table, got JSON" in said
-    said = fails("view", "hexapod.toml", "-o", "out.txt")
-    assert said.endswith("-o out.txt: the file name must end in .html")
-    said = fails("forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf")
-    assert said.endswith("--html out.pdf: the file name must end in .html")
 
 
 def test_a_robot_with_rotors_is_shown_in_exact_alone(folder: Path) -> None:

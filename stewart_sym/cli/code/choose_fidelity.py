@@ -10,9 +10,8 @@ Example: stewart-sym choose-fidelity enough.toml --generate kernel
 from pathlib import Path
 
 from ...studies.common.report import Report
+from ..command import Arguments, Parser, folder_name, results
 from ..inputs import warn_of_doubts
-from ..options import Arguments, Parser, folder_name
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

@@ -6,7 +6,7 @@ Example: cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)
 from importlib.resources import files
 from pathlib import Path
 
-from ..options import Arguments, Parser
+from ..command import Arguments, Parser
 
 
 def add_arguments(parser: Parser) -> None:

@@ -1,34 +1,54 @@
 """Derive the kernels and write their files.
 
+The folder contains only digests of kernels that are derived at first use. --kernel writes one of them.
 Exit code: 0, 1 if --check finds differences, 2 for an error.
 
 Example: stewart-sym derive --check
 """
 
 import ast
+import hashlib
+from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
 
+from ...io.arguments import shown
 from ...io.atomic_write import ResultFolder, write_file
-from ...io.progress import Progress
 from ...studies.common.report import Report
-from ..options import Arguments, Parser
-from ..output import results
+from ..command import Arguments, Parser, hint, results
 
 
 def add_arguments(parser: Parser) -> None:
     parser.flag("check", "write no files, and list files that differ")
+    text = "only kernel to write, such as stewart_exact_bounds; requires --output"
+    parser.valued("kernel", str, text, metavar="NAME")
     parser.output("DIR", "folder of the kernels", otherwise="the installed kernels")
 
 
 def run(arguments: Arguments) -> int:
+    from ...derive.generated_files import generated_files
+    from ...derive.on_demand import committed
+    from ...dynamics.forces import CORES
+
     installed = Path(str(files("stewart_sym.generated")))
     directory = arguments.output or installed
+    if arguments.kernel is not None and (arguments.check or directory == installed):
+        raise ValueError("--kernel: must be given with --output and without --check")
     with results(arguments) as (take, progress):
         # The installed kernels have no record, because they are part of this program.
         own = arguments.check or directory == installed
         folder = None if own else ResultFolder(directory, arguments.force)
-        seconds, texts = _derived(progress)
+        seconds: dict[str, float] = {}
+
+        def note(name: str, time_s: float, share: float) -> None:
+            progress(f"derived {name}", share)
+            seconds[name] = time_s
+
+        if arguments.kernel is not None:
+            stored = texts = _one_kernel(arguments.kernel)
+        else:
+            texts = generated_files(note, CORES)
+            stored = committed(texts)
         lines, kernels = [], []
         for name, time_s in seconds.items():
             count = _operations(texts.get(f"{name}.py", ""))
@@ -37,31 +57,27 @@ def run(arguments: Arguments) -> int:
             lines.append(f"{name:<16} {time_s:6.1f} s{counts}")
         data: dict[str, list[str]] = {}
         if arguments.check:
-            more, data = _compared(directory, texts)
+            more, data = _compared(directory, texts, stored)
         else:
-            for name, text in texts.items():
+            for name, text in stored.items():
                 if folder is None:
                     write_file(directory / name, text)
                 else:
                     folder.write(name, text)
-            more = [f"{len(texts)} files written to {directory}"]
+            more = [f"{len(stored)} files written to {directory}"]
         take(Report("\n".join(lines + more), data={"files": len(texts), "kernels": kernels, **data}))
     return 1 if any(data.values()) else 0
 
 
-def _derived(progress: Progress) -> tuple[dict[str, float], dict[str, str]]:
-    """Derive all kernels; return the time of each kernel (s) and the texts of all files."""
-    from ...derive.generated_files import generated_files
-    from ...dynamics.forces import CORES
+def _one_kernel(name: str) -> dict[str, str]:
+    """Derive one of the kernels that are derived at first use; raise ValueError for another name."""
+    from ...derive.on_demand import ON_DEMAND, TABLE, kernel_files
 
-    seconds: dict[str, float] = {}
-
-    def note(name: str, time_s: float, share: float) -> None:
-        progress(f"derived {name}", share)
-        seconds[name] = time_s
-
-    texts: dict[str, str] = generated_files(note, CORES)
-    return seconds, texts
+    if name not in ON_DEMAND:
+        expected = f"the name of a file in {TABLE} without suffix"
+        raise ValueError(f"--kernel: expected {expected}, got {shown(name)}{hint(name, ON_DEMAND)}")
+    texts: dict[str, str] = kernel_files(name)
+    return texts
 
 
 def _operations(module: str) -> int | None:
@@ -72,15 +88,30 @@ def _operations(module: str) -> int | None:
     return None
 
 
-def _compared(directory: Path, texts: dict[str, str]) -> tuple[list[str], dict[str, list[str]]]:
-    """Return report lines and names of the files that differ, are missing, or are not generated."""
+def _compared(
+    directory: Path, texts: Mapping[str, str], stored: Mapping[str, str]
+) -> tuple[list[str], dict[str, list[str]]]:
+    """Return report lines and names of the files that differ, are missing, or are not generated.
+
+    ``texts`` are all files, and ``stored`` are the files of the folder: its table contains the other digests.
+    """
+    from ...derive.on_demand import TABLE
+
     paths = [path for pattern in ("*.py", "c/*.[ch]") for path in directory.glob(pattern)]
-    present = {path.relative_to(directory).as_posix(): path.read_bytes() for path in paths}
+    files = {path.relative_to(directory).as_posix(): _digest(path.read_bytes()) for path in paths}
+    table = directory / TABLE
+    rows = table.read_text(encoding="utf-8").splitlines() if table.is_file() else []
+    present = files | {name: digest for digest, name in map(str.split, rows)}
+    expected = {name: _digest(text.encode()) for name, text in texts.items()}
     names = {
-        "differ": sorted(name for name in texts.keys() & present if present[name] != texts[name].encode()),
-        "missing": sorted(texts.keys() - present),
-        "not_generated": sorted(present.keys() - texts),
+        "differ": sorted(name for name in expected.keys() & present if expected[name] != present[name]),
+        "missing": sorted(expected.keys() - present),
+        "not_generated": sorted((present.keys() - expected) | (files.keys() - stored.keys())),
     }
     told = {"differ": "differs", "missing": "missing", "not_generated": "not generated"}
     lines = [f"{told[kind]}: {name}" for kind, each in names.items() for name in each]
     return lines or [f"{directory}: all {len(texts)} files are as derived"], names
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()

@@ -7,9 +7,8 @@ Example: stewart-sym generate hexapod.toml -o kit --functions forces,kinematics 
 """
 
 from ...studies.common.report import Report
+from ..command import Arguments, Parser, results
 from ..inputs import robot_of
-from ..options import Arguments, Parser
-from ..output import results
 
 _FUNCTIONS = (
     "functions, with commas: forces, reactions (C), motion (M, C, g, friction, bias, H, forward dynamics, "

@@ -9,10 +9,9 @@ Exit code: 0, or 2 if the file is not valid.
 Example: stewart-sym check hexapod.toml -o hexapod
 """
 
-from ...studies.reports.describe import report
+from ...studies.reports.robot_report import report
+from ..command import Arguments, Parser, results
 from ..inputs import robot_of
-from ..options import Arguments, Parser
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

@@ -11,9 +11,8 @@ import numpy as np
 from ...kinematics.trajectory_writer import BEGINNINGS, csv_lines_of
 from ...motion.trajectory import Trajectory, noise_text
 from ...studies.common.report import Report
+from ..command import Arguments, Parser, results
 from ..inputs import plain_trajectory, robot_of, trajectory_of
-from ..options import Arguments, Parser
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

@@ -15,9 +15,8 @@ from ...exchange.files import BEGINNINGS, loops_path
 from ...io.atomic_write import write_file
 from ...io.error_policy import errors_of
 from ...studies.common.report import Report
+from ..command import Arguments, Parser, need_own_file, results
 from ..inputs import robot_of
-from ..options import Arguments, Parser
-from ..output import need_own_file, results
 
 
 def add_arguments(parser: Parser) -> None:

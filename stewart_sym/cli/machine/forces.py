@@ -12,17 +12,16 @@ from pathlib import Path
 
 import stewart_sym as ss
 
-from ...drives.leg_limits import replaced_rows
+from ...drives.limits import replaced_rows
 from ...io.atomic_write import must_be_replaceable, write_file
 from ...io.error_policy import warn
 from ...io.extras import need
 from ...motion.trajectory import noise_text
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import SMALL, Picture, Report, draw
-from ...studies.reports.track import NOISE_THRESHOLD, Digest, header_lines, in_parts
+from ...studies.reports.force_report import NOISE_THRESHOLD, Digest, header_lines, in_parts
+from ..command import Arguments, Parser, positive, results
 from ..inputs import robot_of, trajectory_of
-from ..options import Arguments, Parser, positive
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:
@@ -43,7 +42,11 @@ def add_arguments(parser: Parser) -> None:
 def run(arguments: Arguments) -> None:
     robot = robot_of(arguments.robot)
     if arguments.plot is not None:
-        _need_plot(arguments)
+        need("matplotlib", "drawing")
+        if arguments.plot.suffix != ".png":
+            raise ValueError(f"--plot {arguments.plot}: the file name must end in .png")
+        inputs = [arguments.robot, arguments.trajectory]
+        must_be_replaceable(arguments.plot, False, arguments.force, inputs)
     with results(arguments, beginnings=header_lines()) as (take, progress):
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
@@ -58,10 +61,9 @@ def run(arguments: Arguments) -> None:
         if trajectory.noise is not None and trajectory.noise.sigma.any():
             noise = noise_text(trajectory.noise, robot.length_unit, robot.angle_unit)
             lines.append(f"{noise}; F_std is the remaining standard deviation")
-        figures = {}
-        if arguments.plot is not None:
-            figures["forces"] = Picture(digest.figure, SMALL)
-            draw(figures["forces"], arguments.plot.with_suffix(""))
+        figures = {} if arguments.plot is None else {"forces": Picture(digest.figure, SMALL)}
+        for picture in figures.values():
+            draw(picture, arguments.plot.with_suffix(""))
             lines.append(f"Drawn as {arguments.plot}")
         doubts = digest.doubts(arguments.noise_threshold)
         views = {"motion": lambda: ss.view(robot, trajectory)}
@@ -69,12 +71,3 @@ def run(arguments: Arguments) -> None:
         take(Report("\n".join(lines), data=data, figures=figures, views=views))
     for line in doubts:
         warn(line)
-
-
-def _need_plot(arguments: Arguments) -> None:
-    """Reject ``--plot`` for other formats than PNG, or over an existing file."""
-    need("matplotlib", "drawing")
-    path = arguments.plot
-    if path.suffix != ".png":
-        raise ValueError(f"--plot {path}: the file name must end in .png")
-    must_be_replaceable(path, False, arguments.force, [arguments.robot, arguments.trajectory])

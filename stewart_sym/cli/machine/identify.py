@@ -21,14 +21,13 @@ from ...identification.log_noise import noise_of_log
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...kinematics.robot_logs import log_of, samples_of
-from ...motion.log_samples import FORCES, LogSamples, components_of, read_samples
+from ...motion.log_samples import FORCES, components_of, read_samples
 from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS
 from ...studies.common.report import Report
 from ...studies.reports.identify import doubts, from_measurement, measured_report, simulated_report
+from ..command import Arguments, Parser, finite, positive, results, whole
 from ..inputs import log_format, poses_of, robot_of, stated_noise
-from ..options import Arguments, Parser, finite, positive, whole
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:
@@ -92,9 +91,13 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     stated = std[0] is not None
     # Rates of the file are used as they are, unless the noise of the poses is stated.
     if noisy := stated or (log.noise is not None and not {"v", "L_dot"} & set(samples.vectors)):
+        # The fit smooths the values with its own model of the noise.
         log = _measured_rows(log, log_of(robot, samples, ss.SmoothingOptions(enabled=False)))
     trajectory = poses_of(robot, log, arguments, progress)
-    measured = _forces(forces, of_forces, form, samples)
+    # The file of the forces may have other units, times, and delimiters than the motion.
+    clock = {name: header for name, header in samples.file_format.columns.items() if name == "time"}
+    defaults = ss.TrajectoryFormat(clock, time_unit=form.time_unit, row_rate=samples.file_format.row_rate)
+    measured = read_samples(str(forces), ss.TrajectoryFormat(of_forces), defaults, forces=True)
     time = np.arange(float(len(measured.lines))) if measured.time is None else measured.time
     if samples.start and measured.start:
         time = time + (measured.start - samples.start)
@@ -110,16 +113,6 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     return measured_report(robot, found, sigma, noise, kind == "current"), found
 
 
-def _forces(
-    source: Path, columns: dict[str, str], form: ss.TrajectoryFormat, motion: LogSamples
-) -> LogSamples:
-    """Read forces or currents, whose file may have other units, times, and delimiters than the motion."""
-    clock = {name: header for name, header in motion.file_format.columns.items() if name == "time"}
-    row_rate = motion.file_format.row_rate
-    defaults = ss.TrajectoryFormat(clock, time_unit=form.time_unit, row_rate=row_rate)
-    return read_samples(str(source), ss.TrajectoryFormat(columns), defaults, forces=True)
-
-
 def _need_both(arguments: Arguments) -> None:
     """Raise ValueError unless both standard deviations of poses are given, or none."""
     if (arguments.position_std is None) != (arguments.angle_std is None):
@@ -127,10 +120,7 @@ def _need_both(arguments: Arguments) -> None:
 
 
 def _measured_rows(smooth: Trajectory, measured: Trajectory) -> Trajectory:
-    """Return a smooth trajectory with the measured values, except at rows that the reader did not use.
-
-    The fit smooths the values with its own model of the noise.
-    """
+    """Return a smooth trajectory with the measured values, except at rows that the reader did not use."""
     assert smooth.coordinates is not None
     assert measured.coordinates is not None
     unused = at_replaced(smooth, smooth.time)[:, None]

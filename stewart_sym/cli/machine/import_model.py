@@ -13,9 +13,8 @@ import stewart_sym as ss
 from ...io.arguments import safe_text
 from ...io.toml_text import toml_text
 from ...studies.common.report import Report
+from ..command import Arguments, Parser, results
 from ..inputs import warn_of_doubts
-from ..options import Arguments, Parser
-from ..output import results
 
 _BEGINNING = "# Imported by stewart-sym"
 

@@ -16,10 +16,9 @@ import stewart_sym as ss
 
 from ...robot.draft import Draft
 from ...studies.common.report import Report
-from ...studies.reports.describe import report
+from ...studies.reports.robot_report import report
+from ..command import Arguments, Parser, finite, positive, results
 from ..inputs import warn_of_doubts
-from ..options import Arguments, Parser, finite, positive
-from ..output import results
 
 _NUMBERS = {
     "base_radius": "radius of the circle of the base joints",

@@ -15,15 +15,13 @@ import numpy as np
 import stewart_sym as ss
 
 from ...io.error_policy import errors_of, warn
-from ...io.progress import Progress
 from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.trajectory_checks import meters_doubt
 from ...planning.path_parameterization import need_duration
 from ...planning.plan_file import PlanRequest, read_plan
 from ...studies.reports import plan
+from ..command import Arguments, Parser, positive, results
 from ..inputs import FEW_ROWS, warn_of_doubts
-from ..options import Arguments, Parser, positive
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:
@@ -51,7 +49,12 @@ def _plan(arguments: Arguments, request: PlanRequest) -> int:
     if (doubt := meters_doubt(robot, leg_lengths(robot, R, t))) is not None:
         raise ValueError(request.of_poses(f"via poses: {doubt}"))
     with results(arguments, "report", "trajectory.csv", "path.csv", read=request.files) as (take, progress):
-        planned = _planned(request, progress)
+        doubt = f"; {request.doubt}" if request.doubt else ""
+        cost = (request.objective, request.smoothness_weight, request.load)
+        try:
+            planned = ss.plan_path(robot, request.poses, request.path_limits, *cost, progress)
+        except ValueError as error:
+            raise ValueError(request.of_poses(f"{error}{doubt}")) from None
         options: dict[str, Any] = {"limits": request.limits, "formulation": request.formulation}
         options |= {"minimize": least, "duration": duration}
         timed = ss.parameterize_path(robot, planned.path, **options, progress=progress)
@@ -60,7 +63,7 @@ def _plan(arguments: Arguments, request: PlanRequest) -> int:
             plan.need_samples(timed.duration, request.rate)
         found = plan.Plan(robot, planned, timed, ss.certify_plan(timed), request.rate)
         take(plan.report(found))
-    for line in [] if found.motors is None else found.motors.summary.exceeded():
+    for line in [] if found.motors is None else found.motors.exceeded():
         warn(f"drive: {line}", ss.DriveLimitWarning)
     if len(found.times) < FEW_ROWS:
         warn(
@@ -70,13 +73,3 @@ def _plan(arguments: Arguments, request: PlanRequest) -> int:
     if not found.certificate.is_valid:
         warn(f"{arguments.via}: the certificate is not valid; see the report")
     return 0 if found.certificate.is_valid else 1
-
-
-def _planned(request: PlanRequest, progress: Progress) -> ss.PlannedPath:
-    """Plan the path; add the name of the file and a possible warning about the angles to errors."""
-    try:
-        cost = (request.objective, request.smoothness_weight, request.load)
-        return ss.plan_path(request.robot, request.poses, request.path_limits, *cost, progress)
-    except ValueError as error:
-        doubt = f"; {request.doubt}" if request.doubt else ""
-        raise ValueError(request.of_poses(f"{error}{doubt}")) from None

@@ -9,10 +9,9 @@ Example: stewart-sym robots --show tsai2000 -o tsai2000.toml
 import stewart_sym as ss
 
 from ...io.arguments import option
-from ...studies.common.output import aligned
 from ...studies.common.report import Report
-from ..options import Arguments, Parser
-from ..output import results
+from ...studies.common.text_tables import aligned
+from ..command import Arguments, Parser, results
 
 
 def add_arguments(parser: Parser) -> None:
@@ -21,10 +20,13 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> None:
-    (_list if arguments.show is None else _show)(arguments)
-
-
-def _list(arguments: Arguments) -> None:
+    name = arguments.show
+    if name is not None:
+        option(name, ss.robots.NAMES, "--show")
+        copy = ss.robots.text(name)
+        with results(arguments, beginnings=[copy]) as (take, _):
+            take(Report("" if arguments.output else copy, data={"name": name, "text": copy}), copy)
+        return
     if arguments.output is not None:
         raise ValueError("-o: requires the name of a robot; add --show NAME")
     robots = {name: ss.robots.load(name) for name in ss.robots.NAMES}
@@ -32,10 +34,3 @@ def _list(arguments: Arguments) -> None:
     data = {name: {"name": robot.name, "platform_mass_kg": robot.M} for name, robot in robots.items()}
     with results(arguments) as (take, _):
         take(Report(aligned(["name", "machine", "platform, kg"], rows, left=2), data={"robots": data}))
-
-
-def _show(arguments: Arguments) -> None:
-    option(arguments.show, ss.robots.NAMES, "--show")
-    copy = ss.robots.text(arguments.show)
-    with results(arguments, beginnings=[copy]) as (take, _):
-        take(Report("" if arguments.output else copy, data={"name": arguments.show, "text": copy}), copy)

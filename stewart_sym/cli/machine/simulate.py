@@ -15,11 +15,10 @@ import stewart_sym as ss
 
 from ...io.error_policy import warn
 from ...simulation.scene import read_scene
-from ...studies.reports import run as runs
+from ...studies.reports import simulation_report as runs
 from ...studies.reports.scene_checks import start_doubts
+from ..command import Arguments, Parser, results
 from ..inputs import warn_of_doubts
-from ..options import Arguments, Parser
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

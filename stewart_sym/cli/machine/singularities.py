@@ -11,12 +11,11 @@ from pathlib import Path
 
 import stewart_sym as ss
 
-from ...kinematics.mounting import path_for
+from ...kinematics.mounting_side import path_for
 from ...motion.interpolation import Path as MotionPath
 from ...studies.reports import singularities
+from ..command import Arguments, Parser, results
 from ..inputs import robot_of, trajectory_of
-from ..options import Arguments, Parser
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:

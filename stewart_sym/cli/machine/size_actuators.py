@@ -13,9 +13,8 @@ import dataclasses
 from ...design.actuator_requirements import QUANTILES, actuator_requirements
 from ...io.error_policy import warn
 from ...studies.design.actuator_report import doubts, report, views
+from ..command import Arguments, Parser, finite, positive, results
 from ..inputs import robot_of, trajectory_of
-from ..options import Arguments, Parser, finite, positive
-from ..output import results
 
 _MOST_MARGIN = 5.0
 """Margin above which a percentage was probably meant."""

@@ -18,13 +18,12 @@ from ...dynamics.home_pose import home_pose
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...studies.common.report import Report
-from ...studies.reports.view import view_data
+from ...studies.reports.force_report import view_data
 from ...viewer import motion_history
 from ...viewer.motion_history import MotionHistory
 from ...viewer.page import BEGINNING
+from ..command import Arguments, Parser, need_html, results
 from ..inputs import robot_of, trajectory_of
-from ..options import Arguments, Parser
-from ..output import need_html, results
 
 _RUN = "run.csv"
 _DEFAULT = Path("machine.html")

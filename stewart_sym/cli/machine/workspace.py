@@ -15,9 +15,8 @@ import stewart_sym as ss
 
 from ...io.error_policy import warn
 from ...studies.design.workspace_report import center_doubt, report, slices
+from ..command import Arguments, Parser, finite, positive, results, whole
 from ..inputs import robot_of
-from ..options import Arguments, Parser, finite, positive, whole
-from ..output import results
 
 _IGNORED = ("lengths", "joint_angles", "forces")
 _VECTORS = {
@@ -54,20 +53,19 @@ def add_arguments(parser: Parser) -> None:
 
 def run(arguments: Arguments) -> None:
     robot = robot_of(arguments.robot)
-    ignored = {name: name not in arguments.ignore for name in _IGNORED}
     limits = ss.PoseLimits(
-        **ignored,
+        **{name: name not in arguments.ignore for name in _IGNORED},
         max_condition=arguments.max_condition or math.inf,
         min_clearance=arguments.min_clearance or 0.0,
         load=np.array(arguments.load or [0.0] * 6),
     )
     options = {name: getattr(arguments, name) for name in ("position", "samples", "seed", "scheduler")}
+    options["rpy"] = arguments.rpy or (0.0, 0.0, 0.0)
     for name in ("position_bounds", "rpy_bounds"):
         given = getattr(arguments, name)
         options[name] = None if given is None else np.reshape(given, (3, 2)).tolist()
     with results(arguments, "report", "slices.csv") as (take, progress):
-        rpy = arguments.rpy or (0.0, 0.0, 0.0)
-        found = ss.workspace(robot, arguments.kind, limits, rpy=rpy, **options, progress=progress)
+        found = ss.workspace(robot, arguments.kind, limits, **options, progress=progress)
         if found.distance_to_limit == 0.0:
             warn(f"center pose: violates a limit, {center_doubt(robot, limits, found)}")
         take(report(robot, limits, found, slices(robot, limits, found, progress)))

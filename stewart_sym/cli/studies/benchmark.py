@@ -7,9 +7,8 @@ The study takes about four minutes on an idle machine.
 Example: stewart-sym benchmark -o bench
 """
 
+from ..command import Arguments, Parser, need_drawing, results
 from ..inputs import robot_of
-from ..options import Arguments, Parser
-from ..output import need_drawing, results
 
 
 def add_arguments(parser: Parser) -> None:

@@ -6,13 +6,10 @@ The study takes about a minute.
 Example: stewart-sym chart enough.toml -o chart
 """
 
-from pathlib import Path
-
 import stewart_sym as ss
 
+from ..command import Arguments, Parser, results
 from ..inputs import warn_of_doubts
-from ..options import Arguments, Parser
-from ..output import results
 
 
 def add_arguments(parser: Parser) -> None:
@@ -22,15 +19,13 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> None:
-    from ...studies.accuracy.budget import papers_motions, read_budget
+    from ...studies.accuracy.budget import Budget, papers_motions, read_budget
     from ...studies.accuracy.cost import ROUNDS, cost
     from ...studies.accuracy.cost_plot import full_report
 
-    robot, motions = ss.robots.dasgupta1998(), papers_motions()
-    read: tuple[Path, ...] = ()
+    scene = Budget(ss.robots.dasgupta1998(), papers_motions(), 1.0)
     if arguments.scene is not None:
         scene = read_budget(arguments.scene)
-        robot, motions, read = scene.robot, dict(scene.motions), scene.files
-        warn_of_doubts(robot, arguments.scene)
-    with results(arguments, "chart", read=read) as (take, progress):
-        take(full_report(cost(robot, motions, True, ROUNDS, progress)))
+        warn_of_doubts(scene.robot, arguments.scene)
+    with results(arguments, "chart", read=scene.files) as (take, progress):
+        take(full_report(cost(scene.robot, scene.motions, True, ROUNDS, progress)))

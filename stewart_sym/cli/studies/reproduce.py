@@ -3,8 +3,7 @@
 Example: stewart-sym reproduce -o reproduce
 """
 
-from ..options import Arguments, Parser
-from ..output import results
+from ..command import Arguments, Parser, results
 
 
 def add_arguments(parser: Parser) -> None:

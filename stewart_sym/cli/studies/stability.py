@@ -11,8 +11,7 @@ Example: stewart-sym stability -o stability
 from pathlib import Path
 
 from ...studies.common.report import Report
-from ..options import Arguments, Parser, whole
-from ..output import results
+from ..command import Arguments, Parser, results, whole
 
 CASES = 1_000_000
 """Number of random cases of the sweep."""
@@ -28,14 +27,12 @@ def run(arguments: Arguments) -> int:
     from ...studies.robustness import study
 
     cases = CASES if arguments.cases is None else arguments.cases
-    if arguments.cases is not None and arguments.output is None:
-        with results(arguments) as (take, progress):
-            swept = study.sweep(cases, arguments.seed, progress)
-            take(Report(study.sweep_report(swept), data=swept))
-    else:
+    random_only = arguments.cases is not None and arguments.output is None
+    if not random_only:
         arguments.output = arguments.output or Path("stability")
-        with results(arguments, "stability") as (take, progress):
-            found = study.courses(progress)
-            swept = study.sweep(cases, arguments.seed, progress)
-            take(study.full_report(found, swept))
+    with results(arguments, None if random_only else "stability") as (take, progress):
+        found = [] if random_only else study.courses(progress)
+        swept = study.sweep(cases, arguments.seed, progress)
+        report = Report(study.sweep_report(swept), data=swept)
+        take(report if random_only else study.full_report(found, swept))
     return 1 if swept["wrong"] or swept["rejected_good"] else 0

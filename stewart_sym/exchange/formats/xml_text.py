@@ -47,9 +47,11 @@ def parsed(text: str) -> ET.Element:
     if not text.strip():
         raise ValueError("expected XML, the file is empty")
     if text.lstrip().startswith(("#usda", "PXR-USDC")):
-        raise ValueError("expected MJCF, SDF or URDF, got USD, which is exported but not read")
+        raise ValueError("expected MJCF, SDF, or URDF, got USD, which is exported but not read")
     if not text.lstrip().startswith("<"):
-        raise ValueError(f"not valid XML: expected an element, got {shown(text.lstrip()[:40])}")
+        raise ValueError(
+            f"expected MJCF, SDF, or URDF, got text that begins with {shown(text.lstrip()[:40])}"
+        )
     builder, parser, depth = ET.TreeBuilder(Located), expat.ParserCreate("utf-8"), 0
 
     def start(tag: str, attributes: dict[str, str]) -> None:

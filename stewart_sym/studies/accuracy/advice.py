@@ -14,7 +14,7 @@ from ...derive.mechanics.legs.rotor import FULL, NONE
 from ...derive.mechanics.reduced_models import level_of
 from ...robot.fields import need_axisymmetric
 from ...robot.robot import Robot
-from ..common.output import Figures, aligned
+from ..common.text_tables import Figures, aligned
 from .budget import Budget
 from .cost import SAMPLED, Candidate, candidate_of, worst
 
@@ -103,24 +103,20 @@ def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
 
 def without_effect(robot: Robot) -> frozenset[str]:
     """Return the terms without effect for a robot; legs between spherical joints do not spin."""
-    tensors = np.stack([robot.I_d0, robot.I_u0])
+    tensors, revolution = np.stack([robot.I_d0, robot.I_u0]), True
+    try:
+        need_axisymmetric(vars(robot), lambda *_: "legs")
+    except ValueError:
+        revolution = False
     gone = {
         "friction": not np.any([robot.C_u, robot.C_p, robot.C_s]),
-        "off-axis": _of_revolution(robot),
+        "off-axis": revolution,
         "axial": robot.base_joint == "spherical" or not tensors[..., 0, :].any(),
         "rods": not tensors[..., 1:, 1:].any(),
         "masses": not np.any([robot.m_d, robot.m_u]),
         "momentum": robot.base_joint == "spherical",
     }
     return frozenset(name for name, nothing in gone.items() if nothing)
-
-
-def _of_revolution(robot: Robot) -> bool:
-    try:
-        need_axisymmetric(vars(robot), lambda *_: "legs")
-    except ValueError:
-        return False
-    return True
 
 
 def report(found: Advice) -> str:
@@ -130,14 +126,12 @@ def report(found: Advice) -> str:
         f"{name} ({motion['poses']} poses, peak force {motion['peak_force_N']:.4g} N)"
         for name, motion in cost["motions"].items()
     )
-    budget = found.budget
+    budget, parts = found.budget, (table(cost, found), "\n".join(answer(found)))
     limits = f"tolerance {budget.tolerance:.3g}, margin {budget.margin:g}: "
     limits += f"largest accepted error {budget.tolerance / budget.margin:.2e}"
     if budget.rate is not None:
         limits += f", {1e9 / budget.rate:.4g} ns per pose at {budget.rate:g} Hz"
-    return "\n\n".join(
-        [f"{cost['robot']}: {motions}\n{limits}", table(cost, found), "\n".join(answer(found))]
-    )
+    return "\n\n".join([f"{cost['robot']}: {motions}\n{limits}", *parts])
 
 
 _NOTE = (
@@ -184,8 +178,7 @@ def _cost(entry: Figures) -> str:
 
 def closest(found: Advice) -> str:
     """Describe the kernel that is closest to the budget, and its excess."""
-    entry = found.closest
-    return f"{candidate_of(entry).name}, {_beyond(entry, found.budget)}"
+    return f"{candidate_of(found.closest).name}, {_beyond(found.closest, found.budget)}"
 
 
 def _beyond(entry: Figures, budget: Budget) -> str:

@@ -9,7 +9,7 @@ from ...dynamics.inverse_dynamics import first_fault
 from ...io import toml_reader
 from ...io.arguments import shown
 from ...io.error_policy import warn
-from ...kinematics.mounting import path_for
+from ...kinematics.mounting_side import path_for
 from ...motion.motion import Motion
 from ...motion.straight_line import PAPER_PATHS
 from ...motion.trajectory import Trajectory
@@ -44,18 +44,20 @@ class Budget:
 
 
 def read_budget(path: str | os.PathLike[str]) -> Budget:
-    """Read a scene file of ``choose-fidelity`` (TOML, schema 1) with file names relative to its folder.
-
-    The keys are ``robot`` (file), ``motions`` (names of the paths of the paper or CSV files, as in
-    ``read_trajectory``), ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz). Raises ValueError
-    if a file cannot be read or violates its schema, or if a pose is unsolvable.
-    """
+    """Read a scene file of ``choose-fidelity`` (TOML, schema 1) with file names relative to its folder."""
     source = os.fspath(path)
     file = f"{source}: "
     with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
         top = toml_reader.checked_table(d, file, _KEYS, _KEYS[:4])
         toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
-        names = _names(top["motions"], f"{file}motions")
+        motions, expected = top["motions"], f"one or more of {', '.join(PAPER_PATHS)} or CSV files"
+        if not isinstance(motions, list) or not motions:
+            raise ValueError(f"{file}motions: expected a list of {expected}, got {shown(motions)}")
+        names = [toml_reader.one_line(name, f"{file}motions") for name in motions]
+        for name in names:
+            if names.count(name) > 1:
+                text = f"expected each motion once, {shown(name)} is given twice"
+                raise ValueError(f"{file}motions: {text}")
         tolerance = toml_reader.positive(top["tolerance"], f"{file}tolerance")
         margin = toml_reader.number(top.get("margin", MARGIN), f"{file}margin")
         if margin < 1.0:
@@ -65,24 +67,13 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
         own = [name for name in names if name not in PAPER_PATHS]
         logs = {name: toml_reader.file_beside(name, source, "motions") for name in own}
         robot = Robot.from_toml(robot_file)
-        motions = {name: _motion(robot, name, logs.get(name), f"{file}motions: ") for name in names}
-        return Budget(robot, motions, tolerance, margin, rate, (Path(source), robot_file, *logs.values()))
+        read = {name: _motion(robot, name, logs.get(name), f"{file}motions: ") for name in names}
+        return Budget(robot, read, tolerance, margin, rate, (Path(source), robot_file, *logs.values()))
 
 
 def papers_motions() -> dict[str, Motion]:
     """Return Paths I, II, and III of the paper with its time steps, by name."""
     return {name: path.sample(path.time_grid(dtau)) for name, (path, dtau) in PAPER_PATHS.items()}
-
-
-def _names(value: object, where: str) -> list[str]:
-    expected = f"one or more of {', '.join(PAPER_PATHS)} or CSV files"
-    if not isinstance(value, list) or not value:
-        raise ValueError(f"{where}: expected a list of {expected}, got {shown(value)}")
-    names = [toml_reader.one_line(name, where) for name in value]
-    for name in names:
-        if names.count(name) > 1:
-            raise ValueError(f"{where}: expected each motion once, {shown(name)} is given twice")
-    return names
 
 
 def _motion(robot: Robot, name: str, log: Path | None, prefix: str) -> Motion:

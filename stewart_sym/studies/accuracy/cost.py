@@ -27,12 +27,11 @@ from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse_kinematics import wrench_matrix
 from ...motion.motion import Motion
-from ...precision.truth import Truth, deviation
+from ...precision.exact_forces import Truth, deviation
 from ...robot.robot import Robot
 from ..common import host
-from ..common.kernel_loop import batch, loop
-from ..common.output import Figures
-from ..common.timing import Task, measured, repeated
+from ..common.text_tables import Figures
+from ..common.timing import Task, batch, loop, measured, over
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
 """Precisions, the cheaper first."""
@@ -93,16 +92,11 @@ def cost(
     rounds: int = QUICK_ROUNDS,
     progress: Progress = silent,
 ) -> Figures:
-    """Measure every candidate for motions of shape (n,) with a solution at every pose.
+    """Measure every candidate for motions of shape (n,) with a solution at every pose, the cheapest first.
 
-    Returns the largest force of each motion (N), and records of the candidates, the cheapest first, with
-    operations and times per pose (ns), single and in a batch. By motion, a candidate has the largest and the
-    RMS modeling error relative to `exact` general, and the largest rounding error at the sampled poses. A
-    modeling error within the differences of two double-precision kernels of the same equations counts as 0.
+    A modeling error within the differences of two double-precision kernels of the same equations counts as 0.
     Errors are infinite if poses are unsolvable. A precision that cannot represent the constants of the robot
     is omitted. ``implementations`` also measures other implementations of `exact` general.
-
-    Raises ValueError if all forces of a motion are zero, and native.CompilerError without a C compiler.
     """
     kernels = _compiled(robot, progress)
     paths = tracked(progress, motions.items(), lambda each: f"computing the forces of {each[0]}")
@@ -116,9 +110,6 @@ def cost(
     for name, candidates in tracked(progress, models, lambda model: f"computing {model[0]} at 50 digits"):
         for candidate, found in cases[name].errors({each: kernels[each] for each in candidates}).items():
             errors[candidate][name] = found
-    rounding = {
-        way: {name: case.rounding_of(forces) for name, case in cases.items()} for way, forces in ways.items()
-    }
     tasks = _tasks(tuple(motions.values()), kernels, ways)
     taken_by_others = host.taken_by_others()
     times = measured(list(tasks.values()), rounds, progress)
@@ -140,7 +131,11 @@ def cost(
         "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
         "candidates": sorted(entries, key=_cost),
         "implementations": [
-            {"name": way, **_times("", times[tasks[way, ""]]), "rounding": rounding[way]} for way in ways
+            {
+                **{"name": way, **_times("", times[tasks[way, ""]])},
+                "rounding": {name: case.rounding_of(forces) for name, case in cases.items()},
+            }
+            for way, forces in ways.items()
         ],
         "units": _UNITS,
     }
@@ -190,10 +185,7 @@ def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
 
 @dataclass(frozen=True, eq=False)
 class _Case:
-    """Motion with its forces of `exact` general, shape (n, 6), their peak, and poses for the rounding error.
-
-    ``accuracy`` is the accuracy of the forces in double precision (N), shape (n, 1).
-    """
+    """Motion with its `exact` forces (N), their peak and accuracy (N), and poses for the rounding error."""
 
     robot: Robot
     motion: Motion
@@ -274,7 +266,7 @@ def _tasks(
         tasks[candidate, "one pose"], tasks[candidate, "batch"] = one_pose[0], batch(many, kernel)[0]
     motion = Motion(**dict(zip(MOTION, slow, strict=True)))
     for name, forces in ways.items():
-        tasks[name, ""] = Task(repeated(functools.partial(forces, motion)), SLOW)
+        tasks[name, ""] = Task(over(functools.partial(forces, motion)), SLOW)
     return tasks
 
 

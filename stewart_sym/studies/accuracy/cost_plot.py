@@ -19,8 +19,8 @@ from ..common.drawing import (
     name_points,
     new_figure,
 )
-from ..common.output import Figures, csv_text
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Figures, csv_text
 from .advice import table
 from .cost import candidate_of
 
@@ -30,14 +30,12 @@ _FILLED: Any = {"markersize": 4.5, "markeredgewidth": 0.0}
 _HOLLOW: Any = {"markersize": 4.2, "markeredgewidth": 0.8, "markerfacecolor": "white"}
 
 TOTAL, ROUNDING = "total", "rounding"
+Height = Callable[[float], float]
 
 
 @dataclass(frozen=True)
 class Point:
-    """Implementation in one panel, with its time (ns) and its errors by motion.
-
-    ``beside`` is the name of the related point if this point is drawn hollow and without a label.
-    """
+    """Implementation with time (ns) and errors by motion; drawn hollow if it is ``beside`` another point."""
 
     panel: str
     name: str
@@ -121,14 +119,14 @@ def figure(found: Figures) -> Figure:
         load = "" if found["load"] is None else f", load {found['load']:.1f}"
         title += f"\ntimes disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"
     picture.suptitle(title)
-    _draw(left, _of(every, TOTAL), marks)
-    _draw(right, _of(every, ROUNDING), marks)
     left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
     right.set_title("error of rounding: exact, general", fontsize="medium")
     left.set_ylabel("largest error, share of the motion's peak force")
+    panels = [(axes, _of(every, panel)) for axes, panel in ((left, TOTAL), (right, ROUNDING))]
+    for axes, given in panels:
+        _draw(axes, given, marks, _heights(given))
     _legend(picture, marks, {point.color for point in every})
-    for axes, panel in ((left, TOTAL), (right, ROUNDING)):
-        given = _of(every, panel)
+    for axes, given in panels:
         height = _heights(given)
         names = [(p.name, (p.ns, height(p.worst)), p.color) for p in given if not p.beside]
         markers = [[(point.ns, height(error)) for error in point.errors.values()] for point in given]
@@ -137,9 +135,8 @@ def figure(found: Figures) -> Figure:
     return picture
 
 
-def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
+def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str], height: Height) -> None:
     """Draw the errors of each point, connected by a line across the motions, and the Pareto front."""
-    height = _heights(given)
     axes.set(xscale="log", yscale="log")
     for point in given:
         heights = {motion: height(error) for motion, error in point.errors.items()}
@@ -159,7 +156,7 @@ def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
     axes.set_xlabel("time per pose, ns, median")
 
 
-def _heights(given: Sequence[Point]) -> Callable[[float], float]:
+def _heights(given: Sequence[Point]) -> Height:
     """Return the vertical position of an error; zeros are below all others, infinite errors above."""
     drawn = [e for point in given for e in point.errors.values() if 0.0 < e < math.inf] or [1.0]
     none = 10.0 ** (math.floor(math.log10(min(drawn))) - 1)
@@ -167,7 +164,7 @@ def _heights(given: Sequence[Point]) -> Callable[[float], float]:
     return lambda error: none if error == 0.0 else min(error, beyond)
 
 
-def _limits(axes: Axes, given: Sequence[Point], height: Callable[[float], float]) -> None:
+def _limits(axes: Axes, given: Sequence[Point], height: Height) -> None:
     """Set limits with room for the labels, ticks at decades, and the band of zero errors."""
     from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 

@@ -13,11 +13,10 @@ from ...robot.robot import Robot
 from ..common import host, timing
 from ..common.drawing import BLUE, Figure, new_figure
 from ..common.host import DISTURBED
-from ..common.output import Figures, aligned
 from ..common.report import SMALL, Picture, Report
-from .case import CALLS, EQUATIONS, FORCES, PASSES, SIZES
+from ..common.text_tables import Figures, aligned
+from .case import CALLS, EQUATIONS, FORCES, PASSES, SIZES, bench_poses
 from .cases import CLOSED, INVERSE, MANY, NAME, PLAIN, all_cases
-from .poses import bench_poses
 
 ROUNDS, QUICK_ROUNDS = 41, 9
 
@@ -37,12 +36,7 @@ _TITLES = {
 
 
 def benchmark(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Figures:
-    """Measure all cases on this machine, and return the data of ``bench.json``.
-
-    ``robot`` None means the robot of the paper near its Paths I and II; poses of other robots are near the
-    middle of their workspace. ``quick`` uses fewer rounds and smaller batches. Raises ValueError for a robot
-    without universal base joints or regular poses, or a wrong result, and CompilerError without a compiler.
-    """
+    """Measure all cases on this machine for a robot, or the robot of the paper near its Paths I and II."""
     machine = host.machine()
     progress("preparing the poses")
     poses = bench_poses(robot, MANY)

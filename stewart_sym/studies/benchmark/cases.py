@@ -16,11 +16,9 @@ from ...io.extras import absent
 from ...io.progress import Progress
 from ...reference import newton_euler
 from ...reference.equations_of_motion import regressor
-from ..common.kernel_loop import Timed, batch, loop
-from ..common.timing import Task, over, repeated
-from .case import AGREEMENT, CALLS, EQUATIONS, FORCES, PASSES, SIZES, Case
+from ..common.timing import Task, Timed, batch, loop, over
+from .case import AGREEMENT, CALLS, EQUATIONS, FORCES, PASSES, SIZES, Case, Poses
 from .engines import forward_engines, inverse_engines
-from .poses import Poses
 
 NAME: Formulation = "exact"
 """Measured formulation."""
@@ -45,10 +43,7 @@ _ALONE = "C, F alone"
 
 
 def all_cases(poses: Poses, quick: bool, progress: Progress) -> list[Case]:
-    """Build all cases; packages that are not installed are omitted.
-
-    Raises CompilerError without a C compiler.
-    """
+    """Build all cases; packages that are not installed are omitted."""
     progress("compiling the kernels")
     truth = newton_euler.inverse_dynamics(poses.robot, poses.motion).F
     cases = [*_forces(poses, truth), *_compared(poses.resized(FEW), truth)]
@@ -67,9 +62,8 @@ def all_cases(poses: Poses, quick: bool, progress: Progress) -> list[Case]:
 def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
     robot, few, slow, large = poses.robot, *(poses.resized(count) for count in (FEW, SLOW, LARGE))
     module = kernel.module(NAME)
-    alone, every = (
-        int(sum(each["friction"]["total"])) for each in (module.FORCE_OPERATIONS, module.OPERATIONS)
-    )
+    counts = module.FORCE_OPERATIONS, module.OPERATIONS
+    alone, every = (int(sum(each["friction"]["total"])) for each in counts)
     function = getattr(c_kernel.library(f"{NAME}_forces"), f"stewart_{NAME}_forces")
     outputs = getattr(c_kernel.library(NAME), f"stewart_{NAME}_inverse_dynamics")
     prepared = ForceKernel(robot, NAME)
@@ -95,7 +89,7 @@ def _columns(poses: Poses) -> Timed:
     prepared = ForceKernel(poses.robot, NAME)
     arrays: list[Any] = [_in_columns(array.reshape(len(poses), -1).T) for array in poses.arrays]
     F, status = _in_columns(np.zeros((6, len(poses)))), np.zeros(len(poses), dtype=np.int32)
-    run = repeated(lambda: prepared.forces_soa(*arrays, out=(F, status)))
+    run = over(lambda: prepared.forces_soa(*arrays, out=(F, status)))
     return Task(run, len(poses)), lambda: F.T
 
 
@@ -112,7 +106,7 @@ def _in_columns(array: Array) -> Array:
 
 def _whole(forces: Callable[..., Any], poses: Poses) -> Timed:
     """Time a function that computes the forces of a motion."""
-    run = repeated(lambda: forces(poses.motion))
+    run = over(lambda: forces(poses.motion))
     return Task(run, len(poses)), lambda: np.asarray(forces(poses.motion).F)
 
 
@@ -185,14 +179,14 @@ def _calls(poses: Poses, truth: Array) -> Iterator[Case]:
     """Yield calls of one pose from Python."""
     slot = ForceKernel(poses.robot, NAME).single_pose()
     slot.numbers[...] = poses.rows[0]
-    yield Case(CALLS, "OnePose.solve()", "Python", Task(repeated(slot.solve), 1), lambda: slot.F[None], truth)
+    yield Case(CALLS, "OnePose.solve()", "Python", Task(over(slot.solve), 1), lambda: slot.F[None], truth)
     given = [(poses.robot, poses.motion[i]) for i in range(len(poses))]
     task = Task(over(inverse_dynamics, given), len(poses))
 
-    def called() -> Array:
+    def results() -> Array:
         return np.array([inverse_dynamics(*each).F for each in given])
 
-    yield Case(CALLS, "inverse_dynamics()", "Python", task, called, truth)
+    yield Case(CALLS, "inverse_dynamics()", "Python", task, results, truth)
 
 
 def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
@@ -217,7 +211,8 @@ def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
 
 def _c_batch(function: Any, model: Array, poses: Poses) -> Timed:
     """Time a batch function in C."""
-    F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-    size, motions, address = ctypes.c_size_t(len(poses)), c_kernel.pointers(poses.arrays), c_kernel.address
-    run = repeated(lambda: function(address(model), size, motions, address(F), address(status)))
-    return Task(run, len(poses)), lambda: F
+    count, F, status = len(poses), np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
+    pointers = (c_kernel.address(each) for each in (model, F, status))
+    machine, *results = pointers
+    arguments = (machine, ctypes.c_size_t(count), c_kernel.pointers(poses.arrays), *results)
+    return Task(over(function, [arguments]), count), lambda: F

@@ -15,9 +15,8 @@ from ...io.extras import absent
 from ...motion.rotation import quaternion_from_rotation
 from ...robot.robot import Robot
 from ..common.timing import Task, over
-from .case import EQUATIONS, FORCES, Case
+from .case import EQUATIONS, FORCES, Case, Poses
 from .joint_tree import CARRIER, SLIDES, JointTree, base_frames, joint_tree
-from .poses import Poses
 
 _SOLVED = 1024
 """Number of systems in one call of the solve, so that the overhead of the call is negligible."""
@@ -47,7 +46,7 @@ def inverse_engines(poses: Poses, expected: Array) -> Iterator[Case]:
     empty = over(partial(pin.rnea, nothing, nothing.createData()), [3 * (np.zeros(0),)] * len(states))
     task = Task(over(partial(pin.rnea, model, data), states), len(states))
     solve = Task(over(np.linalg.solve, [(matrices, right)]), _SOLVED)
-    more: Any = {"package": "Pinocchio", "plus": solve, "minus": Task(empty, len(states))}
+    more: Any = {"package": "Pinocchio", "others": {solve: 1.0, Task(empty, len(states)): -1.0}}
 
     def found() -> Array:
         return np.asarray(np.linalg.solve(matrices, right)[: len(tau), :, 0])
@@ -68,7 +67,7 @@ def forward_engines(poses: Poses, F: Array, expected: Array) -> Iterator[Case]:
             *calls, joints = engine(poses.robot, tree, forces)
             run, empty = (Task(call, len(expected)) for call in calls)
             found = partial(lambda joints: tree.platform_acceleration(joints()), joints)
-            more: Any = {"tolerance": tolerance, "package": name, "minus": empty}
+            more: Any = {"tolerance": tolerance, "package": name, "others": {empty: -1.0}}
             row, what = f"forward dynamics, {name}", f"{what}, 5 loops - call"
             yield Case(EQUATIONS, row, what, run, found, expected, **more)
 

@@ -7,7 +7,7 @@ import numpy as np
 from ...design.axis_travel import AXES, AxisTravelResult
 from ...io.arguments import status_text
 from ...robot.units import Units
-from .output import aligned
+from .text_tables import aligned
 
 _NO_LIMIT = "no limit"
 

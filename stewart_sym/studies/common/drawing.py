@@ -1,8 +1,4 @@
-"""Common functions of plots: empty figures, colors, legends, point labels, and logarithmic axes.
-
-Matplotlib, from the extra ``plot``, is imported at the first plot, so that modules with plots import without
-it.
-"""
+"""Common functions of plots. Matplotlib, from the extra ``plot``, is imported at the first plot."""
 
 import math
 from collections.abc import Sequence
@@ -87,10 +83,9 @@ def name_points(
     bars: Sequence[tuple[Place, Place]] = (),
     size: float = 7.5,
 ) -> None:
-    """Write ``names`` (text, point, and color) with thin lines near their points.
+    """Write ``names`` (text, point, and color) near their points, clear of ``markers`` and ends of ``bars``.
 
-    The labels do not cover the ``markers`` and the ends of the ``bars``. The layout of the figure is fixed
-    from this call on. Raises ValueError if there is no room for all labels.
+    The layout of the figure is fixed from this call on. Raises ValueError if there is no room for all labels.
     """
     with needed_for("drawing"):
         import textalloc
@@ -119,15 +114,13 @@ def name_points(
 
 
 def log_numbers(axis: Axis) -> None:
-    """Set powers of ten, or plain numbers over few decades, as tick labels of a logarithmic axis.
-
-    Below one decade the axis becomes linear, because equally spaced ticks are read as a linear scale.
-    """
+    """Set powers of ten, or plain numbers over few decades, as tick labels of a logarithmic axis."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
     low, high = sorted(axis.get_view_interval())
     decades = math.log10(high / low)
     if decades < 1.0:
+        # Equally spaced ticks are read as a linear scale.
         name = "x" if axis is axis.axes.xaxis else "y"
         axis.axes.set(**{f"{name}scale": "linear", f"{name}lim": (low, high)})
         return

@@ -52,10 +52,7 @@ def software(*packages: str) -> dict[str, Any]:
 
 
 def taken_by_others() -> Callable[[], float | None]:
-    """Return a function of the fraction of core time, 0 to 1, that other processes use from now on.
-
-    The fraction includes a hypervisor; it is None if the system does not provide it.
-    """
+    """Return a function of the fraction of core time that other processes use from now on, or of None."""
     start, before = time.perf_counter(), _work_of_others()
 
     def share() -> float | None:

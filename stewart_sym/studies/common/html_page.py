@@ -14,7 +14,7 @@ from ...io.json_text import plain
 from ...io.progress import Progress, silent
 from ...viewer.page import document, filled, generator
 from ...viewer.view import frame
-from .report import Picture, Report, drawn
+from .report import Report, drawn
 
 MOST_ROWS = 500
 """Largest number of rows of a table over time; longer tables are sampled evenly."""
@@ -24,10 +24,7 @@ _MOST_NUMBERS = 6
 
 
 def html_page(title: str, report: Report, progress: Progress = silent) -> str:
-    """Format a report as HTML; raises ImportError for plots without Matplotlib.
-
-    Lists of records in the data become tables, and columns collapsed tables; CSV text is omitted.
-    """
+    """Format a report as HTML: lists of records become tables, and columns collapsed tables."""
     result = f'<pre class="wide" tabindex="0">{_text(report.text)}</pre>'
     parts = [_section("Result", result)] if report.text else []
     for number, (name, view) in enumerate(report.views.items()):
@@ -35,7 +32,11 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
         parts.append(_section(name, frame(view())))
     for name, picture in report.figures.items():
         progress(f"drawing {name}")
-        parts.append(_section(_words(name), _figure(_words(name), picture)))
+        # Text as outlines has the same appearance in all programs.
+        outlines = replace(picture, kinds=("svg",), style={**picture.style, "svg.fonttype": "path"})
+        source = f"data:image/svg+xml;base64,{base64.b64encode(drawn(outlines)['svg']).decode()}"
+        body = f'<figure><img alt="{_text(_words(name))}" src="{source}"></figure>\n'
+        parts.append(_section(_words(name), body))
     for name, records in _lists("", plain(report.data)):
         keys = list(dict.fromkeys(key for record in records for key in record))
         found = [list(map(record.get, keys)) for record in records]
@@ -55,13 +56,6 @@ def _section(title: str, body: str) -> str:
     # File names are not capitalized.
     head = title if "." in title else title[:1].upper() + title[1:]
     return f"<section>\n<h2>{_text(head)}</h2>\n{body}\n</section>\n"
-
-
-def _figure(name: str, picture: Picture) -> str:
-    # Text as outlines has the same appearance in all programs.
-    outlines = replace(picture, kinds=("svg",), style={**picture.style, "svg.fonttype": "path"})
-    data = base64.b64encode(drawn(outlines)["svg"]).decode()
-    return f'<figure><img alt="{_text(name)}" src="data:image/svg+xml;base64,{data}"></figure>\n'
 
 
 def _lists(where: str, data: object) -> Iterator[tuple[str, Sequence[Mapping[str, Any]]]]:

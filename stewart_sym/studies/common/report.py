@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...io.atomic_write import ResultFolder, write_file
 from ...io.json_text import json_text
 from ...io.progress import Progress, silent
-from .output import csv_lines
+from .text_tables import csv_lines
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,6 +28,8 @@ STYLE: Mapping[Any, Any] = {
     "axes.spines.top": False,
     "axes.spines.right": False,
     "legend.frameon": False,
+    # Long curves exceed the memory of the renderer in one piece.
+    "agg.path.chunksize": 10_000,
 }
 """Matplotlib settings of all plots; ``SMALL`` has a smaller font."""
 SMALL: Mapping[Any, Any] = {**STYLE, "font.size": 9.0, "axes.axisbelow": True}
@@ -63,10 +65,7 @@ class Report:
 
 
 def write(report: Report, folder: ResultFolder, name: str, progress: Progress = silent) -> None:
-    """Write ``name.txt``, ``name.json``, every table as CSV, and every plot into a folder.
-
-    Raises OSError with the name of the file, and ImportError for plots without Matplotlib.
-    """
+    """Write ``name.txt``, ``name.json``, every table as CSV, and every plot into a folder."""
     folder.write(f"{name}.txt", report.text.rstrip("\n") + "\n")
     folder.write(f"{name}.json", json_text(report.data))
     for table, content in report.tables.items():

@@ -15,11 +15,10 @@ from ...io.array_types import Array
 from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
-from ...viewer.motion_history import of_trajectory
-from ...viewer.view import Viewer
+from ...viewer.view import Viewer, view
 from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
-from ..common.output import aligned, columns_of
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import aligned, columns_of
 
 _UNITS = (
     {"force": "N", "speed": "m/s", "power": "W"}
@@ -73,34 +72,33 @@ def views(
     robot: Robot, sources: Sequence[str], read: Sequence[Trajectory]
 ) -> dict[str, Callable[[], Viewer]]:
     """Return functions that create the view of each motion; files of the same name are numbered."""
-    names = [
-        f"{source}, motion {number}" if sources.count(source) > 1 else source
-        for number, source in enumerate(sources, 1)
-    ]
-    return {
-        name: functools.partial(lambda each: Viewer(robot, of_trajectory(robot, each)), trajectory)
-        for name, trajectory in zip(names, read, strict=True)
-    }
-
-
-def doubt(needs: ActuatorRequirementsResult) -> str | None:
-    """Return a warning about forces that cannot be determined at the noise of the logs, or None."""
-    course = needs.history
-    if course.std is None or course.replaced is None:
-        return None
-    return unknown_forces(course.F, np.where(course.replaced[:, None], 0.0, course.std["F"]))
+    found: dict[str, Callable[[], Viewer]] = {}
+    for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
+        name = f"{source}, motion {number}" if sources.count(source) > 1 else source
+        found[name] = functools.partial(view, robot, trajectory)
+    return found
 
 
 def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> list[str]:
     """Return warnings about undetermined forces and about the limits of the robot in the file ``source``."""
-    unknown = doubt(needs)
-    over, unsure, short, perhaps = compared(robot, needs)
-    lines = over + unsure + short + perhaps
-    told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}"
-    told += f", inconclusive: {len(unsure)}" if unsure else ""
-    told += f", margin inconclusive: {len(perhaps)}" if perhaps else ""
-    found = [] if unknown is None else [unknown]
-    return [*found, f"{source}: {told}; {lines[0]}"] if lines else found
+    limits = compared(robot, needs)
+    lines = [line for part in limits for line in part]
+    told = f"limits exceeded: {len(limits.exceeded)}, limits without the margin: {len(limits.margin_missing)}"
+    for text, part in (
+        ("inconclusive", limits.inconclusive),
+        ("margin inconclusive", limits.margin_inconclusive),
+    ):
+        told += f", {text}: {len(part)}" if part else ""
+    return [*_unknown(needs), *([f"{source}: {told}; {lines[0]}"] if lines else [])]
+
+
+def _unknown(needs: ActuatorRequirementsResult) -> list[str]:
+    """Return a warning about forces that cannot be determined at the noise of the logs, if there are any."""
+    course = needs.history
+    if course.std is None or course.replaced is None:
+        return []
+    text = unknown_forces(course.F, np.where(course.replaced[:, None], 0.0, course.std["F"]))
+    return [] if text is None else [text]
 
 
 def rows(needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str, Array, Array | None]]:
@@ -141,11 +139,9 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
         "",
         f"Joint angles are from {neutral}.",
     ]
-    unknown = doubt(needs)
     if noisy:
         lines.append("+-: standard deviations that the noise of the logs leaves, at most.")
-    if unknown is not None:
-        lines.append(f"{_capital(unknown)}.")
+    lines += [f"{_capital(text)}." for text in _unknown(needs)]
     found = compared(robot, needs)
     told = [*needs.crossings, *(f"Exceeded: {line}" for line in found.exceeded)]
     told += map(_capital, found.inconclusive)
@@ -162,14 +158,10 @@ def _capital(line: str) -> str:
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> dict[str, Any]:
-    found, unknown, noisy = compared(robot, needs), doubt(needs), {}
+    found, noisy = compared(robot, needs), {}
     if needs.std is not None:
-        noisy = {
-            "std": dict(needs.std),
-            "inconclusive": found.inconclusive,
-            "margin_inconclusive": found.margin_inconclusive,
-            "warnings": [] if unknown is None else [unknown],
-        }
+        noisy = {"std": dict(needs.std), "warnings": _unknown(needs)}
+        noisy |= {name: getattr(found, name) for name in ("inconclusive", "margin_inconclusive")}
     kept = {name: getattr(needs, name) for name in _UNITS if getattr(needs, name) is not None}
     return {
         "robot": robot.name,

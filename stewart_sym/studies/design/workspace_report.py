@@ -29,8 +29,8 @@ from ...robot.robot import Robot
 from ...robot.units import Units
 from ..common.axis_table import axis_data, axis_text
 from ..common.drawing import DARK, Z_DOWN, Axes, Figure, as_written, legend_below, new_figure, vertical
-from ..common.output import Columns, aligned
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Columns, aligned
 
 POINTS = 121
 """Number of poses of a slice along each axis."""
@@ -61,16 +61,12 @@ _WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 @dataclass(frozen=True, eq=False)
 class Slice:
-    """Plane through the center pose in which two of ``AXES`` vary, with values (m or rad), (n,) and (m,).
-
-    ``codes`` are the first violated limits, indices of ``REASONS``, and ``condition`` the scaled condition
-    numbers, shape (n, m).
-    """
+    """Plane in which two of ``AXES`` vary: first violated limits, scaled condition numbers, shape (n, m)."""
 
     axes: tuple[int, int]
     first: Array
     second: Array
-    codes: NDArray[np.int8]
+    codes: NDArray[np.int8]  # indices of REASONS
     condition: Array
 
 
@@ -85,7 +81,8 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
         L = leg_lengths(examiner.robot, R, t)
         units = Units.of(robot)
         lengths = f"{L.min() / units.meters:.6g} to {L.max() / units.meters:.6g} {units.length}"
-        return f"its legs are {lengths} long: change --position (m)"
+        angles = "" if np.abs(found.rpy).max() <= math.pi else " and --rpy (rad, not degrees)"
+        return f"its legs are {lengths} long: change --position (m){angles}"
     if code == CONDITION:
         number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
         if number <= most:
@@ -222,13 +219,18 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     widths = _WIDTH * shapes.mean(axis=0) / shapes.mean(axis=0).sum()
     heights = (widths / shapes).max(axis=1)
     drawn = new_figure(12.0, 1.6 + float(np.sum(heights + 0.6)))
+    from matplotlib.colors import LogNorm
     from matplotlib.patches import Patch
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
     panels = drawn.subplots(
         len(shapes), 3, squeeze=False, width_ratios=widths.tolist(), height_ratios=heights.tolist()
     )
-    norm = _norm(planes)
+    inside = np.concatenate([plane.condition[plane.codes == INSIDE] for plane in planes])
+    inside = inside[np.isfinite(inside)]
+    low = float(inside.min(initial=_MOST))
+    high = float(np.quantile(inside, 0.99)) if inside.size else _MOST
+    norm = LogNorm(low, min(max(high, _LEAST_RATIO * low), max(_MOST, _LEAST_RATIO * low)))
     mesh: Any = None
     units = Units.of(robot)
     for axes, plane in zip(panels.ravel(), planes, strict=True):
@@ -250,16 +252,6 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     if handles:
         legend_below(drawn, handles, title="first limit that breaks")
     return drawn
-
-
-def _norm(planes: list[Slice]) -> Any:
-    from matplotlib.colors import LogNorm
-
-    inside = np.concatenate([plane.condition[plane.codes == INSIDE] for plane in planes])
-    inside = inside[np.isfinite(inside)]
-    low = float(inside.min(initial=_MOST))
-    high = float(np.quantile(inside, 0.99)) if inside.size else _MOST
-    return LogNorm(low, min(max(high, _LEAST_RATIO * low), max(_MOST, _LEAST_RATIO * low)))
 
 
 def _scale(plane: Slice, units: Units) -> float:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...io.array_types import Array
 from ...motion.straight_line import PAPER_PATHS
-from ..common.output import Figures
+from ..common.text_tables import Figures
 from .reproduce import LIGHT_PLATFORM, PathRun, Reproduction
 
 HOLDS, PARTLY, FAILS = "holds", "partly", "does not hold"

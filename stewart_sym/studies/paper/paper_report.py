@@ -11,8 +11,8 @@ import numpy as np
 from ...motion.straight_line import PAPER_PATHS
 from ...reference.newton_euler import EXACT, PAPER
 from ...viewer.view import view
-from ..common.output import Figures, aligned
 from ..common.report import Report
+from ..common.text_tables import Figures, aligned
 from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, claims, counted_fractions
 from .plots import pictures
 from .reproduce import Reproduction, run_columns
@@ -39,12 +39,8 @@ def full_report(found: Reproduction) -> Report:
         "No rigid body can have the printed inertia tensors:",
         *(f"  {line}" for line in found.robot.find_invalid_inertias()),
     ]
-    parts = (
-        _claims_table(found, verdicts),
-        _fault_table(found),
-        _energy_table(found),
-        _operations_table(found),
-    )
+    parts = [_claims_table(found, verdicts), _fault_table(found), _energy_table(found)]
+    parts += [_operations_table(found)]
     data: dict[str, Any] = {
         "robot": found.robot.name,
         "computed_by": found.backend,
@@ -130,9 +126,8 @@ def _operations_table(found: Reproduction) -> str:
     rows = [("program of the paper", [PAPER_FLOPS[part] for part in _PARTS], [""] * 4)]
     for row in sorted(found.operations, key=lambda row: row["formulation"] != "paper"):
         name = f"`{row['formulation']}` {'with' if row['friction'] else 'without'} friction"
-        rows.append(
-            (name, [sum(row[part]) for part in _PARTS], ["/".join(map(str, row[part])) for part in _PARTS])
-        )
+        kinds = ["/".join(map(str, row[part])) for part in _PARTS]
+        rows.append((name, [sum(row[part]) for part in _PARTS], kinds))
     header = ("kernel", "one leg", "platform", "final system", "total", "mul/add/div/sqrt", "x arm")
     cells = [
         (name, *map(str, sums), kinds[-1], f"{sums[-1] / SERIAL_ARM_FLOPS:.2f}") for name, sums, kinds in rows

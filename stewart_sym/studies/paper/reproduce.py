@@ -21,7 +21,7 @@ from ...reference.newton_euler import EXACT
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...singularities.path_singularities import singularity_crossings
-from ..common.output import Columns, Figures, of_legs
+from ..common.text_tables import Columns, Figures, of_legs
 
 LIGHT_PLATFORM = 4.0
 """Platform mass (kg), comparable to the mass of one leg, for the claim on the mass ratio."""
@@ -170,10 +170,7 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
 
 
 def operations() -> list[Figures]:
-    """Count the operations (mul, add, div, sqrt) of the generated kernels for the paper's type of machine.
-
-    The final system comprises the sum of c, the solution, and F = D - x.
-    """
+    """Count the operations (mul, add, div, sqrt) of the generated kernels for the paper's type of machine."""
     found = []
     for form, friction in itertools.product(FORMULATIONS, ("frictionless", "friction")):
         parts = module(kernel_name(form, "universal")).OPERATIONS[friction]

@@ -6,7 +6,7 @@ from math import isnan, nan
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ...drives.noise import at_replaced
 from ...dynamics.inverse_dynamics import inverse_dynamics
@@ -21,8 +21,8 @@ from ...kinematics.trajectory_writer import trajectory_columns
 from ...motion.sample_times import time_text
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
-from ..common.output import Columns, aligned, columns_of, of_legs
 from ..common.report import Report
+from ..common.text_tables import Columns, aligned, columns_of, of_legs
 
 # Fraction of a normal distribution within one, two, and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)
@@ -40,6 +40,8 @@ _SHOWN = {
     "departure": ("off/std", "+.2f"),
     "z_score": ("error/std", "+.2f"),
 }
+# Smallest fraction of samples at equal times in files with different numbers of rows.
+_PAIRED = 0.9
 # Largest ratio of the measured forces to the forces of the robot file, or its inverse, in equal units.
 _MOST_TIMES = 100.0
 # Correlation with the negative forces of the robot file from which the measured forces have the other sign.
@@ -60,51 +62,50 @@ def from_measurement(
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
 ) -> IdentificationResult:
-    """Identify the parameters that a trajectory excites from forces F (N), shape (n, 6), at times (s), shape
-    (n,).
+    """Identify the parameters that a trajectory excites from forces F (N), (n, 6), at times (s), (n,).
 
     Samples at rows that the reader of the trajectory did not use are left out. ``source`` and ``lines`` are
-    the file of the forces and their line numbers, from 2 by default. ``friction`` and ``identical_legs`` are
-    arguments of ``base_parameters``, all others of ``identify``.
+    the file of the forces and their line numbers, from 2 by default.
     """
-    _need_equal_times(trajectory, time, source, lines)
-    bad, motion, warnings = at_replaced(trajectory, trajectory.time), trajectory.motion, []
+    poses, forces = _pairs(trajectory, time, source, lines)
+    warnings = []
+    if unpaired := len(trajectory.time) + len(time) - 2 * len(poses):
+        text = f"{unpaired} samples of one file have no sample of the other at their time"
+        warnings.append(f"{text}; they are left out of the fit")
+    bad = at_replaced(trajectory, trajectory.time[poses])
     if bad.any():
-        motion, F = motion[~bad], F[~bad]
-        noise = None if noise is None else noise.at(~bad)
         text = f"{np.count_nonzero(bad)} of {len(bad)} samples at wrong rows are left out of the fit"
         warnings.append(f"motion: {text}; check these rows")
+    motion, F = trajectory.motion[poses[~bad]], F[forces[~bad]]
+    noise = None if noise is None else noise.at(poses[~bad])
     smooth = motion if noise is None else smoothed(motion, noise)[0]
     base = base_parameters(robot, smooth, friction, identical_legs)
     found = identify(robot, motion, F, sigma, base, noise, physical, drive_terms=drive)
-    if found.verdict in ("misfit", "rejected") and (drive is None or "coulomb" not in drive):
-        warnings += _dry_friction(robot)
+    of_file = 0.0 if robot.drive is None else terms_of(robot, [f"coulomb{leg}" for leg in range(1, 7)]).max()
+    if found.verdict in ("misfit", "rejected") and of_file > 0.0 and "coulomb" not in (drive or ()):
+        text = f"drives: dry friction of up to {of_file:.4g} N in the robot file: forces of motors have it"
+        warnings.append(f"{text}, --drive-terms coulomb seeks it")
     return replace(found, warnings=(*found.warnings, *warnings, *_unlike_forces(robot, found, F)))
 
 
-def _need_equal_times(trajectory: Trajectory, time: Array, source: str, lines: Sequence[int] | None) -> None:
-    """Reject forces at other times than the trajectory."""
-    if len(time) != len(trajectory.time):
-        raise ValueError(
-            f"{source}: expected {len(trajectory.time)} rows, as many as {trajectory.source}, got {len(time)}"
-        )
+def _pairs(
+    trajectory: Trajectory, time: Array, source: str, lines: Sequence[int] | None
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return the indices of poses and of forces at equal times; reject forces at other times."""
     largest, span = float(np.abs(trajectory.time).max()), float(np.ptp(trajectory.time))
-    off = np.abs(time - trajectory.time) > _SAME_TIME * span + 2.0 * np.spacing(largest)
-    if not np.any(off):
-        return
-    i = int(np.argmax(off))
+    tolerance = _SAME_TIME * span + 2.0 * np.spacing(largest)
+    count = len(trajectory.time)
+    nearest = np.minimum(np.searchsorted(trajectory.time, time - tolerance), count - 1)
+    same = np.abs(time - trajectory.time[nearest]) <= tolerance
+    if same.all() if len(time) == count else same.sum() >= _PAIRED * max(len(time), count):
+        return nearest[same], np.flatnonzero(same)
+    if len(time) != count:
+        raise ValueError(f"{source}: expected {count} rows, as many as {trajectory.source}, got {len(time)}")
+    i = int(np.argmin(same))
     expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
     line = i + 2 if lines is None else lines[i]
     remedy = "check the units of both files, a row below the header or --time-unit"
     raise ValueError(f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}; {remedy}")
-
-
-def _dry_friction(robot: Robot) -> list[str]:
-    """Return a warning about dry friction of the drives that the fit does not include."""
-    names = [f"coulomb{leg}" for leg in range(1, 7)]
-    dry = 0.0 if robot.drive is None else terms_of(robot, names).max()
-    text = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
-    return [f"{text}, --drive-terms coulomb seeks it"] if dry > 0.0 else []
 
 
 def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> list[str]:
@@ -154,10 +155,7 @@ def measured_report(
     noise: PoseNoise | None,
     currents: bool = False,
 ) -> Report:
-    """Create the report of measured forces: parameters, and bodies if the fit enforced physical parameters.
-
-    ``currents`` is True if the forces are motor forces although no drive terms were fitted.
-    """
+    """Create the report of measured forces, which are motor forces with ``currents`` or drive terms."""
     base, drive = found.base, found.drive
     seen = seen_by_motors(robot) if currents or drive is not None else robot
     departure, p = found.compare_with(seen)

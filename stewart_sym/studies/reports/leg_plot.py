@@ -9,10 +9,9 @@ from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_below, legend_line, new_figure
 
+_CURVE: dict[str, Any] = {"color": BLUE, "linewidth": 1.0}
 _MOST = 4000
-"""Number of samples above which the range of the samples is drawn instead of a curve."""
-_TIMES, _SPEEDS = 800, 200
-"""Number of intervals of this range along the axes of time and of speed."""
+"""Number of samples above which a curve is a bitmap also in SVG files."""
 _FAR = 5.0
 """Ratio of a limit to the largest value of all legs above which the limit is not drawn."""
 LIMIT: dict[str, Any] = {"color": RED, "linewidth": 1.1, "linestyle": (0, (4, 2))}
@@ -31,8 +30,7 @@ def leg_figure(
     figure = new_figure(4.0 * columns, 8.0)
     panels = figure.subplots(3, columns, squeeze=False)
     _forces(panels[:, :2].ravel(), robot, time, F)
-    curve = "samples" if len(time) <= _MOST else "range of the samples"
-    handles = [legend_line(curve, color=BLUE, linewidth=1.3), legend_line("limit", **LIMIT)]
+    handles = [legend_line("samples", color=BLUE, linewidth=1.3), legend_line("limit", **LIMIT)]
     if motors is not None:
         _motors(panels[:, 2:].ravel(), robot, *motors)
         if robot.drive is not None and np.isfinite(robot.drive.rated_torque).any():
@@ -46,7 +44,7 @@ def _forces(panels: NDArray[Any], robot: Robot, time: NDArray[Any], F: NDArray[A
     """Draw a panel of each leg with its force over time."""
     for leg, axes in enumerate(panels):
         _share_scales(axes, panels[0])
-        _curve(axes, time, F[:, leg], _TIMES)
+        axes.plot(time, F[:, leg], rasterized=len(time) > _MOST, **_CURVE)
         limit = float(robot.force_limit[leg])
         draw_limit(axes.axhline, limit, F, LIMIT)
         axes.set_title(f"leg {leg + 1}{_named('limit', limit, 'N')}", fontsize=9.0)
@@ -61,7 +59,7 @@ def _motors(panels: NDArray[Any], robot: Robot, torque: NDArray[Any], speed: NDA
     rates = speed / units.radians
     for leg, axes in enumerate(panels):
         _share_scales(axes, panels[0])
-        _curve(axes, rates[:, leg], torque[:, leg], _SPEEDS)
+        axes.plot(rates[:, leg], torque[:, leg], rasterized=len(rates) > _MOST, **_CURVE)
         rated, peak = float(drive.rated_torque[leg]), float(drive.torque_limit[leg])
         fastest = float(drive.speed_limit[leg]) / units.radians
         draw_limit(axes.axhline, rated, torque, _RATED)
@@ -93,19 +91,3 @@ def draw_limit(line: Any, limit: float, values: NDArray[Any], style: dict[str, A
         largest = float(np.nanmax(side * values, initial=0.0))
         if 0.0 < largest and limit <= _FAR * largest:
             line(side * limit, **style)
-
-
-def _curve(axes: Axes, x: NDArray[Any], y: NDArray[Any], intervals: int) -> None:
-    """Draw values (n,) over x, (n,); for many samples, their range in each interval of x."""
-    known = np.isfinite(x) & np.isfinite(y)
-    if len(x) <= _MOST or not known.any():
-        axes.plot(x, y, color=BLUE, linewidth=1.0)
-        return
-    edges = np.linspace(x[known].min(), x[known].max(), intervals + 1)
-    place = np.clip(np.searchsorted(edges, x[known], side="right") - 1, 0, intervals - 1)
-    low, high = np.full(intervals, np.inf), np.full(intervals, -np.inf)
-    np.minimum.at(low, place, y[known])
-    np.maximum.at(high, place, y[known])
-    empty = low > high
-    low[empty] = high[empty] = np.nan
-    axes.fill_between(0.5 * (edges[1:] + edges[:-1]), low, high, color=BLUE, linewidth=0.8)

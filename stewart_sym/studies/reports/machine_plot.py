@@ -111,8 +111,7 @@ def _frame(axes: Any, robot: Robot, extent: Array) -> None:
 
 def _number_in_units(axis: Any, robot: Robot) -> None:
     """Set tick labels of an axis in m to the length unit of the robot file."""
-    meters = Units.of(robot).meters
-    axis.set_major_formatter(lambda value, _: f"{value / meters:.4g}")
+    axis.set_major_formatter(lambda value, _: f"{value / Units.of(robot).meters:.4g}")
 
 
 def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
@@ -161,12 +160,11 @@ def _offset_legs(axes: Any, robot: Robot, home: HomePose) -> list[Array]:
 
 def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
     """Draw the projection along z: polygons, legs, and the numbers of both ends of each leg."""
-    places, names = [], []
-    bars = [(_place(one), _place(other)) for one, other in zip(robot.b, tips, strict=True)]
+    names, (base, platform) = [], ([(x, y) for x, y, _ in corners.tolist()] for corners in (robot.b, tips))
+    bars = list(zip(base, platform, strict=True))
     for corners, color in ((robot.b, BASE), (tips, PLATFORM)):
         axes.plot(*_ring(corners).T[:2], color=color, linewidth=1.2)
         axes.plot(*corners.T[:2], marker="o", color=color, markersize=4.0, linestyle="")
-        places += [_place(corner) for corner in corners]
         names += [(text, at, color) for text, at in _numbers(corners)]
     for one, other in bars:
         axes.plot(*zip(one, other, strict=True), color=LEG, linewidth=1.2)
@@ -177,11 +175,7 @@ def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
         _number_in_units(axis, robot)
     if vertical(robot) == Z_DOWN:
         axes.invert_yaxis()
-    name_points(axes, names, places, bars, size=9.0)
-
-
-def _place(point: Array) -> tuple[float, float]:
-    return float(point[0]), float(point[1])
+    name_points(axes, names, [*base, *platform], bars, size=9.0)
 
 
 def _numbers(points: Array) -> list[tuple[str, tuple[float, float]]]:
@@ -190,6 +184,6 @@ def _numbers(points: Array) -> list[tuple[str, tuple[float, float]]]:
     size = radius(points) or 1.0
     while left:
         same = [i for i in left if np.linalg.norm((points[i] - points[left[0]])[:2]) < _SAME * size]
-        found.append((", ".join(str(i + 1) for i in same), _place(points[left[0]])))
+        found.append((", ".join(str(i + 1) for i in same), tuple(points[left[0], :2].tolist())))
         left = [i for i in left if i not in same]
     return found

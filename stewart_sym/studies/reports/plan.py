@@ -1,13 +1,13 @@
 """Report of ``plan``: trajectory, summary, JSON data, and plots."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from ...drives.effort import trapezoids
+from ...drives.limits import LimitTracker, trapezoids
 from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -22,14 +22,14 @@ from ...planning.plan_certificate import PlanCertificate
 from ...planning.plan_file import RATE
 from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.timing.path_terms import force_limits
-from ...robot.robot import Robot
+from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
 from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure
-from ..common.output import Columns, by_leg, of_legs
 from ..common.report import SMALL, Picture, Report
-from .drives import DriveDigest
+from ..common.text_tables import Columns, by_leg, of_legs
+from .drives import motor_data, motor_table
 from .leg_plot import leg_figure
 
 # Number of samples of the work, because accelerations jump between them if another limit becomes active.
@@ -39,36 +39,44 @@ _DRAWN, _POSES = 4000, 801
 _CERTIFIED = ("is_valid", "samples", "max_utilization", "lengths_ok", "angles_ok", "active_fraction")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Plan:
-    """Path with its time parameterization and results, sampled at ``rate`` (Hz)."""
+    """Path with its time parameterization and results, sampled at ``rate`` (Hz).
+
+    ``torque`` (N m) and ``speed`` (rad/s) of the motors, (n, 6), are set together with ``motors``.
+    """
 
     robot: Robot
     planned: PlannedPath
     timed: TimedPath
     certificate: PlanCertificate
     rate: float
+    torque: Array = field(init=False)
+    speed: Array = field(init=False)
 
     @cached_property
-    def motors(self) -> DriveDigest | None:
+    def motors(self) -> LimitTracker | None:
         """Motor requirements at the samples of the certificate; None without a drive."""
         if self.robot.drive is None:
             return None
         places, first = places_along(self.timed), 0
-        found = DriveDigest(self.robot, places.time)
+        found = LimitTracker(self.robot, places.time)
+        self.torque, self.speed = np.zeros((2, len(places.time), LEGS))
         for part in places.blocks():
-            motion, last = part.motion(self.timed), first + len(part.time)
+            motion, where = part.motion(self.timed), slice(first, first + len(part.time))
             F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
             L_dot = inverse_kinematics(self.robot, motion).L_dot
-            found.add(part.motors(self.timed, motion, F, L_dot), slice(first, last))
-            first = last
+            motors = part.motors(self.timed, motion, F, L_dot)
+            found.add(where, motors._asdict())
+            self.torque[where], self.speed[where] = motors.torque, motors.speed
+            first = where.stop
         return found
 
     @cached_property
     def energy(self) -> float:
         """Electrical energy of the plan (J), or work of the leg forces without a drive."""
         if self.motors is not None:
-            return float(self.motors.summary.energy.sum())
+            return float(self.motors.energy.sum())
         times = self.timed.time_grid(_INSTANTS)
         motion = self.timed.sample(times)
         F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
@@ -110,7 +118,7 @@ def report(plan: Plan) -> Report:
     times, robot = plan.times, plan.robot
     motion = plan.timed.sample(times)
     tables = {"trajectory": trajectory_columns(robot, times, motion), "path": _along(plan, times, motion)}
-    text = _summary(plan) if plan.motors is None else f"{_summary(plan)}\n\n{plan.motors.table()}"
+    text = _summary(plan) if plan.motors is None else f"{_summary(plan)}\n\n{motor_table(plan.motors)}"
     figures = {
         "condition": Picture(lambda: _condition_figure(plan)),
         "forces": Picture(lambda: _forces_figure(plan), SMALL),
@@ -205,7 +213,7 @@ def _data(plan: Plan) -> dict[str, Any]:
             {"t_m": pose.t, "theta_rad": angles_from_rotation(pose.R, order) + 0.0}
             for pose in planned.reached_poses
         ],
-        "legs": by_leg(legs | ({} if plan.motors is None else plan.motors.columns())),
+        "legs": by_leg(legs | ({} if plan.motors is None else motor_data(plan.motors))),
         "certificate": {
             **{name: getattr(found, name) for name in _CERTIFIED},
             "crossings_s": [crossing.time for crossing in found.crossings],
@@ -242,7 +250,7 @@ def _forces_figure(plan: Plan) -> Figure:
     times = np.linspace(0.0, plan.timed.duration, _DRAWN)
     limits = force_limits(plan.robot, plan.timed.limits)
     forces = inverse_dynamics(plan.robot, plan.timed.sample(times), plan.timed.formulation).F
-    motors = None if plan.motors is None else (plan.motors.torque, plan.motors.speed)
+    motors = None if plan.motors is None else (plan.torque, plan.speed)
     return leg_figure(replace(plan.robot, force_limit=limits), times, forces, motors)
 
 

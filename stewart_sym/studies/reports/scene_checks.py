@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...kinematics.mounting import platform_side
+from ...kinematics.mounting_side import platform_side
 from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.trajectory_checks import LEAST_TURN, impossible, meters_doubt
 from ...motion.rotation import rotation_from_rpy

@@ -23,8 +23,8 @@ from ...singularities.path_singularities import (
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import SingularityResult
 from ..common.drawing import BLUE, DARK, RED, Figure, as_written, log_numbers, new_figure
-from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Columns, aligned, by_leg, of_axes, of_legs
 from .machine_plot import twist_figure
 
 _EVEN = 401
@@ -36,10 +36,7 @@ _MOST_DRAWN = 6
 
 @dataclass(frozen=True, eq=False)
 class Examination:
-    """Results for a path: its singular poses, and the force residue A (N s) at each crossing.
-
-    Near a crossing at time t_0, the forces are F = A / (t - t_0). A is NaN for a robot without masses.
-    """
+    """Singular poses of a path, and the residue A (N s) of each: F = A / (t - t_0), NaN without masses."""
 
     robot: Robot
     name: str
@@ -128,11 +125,10 @@ _OF_POSE = (
 
 
 def _data(found: Examination) -> dict[str, Any]:
-    along = found.along
-    extremes = (("min_joint_sine", ""), ("min_length", "_m"), ("max_length", "_m"))
-    legs: dict[str, Array] = {}
-    for name, unit in extremes:
-        legs |= {f"{name}{unit}": getattr(along, name).value, f"{name}_time_s": getattr(along, name).time}
+    along, legs = found.along, dict[str, Any]()
+    for name, unit in (("min_joint_sine", ""), ("min_length", "_m"), ("max_length", "_m")):
+        extreme = getattr(along, name)
+        legs |= {f"{name}{unit}": extreme.value, f"{name}_time_s": extreme.time}
     return {
         "robot": found.robot.name,
         "path": found.name,
@@ -175,10 +171,7 @@ def _pose_data(at: SingularityResult) -> dict[str, Any]:
 
 
 def _curves(found: Examination) -> Columns:
-    """Return columns (n,) over time, denser near each crossing and minimum; nan at unsolvable poses.
-
-    The smallest singular value has the sign of det H; the scaled condition is inf at a singular pose.
-    """
+    """Return columns (n,) over time, denser near each crossing and minimum; nan at unsolvable poses."""
     robot, along = found.robot, found.along
     duration = along.end - along.start
     marks = [crossing.time for crossing in along.crossings]
@@ -200,6 +193,7 @@ def _curves(found: Examination) -> Columns:
     with np.errstate(divide="ignore", invalid="ignore"):
         condition = s[:, 0] / smallest
         sine = np.linalg.norm(np.cross(robot.k, S), axis=-1) / L
+    # The sign of det H changes at a crossing.
     columns = {"time": times, "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest}
     columns |= {"scaled_condition": condition} | of_legs("F", F)
     columns |= {} if robot.base_joint == "spherical" else of_legs("joint_sine", sine)
@@ -259,7 +253,7 @@ def _legs_table(found: Examination) -> str:
     along, units = found.along, Units.of(found.robot)
     extremes = along.min_joint_sine, along.min_length, along.max_length
     limits, scale = found.robot.length_limits / units.meters, 1.0 / units.meters
-    rows = []
+    rows, unit = [], units.length
     for leg, (low, high) in enumerate(limits):
         below = f"{scale * along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none"
         above = f"{high - scale * along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
@@ -268,25 +262,16 @@ def _legs_table(found: Examination) -> str:
             for size, extreme in zip((1.0, scale, scale), extremes, strict=True)
         )
         rows.append((str(leg + 1), *sine, *least, below, *most, above))
-    unit = units.length
-    of_lengths = (
-        f"min L, {unit}",
-        "time, s",
-        f"margin, {unit}",
-        f"max L, {unit}",
-        "time, s",
-        f"margin, {unit}",
-    )
-    header = ("leg", "min |k x s|", "time, s", *of_lengths)
+    header = ["leg", "min |k x s|", "time, s"]
+    for end in ("min", "max"):
+        header += [f"{end} L, {unit}", "time, s", f"margin, {unit}"]
     title = "Smallest sine of the angle between leg and universal axis; extreme lengths and margins to limits"
     return f"{title}\n{aligned(header, rows)}"
 
 
 def _near(time: float, at: SingularityResult) -> str:
-    return (
-        f"{time:.9f} s: smallest singular value {float(at.smallest_singular_value):.6g}, "
-        f"scaled condition number {float(at.condition_number):.6g}"
-    )
+    text = f"{time:.9f} s: smallest singular value {float(at.smallest_singular_value):.6g}"
+    return f"{text}, scaled condition number {float(at.condition_number):.6g}"
 
 
 def _path_figure(found: Examination, columns: Columns) -> Figure:

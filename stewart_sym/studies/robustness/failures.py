@@ -250,10 +250,7 @@ def _walk(draw: Draw, legs: str = LEGS[0], rest: bool = False) -> Callable[[np.r
 
 
 def _extreme(rng: np.random.Generator) -> Cases:
-    """Generate machines of one shape and many sizes, with motions on the time scale of each machine.
-
-    Larger machines are lighter, so that their inertias remain within the range of double.
-    """
+    """Generate machines of one shape and many sizes, the larger the lighter, so that inertias are finite."""
     sizes, state, robots, motions = np.logspace(200, -200, 81), rng.bit_generator.state, [], []
     for size in sizes:
         rng.bit_generator.state = state
@@ -321,10 +318,7 @@ KINDS: dict[str, Draw] = {
 
 
 def random_cases(kind: str, rng: np.random.Generator, count: int, each: int, decades: float) -> Cases:
-    """Generate up to ``count`` cases of a kind of ``KINDS``, with ``each`` cases per machine.
-
-    Distances are logarithmically uniform over the decades. A quarter of the motions is at rest.
-    """
+    """Generate up to ``count`` cases of a kind, ``each`` per machine, with distances over the decades."""
     robots = np.repeat(_random_machines(rng, -(-count // each), kind == MACHINE), each, axis=0)[:count]
     cases = Cases(robots, np.empty((count, 30)), np.empty((count, 6)), np.empty(count))
     _move(rng, cases)
@@ -337,10 +331,7 @@ def random_cases(kind: str, rng: np.random.Generator, count: int, each: int, dec
 
 
 def _random_machines(rng: np.random.Generator, count: int, are_singular: bool) -> Array:
-    """Generate numbers of machines, (count, 205), half of them of about one meter, others of any size.
-
-    ``are_singular`` selects machines of the families of ``singular_machines`` in turn.
-    """
+    """Generate numbers of machines, (count, 205), half of them of about one meter, others of any size."""
     machines, families = [], tuple(SINGULAR_MACHINES)
     for number in range(count):
         size, mass = (10.0 ** rng.uniform(*np.log10(extremes)) for extremes in (SIZES, MASSES))

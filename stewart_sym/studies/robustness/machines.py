@@ -22,11 +22,7 @@ _PAIRS, _PAIRS_TURNED = (-20.0, 20.0, 100.0, 140.0, 220.0, 260.0), (-40.0, 40.0,
 def random_machine(
     rng: np.random.Generator, size: float = 1.0, mass: float = 10.0, legs: str = "general"
 ) -> Robot:
-    """Generate a machine with random legs and points, whose fixed axes are at least 45 degrees from the legs.
-
-    ``size`` is the radius of the base (m), ``mass`` the mass of the platform (kg), and ``legs`` one of
-    ``LEGS``.
-    """
+    """Generate a machine with a radius of the base (m), mass of the platform (kg), and one of ``LEGS``."""
     b, p = (
         radius * (_ring(angles) + 0.08 * rng.normal(size=(6, 3)))
         for radius, angles in ((size, _BASE), (0.6 * size, _PLATFORM))

@@ -187,12 +187,9 @@ def check(
 ) -> dict[str, Verdict]:
     """Compare some of ``FORCES`` and ``CLOSED`` with the truth; return the verdict on each kernel.
 
-    For the ``precision`` "float" the inputs are rounded to float. With ``floor`` the condition numbers of the
-    closed form are at least the scaled condition number of H. They are measured by ``samples`` random changes
-    of all inputs, and again if they seem too small. Without ``solvable`` no answer is right, as for machines
-    that are singular at every pose.
-
-    Raises native.CompilerError without a compiler, or with a ``long double`` that is not wider than double.
+    With ``floor`` condition numbers of the closed form are at least the scaled condition number of H. All are
+    measured by ``samples`` random changes of all inputs, and again if they seem too small. Without
+    ``solvable`` no answer is right, as for machines that are singular at every pose.
     """
     if precision == "float":
         given = (cases.robots, cases.motions, cases.forces)
@@ -219,11 +216,7 @@ def check(
 
 
 def truth_of(cases: Cases, kernel: str, precision: str = "double", samples: int = SAMPLES) -> Truth:
-    """Compute the outputs in wide arithmetic, and their changes with the inputs.
-
-    A positive number of ``samples`` takes the largest change by random signs of all relative changes, -1 the
-    sum of the changes by each input alone.
-    """
+    """Compute the outputs in wide arithmetic, and their changes with random signs; -1: input by input."""
     values, status = run(cases, kernel, "wide")
     H = values if kernel == _TRUTH else run(cases, _TRUTH, "wide")[0]
     amount = np.longdouble(1e-12 if precision == "float" else 2.0**-53)

@@ -34,10 +34,7 @@ _CIRCLE = np.array(
 def singular_machine(
     rng: np.random.Generator, family: str, size: float = 1.0, mass: float = 10.0, legs: str = LEGS[0]
 ) -> Robot:
-    """Generate a random machine of a family of ``FAMILIES``; other arguments as in ``random_machine``.
-
-    The size is approximate within about a factor of two.
-    """
+    """Generate a random machine of a family of ``FAMILIES``; other arguments as in ``random_machine``."""
     base, platform = FAMILIES[family](rng)
     fine, order = 2**_FINE if family in NEARLY else 1, rng.permutation(6)
     map_b = _map(rng)

@@ -17,8 +17,8 @@ from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...results import OK, STATUS_TEXT
 from ..common.drawing import Figure, legend_below, new_figure
-from ..common.output import Figures, aligned
 from ..common.report import SMALL, Picture, Report
+from ..common.text_tables import Figures, aligned
 from .failures import FAMILIES, KINDS, MACHINE, UNLIKE, Family, random_cases
 from .oracle import EPSILON, FORCES, GOOD, Verdict, check
 

@@ -8,12 +8,29 @@ from importlib.resources import files
 from os import cpu_count
 from pathlib import Path
 
+from builds import written
 from sweeps import FULL
 
-GENERATED = Path(str(files("stewart_sym.generated") / "c"))
+from stewart_sym.backend.kernel_sources import digests, generated_text
+from stewart_sym.generated.interface import HEADERS
+
 ATTACK = Path(__file__).parents[1] / "c"
 # To note which line code comes from takes a quarter of the time; functions are named without.
 STRICT = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-g" if FULL else "-g0")
+
+
+def stems() -> list[str]:
+    """Sources of the generated C without suffix, committed or derived at first use."""
+    names = [*digests(), *(path.name for path in (files("stewart_sym.generated") / "c").iterdir())]
+    return sorted(Path(name).stem for name in names if name.endswith(".c"))
+
+
+def sources(*stems: str) -> dict[str, str]:
+    """Text of sources, their headers, and the shared headers, by file name."""
+    names = [*HEADERS, *(f"{stem}{suffix}" for stem in stems for suffix in (".h", ".c"))]
+    # The header of a closed form includes the header of its prepared constants.
+    names += [stem.replace("_motion", "_forces.h") for stem in stems if stem.endswith("_motion")]
+    return {name: generated_text(f"c/{name}") for name in names}
 
 
 def oracles(rotors: bool = False) -> dict[str, tuple[str, str]]:
@@ -22,15 +39,15 @@ def oracles(rotors: bool = False) -> dict[str, tuple[str, str]]:
     rotors: of the sources for legs with rotors, whose robots have another layout; else of the others.
     """
     found = {}
-    for path in sorted(GENERATED.glob("*.c")):
-        kernel = path.stem.removeprefix("stewart_")
+    for name in stems():
+        kernel = name.removeprefix("stewart_")
         # Of rotations no pointer leads beyond three vectors; they are held to ``Motion`` with the kits.
         if ("_drive" in kernel) == rotors and kernel != "rotation":
             stem, _, kind = kernel.rpartition("_")
             if kind in ("motion", "regressor", "bounds", "axial", "forces"):
-                found[path.stem] = (stem, kind)
+                found[name] = (stem, kind)
             else:
-                found[path.stem] = (kernel, kernel if kernel in ALONE else "dynamics")
+                found[name] = (kernel, kernel if kernel in ALONE else "dynamics")
     return found
 
 
@@ -73,12 +90,13 @@ def built(
     flags = [*flags, *(["-DSTEWART_ROTORS"] if rotors else [])]
     names = [f"ORACLE(attack_{kernel}_{oracle})" for kernel, oracle in attacked.values()]
     (folder / "attack_kernels.h").write_text("\n".join(names) + "\n")
-    common = [compiler, *STRICT, *flags, f"-I{folder}", f"-I{GENERATED}", f"-I{ATTACK}", "-c"]
+    generated = written(sources(*attacked), folder / "generated")
+    common = [compiler, *STRICT, *flags, f"-I{folder}", f"-I{generated}", f"-I{ATTACK}", "-c"]
     jobs = [[str(ATTACK / "attack.c"), "-o", "case.o"]]
     if main is not None:
         jobs.append([str(ATTACK / main), f"-DKERNELS={len(attacked)}", "-o", "main.o"])
     for stem, (kernel, oracle) in attacked.items():
-        jobs.append([str(GENERATED / f"{stem}.c"), "-o", f"{stem}.o"])
+        jobs.append([str(generated / f"{stem}.c"), "-o", f"{stem}.o"])
         named = [f"-DKERNEL={kernel}", f'-DHEADER="{stem}.h"']
         jobs.append([str(ATTACK / f"attack_{oracle}.c"), *named, "-O0", "-o", f"oracle_{stem}.o"])
     with ThreadPoolExecutor(cpu_count() or 1) as pool:

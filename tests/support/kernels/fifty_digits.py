@@ -18,7 +18,7 @@ from stewart_sym.derive.mechanics.regressor import regressor
 from stewart_sym.derive.program.block import Block
 from stewart_sym.kit.required_kernels import fields
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import Truth, deviation, digits
+from stewart_sym.precision.exact_forces import Truth, deviation, digits
 from stewart_sym.robot.robot import Robot, of_symbol
 
 DIGITS = 50

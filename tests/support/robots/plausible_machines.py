@@ -254,11 +254,13 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "home": {"home of another point": (of(home_position=np.array([0.0, 0.0, 1.7])), "home of another point")},
     "force-limit": {"force limit in kN": (scaled(force_limit=1e-3), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
+    "drive-lead": {"lead in meters in a file of millimeters": (driven(lead=5e-6), "expected m")},
     "drive-speed": {
         "revolutions a minute": (driven(speed_limit=5000.0), "5000 rad/s"),
     },
     "speed-limit": {
         "speed limit in mm/s": (scaled(speed_limit=1e3), "given in mm/s"),
+        "speed limit in m/s in a file of millimeters": (scaled(speed_limit=1e-3), "expected m/s"),
     },
     "condition": {
         "platform on one line": (of(p=lambda p: np.outer(p[:, 0], [1, 2, 3])), ""),

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
-from stewart_sym.precision.truth import Truth, digits
+from stewart_sym.precision.exact_forces import Truth, digits
 from stewart_sym.results import OK
 from stewart_sym.studies.robustness.failures import random_cases
 from stewart_sym.studies.robustness.oracle import Cases

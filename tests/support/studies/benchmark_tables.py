@@ -1,10 +1,12 @@
 """Tables of the documentation from the figures of ``benchmark``: times of forces, passes, and motion."""
 
+from markdown_text import paragraph, table
+
 from stewart_sym.io.extras import install
 from stewart_sym.studies.benchmark.benchmark import of_group, ratios
 from stewart_sym.studies.benchmark.case import CALLS, EQUATIONS, FORCES, PASSES, SIZES
 from stewart_sym.studies.benchmark.cases import CLOSED, FORWARD, PLAIN
-from stewart_sym.studies.common.output import Figures, paragraph, table
+from stewart_sym.studies.common.text_tables import Figures
 
 README_ROWS = (
     *("one pose", "batch, one core", "batch, columns", "batch, float", "every output", "NumPy kernel"),

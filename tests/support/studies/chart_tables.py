@@ -1,9 +1,11 @@
 """Tables of the documentation from the figures of ``chart``: cost and error of each level, and the choice."""
 
+from markdown_text import paragraph, table
+
 from stewart_sym.backend import fidelity
 from stewart_sym.studies.accuracy.budget import MARGIN
 from stewart_sym.studies.accuracy.cost import candidate_of
-from stewart_sym.studies.common.output import Figures, paragraph, table
+from stewart_sym.studies.common.text_tables import Figures
 
 _TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))
 _README_LEVELS = ("massless", "slender", "frictionless", "paper", "general")

@@ -13,7 +13,7 @@ from stewart_sym.studies.accuracy import cost_plot
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
 from stewart_sym.studies.accuracy.cost import Candidate
 from stewart_sym.studies.common import timing
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 FRICTIONLESS = TABLE["frictionless"]["operations"]["total"]
 TOLERANCES = (0.5, 0.05, 0.01, 1e-9)

@@ -34,7 +34,7 @@ from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.results import NOT_FINITE
 from stewart_sym.robot.robot import Robot
 from stewart_sym.robots import dasgupta1998
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""

@@ -1,7 +1,9 @@
 """Tables of the documentation from the figures of ``microcontroller``."""
 
+from markdown_text import paragraph, table
+
 from stewart_sym.derive.emit.torque import torque_operations
-from stewart_sym.studies.common.output import Figures, paragraph, table
+from stewart_sym.studies.common.text_tables import Figures
 
 
 def tables(found: Figures) -> dict[str, str]:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from markdown_text import paragraph, table
 from scipy.stats import spearmanr
 
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
@@ -39,8 +40,8 @@ from stewart_sym.studies.common.drawing import (
     log_numbers,
     new_figure,
 )
-from stewart_sym.studies.common.output import Figures, paragraph, table
 from stewart_sym.studies.common.report import SMALL, Picture, draw
+from stewart_sym.studies.common.text_tables import Figures
 from stewart_sym.studies.robustness.machines import GRAVITY, random_machine
 
 PATH_COUNT, MACHINE_COUNT, VIA_COUNT = 1000, 50, 6

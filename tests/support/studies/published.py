@@ -19,7 +19,7 @@ import microcontroller_tables as microcontroller
 import planning_study as planning
 import stability_tables as stability
 
-from stewart_sym.studies.common.output import Figures
+from stewart_sym.studies.common.text_tables import Figures
 
 STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "bench": benchmark.tables,

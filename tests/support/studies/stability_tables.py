@@ -1,8 +1,9 @@
 """Tables of the documentation from the figures of ``stability``: families of failures, and random cases."""
 
 import numpy as np
+from markdown_text import paragraph, table
 
-from stewart_sym.studies.common.output import Figures, paragraph, table
+from stewart_sym.studies.common.text_tables import Figures
 
 
 def tables(found: Figures) -> dict[str, str]:

@@ -1,0 +1,340 @@
+"""Parser of a subcommand with the options common to several subcommands, and the output of its results."""
+
+import argparse
+import contextlib
+import dataclasses
+import difflib
+import itertools
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any, NoReturn
+
+from ..io.arguments import safe_text
+from ..io.atomic_write import ResultFolder, must_be_replaceable, write_file
+from ..io.extras import need
+from ..io.json_text import json_text
+from ..io.progress import Progress
+from ..motion.trajectory_format import ANGLE_UNITS, EULER_ORDERS, LENGTH_UNITS, MODES, TIME_UNITS
+from ..studies.common.report import Report, write
+from ..viewer.page import BEGINNING as HTML_BEGINNING
+from . import renamed
+from .terminal import PROGRAM, one_line, progress_line
+
+Arguments = argparse.Namespace
+Group = argparse._ArgumentGroup
+
+_FILES = {
+    "robot": ("ROBOT.toml", "robot file"),
+    "scene": ("SCENE.toml", "scene file, schema 1"),
+    "trajectory": ("TRAJECTORY.csv", "CSV file of times and poses or leg lengths"),
+    "via": ("VIA.toml", "file of via poses, schema 1"),
+    "model": ("MODEL", "model in MJCF, SDF, or URDF"),
+}
+"""Placeholder and help of each kind of input file."""
+
+_OF_ROBOT, _ZERO = "from the robot file", "absolute or the home pose"
+_OF_FILE = "from the header or the robot file, otherwise {}"
+LOG_FORM = {
+    "length-unit": ("unit of length", _OF_FILE.format("m"), tuple(LENGTH_UNITS)),
+    "angle-unit": ("unit of angle", _OF_FILE.format("rad"), tuple(ANGLE_UNITS)),
+    "time-unit": ("unit of time", _OF_FILE.format("s"), tuple(TIME_UNITS)),
+    "delimiter": ("delimiter", "detected", ("comma", "semicolon", "tab")),
+    "decimal": ("decimal mark", "detected", ("point", "comma")),
+    "euler-order": (
+        "order of the rotation product",
+        f"{_OF_ROBOT}, otherwise zyx (R = Rz Ry Rx)",
+        EULER_ORDERS,
+    ),
+    "length-mode": (f"zero of the leg lengths, {_ZERO}", f"{_OF_ROBOT} or absolute", MODES),
+    "pose-mode": (f"zero of the poses, {_ZERO}", f"{_OF_ROBOT} or absolute", MODES),
+}
+"""Meaning, default, and values of each option that describes a trajectory file."""
+
+
+def folder_name(text: str) -> Path:
+    """Parse the name of a folder; reject ``-``, because several files cannot go to standard output."""
+    if text == "-":
+        raise argparse.ArgumentTypeError("expected a folder, got - for standard output")
+    return Path(text)
+
+
+def _number(kind: type, allowed: Callable[[float], bool], expected: str) -> Callable[[str], Any]:
+    """Return a parser of numbers that are allowed."""
+
+    def parsed(text: str) -> Any:
+        with contextlib.suppress(ValueError):
+            number = kind(text)
+            if allowed(number):
+                return number
+        raise argparse.ArgumentTypeError(f"expected {expected}, got {text!r}")
+
+    return parsed
+
+
+finite = _number(float, math.isfinite, "a finite number")
+positive = _number(float, lambda x: 0.0 < x < math.inf, "a number > 0")
+whole = _number(int, lambda n: n >= 0, "a whole number >= 0")
+
+
+def _column_names(text: str) -> dict[str, str]:
+    """Parse pairs NAME=HEADER, separated by commas."""
+    pairs = [[part.strip() for part in pair.partition("=")] for pair in text.split(",")]
+    names = {name: header for name, _, header in pairs}
+    if not all(map(all, pairs)) or len(names) < len(pairs):
+        raise argparse.ArgumentTypeError(f"expected NAME=HEADER,NAME=HEADER,..., got {text!r}")
+    return names
+
+
+def _lines(text: str) -> tuple[int, ...]:
+    """Parse line numbers such as 1498,1503-1510."""
+    found: list[int] = []
+    for part in text.split(","):
+        match = re.fullmatch(r"(\d+)(?:-(\d+))?", part.strip())
+        if match is None or int(match[2] or match[1]) < int(match[1]):
+            raise argparse.ArgumentTypeError(f"expected line numbers such as 1498,1503-1510, got {text!r}")
+        found += range(int(match[1]), int(match[2] or match[1]) + 1)
+    return tuple(found)
+
+
+def hint(text: str, names: Iterable[str]) -> str:
+    """Return a hint with the name closest to an unknown one."""
+    near = difflib.get_close_matches(text, names, n=1)
+    return f", did you mean {near[0]}?" if near else ""
+
+
+class Parser(argparse.ArgumentParser):
+    """Parser whose errors are one line that names the help, and a similar or the present name of a word."""
+
+    def __init__(self, **options: Any) -> None:
+        """Read -1e-3 as a number, not as an option."""
+        super().__init__(formatter_class=argparse.RawDescriptionHelpFormatter, **options)
+        self._negative_number_matcher = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
+        """Reject former and unknown names of options first, because a required one may be misspelled."""
+        known = self._option_string_actions
+        for word in itertools.takewhile("--".__ne__, args):
+            name = word.partition("=")[0]
+            new = renamed.OPTIONS.get(name, "")
+            if name not in known and new.partition(" ")[0] in known:
+                self.error(f"{name}: renamed; use {new}")
+            if name.startswith("--") and not any(each.startswith(name) for each in known):
+                self.error(f"unrecognized arguments: {name}{hint(name, known)}")
+        return super().parse_known_args(args, namespace)
+
+    def error(self, message: str) -> NoReturn:
+        """Exit with code 2."""
+        self.exit(2, f"{PROGRAM}: error: {one_line(message)} (see {self.prog} --help)\n")
+
+    def file(self, kind: str, name: str = "", **more: Any) -> None:
+        """Add an input file, a positional argument unless ``name`` is the name of an option."""
+        metavar, text = _FILES[kind]
+        self.add_argument(name or kind, **{"metavar": metavar, "type": Path, "help": text, **more})
+
+    def flag(self, name: str, text: str) -> None:
+        """Add an option without a value."""
+        self.add_argument(f"--{name}", action="store_true", help=text)
+
+    def valued(
+        self,
+        name: str,
+        kind: Callable[[str], Any],
+        text: str,
+        default: Any = None,
+        metavar: str | None = None,
+        group: Group | None = None,
+    ) -> None:
+        """Add an option with a value, and append its default, if any, to the help."""
+        if default is not None:
+            text += f"; default: {f'{default:g}' if isinstance(default, float) else default}"
+        (group or self).add_argument(f"--{name}", type=kind, default=default, metavar=metavar, help=text)
+
+    def chosen(self, name: str, choices: Sequence[str], text: str = "") -> None:
+        """Add an option whose value is one of ``choices``; the first one is the default."""
+        said = "; ".join(filter(None, (text, f"default: {choices[0]}")))
+        self.add_argument(f"--{name}", choices=choices, default=choices[0], help=said)
+
+    def seed(self) -> None:
+        """Add ``--seed``."""
+        self.valued("seed", whole, "random seed", 0, "N")
+
+    def formulation(self) -> None:
+        """Add ``--formulation``."""
+        self.chosen("formulation", ("exact", "paper"), "equations: exact (corrected), or paper (as printed)")
+
+    def output(
+        self,
+        metavar: str,
+        text: str,
+        default: str | None = None,
+        otherwise: str | None = None,
+        plots: bool = False,
+        html: bool = False,
+    ) -> None:
+        """Add ``-o`` and related options; without ``default`` and ``otherwise``, ``-o`` is required."""
+        shown = default or otherwise
+        self.add_argument(
+            *("-o", "--output"),
+            metavar=metavar,
+            type=folder_name if metavar == "DIR" else Path,
+            required=shown is None,
+            default=default and Path(default),
+            help=f"{text}; default: {shown}" if shown else text,
+        )
+        if plots:
+            text = "write tables and CSV files only, without Matplotlib"
+            self.add_argument("--no-plots", dest="plots", action="store_false", help=text)
+        if html:
+            self.valued("html", Path, "HTML file of text, tables, figures, and motions", metavar="FILE")
+        self.json()
+
+    def json(self) -> None:
+        """Add ``--json``, and ``--force``, which applies to all written files."""
+        text = (
+            "JSON file of all numbers; units are in the keys or under `units`, non-finite numbers are null; "
+            "without FILE or with -, standard output instead of the text"
+        )
+        self.add_argument("--json", metavar="FILE", nargs="?", type=Path, const=Path("-"), help=text)
+        self.flag("force", "replace also files of other programs and edited files, except inputs")
+
+    def log_form(self) -> Group:
+        """Add the options for columns and units of a trajectory file, and for the initial pose guess."""
+        group = self.add_argument_group("trajectory file")
+        names = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
+        text = "pose near the first leg lengths (m and rad); default: above the base, nearly parallel to it"
+        group.add_argument("--pose-guess", nargs=6, type=finite, metavar=names, help=text)
+        text = "names of the columns in the header, as in time=ms,t_x=X; others are found by their names"
+        group.add_argument("--columns", type=_column_names, default={}, metavar="NAME=HEADER,...", help=text)
+        for name, (what, default, choices) in LOG_FORM.items():
+            group.add_argument(f"--{name}", choices=choices, help=f"{what}; default: {default}")
+        text = "rows per second (Hz) of a file without a column of times"
+        self.valued("row-rate", positive, text, metavar="HZ", group=group)
+        text = "lines of the file that are not used, as in 1498,1503-1510"
+        self.valued("drop-lines", _lines, text, None, "LINES", group)
+        return group
+
+    def noise(self, text: str, position: str, angle: str, group: Group | None = None) -> None:
+        """Add ``--position-std`` and ``--angle-std``; ``text`` has placeholders for quantity and unit."""
+        for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
+            self.valued(f"{name}-std", positive, text.format(what, kind), metavar="STD", group=group)
+
+    def log(self) -> None:
+        """Add the options for reading the file of a trajectory."""
+        group = self.log_form()
+        text = "sampling rate of the resampled log (Hz); default: no resampling"
+        self.valued("rate", positive, text, metavar="HZ", group=group)
+        text = "standard deviation of the {} of the log (--{}-unit); default: estimated"
+        self.noise(text, "positions or leg lengths", "angles", group)
+        text = "frequency at half amplitude of the smoothing filter (Hz); default: the most likely"
+        self.valued("cutoff", positive, text, metavar="HZ", group=group)
+        text = "interpolate the samples without smoothing"
+        group.add_argument("--no-smoothing", dest="smoothing", action="store_false", help=text)
+
+
+# --- output ---------------------------------------------------------------------------------
+
+Taker = Callable[..., None]
+"""Function that writes a report, and the content of a single file if there is one, to their destinations."""
+
+
+@contextlib.contextmanager
+def results(
+    arguments: Arguments,
+    stem: str | None = None,
+    *tables: str,
+    read: Iterable[Path] = (),
+    beginnings: Sequence[str] = (),
+) -> Iterator[tuple[Taker, Progress]]:
+    """Return a function that writes the report of a subcommand and a function that displays its progress.
+
+    A folder ``arguments.output`` contains ``stem.txt``, ``stem.json``, and the files ``tables``; a single
+    file begins with one of ``beginnings``. ``read`` are input files that are not arguments. Files that cannot
+    be written or replaced are errors before the block. The text is printed after a block without an error.
+    """
+    made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
+    output, inputs = getattr(arguments, "output", None), [*read]
+    for name, value in vars(arguments).items():
+        if name not in ("output", "json", "html"):
+            values = value if isinstance(value, list) else [value]
+            inputs += [each for each in values if isinstance(each, Path)]
+    folder = None
+    if stem is not None and output is not None:
+        if getattr(arguments, "plots", False):
+            need_drawing(", or use --no-plots")
+        folder = ResultFolder(output, arguments.force, inputs, (f"{stem}.txt", f"{stem}.json", *tables))
+    _check_files(arguments, inputs, beginnings, json_text(made_by))
+    lines: list[str] = []
+
+    def take(report: Report, content: str | None = None) -> None:
+        if content is not None and output is not None:
+            write_file(output, content)
+        figures = report.figures if getattr(arguments, "plots", True) else {}
+        report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
+        if report.text:
+            lines.append(report.text.rstrip("\n"))
+        if folder is not None and stem is not None:
+            write(report, folder, stem, progress)
+            lines.append(f"Written to {output}: {', '.join(sorted(folder.names))}")
+        lines.extend(_written(arguments, report, progress))
+
+    with progress_line() as progress:
+        yield take, progress
+    if beginnings and str(output) == "-":
+        lines.clear()
+    elif beginnings and output is not None:
+        lines.append(f"Written to {output}")
+    if str(arguments.json) != "-":
+        for text in lines:
+            print(*map(safe_text, text.split("\n")), sep="\n")
+
+
+def _check_files(
+    arguments: Arguments, inputs: Iterable[Path], beginnings: Sequence[str], generator: str
+) -> None:
+    """Raise ValueError for single files that cannot be written or replaced; ``generator`` begins JSON."""
+    output, page = (getattr(arguments, name, None) for name in ("output", "html"))
+    paths = [path for path in (output, page, arguments.json) if path is not None]
+    if len({*paths}) < len(paths):
+        raise ValueError("-o, --html, --json: two results have the same file; name another file")
+    if beginnings and output is not None:
+        need_own_file(output, beginnings, arguments.force, inputs)
+    if page is not None:
+        need_html("--html", page)
+        need_own_file(page, [HTML_BEGINNING], arguments.force, inputs)
+    if arguments.json is not None:
+        beginning = generator.removesuffix("\n}\n") + ","
+        need_own_file(arguments.json, [beginning], arguments.force, inputs)
+
+
+def _written(arguments: Arguments, report: Report, progress: Progress) -> list[str]:
+    """Write the HTML and JSON files of a report; return the lines about them."""
+    page = getattr(arguments, "html", None)
+    if page is not None:
+        from ..studies.common.html_page import html_page
+
+        write_file(page, html_page(report.data["generator"], report, progress))
+    if arguments.json is not None:
+        write_file(arguments.json, json_text(report.data))
+    return [] if page is None else [f"Written to {page}"]
+
+
+def need_own_file(path: Path, beginnings: Sequence[str], force: bool, inputs: Iterable[Path]) -> None:
+    """Raise ValueError if a file cannot be written or must not be replaced; ``-`` is standard output."""
+    if str(path) != "-":
+        found = path.read_bytes() if path.is_file() else b""
+        is_ours = not found or found.startswith(tuple(map(str.encode, beginnings)))
+        must_be_replaceable(path, is_ours, force, inputs)
+
+
+def need_html(option: str, target: Path) -> None:
+    """Raise ValueError if the file name has a suffix other than .html or .htm."""
+    if target.suffix.lower() not in ("", ".html", ".htm"):
+        raise ValueError(f"{option} {target}: the file name must end in .html")
+
+
+def need_drawing(otherwise: str = "") -> None:
+    """Raise ImportError if a plotting package is missing; ``otherwise`` is an alternative without it."""
+    for package in ("matplotlib", "textalloc"):
+        need(package, "drawing", otherwise)

@@ -1,0 +1,99 @@
+"""Tables of results as plain text and CSV."""
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...robot.robot import LEGS
+
+_ROWS = 1024
+# Largest integer that a double represents exactly, and largest number of decimals.
+_MOST_EXACT, _MOST_DECIMALS = 2.0**53, 18
+
+Columns = dict[str, NDArray[Any]]
+"""Columns of shape (n,) by name."""
+
+Figures = dict[str, Any]
+"""JSON data of a study."""
+
+
+def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
+    """Return the columns ``name_1`` to ``name_6`` of the legs from an array of shape (n, 6)."""
+    return {f"{name}_{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
+
+
+def by_leg(columns: Mapping[str, Any]) -> list[Figures]:
+    """Return a row for each leg, numbered from 1, from columns of shape (6, ...)."""
+    return [{"leg": leg + 1} | {name: values[leg] for name, values in columns.items()} for leg in range(LEGS)]
+
+
+def of_axes(name: str, values: NDArray[Any]) -> Columns:
+    """Return the columns ``name_x`` to ``name_z`` of the axes from an array of shape (n, 3)."""
+    return {f"{name}_{axis}": column for axis, column in zip("xyz", values.T, strict=True)}
+
+
+def csv_lines(
+    columns: Mapping[str, NDArray[Any]], header: bool = True, digits: int | None = None
+) -> Iterator[str]:
+    """Yield the text of a CSV file in blocks of lines, header first.
+
+    Floats have all digits, or with ``digits`` as many digits as the largest one of their column.
+    """
+    if header:
+        yield csv_text([[*columns]])
+    form = None if digits is None else _form(columns, digits)
+    # Rows are converted to Python numbers in blocks, because these require four times the memory of arrays.
+    for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
+        part = [column[start : start + _ROWS] for column in columns.values()]
+        rows = zip(*(values.tolist() for values in part), strict=True)
+        yield csv_text(rows) if form is None else "".join(form % row for row in rows)
+
+
+def _form(columns: Mapping[str, NDArray[Any]], digits: int) -> str | None:
+    """Return the format of a row with a fixed number of decimals; None for infinite or too large numbers."""
+    decimals: list[int | None] = []
+    for name, values in columns.items():
+        largest = float(np.abs(values).max(initial=0.0))
+        if name == "time":
+            exact = (n for n in range(_MOST_DECIMALS) if np.array_equal(np.round(values, n), values))
+            decimals.append(next(exact, None))
+        elif not largest < _MOST_EXACT:
+            decimals.append(None)
+        else:
+            whole = math.floor(math.log10(largest)) + 1 if largest > 0.0 else digits
+            decimals.append(min(max(digits - whole, 0), 0 if values.dtype.kind in "iu" else _MOST_DECIMALS))
+    return None if None in decimals else ",".join(f"%.{n}f" for n in decimals) + "\n"
+
+
+def columns_of(rows: Sequence[Sequence[object]]) -> Columns:
+    """Return the columns of rows of texts and numbers; the first row is the header."""
+    header, *found = rows
+    return dict(zip(map(str, header), map(np.array, zip(*found, strict=True)), strict=True))
+
+
+def csv_text(rows: Iterable[Sequence[object]]) -> str:
+    """Format rows as CSV with all digits of floats."""
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows(rows)
+    return stream.getvalue()
+
+
+def aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> str:
+    """Format a text table; the first ``left`` columns are left-aligned, others right-aligned."""
+    columns = []
+    for i, column in enumerate(zip(header, *rows, strict=True)):
+        width = max(map(len, column))
+        columns.append([cell.ljust(width) if i < left else cell.rjust(width) for cell in column])
+    lines = ["  ".join(cells).rstrip() for cells in zip(*columns, strict=True)]
+    return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])
+
+
+def leg_table(name: str, columns: Mapping[str, Sequence[str]]) -> str:
+    """Format a text table with a row for each leg, numbered in the first column ``name``."""
+    numbers = [str(leg + 1) for leg in range(LEGS)]
+    return aligned([name, *columns], list(zip(numbers, *columns.values(), strict=True)))
