@@ -211,8 +211,8 @@ def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
 
 def _c_batch(function: Any, model: Array, poses: Poses) -> Timed:
     """Time a batch function in C."""
-    count, F, status = len(poses), np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-    pointers = (c_kernel.address(each) for each in (model, F, status))
-    machine, *results = pointers
-    arguments = (machine, ctypes.c_size_t(count), c_kernel.pointers(poses.arrays), *results)
-    return Task(over(function, [arguments]), count), lambda: F
+    F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
+    size, motions, address = ctypes.c_size_t(len(poses)), c_kernel.pointers(poses.arrays), c_kernel.address
+    # The addresses are computed in each call, because a pointer does not keep its array alive.
+    run = over(lambda: function(address(model), size, motions, address(F), address(status)))
+    return Task(run, len(poses)), lambda: F
