@@ -161,7 +161,7 @@ class _Source(Source):
 
     def _own(self, schedule: Lanes) -> Iterable[t.Structure | t.Function]:
         """Yield the structures and functions of a schedule that the common header does not have."""
-        common = {each.name: each for each in common_parts()}
+        common = {each.name: each for each in common_parts(self.kernel.about_tip)}
         parts: list[t.Structure | t.Function] = [*schedule.structures().values()]
         for each in (*parts, *schedule.functions.values()):
             if common.get(each.name) != each:
