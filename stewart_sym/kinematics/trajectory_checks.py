@@ -127,7 +127,7 @@ def _length_error(robot: Robot, few: LogSamples) -> tuple[str, str] | None:
         near = [name for name in fits if _away(times[name] * values, home, relative) < _FAR]
         other = [name for name in LENGTH_UNITS if _away(times[name] * values, home, not relative) < _CLOSE]
         with_mode = [f"{name} with {mode}={'absolute' if relative else 'relative'}" for name in other]
-        fits = near or [*fits, *with_mode]
+        fits = near or with_mode or fits
     return ("length_unit", _other_unit(few, "length_unit", text, fits)) if fits else None
 
 

@@ -19,8 +19,12 @@ MOST_DISTANCE, BEYOND = 3.0, 0.05
 """Largest plausible distances of a center of mass from its joint, and beyond it, over the leg length."""
 LEAST_OFFSET = (1e-6, 1e-3)
 """Range of the distance from the joint, over the leg length, of meters in a file of millimeters."""
-LEAST_STROKE = 5e-4
-"""Smallest plausible stroke over the leg length; piezo stacks have 1e-3."""
+LEAST_STROKE = 1e-3
+"""Smallest plausible stroke over the leg length; hexapods with piezo actuators have 2e-3."""
+LEAST_HOME = 2e-3
+"""Smallest plausible distance of the home position from the base frame over machine size, if not 0."""
+MOST_REFLECTED = 1e4
+"""Largest plausible mass of a rotor reflected to its leg over the mass of the machine."""
 IN_METERS = 0.05
 """Ratio of the limits to the legs below which limits are in meters in a file of another length_unit."""
 
@@ -34,6 +38,7 @@ def of_home(robot: Robot, t: Array) -> Iterator[Finding]:
         F = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan").F
         yield from _of_forces(robot, F)
         yield from _of_torques(robot, F)
+        yield from _of_rotors(robot)
 
 
 def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
@@ -45,7 +50,11 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
     limits += f": legs {L.min():.4g} to {L.max():.4g} m long at the home pose"
     in_meters = longest < IN_METERS * np.mean(L)
     unit = "limits given in m in a file of another unit of length" if in_meters else ""
-    if robot.home_position is not None and beyond:
+    away = 0.0 if robot.home_position is None else float(np.linalg.norm(robot.home_position))
+    if 0.0 < away < LEAST_HOME * size:
+        text = f"home_position {away:.3g} m from the origin of the base frame, on a machine of {size:.3g} m"
+        yield Finding("home", f"{text}; likely cause: given in a larger unit, expected {robot.length_unit}")
+    elif robot.home_position is not None and beyond:
         of_home = "home of another point than the platform frame's origin, or a stroke without 0 in it"
         i = max(beyond, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
         yield Finding(
@@ -80,11 +89,13 @@ def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:
             i = legs[0]
             cause = f"wrong sign, expected a {sign} first component, or a motor behind the joint"
             if far[i] or near[i]:
-                cause = f"given in {'millimeters' if far[i] else 'meters in a file of millimeters'}"
+                smaller = "millimeters" if robot.length_unit == "m" else "a smaller unit"
+                cause = f"given in {smaller if far[i] else 'meters in a file of millimeters'}"
+            beyond = f", {r[i, 0]:.3g} m beyond it" if r[i, 0] > 0.0 else ""
             yield Finding(
                 "center-of-mass",
-                f"{part} part of {legs_text(legs)}: center_of_mass {away[i]:.3g} m from the {joint}, "
-                f"{r[i, 0]:.3g} m beyond it, in a leg {L[i]:.3g} m long; likely cause: {cause}",
+                f"{part} part of {legs_text(legs)}: center_of_mass {away[i]:.3g} m from the {joint}{beyond}, "
+                f"in a leg {L[i]:.3g} m long; likely cause: {cause}",
             )
 
 
@@ -121,3 +132,17 @@ def _of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
                 "another unit, or motors too weak",
             )
             return
+
+
+def _of_rotors(robot: Robot) -> Iterator[Finding]:
+    """Yield a finding if rotors that are reflected to their legs are much heavier than the machine."""
+    if robot.drive is None:
+        return
+    reflected = robot.drive.rotor_inertia * robot.drive.transmission_ratio**2
+    heavy = np.flatnonzero(reflected > MOST_REFLECTED * (robot.M + np.sum(robot.m_d + robot.m_u))).tolist()
+    if heavy:
+        yield Finding(
+            "drive-inertia",
+            f"rotor_inertia of {legs_text(heavy)}: {robot.drive.rotor_inertia[heavy[0]]:.4g} kg m^2, "
+            f"{reflected[heavy[0]]:.3g} kg at the leg; likely cause: given in kg cm^2, kg mm^2, or g cm^2",
+        )

@@ -13,6 +13,8 @@ MOST_GRAVITY = 50.0
 """Largest plausible gravity (m/s^2): twice Jupiter's; the Moon's is 1,620 in mm/s^2 and 162 in cm/s^2."""
 MOST_SIZE = 50.0
 """Largest plausible RMS radius of points (m); larger machines are rarer than files in millimeters."""
+LEAST_SIZE = 0.01
+"""Smallest plausible machine size (m) of a file whose points are not in a larger unit."""
 MOST_PROPORTION = (2.5, 200.0)
 """Largest ratio of platform to base: of exchanged points, and of points in another unit."""
 SLENDER = (1.5, 0.4, 0.5, 1.5)
@@ -111,10 +113,13 @@ def _of_bodies(robot: Robot, size: float) -> Iterator[Finding]:
     reach = max(_reach(robot), 2.0 * gyration)
     density = _density(robot.M, reach)
     if density > DENSEST and reach > 0.0 and not gyration > MOST_GYRATION * size:
+        cause = "mass in grams"
+        if size < LEAST_SIZE:
+            cause = f"points in a larger unit, expected {robot.length_unit}, or {cause}"
         yield Finding(
             "mass",
             f"platform: {robot.M:g} kg within {reach:.3g} m, {density / DENSEST:.2g} times as dense as "
-            "the densest metal; likely cause: mass in grams",
+            f"the densest metal; likely cause: {cause}",
         )
         return
     least = LEAST_GYRATION[0] * _reach(robot), LEAST_GYRATION[1] * size
@@ -137,7 +142,7 @@ def _of_gyration(name: str, masses: Array, inertias: Array, size: float, least: 
     legs = np.flatnonzero(wide if wide.any() else narrow).tolist()
     if not legs or not size > 0.0:
         return
-    cause = "inertia converted from kg mm^2 twice, or masses in grams"
+    cause = "inertia converted from kg mm^2 twice, masses in grams, or dimensions in a larger unit"
     if wide.any():
         cause = "inertia in kg mm^2, g cm^2 or kg cm^2, or about a point that is not the center of mass"
     where = name if name == "platform" else f"{name} of {legs_text(legs)}"
@@ -171,7 +176,12 @@ def _of_speeds(robot: Robot) -> Iterator[Finding]:
         yield Finding("speed-limit", f"{text}{cause}/s")
     if robot.drive is None:
         return
-    if fast := _above(robot.drive.speed_limit, MOST_MOTOR_SPEED):
+    times = stroke * np.abs(robot.drive.transmission_ratio) / robot.drive.speed_limit
+    if slow := _above(times, MOST_STROKE_TIME):
+        text = f"speed_limit of the drives of {legs_text(slow)}: {robot.drive.speed_limit[slow[0]]:.4g} rad/s"
+        text += f", {times[slow[0]]:.3g} s for the stroke; likely cause: given in a larger unit, expected "
+        yield Finding("drive-speed", f"{text}{robot.angle_unit}/s")
+    elif fast := _above(robot.drive.speed_limit, MOST_MOTOR_SPEED):
         yield Finding(
             "drive-speed",
             f"speed_limit of the drives of {legs_text(fast)}: {robot.drive.speed_limit[fast[0]]:.4g} rad/s; "

@@ -23,7 +23,8 @@ WARNING_NAMES = (
     *("platform-inertia", "lower-inertia", "upper-inertia", "density"),
     *("gravity", "length-unit", "proportion", "mass", "inertia-size", "center-of-mass"),
     *("leg-order", "condition", "crossing"),
-    *("home", "length-limits", "force-limit", "speed-limit", "drive-limit", "drive-lead", "drive-speed"),
+    *("home", "length-limits", "force-limit", "speed-limit", "drive-limit", "drive-inertia", "drive-lead"),
+    "drive-speed",
 )
 """Names of all warnings about the numbers of a robot, as in ``suppress_warnings``.
 

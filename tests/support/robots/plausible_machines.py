@@ -251,12 +251,20 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         ),
         "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
     },
-    "home": {"home of another point": (of(home_position=np.array([0.0, 0.0, 1.7])), "home of another point")},
+    "home": {
+        "home in meters in a file of millimeters": (
+            of(home_position=np.array([0.0, 0.0, 7e-4])),
+            "in a larger unit",
+        )
+    }
+    | {"home of another point": (of(home_position=np.array([0.0, 0.0, 1.7])), "home of another point")},
     "force-limit": {"force limit in kN": (scaled(force_limit=1e-3), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
+    "drive-inertia": {"rotor in g cm^2": (driven(rotor_inertia=173.0), "or g cm^2")},
     "drive-lead": {"lead in meters in a file of millimeters": (driven(lead=5e-6), "expected m")},
     "drive-speed": {
         "revolutions a minute": (driven(speed_limit=5000.0), "5000 rad/s"),
+        "radians in a file of degrees": (driven(speed_limit=8e-3), "expected rad/s"),
     },
     "speed-limit": {
         "speed limit in mm/s": (scaled(speed_limit=1e3), "given in mm/s"),
