@@ -150,3 +150,10 @@ def test_a_link_of_sdf_without_an_inertial_has_the_mass_that_drake_gives_it(tmp_
     assert found.robot.M == 40.0 + plant.GetBodyByName("tool").default_mass() == 41.0
     said = "mass, ixx, iyy, izz: not in the file, SDF's default is taken (1 kg, 1 kg m^2)"
     assert f"link 'tool': inertial: {said}" in found.assumptions
+
+
+@pytest.mark.parametrize("gravity", ["", "<gravity/>"])
+def test_a_world_of_sdf_has_its_default_gravity_without_one(gravity: str, tmp_path: Path) -> None:
+    text = re.sub("<gravity>.*</gravity>", gravity, exported("sdf").text)
+    (tmp_path / "model.sdf").write_text(re.sub("<stewart_sym.*?</stewart_sym[^>]*>", "", text, flags=re.S))
+    np.testing.assert_array_equal(ss.import_model(tmp_path / "model.sdf").robot.g, [0.0, 0.0, -9.8])

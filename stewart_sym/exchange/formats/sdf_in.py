@@ -35,6 +35,8 @@ _KINDS = {
     "ball": "spherical",
     "fixed": "fixed",
 }
+# Default of the element <gravity> of a world, m/s^2.
+_GRAVITY = "0 0 -9.8"
 _IN_LINK = ("pose", "inertial", "visual", "collision", "sensor", "light", "gravity", "must_be_base_link")
 _IN_INERTIAL = ("pose", "mass", "inertia")
 _IN_JOINT = ("parent", "child", "pose", "axis", "axis2", "sensor")
@@ -60,7 +62,7 @@ def model(root: ET.Element) -> Model:
     if len(models) != 1:
         names = ", ".join(repr(each.get("name", "")) for each in models[:LEGS]) or "none"
         raise ValueError(f"expected one model, got {len(models)}: {names}")
-    gravity = None if world is None else _value(world, "gravity")
+    gravity = None if world is None else _value(world, "gravity") or _GRAVITY
     found = _Reader(models[0], _version(root))
     return Model(
         models[0].get("name", ""),

@@ -30,7 +30,9 @@ def leg_figure(
     figure = new_figure(4.0 * columns, 8.0)
     panels = figure.subplots(3, columns, squeeze=False)
     _forces(panels[:, :2].ravel(), robot, time, F)
-    handles = [legend_line("samples", color=BLUE, linewidth=1.3), legend_line("limit", **LIMIT)]
+    handles = [legend_line("samples", color=BLUE, linewidth=1.3)]
+    if motors is not None or np.isfinite(robot.force_limit).any():
+        handles.append(legend_line("limit", **LIMIT))
     if motors is not None:
         _motors(panels[:, 2:].ravel(), robot, *motors)
         if robot.drive is not None and np.isfinite(robot.drive.rated_torque).any():
@@ -49,6 +51,7 @@ def _forces(panels: NDArray[Any], robot: Robot, time: NDArray[Any], F: NDArray[A
         draw_limit(axes.axhline, limit, F, LIMIT)
         axes.set_title(f"leg {leg + 1}{_named('limit', limit, 'N')}", fontsize=9.0)
         axes.margins(x=0.0)
+        axes.locator_params("x", nbins=5)
         axes.set(xlabel="time, s" if leg >= LEGS - 2 else "", ylabel="" if leg % 2 else "actuator force, N")
 
 
