@@ -145,8 +145,8 @@ class LimitTracker:
     ) -> None:
         """Add the limited quantities of some samples by name, shape (n, 6) each.
 
-        Names are F, L, L_dot, those of ``limited_angles``, and the fields of ``MotorStates``. ``sd`` has the
-        standard deviations, and ``there`` marks samples at replaced rows of a log.
+        Names are F, L, L_dot, the names of ``limited_angles``, and the fields of ``MotorStates``. ``sd``
+        contains standard deviations, and ``there`` marks samples at replaced rows of a log.
         """
         weights, first = self.weights[where, None], where.start or 0
         self.noisy |= sd is not None
