@@ -94,9 +94,9 @@ def inverse_dynamics(
         Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
         ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped", F is
         computed by damped least squares if H is singular. The status of such a pose remains nonzero, and
-        ``wrench_error`` is the part of the wrench that F does not balance. If a leg has length zero or is
-        parallel to its universal axis, the pose has NaN forces, and a warning is issued. Results for all
-        other poses are bit-identical to results without damping.
+        ``wrench_error`` is the part of the wrench that F does not balance. Damping cannot help if a leg has
+        length zero or is parallel to its universal axis: "damped" then returns NaN with a warning. Poses
+        with status 0 have bit-identical results with and without "damped".
 
     Returns
     -------

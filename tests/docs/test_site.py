@@ -24,7 +24,7 @@ BUILD = (
     "from sphinx.cmd.build import main\n"
     "sys.exit(main(sys.argv[1:]))"
 )
-WIDTHS = (390, 768, 1366)
+WIDTHS = (390, 768, 1024, 1366, 1440)
 """Widths of windows (pixels) in which pages are tested."""
 EXCESS = """async ([addresses, widths]) => {
     const wide = {};
