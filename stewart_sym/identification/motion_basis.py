@@ -89,7 +89,7 @@ class PoseNoise:
             expected = f"positive definite matrices, (6, 6) or {(len(self.time), 6, 6)}"
             raise ValueError(f"covariance: expected {expected}, got {shown(self.covariance)}")
 
-    def at(self, index: Array | Flags) -> PoseNoise:
+    def at(self, index: Indices | Flags) -> PoseNoise:
         """Return the noise at some of the times.
 
         Parameters

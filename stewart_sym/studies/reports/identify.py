@@ -6,7 +6,7 @@ from math import isnan, nan
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ...drives.noise import at_replaced
 from ...dynamics.inverse_dynamics import inverse_dynamics
@@ -16,7 +16,7 @@ from ...identification.estimates import IdentificationResult
 from ...identification.estimation import Experiment, identify
 from ...identification.motion_basis import PoseNoise, smoothed
 from ...identification.parameters import inertial_parameters
-from ...io.array_types import Array
+from ...io.array_types import Array, Indices
 from ...kinematics.trajectory_writer import trajectory_columns
 from ...motion.sample_times import time_text
 from ...motion.trajectory import Trajectory
@@ -90,7 +90,7 @@ def from_measurement(
 
 def _pairs(
     trajectory: Trajectory, time: Array, source: str, lines: Sequence[int] | None
-) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+) -> tuple[Indices, Indices]:
     """Return the indices of poses and of forces at equal times; reject forces at other times."""
     largest, span = float(np.abs(trajectory.time).max()), float(np.ptp(trajectory.time))
     tolerance = _SAME_TIME * span + 2.0 * np.spacing(largest)
