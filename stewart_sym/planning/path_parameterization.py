@@ -42,8 +42,8 @@ SMOOTH_CELLS = 300
 _PLACES = 8193
 _DIVISIONS = 3
 _ROUNDS = 15
-# Static utilization of a motor limit above which the smooth method is also computed: the shorter motion
-# counts.
+# Static utilization of a motor limit above which a smooth motion is also computed. The shorter motion is
+# returned.
 _TIGHT = 0.9
 # Number of updates, in one round, of friction and power bounds, which depend on the motion.
 _FEW_TURNS = 2
@@ -192,7 +192,7 @@ def parameterize_path(
     Warns
     -----
     UserWarning
-        If only speeds are limited, so that the forces of the fastest motion are unbounded.
+        If only speeds limit a motion of least time, so that its forces are unbounded.
 
     See Also
     --------
@@ -202,9 +202,11 @@ def parameterize_path(
     Notes
     -----
     Forces are computed by inverse dynamics and include viscous friction. Torque, speed, current, and power of
-    the motors are computed as in ``drive_effort`` and include all friction of the drives. The motion is
-    computed on a grid in the phase plane of s and s'. If a limit is exceeded between the nodes, it is
-    tightened there until no limit is exceeded.
+    the motors are computed as in ``drive_effort`` and include all friction of the drives.
+
+    Without a limit of jerk, the motion of least time is computed on a grid in the phase plane of s and s'.
+    Limits that are exceeded between the nodes are tightened there. With a limit of jerk, for least energy, or
+    if this grid finds no motion within the limits, the squared rate of an eased parameter is a spline.
 
     Examples
     --------
