@@ -51,6 +51,9 @@ def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
     if what != "robot file" and {"base", "platform"} <= top.keys():
         raise ValueError(f"{source}: expected a {what}, got a robot file")
+    if what == "robot file" and "robot" in top:
+        named = shown(top["robot"])
+        raise ValueError(f"{source}: expected a robot file, got a file that names one; use {named}")
     try:
         yield top
     except ValueError as error:
