@@ -10,7 +10,6 @@ EXTRAS = {
     "distributed": ("Dask", "cluster"),
     "matplotlib": ("Matplotlib", "plot"),
     "mujoco": ("MuJoCo", "exchange"),
-    "pinocchio": ("Pinocchio", "bench"),
     "textalloc": ("textalloc", "plot"),
 }
 """Name and extra of each optional package by its import name."""

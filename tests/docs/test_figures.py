@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import published
 import pytest
+from benchmark_tables import FORWARD, PLAIN
 from machines import dasgupta, machine_in_motion
 from numpy.typing import NDArray
 from pages import DOCS, TOP, prose_of, table_row
@@ -17,13 +18,11 @@ from stewart_sym.backend import fidelity
 from stewart_sym.backend.kernel import module
 from stewart_sym.reference import newton_euler
 from stewart_sym.studies.accuracy.budget import papers_motions
-from stewart_sym.studies.benchmark.benchmark import of_group, ratios
-from stewart_sym.studies.benchmark.case import EQUATIONS, FORCES
-from stewart_sym.studies.benchmark.cases import CLOSED, FORWARD, PLAIN
+from stewart_sym.studies.benchmark.benchmark import of_group
+from stewart_sym.studies.benchmark.cases import EQUATIONS
 from stewart_sym.studies.paper.reproduce import work_energy
 
 FAULTS, CHECKS = ".docs/explanation/faults.md", ".docs/explanation/checks.md"
-BENCHMARKS = ".docs/reference/benchmarks.md"
 REWRITE = f"run `{published.COMMAND}` and look at what changed"
 
 
@@ -89,18 +88,6 @@ def test_every_table_is_what_the_study_writes_of_its_figures() -> None:
         *(path.name for path in (DOCS / "tables").iterdir()),
     }
     assert [path for path, text in files.items() if path.read_text(encoding="utf-8") != text] == [], REWRITE
-
-
-def test_times_on_the_page_are_those_of_the_benchmark() -> None:
-    found = figures()
-    for case in of_group(found, FORCES):
-        of = ratios(found, case)
-        assert table_row(BENCHMARKS, case["name"]) == [
-            f"{case['median']:.0f}",
-            f"{of[CLOSED]:.2f}",
-            f"{of[PLAIN]:.2f}",
-        ]
-    assert f" with {found['machine']['vectors']}, " in prose_of(BENCHMARKS)
 
 
 def test_the_committed_run_keeps_what_the_kernels_promise() -> None:

@@ -30,13 +30,8 @@ print(json.dumps(errors))
 
 
 @pytest.mark.slow
-def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extra() -> None:
+def test_every_module_imports_with_numpy_sympy_and_scipy_alone() -> None:
     hidden = sorted(EXTRAS)
     command = [sys.executable, "-c", IMPORT_ALL, json.dumps([hidden, MODULES])]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
-    errors: dict[str, str] = json.loads(done.stdout)
-    assert errors, "some compare"
-    for name, error in errors.items():
-        assert error.startswith("ImportError: "), f"{name}: {error}"
-        assert " needs " in error, f"{name}: {error}"
-    assert not [name for name in errors if "benchmark" not in name]
+    assert json.loads(done.stdout) == {}

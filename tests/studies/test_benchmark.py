@@ -1,12 +1,9 @@
 """`benchmark`: all cases compute the same results, wrong ones stop the run, and the figures are right."""
 
 import dataclasses
-import itertools
 import json
 import re
-import sys
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import benchmark_tables
@@ -18,26 +15,19 @@ from motion_fields import FIELDS
 from quick_compiler import compile_quickly
 from robot_files import PAPERS
 
-from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.cli.main import main
-from stewart_sym.derive.passes import Pass
 from stewart_sym.dynamics import forces
-from stewart_sym.generated.interface import MODELS
-from stewart_sym.io.extras import install
 from stewart_sym.io.progress import silent
+from stewart_sym.reference import newton_euler
 from stewart_sym.studies.benchmark import benchmark, cases
-from stewart_sym.studies.benchmark.benchmark import of_group, picture, report
-from stewart_sym.studies.benchmark.case import FORCES, PASSES, SIZES, Poses, bench_poses
-from stewart_sym.studies.common import host, timing
+from stewart_sym.studies.benchmark.benchmark import of_group, report
+from stewart_sym.studies.benchmark.cases import SIZES, Poses, bench_poses
+from stewart_sym.studies.common import timing
 
 
 def shorten(patch: pytest.MonkeyPatch) -> None:
-    """Samples so short that the figures mean nothing, and one pass; deriving all takes too long here."""
+    """Samples so short that the figures mean nothing."""
     compile_quickly(patch)
-    one = Pass("folded", "constants prepared", (10, 20), c_sources("exact_forces"), MODELS["exact"])
-    derived = ModuleType("stewart_sym.derive.passes")
-    derived.passes = lambda: (one,)  # type: ignore[attr-defined]
-    patch.setitem(sys.modules, derived.__name__, derived)
     patch.setattr(cases, "LARGE", 2 * forces.MIN_POSES_PER_THREAD)
     patch.setattr(cases, "QUICK_BATCHES", (8, 64))
     patch.setattr(timing, "SHORTEST", 1e-5)
@@ -67,13 +57,16 @@ def figures(written: Path) -> dict[str, Any]:
 
 
 @pytest.mark.slow
-def test_all_cases_agree_on_any_machine(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_all_cases_and_other_programs_agree_on_any_machine(monkeypatch: pytest.MonkeyPatch) -> None:
+    import compare_engines
+
     shorten(monkeypatch)
     rng = np.random.default_rng(8)
     robot = random_robot(rng)
     motion = random_motion(rng, robot, (70,))
     poses = Poses(robot, tuple(np.ascontiguousarray(getattr(motion, name)) for name in FIELDS))
-    made = cases.all_cases(poses, True, silent)
+    truth = newton_euler.inverse_dynamics(robot, motion).F
+    made = [*cases.all_cases(poses, truth, True, silent), *compare_engines.compared(poses, truth)]
     assert {case.package for case in made} == {None, "CasADi", "Pinocchio", "MuJoCo"}
     for case in made:
         assert case.difference() <= case.tolerance
@@ -103,25 +96,20 @@ def test_every_case_has_positive_figures_and_its_row(figures: dict[str, Any], wr
         assert len(case["raw"]) == figures["rounds"] == 3
         assert case["name"] in text
     assert [each["poses"] for each in of_group(figures, SIZES)] == [8, 64]
-    assert [each["operations"] for each in of_group(figures, PASSES)] == [20, 20]
     assert {"-O3", "-ffp-contract=off"} <= set(figures["software"]["flags"])
     assert "nan" not in text
 
 
-@pytest.mark.slow
-def test_missing_packages_are_left_out_and_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    shorten(monkeypatch)
-    for name in ("casadi", "pinocchio", "mujoco"):
-        monkeypatch.setitem(sys.modules, name, None)
-    at = itertools.count(0.0, 1e6)
-    monkeypatch.setattr(host, "_work_of_others", lambda: next(at))
-    found = benchmark.benchmark(quick=True)
-    text = report(found)
-    assert f"left out: CasADi, Pinocchio, MuJoCo; {install('bench')}" in text
-    assert "other processes took 100 % of the cores' time" in text
-    assert {case["package"] for case in found["cases"]} == {None}
-    picture(found, FORCES).draw_without_rendering()
-    rejects(r"^bench\.json: expected .*, got none of CasADi", benchmark_tables.tables, found)
+def test_disturbed_times_are_reported_and_a_run_without_other_programs_gives_no_tables() -> None:
+    times = {"median": 2.0, "quartiles": [1.0, 3.0], "operations": None, "poses": 1}
+    found = {
+        **{"robot": "mine", "formulation": "exact", "rounds": 3},
+        "machine": {"processor": "x", "cores": 2, "taken_by_others": 1.0},
+        "software": {"compiler": "cc", "flags": []},
+        "cases": [times | {"group": group, "name": group} for group in benchmark.TITLES],
+    }
+    assert "other processes took 100 % of the cores' time" in report(found)
+    rejects(r"^bench\.json: expected .* without CasADi", benchmark_tables.tables, found)
 
 
 # how it is measured

@@ -1,62 +1,161 @@
-"""Cases that ``benchmark`` times: our kernels, the vector reference, CasADi, Pinocchio, and MuJoCo."""
+"""Poses of ``benchmark``, and the timed code with the results that it must return."""
 
-import ctypes
-from collections.abc import Callable, Iterator
+import functools
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from ...backend import c_kernel, kernel, native
+from ...backend import c_kernel, kernel
 from ...dynamics import closed_form, equations
 from ...dynamics.forces import CORES, ForceKernel
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, prepared_kernel
 from ...exchange.model_from_robot import robot_of_bodies
 from ...io.array_types import Array
-from ...io.extras import absent
+from ...io.error_policy import warn
 from ...io.progress import Progress
+from ...motion.motion import Motion
+from ...motion.rotation import rotation_from_rpy
 from ...reference import newton_euler
 from ...reference.equations_of_motion import regressor
+from ...robot.robot import Robot
+from ...robots import dasgupta1998
+from ..common.text_tables import Figures
 from ..common.timing import Task, Timed, batch, loop, over
-from .case import AGREEMENT, CALLS, EQUATIONS, FORCES, PASSES, SIZES, Case, Poses
-from .engines import forward_engines, inverse_engines
 
 NAME: Formulation = "exact"
 """Measured formulation."""
 
+FORCES, EQUATIONS, CALLS, SIZES = "forces", "equations of motion", "calls", "batch sizes"
+"""Groups of cases, each of which is a table."""
+
 FEW, SLOW, MANY, LARGE = 64, 1_000, 10_000, 200_000
 """Number of poses of a loop in C (in the first cache), a NumPy batch, the reference, and a C batch."""
 
-_EQUATION_POSES = 16
+EQUATION_POSES = 16
 """Number of poses whose outputs, except the regressor, fit into the first cache."""
 
 BATCHES, QUICK_BATCHES = (10**3, 10**4, 10**5, 10**6), (10**3, 10**4, 10**5)
 
-CLOSED, PLAIN = "CasADi, closed form", "CasADi"
-"""Cases whose times are the bases of the ratios."""
-
-INVERSE, FORWARD = "inverse dynamics", "forward dynamics"
-
-_FUSED = ("-ffp-contract=fast",)
-"""Flag for CasADi's C, which is faster with fused products and sums."""
+AGREEMENT = 1e-10
+"""Largest relative difference between double-precision results, relative to the largest value of a pose."""
 
 _ALONE = "C, F alone"
 
 
-def all_cases(poses: Poses, quick: bool, progress: Progress) -> list[Case]:
-    """Build all cases; packages that are not installed are omitted."""
+@dataclass(frozen=True, eq=False)
+class Case:
+    """Code that computes a quantity at several poses.
+
+    ``group``, ``name``, and ``what`` are table, row, and description. ``task`` is the timed code, whose unit
+    is a pose; times of ``others`` are added with a factor. ``results`` returns the results of a run, (n, k),
+    and ``expected`` are results of the reference at the first poses, (m, j), for the first of them, with the
+    largest relative difference ``tolerance``. ``package`` is None for code of stewart-sym.
+    """
+
+    group: str
+    name: str
+    what: str
+    task: Task
+    results: Callable[[], Array]
+    expected: Array
+    operations: int | None = None
+    tolerance: float = AGREEMENT
+    package: str | None = None
+    others: Mapping[Task, float] = field(default_factory=dict)
+
+    @property
+    def tasks(self) -> dict[Task, float]:
+        """Timed tasks with their factors."""
+        return {self.task: 1.0, **self.others}
+
+    def difference(self) -> float:
+        """Return the largest difference relative to the largest value of a pose; ValueError if too large."""
+        self.task.run(1)
+        results, truth = self.results(), self.expected[: self.task.units]
+        off = np.abs(results[: len(truth), : truth.shape[1]] - truth).max(axis=-1)
+        worst = float(np.max(off / np.abs(truth).max(axis=-1)))
+        if not worst <= self.tolerance:
+            text = f"results differ from the reference by {worst:.1e}, expected {self.tolerance:g}"
+            raise ValueError(f"{self.name}: {text}")
+        return worst
+
+    def figure(self, raw: Mapping[Task, tuple[float, ...]], difference: float) -> Figures:
+        """Return the record: time per pose (ns) in each round, median, and quartiles."""
+        times = np.sum([factor * np.array(raw[task]) for task, factor in self.tasks.items()], axis=0)
+        low, median, high = np.percentile(times, (25, 50, 75)).tolist()
+        named = {name: getattr(self, name) for name in ("group", "name", "what", "package", "operations")}
+        measured = {"median": median, "quartiles": [low, high], "raw": times.tolist()}
+        return {**named, "poses": self.task.units, **measured, "largest_difference": difference}
+
+
+# --- poses ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """Motions of one robot: contiguous ``arrays`` (n, ...) in the order of ``struct stewart_motions``."""
+
+    robot: Robot
+    arrays: tuple[Array, ...]
+
+    def __len__(self) -> int:
+        """Return the number of poses."""
+        return len(self.arrays[0])
+
+    def resized(self, count: int) -> "Poses":
+        """Return the first ``count`` poses without a copy, or all poses repeated."""
+        if count <= len(self):
+            return Poses(self.robot, tuple(array[:count] for array in self.arrays))
+        return Poses(self.robot, tuple(np.resize(array, (count, *array.shape[1:])) for array in self.arrays))
+
+    @functools.cached_property
+    def motion(self) -> Motion:
+        """Poses as a Motion."""
+        return Motion(**dict(zip(kernel.MOTION, self.arrays, strict=True)))
+
+    @functools.cached_property
+    def rows(self) -> Array:
+        """Rows of ``struct stewart_motion``, one per pose, shape (n, 30)."""
+        return np.concatenate([array.reshape(len(self), -1) for array in self.arrays], axis=1)
+
+
+def bench_poses(robot: Robot | None, count: int) -> Poses:
+    """Generate regular poses with motion and load near the middle of the workspace, equal in every run."""
+    rng = np.random.default_rng(1998)
+    robot = dasgupta1998() if robot is None else robot
+    if robot.base_joint != "universal":
+        raise ValueError(f"{robot.name}: expected universal base joints, which the timed kernels require")
+    if robot.has_rotors:
+        warn(f"{robot.name}: timed without its rotors")
+        robot = replace(robot, drive=None)
+    center = robot.b.mean(axis=0)
+    size = float(np.linalg.norm(robot.b - center, axis=-1).mean())
+    up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])
+    home = center + size * up - robot.p.mean(axis=0)
+    rate, load = np.sqrt(9.81 / size), 0.5 * robot.M * 9.81
+    rates = (0.2 * each for each in (rate, rate * size, rate**2, rate**2 * size))
+    scales = (0.1, 0.05 * size, *rates, load, load * float(np.ptp(robot.p)))
+    turns, shifts, *others = (scale * rng.normal(size=(count, 3)) for scale in scales)
+    poses = Poses(robot, (rotation_from_rpy(turns), home + shifts, *others))
+    if newton_euler.inverse_dynamics(robot, poses.motion).status.any():
+        raise ValueError(f"{robot.name}: no regular poses about the middle of its workspace")
+    return poses
+
+
+# --- cases ------------------------------------------------------------------------------------
+
+
+def all_cases(poses: Poses, truth: Array, quick: bool, progress: Progress) -> list[Case]:
+    """Build all cases; ``truth`` are the forces of the reference (N), (n, 6)."""
     progress("compiling the kernels")
-    truth = newton_euler.inverse_dynamics(poses.robot, poses.motion).F
-    cases = [*_forces(poses, truth), *_compared(poses.resized(FEW), truth)]
-    progress("compiling the equations of motion")
-    cases += [*_equations(poses.resized(_EQUATION_POSES)), *_calls(poses.resized(FEW), truth)]
+    few, motions = poses.resized(FEW), poses.resized(EQUATION_POSES)
+    cases = [*_forces(poses, truth), *_equations(motions), *_calls(few, truth)]
     for size in QUICK_BATCHES if quick else BATCHES:
         timed = batch(poses.resized(size).arrays, ForceKernel(poses.robot, NAME))
         cases.append(Case(SIZES, f"{size:,} poses", _ALONE, *timed, truth))
-    progress("deriving the passes")
-    return [*cases, *_passes(poses, truth)]
-
-
-# --- forces -----------------------------------------------------------------------------------
+    return cases
 
 
 def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
@@ -110,29 +209,11 @@ def _whole(forces: Callable[..., Any], poses: Poses) -> Timed:
     return Task(run, len(poses)), lambda: np.asarray(forces(poses.motion).F)
 
 
-def _compared(few: Poses, truth: Array) -> Iterator[Case]:
-    """Yield cases of other installed packages that compute forces."""
-    if not absent("casadi"):
-        from . import casadi_forces
-
-        numbers = kernel.robot_numbers(few.robot)
-        programs = ((CLOSED, "leg", casadi_forces.leg_frame), (PLAIN, "base", casadi_forces.base_frame))
-        for name, frame, legs in programs:
-            sources, count = casadi_forces.program(legs)
-            timed = loop(few.rows, native.load("bench_casadi", sources, _FUSED).one_pose, numbers)
-            yield Case(FORCES, name, f"C, {frame} frame", *timed, truth, count, package="CasADi")
-    yield from inverse_engines(few, truth)
-
-
-# --- equations of motion ----------------------------------------------------------------------
-
-
 def _equations(poses: Poses) -> Iterator[Case]:
-    """Yield cases of the equations of motion, for a robot of rigid bodies as MuJoCo requires."""
+    """Yield cases of the equations of motion, for a robot of physically possible bodies."""
     robot, motion = robot_of_bodies(poses.robot), poses.motion
-    few = Poses(robot, poses.arrays)
     F = np.ascontiguousarray(newton_euler.inverse_dynamics(robot, motion).F)
-    acceleration = np.concatenate([few.arrays[5], few.arrays[4]], axis=-1)
+    acceleration = np.concatenate([motion.a, motion.alpha], axis=-1)
     terms = equations.equations_of_motion(robot, motion, backend="reference")
     slopes = equations.force_derivatives(robot, motion, backend="numpy")
     linear = equations.linearize(robot, motion, F, backend="numpy")
@@ -143,23 +224,22 @@ def _equations(poses: Poses) -> Iterator[Case]:
     # of a result, expected results, and input forces.
     forces, motions = c_kernel.library(f"{NAME}_forces"), closed_form.library(NAME)
     rows: tuple[tuple[str, Any, str, int, Array, Array | None], ...] = (
-        (INVERSE, forces, "forces", 6, F, None),
+        ("inverse dynamics", forces, "forces", 6, F, None),
         ("bias", motions, "bias_and_friction", 6, terms.bias_and_friction, None),
         ("equations", motions, "equations", 168, _numbers(terms), None),
-        (FORWARD, motions, "forward_dynamics", 6, acceleration, F),
+        ("forward dynamics", motions, "forward_dynamics", 6, acceleration, F),
         ("joint-space inertia", motions, "joint_inertia", 36, _flat(inertia), None),
         ("derivatives", motions, "derivatives", 114, _numbers(slopes), None),
         ("linearization", motions, "linearization", 222, _numbers(linear), F),
     )
     for name, library, function, width, expected, given in rows:
         what, tolerance = f"stewart_{NAME}_{function}", AGREEMENT if given is None else 1e-8
-        timed = loop(few.rows, getattr(library, what), model, width, given)
+        timed = loop(poses.rows, getattr(library, what), model, width, given)
         yield Case(EQUATIONS, name, what, *timed, expected, tolerance=tolerance)
     what = f"stewart_{NAME}_regressor"
     compiled = getattr(c_kernel.library(f"{NAME}_regressor"), what)
-    timed = loop(few.rows, compiled, kernel.robot_numbers(robot), columns.shape[1], all_columns=True)
+    timed = loop(poses.rows, compiled, kernel.robot_numbers(robot), columns.shape[1], all_columns=True)
     yield Case(EQUATIONS, "regressor", what, *timed, columns)
-    yield from forward_engines(few, F, acceleration)
 
 
 def _numbers(result: Any) -> Array:
@@ -170,9 +250,6 @@ def _numbers(result: Any) -> Array:
 def _flat(*parts: Array) -> Array:
     """Return the numbers of arrays of shape (n, ...) as rows, shape (n, k)."""
     return np.concatenate([part.reshape(len(part), -1) for part in parts], axis=-1)
-
-
-# --- calls and passes -------------------------------------------------------------------------
 
 
 def _calls(poses: Poses, truth: Array) -> Iterator[Case]:
@@ -187,32 +264,3 @@ def _calls(poses: Poses, truth: Array) -> Iterator[Case]:
         return np.array([inverse_dynamics(*each).F for each in given])
 
     yield Case(CALLS, "inverse_dynamics()", "Python", task, results, truth)
-
-
-def _passes(poses: Poses, truth: Array) -> Iterator[Case]:
-    """Yield the kernel after every pass of the derivation, for one pose and for a batch."""
-    from ...derive.passes import passes
-
-    numbers, few, address = kernel.robot_numbers(poses.robot), poses.resized(FEW), c_kernel.address
-    for number, made in enumerate(passes(), 1):
-        library = native.load(f"bench_pass_{number}", made.sources)
-        one, batch, prepare = (
-            getattr(library, f"stewart_{NAME}_{name}") for name in ("forces", "forces_batch", "prepare")
-        )
-        model = np.zeros(made.model_numbers)
-        if prepare(address(numbers), address(model)):
-            raise ValueError(f"{made.name}: the constants of the robot cannot be prepared")
-        for kind, timed in (
-            ("one pose", loop(few.rows, one, model)),
-            ("batch", _c_batch(batch, model, poses)),
-        ):
-            yield Case(PASSES, f"{made.name}, {kind}", made.meaning, *timed, truth, made.operations[1])
-
-
-def _c_batch(function: Any, model: Array, poses: Poses) -> Timed:
-    """Time a batch function in C."""
-    F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-    size, motions, address = ctypes.c_size_t(len(poses)), c_kernel.pointers(poses.arrays), c_kernel.address
-    # The addresses are computed in each call, because a pointer does not keep its array alive.
-    run = over(lambda: function(address(model), size, motions, address(F), address(status)))
-    return Task(run, len(poses)), lambda: F

@@ -1,8 +1,8 @@
 """Generator of the tables of the documentation from the results of the studies.
 
 ``python tests/support/studies/published.py [RUN]`` runs in the top folder of the source. RUN is a folder that
-``benchmark``, ``chart``, ``stability``, ``microcontroller.py``, or ``planning_study.py`` wrote: its JSON
-files and plots replace the files in ``.docs``. Tables are written to ``.docs/tables`` and to the marked
+``chart``, ``stability``, ``compare_engines.py``, ``microcontroller.py``, or ``planning_study.py`` wrote: its
+JSON files and plots replace the files in ``.docs``. Tables are written to ``.docs/tables`` and to the marked
 places of the README.
 """
 

@@ -1,4 +1,4 @@
-"""CasADi candidate of ``benchmark``: the `exact` equations in CasADi symbols, from which CasADi generates C.
+"""The `exact` equations in CasADi symbols, from which CasADi generates C for ``compare_engines.py``.
 
 The equations are restated here in plain form. CasADi eliminates common subexpressions and solves the linear
 system. This module must not depend on the derivation and the generated kernels, except the C structs.
@@ -9,11 +9,9 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
-from ...generated.interface import STRUCTS
-from ...io.extras import needed_for
+import casadi
 
-with needed_for("the comparison with CasADi"):
-    import casadi
+from stewart_sym.generated.interface import STRUCTS
 
 Matrix = Any
 """CasADi's SX, for which CasADi provides no types."""
