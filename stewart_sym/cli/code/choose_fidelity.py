@@ -1,4 +1,4 @@
-"""Find the cheapest kernel within a tolerance of the forces, and the physics that it requires.
+"""Find the cheapest kernel within a tolerance of the forces.
 
 All keys of the scene are on page "Files" of the documentation.
 The study runs its motions at every fidelity, formulation, and precision, in about a minute.
@@ -38,6 +38,4 @@ def run(arguments: Arguments) -> None:
             _, written = write_kit(budget.robot, to, choice, arguments.force, budget.files, progress)
         take(Report("\n".join([advice.report(found), *map(str, written)]), data=advice.as_json(found)))
     if found.chosen is None:
-        raise ValueError(
-            f"{arguments.scene}: no kernel is within the tolerance; closest: {advice.closest(found)}"
-        )
+        raise ValueError(f"{arguments.scene}: {advice.answer(found)}")

@@ -7,7 +7,6 @@ from machines import dasgupta
 from matplotlib.figure import Figure
 from quick_compiler import compile_quickly
 
-from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy import cost_plot
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
@@ -15,7 +14,6 @@ from stewart_sym.studies.accuracy.cost import Candidate
 from stewart_sym.studies.common import timing
 from stewart_sym.studies.common.text_tables import Figures
 
-FRICTIONLESS = TABLE["frictionless"]["operations"]["total"]
 TOLERANCES = (0.5, 0.05, 0.01, 1e-9)
 SCENE = """
 schema = 1
