@@ -46,10 +46,7 @@ def test_paper_differs_from_pinocchio_on_the_paths_by_what_the_page_says(name: s
 @pytest.mark.parametrize("name", ["I", "II"])
 def test_work_differs_from_energy_by_what_the_page_says(name: str) -> None:
     robot = dasgupta(friction=False)
-    paper, exact = (
-        100 * work_energy(robot, name, faults)["mismatch"]
-        for faults in (newton_euler.PAPER, newton_euler.EXACT)
-    )
+    paper, exact = (100 * work_energy(robot, name, form)["mismatch"] for form in ("paper", "exact"))
     assert table_row(FAULTS, name)[2:] == [f"{paper:.2f} %", "below 1e-10 %"]
     assert abs(exact) < 1e-10
 

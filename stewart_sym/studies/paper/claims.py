@@ -44,12 +44,6 @@ def counted_fractions(run: PathRun) -> Array:
     return np.asarray(np.abs(run.fraction)[size >= NEAR_ZERO * size.max(axis=0)])
 
 
-def _short(number: float) -> str:
-    """Format two digits and a short exponent: 9.6e5."""
-    digits, exponent = f"{number:.1e}".split("e")
-    return f"{digits}e{int(exponent)}"
-
-
 def _cost(found: Reproduction, form: str) -> Claims:
     says = (
         "4889 floating point operations a time-step without friction, only 3.36 times those of a serial arm"
@@ -133,19 +127,19 @@ def _path_III(found: Reproduction, form: str) -> Claims:
     force = np.max(np.abs(run.F), axis=-1)
     top, worst = force.max(), run.time[force.argmax()]
     says, rule = "Path III: forces of the order of 1e5 N", "1e5 to 1e6 N on the paper's time grid"
-    text = f"{_short(top)} N at {worst:.1f} s; H is singular at {found.singular_time:.3f} s"
+    text = f"{top:.1e} N at {worst:.1f} s; H is singular at {found.singular_time:.3f} s"
     yield "5.2, Fig. 9", says, rule, text, 1e5 <= top < 1e6, top >= 1e5
 
     peak = run.time[run.condition.argmax()]
     says = "Path III: the condition number rises sharply precisely there"
-    text = f"condition number {_short(run.condition.max())} at {peak:.1f} s, forces largest at {worst:.1f} s"
+    text = f"condition number {run.condition.max():.1e} at {peak:.1f} s, forces largest at {worst:.1f} s"
     yield "5.2, Fig. 10", says, "at the same time of the grid", text, peak == worst
 
     near = force[(run.condition >= 1e2) & (run.condition < 1e4)]
     share = np.mean(near >= 1e4)
     says = "condition number of the order of 1e2 or 1e3: forces of the order of 1e4 N or more"
     text = f"Path III, condition number {run.condition.min():.0f} to 1e4: largest |F| "
-    text += f"from {_short(near.min())} N, 1e4 N or more in {share:.0%} of samples"
+    text += f"from {near.min():.1e} N, 1e4 N or more in {share:.0%} of samples"
     yield "5.2", says, "nine tenths of samples (partly: half)", text, share > 0.9, share > 0.5
 
 

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from ...io.array_types import Array
 from ..common.drawing import BLUE, DARK, RED, Axes, Figure, legend_below, legend_line, log_numbers, new_figure
 from ..common.report import SMALL, Picture
 from .reproduce import PathRun, Reproduction
@@ -21,8 +20,6 @@ _CURVES: tuple[tuple[str, str, str, str, Any], ...] = (
 )
 """Letter of the paper, attribute of a run, meaning, color, and dash pattern of each curve."""
 
-_GAP = 0.075
-"""Smallest distance between the letters of two curves, relative to the height of a panel."""
 _LEAP = 0.5
 """Change of a fraction in a step, relative to the height of a panel, that occurs only next to a zero of F."""
 
@@ -47,7 +44,6 @@ def forces_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
             if letter != "S":
                 axes.plot(exact.time, getattr(exact, name)[:, leg], color=color, **_EXACT_LINE)
             axes.plot(paper.time, getattr(paper, name)[:, leg], color=color, linestyle=dash, **_PAPER_LINE)
-        _write_letters(axes, np.array([getattr(paper, name)[-1, leg] for _, name, *_ in _CURVES]))
     handles = [
         legend_line(f"{letter}: {meaning}", color=color, linestyle=dash, **_PAPER_LINE)
         for letter, _, meaning, color, dash in _CURVES
@@ -82,8 +78,7 @@ def condition_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
     figure = new_figure(7.0, 4.2)
     axes = figure.subplots()
     figure.suptitle(f"Fig. {number}  Path {paper.path}: condition number of H")
-    axes.plot(paper.time, paper.condition, color=BLUE, label="thin: paper, moments in N m", **_PAPER_LINE)
-    axes.plot(exact.time, exact.condition, color=BLUE, label="band: exact, the same H", **_EXACT_LINE)
+    axes.plot(paper.time, paper.condition, color=BLUE, label="moments in N m, as in the paper", **_PAPER_LINE)
     label = "moments divided by a length: no unit"
     axes.plot(paper.time, paper.scaled_condition, "--", color=RED, label=label, **_PAPER_LINE)
     axes.set(xlabel="time, s", ylabel="condition number", xlim=(paper.time[0], paper.time[-1]))
@@ -117,20 +112,6 @@ def _six_panels(number: int, title: str, label: str) -> tuple[Figure, list[Axes]
         axes.set(xlabel="time, s" if leg >= 3 else "", ylabel=label if leg % 3 == 0 else "")
         axes.ticklabel_format(axis="y", scilimits=(-2, 5), useMathText=True)
     return figure, panels
-
-
-def _write_letters(axes: Axes, ends: Array) -> None:
-    """Write the letters of the curves at the right edge at their last values (3,), without overlap."""
-    low, high = axes.get_ylim()
-    order = np.argsort(ends)
-    heights = (ends[order] - low) / (high - low)
-    for _ in range(20):
-        for i in range(1, len(heights)):
-            lack = max(0.0, _GAP - (heights[i] - heights[i - 1]))
-            heights[i - 1 : i + 1] += (-lack / 2, lack / 2)
-    for curve, height in zip(order, heights, strict=True):
-        letter, _, _, color, _ = _CURVES[curve]
-        axes.text(1.015, height, letter, color=color, transform=axes.transAxes, va="center", weight="bold")
 
 
 def _formulation_handles(note: str) -> list[Any]:

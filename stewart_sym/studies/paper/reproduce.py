@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...backend import native
-from ...backend.c_kernel import library
 from ...backend.kernel import FORMULATIONS, kernel_name, module
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, massless_forces
 from ...io.array_types import Array
@@ -17,7 +16,6 @@ from ...kinematics.conditioning import characteristic_length, condition_number, 
 from ...motion.motion import at_rest
 from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler
-from ...reference.newton_euler import EXACT
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...singularities.path_singularities import singularity_crossings
@@ -30,7 +28,6 @@ _SINGLE = (newton_euler.SPIN, newton_euler.MOMENT, newton_euler.TRANSPORT)
 FAULTS = (*(frozenset({fault}) for fault in _SINGLE), newton_euler.PAPER, frozenset({newton_euler.SIGN}))
 """Sets of printed faults whose effect is measured: each fault alone, and the faults of `paper` together."""
 
-_FORMULATION: Mapping[frozenset[int], Formulation] = {EXACT: "exact", newton_euler.PAPER: "paper"}
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
@@ -66,15 +63,14 @@ class PathRun:
 class Reproduction:
     """Results of ``reproduce``: runs by (path, formulation), and results of the functions of this module.
 
-    By formulation, ``light`` is Path I with a platform of ``LIGHT_PLATFORM`` kg, and ``rest`` are the poses
-    of Path I at rest. H is singular on Path III at ``singular_time`` (s).
+    By formulation, ``light`` is Path I with a platform of ``LIGHT_PLATFORM`` kg. H is singular on Path III at
+    ``singular_time`` (s).
     """
 
     robot: Robot
     backend: str
     runs: Mapping[tuple[str, str], PathRun]
     light: Mapping[str, PathRun]
-    rest: Mapping[str, PathRun]
     singular_time: float
     fault_costs: list[Figures]
     work_energy: list[Figures]
@@ -83,33 +79,29 @@ class Reproduction:
 
 def reproduce(progress: Progress = silent) -> Reproduction:
     """Compute all results for the machine of the paper; ``progress`` receives the current step."""
-    robot, path = dasgupta1998(), PAPER_PATHS["III"].path
+    robot, path, compiler = dasgupta1998(), PAPER_PATHS["III"].path, native.find_compiler()
     lighter = dataclasses.replace(robot, M=LIGHT_PLATFORM)
     progress("running Paths I-III")
     runs = {(name, form): run_path(robot, name, form) for name in PAPER_PATHS for form in FORMULATIONS}
     every = tracked(progress, FAULTS, lambda _: "measuring the printed faults")
-    kept = [(name, faults) for name in PAPER_PATHS for faults in (EXACT, *FAULTS)]
-    each = tracked(progress, kept, lambda _: "comparing work and energy")
     return Reproduction(
         robot=robot,
-        backend=_backend(robot),
+        backend="NumPy kernels" if compiler is None else f"C kernels, compiled by {compiler.version}",
         runs=runs,
         light={form: run_path(lighter, "I", form) for form in FORMULATIONS},
-        rest={form: run_path(robot, "I", form, rest=True) for form in FORMULATIONS},
         singular_time=singularity_crossings(robot, path.sample, path.breakpoints())[0].time,
         fault_costs=[fault_cost(robot, faults) for faults in every],
-        work_energy=[work_energy(robot, *of_path) for of_path in each],
+        work_energy=[work_energy(robot, name, form) for name in PAPER_PATHS for form in FORMULATIONS],
         operations=operations(),
     )
 
 
-def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool = False) -> PathRun:
-    """Compute a path of ``PAPER_PATHS`` at the time step of the paper, or its poses at rest."""
+def run_path(robot: Robot, name: str, formulation: Formulation) -> PathRun:
+    """Compute a path of ``PAPER_PATHS`` at the time step of the paper."""
     path, dtau = PAPER_PATHS[name]
     time = path.time_grid(dtau)
     motion = path.sample(time)
-    motion = at_rest(motion.R, motion.t) if rest else motion
-    forces = inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
+    forces = inverse_dynamics(robot, motion, formulation)
     scaled = scaled_condition_number(forces.H, characteristic_length(robot))
     F0, condition = massless_forces(robot, motion), condition_number(forces.H)
     return PathRun(name, formulation, time, forces.F, F0, condition, scaled)
@@ -146,7 +138,7 @@ def fault_cost(robot: Robot, faults: frozenset[int]) -> Figures:
     return found
 
 
-def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
+def work_energy(robot: Robot, name: str, formulation: Formulation) -> Figures:
     """Compute the work of the actuators and the increase of energy along a path (J), without friction.
 
     The power is integrated by Gauss-Legendre quadrature between the jumps of acceleration. The mismatch,
@@ -158,15 +150,12 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
     breaks = path.breakpoints()
     half = np.diff(breaks)[:, None] / 2
     motion = path.sample((breaks[:-1, None] + half * (_NODES + 1)).ravel())
-    if (formulation := _FORMULATION.get(faults)) is None:
-        F = newton_euler.inverse_dynamics(frictionless, motion, faults).F
-    else:
-        F = inverse_dynamics(frictionless, motion, formulation).F
+    F = inverse_dynamics(frictionless, motion, formulation).F
     power = newton_euler.actuator_power(frictionless, motion, F)
     ends = newton_euler.energy(frictionless, path.sample(breaks[[0, -1]]))
     work, gain = float((half * _WEIGHTS).ravel() @ power), float(ends[1] - ends[0])
-    mismatch = (work - gain) / gain
-    return {"path": name, "faults": sorted(faults), "work_J": work, "gain_J": gain, "mismatch": mismatch}
+    figures = {"work_J": work, "gain_J": gain, "mismatch": (work - gain) / gain}
+    return {"path": name, "formulation": formulation, **figures}
 
 
 def operations() -> list[Figures]:
@@ -179,13 +168,3 @@ def operations() -> list[Figures]:
         named = {"formulation": form, "friction": friction == "friction"}
         found.append(named | {part: each.tolist() for part, each in counts.items()})
     return found
-
-
-def _backend(robot: Robot) -> str:
-    try:
-        for formulation in FORMULATIONS:
-            library(kernel_name(formulation, robot.base_joint))
-        compiler = native.find_compiler()
-    except native.CompilerError as error:
-        return f"NumPy kernels, as no C could be compiled ({error})"
-    return f"C kernels, compiled by {compiler.version}" if compiler else "C kernels"
