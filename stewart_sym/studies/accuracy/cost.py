@@ -78,7 +78,6 @@ _UNITS = {
     **dict.fromkeys(("errors", "rounding"), "share of the motion's peak force"),
     **dict.fromkeys(("operations", "ns"), "per pose"),
     "taken_by_others": "share of the cores' time",
-    "load": "busy processes",
 }
 
 
@@ -113,7 +112,7 @@ def cost(
     tasks = _tasks(tuple(motions.values()), kernels, ways)
     taken_by_others = host.taken_by_others()
     times = measured(list(tasks.values()), rounds, progress)
-    taken, load = taken_by_others(), host.load_average()
+    taken = taken_by_others()
     entries = [
         {
             **candidate._asdict(),
@@ -127,7 +126,6 @@ def cost(
     return {
         "robot": robot.name,
         "taken_by_others": taken,
-        "load": None if load is None else load[0],
         "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
         "candidates": sorted(entries, key=_cost),
         "implementations": [

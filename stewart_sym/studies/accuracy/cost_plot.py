@@ -16,6 +16,7 @@ from ..common.drawing import (
     as_written,
     legend_below,
     legend_line,
+    log_numbers,
     name_points,
     new_figure,
 )
@@ -28,6 +29,9 @@ _EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = BLUE, RED, "#2e7d32", "#5a5a5a", "#9a9a
 _MARKERS = "os^vDPX*"
 _FILLED: Any = {"markersize": 4.5, "markeredgewidth": 0.0}
 _HOLLOW: Any = {"markersize": 4.2, "markeredgewidth": 0.8, "markerfacecolor": "white"}
+
+_LEAST = 1e-17
+"""Smallest error that is drawn."""
 
 TOTAL, ROUNDING = "total", "rounding"
 Height = Callable[[float], float]
@@ -116,8 +120,7 @@ def figure(found: Figures) -> Figure:
     left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
     title, taken = f"Speed against accuracy: {as_written(found['robot'])}", found["taken_by_others"] or 0.0
     if taken > host.DISTURBED:
-        load = "" if found["load"] is None else f", load {found['load']:.1f}"
-        title += f"\ntimes disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"
+        title += f"\ntimes disturbed: other processes took {100 * taken:.0f} % of the cores' time"
     picture.suptitle(title)
     left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
     right.set_title("error of rounding: exact, general", fontsize="medium")
@@ -157,16 +160,15 @@ def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str], height: 
 
 
 def _heights(given: Sequence[Point]) -> Height:
-    """Return the vertical position of an error; zeros are below all others, infinite errors above."""
-    drawn = [e for point in given for e in point.errors.values() if 0.0 < e < math.inf] or [1.0]
-    none = 10.0 ** (math.floor(math.log10(min(drawn))) - 1)
-    beyond = 10.0 ** (math.ceil(math.log10(max(drawn))) + 1)
-    return lambda error: none if error == 0.0 else min(error, beyond)
+    """Return the vertical position of an error; infinite errors are above all others."""
+    finite = [error for point in given for error in point.errors.values() if error < math.inf]
+    beyond = 10.0 ** (math.ceil(math.log10(max([_LEAST, *finite]))) + 1)
+    return lambda error: min(max(error, _LEAST), beyond)
 
 
 def _limits(axes: Axes, given: Sequence[Point], height: Height) -> None:
-    """Set limits with room for the labels, ticks at decades, and the band of zero errors."""
-    from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
+    """Set limits with room for the labels, and ticks at decades."""
+    from matplotlib.ticker import NullLocator
 
     times = [point.ns for point in given]
     room = max((max(times) / min(times)) ** 0.2, 1.2)
@@ -174,21 +176,13 @@ def _limits(axes: Axes, given: Sequence[Point], height: Height) -> None:
     errors = [error for point in given for error in point.errors.values()]
     heights = [height(error) for error in errors]
     low, high = math.floor(math.log10(min(heights))), math.ceil(math.log10(max(heights)))
-    ticks = {10.0**power: f"$10^{{{power}}}$" for power in range(low, high + 1)}
-    if 0.0 in errors:
-        none = height(0.0)
-        axes.axhspan(none / 10**0.5, none * 10**0.5, color="#e8eef7", zorder=0.0)
-        ticks = {y: text for y, text in ticks.items() if y > 3.0 * none} | {none: "none"}
+    labels = [f"$10^{{{power}}}$" for power in range(low, high + 1)]
     if math.inf in errors:
-        ticks[height(math.inf)] = "unsolvable"
-    axes.yaxis.set_major_locator(FixedLocator(sorted(ticks)))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: ticks.get(y, "")))
+        labels[-1] = "unsolvable"
+    axes.set_yticks([10.0**power for power in range(low, high + 1)], labels)
     axes.yaxis.set_minor_locator(NullLocator())
     axes.set_ylim(10.0 ** (low - 0.7), 10.0 ** (high + 2.3))
-    decades = math.log10(axes.get_xlim()[1] / axes.get_xlim()[0])
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0) if decades < 1.5 else (1.0,)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,.0f}"))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    log_numbers(axes.xaxis)
 
 
 def _legend(picture: Figure, marks: Mapping[str, str], drawn: Set[str]) -> None:
