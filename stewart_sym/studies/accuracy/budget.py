@@ -54,10 +54,6 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
         if not isinstance(motions, list) or not motions:
             raise ValueError(f"{file}motions: expected a list of {expected}, got {shown(motions)}")
         names = [toml_reader.one_line(name, f"{file}motions") for name in motions]
-        for name in names:
-            if names.count(name) > 1:
-                text = f"expected each motion once, {shown(name)} is given twice"
-                raise ValueError(f"{file}motions: {text}")
         tolerance = toml_reader.positive(top["tolerance"], f"{file}tolerance")
         margin = toml_reader.number(top.get("margin", MARGIN), f"{file}margin")
         if margin < 1.0:

@@ -40,6 +40,13 @@ ROUNDS, QUICK_ROUNDS = 21, 9
 FEW, SLOW, MANY = 64, 1_024, 4_096
 """Number of poses of a C loop of one-pose calls, of a NumPy batch, and of a C batch."""
 
+BACKENDS: Mapping[str, Backend] = {
+    "every output": "c",
+    "NumPy kernel": "numpy",
+    "vector reference": "reference",
+}
+"""Other implementations of `exact` general, by name."""
+
 SAMPLED = 12
 """Number of poses of a motion for rounding, and more with the largest force and condition number."""
 
@@ -101,7 +108,8 @@ def cost(
     paths = tracked(progress, motions.items(), lambda each: f"computing the forces of {each[0]}")
     cases = {name: _Case.of(robot, motion, name) for name, motion in paths}
     progress("compiling the truth of 50 digits")
-    ways = _ways(robot) if implementations else {}
+    backends = BACKENDS if implementations else {}
+    ways = {name: prepared_kernel(robot, "exact", backend).forces for name, backend in backends.items()}
     errors: dict[Candidate, Figures] = {candidate: {} for candidate in kernels}
     # Candidates with the same equations, which share the reference solution, are adjacent.
     by_model = [[*each] for _, each in itertools.groupby(kernels, lambda candidate: candidate[:2])]
@@ -117,8 +125,8 @@ def cost(
         {
             **candidate._asdict(),
             "operations": fidelity.operations(robot, candidate.formulation, candidate.fidelity),
-            **_times("one_pose_", times[tasks[candidate, "one pose"]]),
-            **_times("batch_", times[tasks[candidate, "batch"]]),
+            "one_pose_ns": statistics.median(times[tasks[candidate, "one pose"]]),
+            "batch_ns": statistics.median(times[tasks[candidate, "batch"]]),
             "errors": errors[candidate],
         }
         for candidate in kernels
@@ -130,17 +138,14 @@ def cost(
         "candidates": sorted(entries, key=_cost),
         "implementations": [
             {
-                **{"name": way, **_times("", times[tasks[way, ""]])},
+                "name": way,
+                "ns": statistics.median(times[tasks[way, ""]]),
                 "rounding": {name: case.rounding_of(forces) for name, case in cases.items()},
             }
             for way, forces in ways.items()
         ],
         "units": _UNITS,
     }
-
-
-def _times(name: str, raw: tuple[float, ...]) -> Figures:
-    return {f"{name}ns": statistics.median(raw), f"{name}raw_ns": raw}
 
 
 _RICHEST_FIRST = tuple(dict.fromkeys((*fidelity.DRIVE_FIDELITIES, *fidelity.FIDELITIES)))
@@ -225,10 +230,10 @@ class _Case:
             for each, forces in F.items()
         }
 
-    def rounding_of(self, forces: Callable[[Motion], Array]) -> float:
+    def rounding_of(self, forces: Callable[[Motion], Any]) -> float:
         """Compute the rounding error of another implementation of `exact` general."""
         motion = self.motion[list(self.sample)]
-        off = deviation(forces(motion), Truth(self.robot).forces(motion))
+        off = deviation(forces(motion).F, Truth(self.robot).forces(motion))
         return float(_or_infinite(off).max()) / self.peak
 
 
@@ -240,20 +245,10 @@ def _or_infinite(difference: NDArray[Any]) -> Array:
 # --- time -------------------------------------------------------------------------------------
 
 
-def _ways(robot: Robot) -> dict[str, Callable[[Motion], Array]]:
-    """Return other implementations of `exact` general: functions of a motion that return F, (n, 6)."""
-
-    def way(backend: Backend) -> Callable[[Motion], Array]:
-        prepared = prepared_kernel(robot, "exact", backend)
-        return lambda motion: prepared.forces(motion).F
-
-    return {"every output": way("c"), "NumPy kernel": way("numpy"), "vector reference": way("reference")}
-
-
 def _tasks(
     motions: Sequence[Motion],
     kernels: Mapping[Candidate, ForceKernel],
-    ways: Mapping[str, Callable[[Motion], Array]],
+    ways: Mapping[str, Callable[[Motion], Any]],
 ) -> dict[tuple[Candidate | str, str], Task]:
     """Return the timed tasks: "one pose" and "batch" of each kernel, and "" of other implementations."""
     few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))

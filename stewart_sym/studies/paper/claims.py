@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 import numpy as np
+from scipy.stats import spearmanr
 
 from ...io.array_types import Array
 from ...motion.straight_line import PAPER_PATHS
@@ -160,10 +161,8 @@ def _conclusions(found: Reproduction, form: str) -> Claims:
     rule, more = "median rises in both cases (partly: in one)", (fast > slow, light > slow)
     yield "6", says, rule, text, all(more), any(more)
 
-    # Spearman's rank correlation; there are no ties.
     pairs = {name: (run.condition, np.abs(run.F).max(axis=-1)) for name, run in runs.items()}
-    matrices = {name: np.corrcoef(np.argsort(np.argsort(pair))) for name, pair in pairs.items()}
-    ranks = {name: np.asarray(each)[0, 1] for name, each in matrices.items()}
+    ranks = {name: spearmanr(*pair).statistic for name, pair in pairs.items()}
     text = "rank correlation of condition number and largest |F|: "
     text += ", ".join(f"{name} {value:+.2f}" for name, value in ranks.items())
     says = "the higher the condition number, the higher the forces"

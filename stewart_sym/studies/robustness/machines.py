@@ -57,7 +57,10 @@ def random_machine(
 
 def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:
     """Generate a pose near the home pose with rates of the time scale of the machine and a load, shape ()."""
-    size, weight = machine_size(robot), robot.M * GRAVITY
+    from_mean, weight = robot.b - robot.b.mean(axis=0), robot.M * GRAVITY
+    # The largest component is divided out first, because squares of lengths may exceed the range of double.
+    largest = float(np.abs(from_mean).max())
+    size = largest * float(np.sqrt(np.mean(np.sum((from_mean / largest) ** 2, axis=-1))))
     rate = float(np.sqrt(GRAVITY / size))
     at_home = robot.b.mean(axis=0) + np.array([0.0, 0.0, 1.1 * size])
     return Motion(
@@ -72,35 +75,12 @@ def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:
     )
 
 
-def machine_size(robot: Robot) -> float:
-    """Compute the root mean square distance of the base points from their mean (m)."""
-    from_mean = robot.b - robot.b.mean(axis=0)
-    largest = float(np.abs(from_mean).max())
-    return largest * float(np.sqrt(np.mean(np.sum((from_mean / largest) ** 2, axis=-1))))
-
-
 def similar_hexagons(rng: np.random.Generator) -> Robot:
     """Generate a general machine with similar planar hexagons, rotated by 60 degrees at home.
 
     Rotated from there by 90 degrees about the normal, it is singular at any position (Fichter, 1986).
     """
     return dataclasses.replace(random_machine(rng), b=_ring(_PAIRS), p=0.6 * _ring(_PAIRS_TURNED))
-
-
-def meeting_one_line(rng: np.random.Generator, motion: Motion) -> Robot:
-    """Generate a general machine whose six legs, extended, meet one line in space at that pose."""
-    robot = random_machine(rng)
-    tips = robot.p @ motion.R.T + motion.t
-    direction = _unit(rng.normal(size=3))
-    start = tips.mean(axis=0) + np.array([0.0, 0.0, 1.5]) + 0.3 * rng.normal(size=3)
-    met = start + np.linspace(-1.0, 1.0, 6)[:, None] * direction
-    return dataclasses.replace(robot, b=tips + rng.uniform(0.6, 0.9, (6, 1)) * (tips - met))
-
-
-def flat(rng: np.random.Generator) -> Robot:
-    """Generate a general machine with planar base and platform, so that all six legs can be in one plane."""
-    robot = random_machine(rng)
-    return dataclasses.replace(robot, b=robot.b * (1.0, 1.0, 0.0), p=robot.p * (1.0, 1.0, 0.0))
 
 
 def _ring(degrees: Sequence[float]) -> Array:
@@ -126,6 +106,6 @@ def _inertia(rng: np.random.Generator, legs: str) -> Array:
 
 
 def _unit(vector: Array) -> Array:
-    # The largest component is divided out first, because squares of lengths may exceed the range of double.
+    # As in ``random_motion``.
     vector = vector / np.abs(vector).max()
     return np.asarray(vector / np.linalg.norm(vector))

@@ -1,8 +1,4 @@
-"""Stability study: families of failures and random cases times kernels, with report, data, and plots.
-
-Colors of the plots are the colors of Okabe and Ito, which color-blind readers can distinguish. Every kernel
-also has its own marker.
-"""
+"""Stability study: families of failures and random cases times kernels, with report, data, and plots."""
 
 import functools
 import os
@@ -16,7 +12,7 @@ from numpy.typing import NDArray
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...results import OK, STATUS_TEXT
-from ..common.drawing import Figure, legend_below, new_figure
+from ..common.drawing import LEG_COLORS, Figure, legend_below, new_figure
 from ..common.report import SMALL, Picture, Report
 from ..common.text_tables import Figures, aligned
 from .failures import FAMILIES, KINDS, MACHINE, UNLIKE, Family, random_cases
@@ -48,7 +44,7 @@ _UNITS = {
     "good_below": "condition number",
 }
 
-_COLORS, _MARKERS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"), "os^vDP"
+_MARKERS = "os^vDP"
 _FLOOR, _CEILING = 1e-17, 1e4
 
 
@@ -80,12 +76,9 @@ def sweep(
     if cases < len(kinds) * SHARE:
         raise ValueError(f"cases: expected at least {len(kinds) * SHARE}, got {cases}")
     counts: list[Figures] = []
-    done = 0.0
-    for precision, share in (("double", 1), ("float", SHARE)):
-        for kind in kinds:
-            progress(f"computing {kind}, {precision}", done / (len(kinds) * (1.0 + 1.0 / SHARE)))
-            done += 1.0 / share
-            counts += _counts(kind, precision, -(-cases // (share * len(kinds))), seed)
+    parts = [(kind, *precision) for precision in (("double", 1), ("float", SHARE)) for kind in kinds]
+    for kind, precision, share in tracked(progress, parts, lambda part: f"computing {part[0]}, {part[1]}"):
+        counts += _counts(kind, precision, -(-cases // (share * len(kinds))), seed)
     totals = {name: sum(count[name] for count in counts) for name in ("wrong", "rejected_good")}
     total = sum(count["cases"] for count in counts if count["kernel"] == _named(FORCES[0]))
     return {"cases": total, **totals, "wrong_above": WRONG, "good_below": GOOD, "counts": counts}
@@ -169,7 +162,7 @@ def full_report(found: Iterable[Course], swept: Figures) -> Report:
             counts.append({"kernel": name, **summary(each, course.distance, in_range=family.in_range)})
             table |= {f"{name}: error": each.error * EPSILON["double"], f"{name}: status": each.status}
             table |= {f"{name}: condition": each.condition}
-        named = {name: getattr(family, name) for name in ("name", "title", "fails", "remedy", "axis")}
+        named = {name: getattr(family, name) for name in ("name", "title", "axis")}
         families.append({**named, "counts": counts})
         columns[family.name] = table
         figures[family.name] = Picture(functools.partial(figure_of, course), SMALL, dpi=130)
@@ -208,7 +201,7 @@ def figure_of(course: Course) -> Figure:
     """Plot the errors of all kernels over the distance, with marks at the distances with a status."""
     figure = new_figure(7.0, 5.6)
     ax, distance, family = figure.subplots(), course.distance, course.family
-    curves = zip(course.verdicts.items(), _COLORS, _MARKERS, strict=True)
+    curves = zip(course.verdicts.items(), LEG_COLORS, _MARKERS, strict=True)
     for number, ((name, found), color, marker) in enumerate(curves):
         error = np.clip(found.error * EPSILON["double"], _FLOOR, _CEILING)
         # The markers of the curves are offset, so that overlapping curves are distinguishable.

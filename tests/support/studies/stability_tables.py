@@ -15,6 +15,25 @@ def tables(found: Figures) -> dict[str, str]:
     }
 
 
+_PIVOT = "elimination with partial pivoting; status 4 if a pivot is at the rounding level of its row"
+_FRAME = "sine and frame from k x s, dynamics in joint coordinates; status 3 for a sine of rounding level"
+_ALONG = "leg along its universal joint's fixed axis"
+_FAILURES = {
+    "singular_path_III": ("H singular", _PIVOT),
+    "singular_hexagons": ("H singular", _PIVOT),
+    "joint_singularity": (_ALONG, _FRAME),
+    "joint_singularity_at_rest": (f"{_ALONG}, at rest", "status 3 for a sine of rounding level"),
+    "zero_length": (
+        "leg of length zero",
+        "status 2 if the length is at the rounding level of its terms",
+    ),
+    "scale_extreme": (
+        "overflow, underflow",
+        "status 1 if a result or a square exceeds the range of double",
+    ),
+}
+"""Failure and remedy of each family, by name."""
+
 _HEADER = ("failure", "sweep", "remedy", "worst", "status from", "digits left", "undetected")
 _COLUMNS = (
     "`stewart-sym stability` approaches each failure with every kernel, and measures errors against `long "
@@ -27,9 +46,10 @@ _COLUMNS = (
 
 
 def _row(family: Figures, counts: list[Figures]) -> tuple[str, ...]:
+    fails, remedy = _FAILURES[family["name"]]
     rejected = min(count["rejected_at"] or np.inf for count in counts)
     return (
-        *(family["fails"], family["title"], family["remedy"]),
+        *(fails, family["title"], remedy),
         f"{max(count['worst'] or np.inf for count in counts):.2g}",
         f"{rejected:.0e}" if np.isfinite(rejected) else "never",
         f"{min(count['digits'] for count in counts):.0f}",
