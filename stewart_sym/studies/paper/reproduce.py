@@ -4,11 +4,12 @@ import dataclasses
 import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import get_args
 
 import numpy as np
 
 from ...backend import native
-from ...backend.kernel import FORMULATIONS, kernel_name, module
+from ...backend.kernel import kernel_name, module
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, massless_forces
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
@@ -23,6 +24,8 @@ from ..common.text_tables import Columns, Figures, of_legs
 
 LIGHT_PLATFORM = 4.0
 """Platform mass (kg), comparable to the mass of one leg, for the claim on the mass ratio."""
+
+FORMULATIONS: tuple[Formulation, ...] = get_args(Formulation)
 
 _SINGLE = (newton_euler.SPIN, newton_euler.MOMENT, newton_euler.TRANSPORT)
 FAULTS = (*(frozenset({fault}) for fault in _SINGLE), newton_euler.PAPER, frozenset({newton_euler.SIGN}))
@@ -82,12 +85,11 @@ def reproduce(progress: Progress = silent) -> Reproduction:
     robot, path, compiler = dasgupta1998(), PAPER_PATHS["III"].path, native.find_compiler()
     lighter = dataclasses.replace(robot, M=LIGHT_PLATFORM)
     progress("running Paths I-III")
-    runs = {(name, form): run_path(robot, name, form) for name in PAPER_PATHS for form in FORMULATIONS}
     every = tracked(progress, FAULTS, lambda _: "measuring the printed faults")
     return Reproduction(
         robot=robot,
         backend="NumPy kernels" if compiler is None else f"C kernels, compiled by {compiler.version}",
-        runs=runs,
+        runs={(name, form): run_path(robot, name, form) for name in PAPER_PATHS for form in FORMULATIONS},
         light={form: run_path(lighter, "I", form) for form in FORMULATIONS},
         singular_time=singularity_crossings(robot, path.sample, path.breakpoints())[0].time,
         fault_costs=[fault_cost(robot, faults) for faults in every],
