@@ -29,8 +29,8 @@ from ...viewer.view import Viewer
 from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure
 from ..common.report import SMALL, Picture, Report
 from ..common.text_tables import Columns, by_leg, of_legs
-from .drives import motor_data, motor_table
 from .leg_plot import leg_figure
+from .leg_tables import motor_data, motor_table
 
 # Number of samples of the work, because accelerations jump between them if another limit becomes active.
 _INSTANTS = 10_001

@@ -25,8 +25,8 @@ from ..common.drawing import BLUE, DARK, RED, Figure, legend_below, log_numbers,
 from ..common.report import Picture, Report
 from ..common.text_tables import Columns, aligned, by_leg, of_axes, of_legs
 from ..paper.reproduce import without_friction
-from .drives import motor_data, motor_table
 from .leg_plot import LIMIT, draw_limit
+from .leg_tables import motor_data, motor_table
 
 _EVEN = 1001
 """Number of evenly spaced samples for the mean kinetic energy."""

@@ -1,0 +1,136 @@
+"""Legs and motors along a motion: columns, data, and tables with their limits."""
+
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...drives import limits
+from ...drives.limit_status import amount_text
+from ...drives.limits import Limit, LimitTracker
+from ...drives.motor_states import MotorStates
+from ...drives.noise import Deviations
+from ...io.array_types import Array
+from ...robot.robot import LEGS
+from ..common.text_tables import Columns, leg_table, of_legs
+
+_COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
+
+
+class Extreme(NamedTuple):
+    """Extreme value of each leg or motor: limit, keys of value and status, unit in the keys, and heading."""
+
+    limit: Limit
+    value: str
+    status: str
+    unit: str
+    heading: str = ""
+
+
+_LEGS = (
+    Extreme(limits.SHORTEST, "min_length", "min_length_limit", "m"),
+    Extreme(limits.LONGEST, "max_length", "max_length_limit", "m"),
+    Extreme(limits.SPEED, "peak_speed", "speed_limit", "m_per_s"),
+    Extreme(limits.BASE, "peak_base_angle", "base_angle_limit", "rad"),
+    Extreme(limits.PLATFORM, "peak_platform_angle", "platform_angle_limit", "rad"),
+)
+_MOTORS = (
+    *(
+        Extreme(limits.MOTOR_LIMITS[name], f"motor_peak_{name}", f"motor_{name}_limit", unit, heading)
+        for name, unit, heading in (
+            ("torque", "N_m", "torque"),
+            ("speed", "rad_per_s", "speed"),
+            ("current", "A", "current"),
+            ("power", "W", "shaft power"),
+        )
+    ),
+    Extreme(limits.RATED, "motor_rms_torque", "motor_rated_torque", "N_m", "RMS torque"),
+)
+
+
+def drive_columns(part: MotorStates, sd: Deviations | None) -> Columns:
+    """Return the written columns by name (N m, rad/s, A, and W)."""
+    found: Columns = {}
+    for name, column in _COLUMNS.items():
+        for ending, values in (("", getattr(part, name)), ("_std", (sd or {}).get(name))):
+            if values is not None:
+                found |= of_legs(column, values, ending)
+    return found
+
+
+def _motor_extremes(tracker: LimitTracker) -> list[Extreme]:
+    """Return the defined extremes: currents require a torque constant, and root mean squares a duration."""
+    assert tracker.robot.drive is not None
+    is_defined = {"current": np.any(tracker.robot.drive.torque_constant > 0.0)}
+    is_defined[limits.RATED.values] = tracker.weights.sum() > 0.0
+    return [extreme for extreme in _MOTORS if is_defined.get(extreme.limit.values, True)]
+
+
+def _extreme_data(tracker: LimitTracker, extremes: Iterable[Extreme]) -> dict[str, Any]:
+    """Return value, standard deviation, limit, and status of each leg for the JSON data, (6,) each."""
+    found: dict[str, Any] = {}
+    for limit, value, status, unit, _ in extremes:
+        peaks, sd = tracker.peaks(limit)
+        found |= {f"{value}_{unit}": peaks, status: tracker.verdicts(limit)}
+        found |= {} if sd is None else {f"{value}_std_{unit}": sd}
+        found[f"{status}_{unit}"] = limit.sign * limit.bound(tracker.robot)
+    return found
+
+
+def leg_data(tracker: LimitTracker) -> dict[str, Any]:
+    """Return extreme values, limits, and statuses of legs and motors for the JSON data, (6,) each."""
+    time, F, _, F_sd = tracker.forces()
+    peak, has_angles = largest(F), tracker.robot.has_joint_angle_limits
+    found = {
+        "peak_force_N": at_rows(F, peak),
+        "peak_force_std_N": [None] * LEGS if F_sd is None else at_rows(F_sd, peak),
+        "peak_force_time_s": time[peak],
+        "force_limit_N": tracker.robot.force_limit,
+        "force_limit": tracker.verdicts(limits.FORCE),
+    }
+    found |= _extreme_data(tracker, _LEGS if has_angles else _LEGS[:3])
+    return found if tracker.robot.drive is None else found | motor_data(tracker)
+
+
+def motor_data(tracker: LimitTracker) -> dict[str, Any]:
+    """Return extreme values, limits, statuses, and energies of the motors for the JSON data, (6,) each."""
+    found = _extreme_data(tracker, _motor_extremes(tracker)) | {"motor_energy_J": tracker.energy}
+    return found | ({"motor_energy_std_J": tracker.energy_sd} if tracker.noisy else {})
+
+
+def motor_table(tracker: LimitTracker) -> str:
+    """Format a line for each motor: peaks and root mean square with their limits, and energy."""
+    columns = {}
+    for extreme in _motor_extremes(tracker):
+        scale, unit = tracker.units.of_unit(extreme.limit.unit)
+        bounds = scale * extreme.limit.bound(tracker.robot)
+        cells = zip(extreme_texts(tracker, extreme.limit), bounds, strict=True)
+        columns[f"{extreme.heading}, {unit}"] = [
+            f"{text} of {bound:g}" if np.isfinite(bound) else text for text, bound in cells
+        ]
+    energy_sd = tracker.energy_sd if tracker.noisy else None
+    return leg_table("motor", columns | {"electrical energy, J": amounts(tracker.energy, energy_sd, 4)})
+
+
+def extreme_texts(tracker: LimitTracker, limit: Limit) -> list[str]:
+    """Format the extreme value of each leg or motor in the units of the robot file."""
+    peaks, sd = tracker.peaks(limit)
+    scale, _ = tracker.units.of_unit(limit.unit)
+    return amounts(scale * peaks, None if sd is None else scale * sd, 4)
+
+
+def amounts(values: Array, sd: Array | None, digits: int) -> list[str]:
+    """Format the value of each leg with its standard deviation, if any."""
+    deviations = [None] * LEGS if sd is None else sd
+    return [amount_text(value, off, digits) for value, off in zip(values, deviations, strict=True)]
+
+
+def largest(values: Array) -> NDArray[np.int64]:
+    """Return the indices, shape (...), of the largest magnitudes of values, shape (n, ...)."""
+    return np.asarray(np.argmax(np.nan_to_num(np.abs(values), nan=-1.0), axis=0))
+
+
+def at_rows(values: Array, rows: NDArray[np.int64]) -> Array:
+    """Return the value of each leg, shape (6,), in its row of values, shape (n, 6)."""
+    return np.asarray(values[rows, np.arange(LEGS)])
