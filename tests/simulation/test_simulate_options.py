@@ -157,6 +157,14 @@ def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Pat
     assert not (scene.parent / "out").exists()
 
 
+@pytest.mark.filterwarnings("default::stewart_sym.RobotWarning")
+def test_warnings_about_the_robot_name_the_robot_file(scene: Path, run: Run) -> None:
+    limit_forces(scene, 1e-3)
+    err = run("simulate", scene, "-o", scene.parent / "out", "--no-plots").err
+    assert f"warning: {scene.parent / 'robot.toml'}: " in err
+    assert f"warning: {scene}: " not in err
+
+
 def test_progress_is_told_in_shares_that_end_at_one() -> None:
     rate = 200.0
     robot, state = machine()

@@ -7,15 +7,22 @@ from numpy.typing import NDArray
 
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
-from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_below, legend_line, new_figure
+from ..common.drawing import (
+    BLUE,
+    DARK,
+    LIMIT,
+    Axes,
+    Figure,
+    as_written,
+    draw_limit,
+    legend_below,
+    legend_line,
+    new_figure,
+)
 
 _CURVE: dict[str, Any] = {"color": BLUE, "linewidth": 1.0}
 _MOST = 4000
 """Number of samples above which a curve is a bitmap also in SVG files."""
-_FAR = 5.0
-"""Ratio of a limit to the largest value of all legs above which the limit is not drawn."""
-LIMIT: dict[str, Any] = {"color": RED, "linewidth": 1.1, "linestyle": (0, (4, 2))}
-"""Style of the line of a limit."""
 _RATED: dict[str, Any] = {"color": DARK, "linewidth": 1.1, "linestyle": (0, (1, 1.5))}
 
 
@@ -86,11 +93,3 @@ def _share_scales(axes: Axes, first: Axes) -> None:
 def _named(name: str, limit: float, unit: str) -> str:
     """Return the text of a limit for a title; nothing without a limit."""
     return f", {name} {limit:.6g} {unit}" if np.isfinite(limit) else ""
-
-
-def draw_limit(line: Any, limit: float, values: NDArray[Any], style: dict[str, Any]) -> None:
-    """Draw a limit on each side of zero on which values are, unless it is too far from them."""
-    for side in (-1.0, 1.0):
-        largest = float(np.nanmax(side * values, initial=0.0))
-        if 0.0 < largest and limit <= _FAR * largest:
-            line(side * limit, **style)
