@@ -4,6 +4,7 @@ import dataclasses
 import json
 import pickle
 import shutil
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -157,10 +158,11 @@ def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Pat
     assert not (scene.parent / "out").exists()
 
 
-@pytest.mark.filterwarnings("default::stewart_sym.RobotWarning")
 def test_warnings_about_the_robot_name_the_robot_file(scene: Path, run: Run) -> None:
     limit_forces(scene, 1e-3)
-    err = run("simulate", scene, "-o", scene.parent / "out", "--no-plots").err
+    with warnings.catch_warnings():
+        warnings.simplefilter("default")
+        err = run("simulate", scene, "-o", scene.parent / "out", "--no-plots").err
     assert f"warning: {scene.parent / 'robot.toml'}: " in err
     assert f"warning: {scene}: " not in err
 
