@@ -52,13 +52,6 @@ def legend_line(label: str, **style: Any) -> Any:
     return Line2D([], [], label=label, **style)
 
 
-def plot_legs(axes: Axes, x: NDArray[Any], values: NDArray[Any], **style: Any) -> None:
-    """Plot a labeled curve of each leg from values of shape (n, 6) over x, shape (n,) or (n, 6)."""
-    across = x if x.ndim == 2 else np.tile(x[:, None], len(LEG_COLORS))
-    for leg, color in enumerate(LEG_COLORS):
-        axes.plot(across[:, leg], values[:, leg], color=color, label=f"leg {leg + 1}", **style)
-
-
 def curves(axes: Axes, x: NDArray[Any], values: NDArray[Any], names: Sequence[str], label: str) -> None:
     """Plot named columns of values, shape (n, k), over x, shape (n,), and label the vertical axis."""
     axes.plot(x, values, linewidth=1.1, label=[*names])
