@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -206,8 +207,23 @@ def test_rows_without_numbers_in_one_file_are_left_out_of_both(
     forces.write_text("".join(rows))
     inputs = "--measured", simulated / "trajectory.csv", forces, "--json"
     told = run("identify", PAPERS, *inputs, "-o", tmp_path / "out")
-    assert "1 samples of one file have no sample of the other at their time" in told.err
+    line = next(line for line in told.err.splitlines() if "left out of the fit" in line)
+    assert re.search(
+        r"trajectory\.csv: 1 sample, the first at \S+ s, left out of the fit: no sample of the", line
+    )
     assert json.loads(told.out)["verdict"] == "consistent"
+
+
+def test_a_wrong_force_is_named_with_leg_time_and_line(simulated: Path, tmp_path: Path, run: Run) -> None:
+    rows = (simulated / "forces.csv").read_text().splitlines(keepends=True)
+    time, first, _, *others = rows[20].split(",")
+    rows[20] = ",".join([time, first, "9e4", *others])
+    forces = tmp_path / "forces.csv"
+    forces.write_text("".join(rows))
+    inputs = "--measured", simulated / "trajectory.csv", forces
+    told = run("identify", PAPERS, *inputs, "-o", tmp_path / "out", code=1)
+    assert f"{forces}: largest residual: leg 2 at {float(time):.3g}" in told.err
+    assert " s, line 21: " in told.err
 
 
 def test_forces_with_dates_and_units_are_read_and_their_sign_is_checked(

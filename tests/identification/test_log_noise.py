@@ -47,6 +47,13 @@ def test_noisy_poses_of_the_tool_are_taken_as_measured(robot: ss.Robot, excited:
     assert found.compare_with(robot)[1] > 1e-3
 
 
+def test_forces_too_noisy_for_every_parameter_are_reported(robot: ss.Robot, excited: ss.Excitation) -> None:
+    trajectory = Trajectory(excited.time, excited.motion, "log.csv", tuple(range(2, 122)))
+    F = ss.inverse_dynamics(robot, excited.motion).F
+    found = from_measurement(robot, trajectory, excited.time, F, 1e6, "F.csv")
+    assert any(line.startswith("parameters: none is determined") for line in found.warnings)
+
+
 @pytest.fixture(scope="module")
 def lengths(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     """Options of ``identify``: leg lengths with noise of 0.02 mm, and forces with noise of 0.5 N."""

@@ -27,9 +27,14 @@ def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
     return {f"{name}_{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
 
 
+def records(columns: Mapping[str, Any]) -> list[Figures]:
+    """Return a row for each entry of columns, shape (n, ...), by name."""
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+
+
 def by_leg(columns: Mapping[str, Any]) -> list[Figures]:
     """Return a row for each leg, numbered from 1, from columns of shape (6, ...)."""
-    return [{"leg": leg + 1} | {name: values[leg] for name, values in columns.items()} for leg in range(LEGS)]
+    return records({"leg": range(1, LEGS + 1), **columns})
 
 
 def of_axes(name: str, values: NDArray[Any]) -> Columns:
@@ -68,12 +73,6 @@ def _form(columns: Mapping[str, NDArray[Any]], digits: int) -> str | None:
             whole = math.floor(math.log10(largest)) + 1 if largest > 0.0 else digits
             decimals.append(min(max(digits - whole, 0), 0 if values.dtype.kind in "iu" else _MOST_DECIMALS))
     return None if None in decimals else ",".join(f"%.{n}f" for n in decimals) + "\n"
-
-
-def columns_of(rows: Sequence[Sequence[object]]) -> Columns:
-    """Return the columns of rows of texts and numbers; the first row is the header."""
-    header, *found = rows
-    return dict(zip(map(str, header), map(np.array, zip(*found, strict=True)), strict=True))
 
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:

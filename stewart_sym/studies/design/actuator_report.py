@@ -25,7 +25,7 @@ from ..common.drawing import (
     new_figure,
 )
 from ..common.report import SMALL, Picture, Report
-from ..common.text_tables import aligned, columns_of
+from ..common.text_tables import aligned
 
 _ROWS = (
     ("force", "force", "N"),
@@ -62,8 +62,9 @@ def report(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResu
     legs = [f"leg{leg + 1}" for leg in range(LEGS)]
     header = ("need", "unit", *legs, *(f"{leg}_std" for leg in legs if needs.std is not None))
     found = [(*row, *values, *(() if sd is None else sd)) for *row, values, sd in rows(needs)]
+    columns = map(np.array, zip(*found, strict=True))
     figures = {"size": Picture(lambda: figure(robot, needs), SMALL)}
-    tables = {"needs": columns_of([header, *found])}
+    tables = {"needs": dict(zip(header, columns, strict=True))}
     return Report(_text(robot, sources, needs), tables, _data(robot, sources, needs), figures)
 
 
