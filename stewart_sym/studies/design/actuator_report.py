@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
 from ...design.limit_margins import compared, states_limits
@@ -191,36 +190,37 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
 def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
     """Draw the lengths of each leg, its stroke with the margin, and the limits of the lengths."""
     units = Units.of(robot)
-    (low, high), (least, most) = needs.length.T / units.meters, robot.length_limits.T / units.meters
+    (low, high), limits = needs.length.T / units.meters, robot.length_limits.T / units.meters
     stroke = (1.0 + needs.margin) * needs.stroke / units.meters
     # Half of the margin is at each end, unless a limit shifts it to the other end.
-    bottom = np.minimum(np.maximum(0.5 * (low + high - stroke), least), most - stroke)
+    bottom = np.minimum(np.maximum(0.5 * (low + high - stroke), limits[0]), limits[1] - stroke)
     bottom = np.minimum(np.maximum(bottom, high - stroke), low)
-    axes.bar(_LEGS, stroke, bottom=bottom, color=LEG_COLORS, alpha=0.3, width=0.6)
-    axes.bar(_LEGS, high - low, bottom=low, color=LEG_COLORS, width=0.6)
-    _dashes(axes, _LEGS, least, 0.4)
-    _dashes(axes, _LEGS, most, 0.4)
+    _bars(axes, _LEGS, bottom, stroke, alpha=0.3, width=0.6)
+    _bars(axes, _LEGS, low, high - low, *limits, width=0.6)
     axes.use_sticky_edges = False
     axes.set(xlabel="leg", ylabel=f"length, {units.length}", xticks=_LEGS)
 
 
 def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
     """Draw the largest angles of the joints at the base, left, and at the platform, right and hatched."""
-    style: dict[str, Any] = {"color": LEG_COLORS, "width": 0.36}
     size, unit = Units.of(robot).of_unit("rad")
-    ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
-    for (angles, shift, hatch), limits in zip(ends, robot.joint_angle_limit.T, strict=True):
-        axes.bar(_LEGS + shift, size * (1.0 + needs.margin) * angles, alpha=0.3, **style)
-        axes.bar(_LEGS + shift, size * angles, hatch=hatch, edgecolor="white", **style)
-        _dashes(axes, _LEGS + shift, size * limits, 0.2)
+    for angles, limits, place, hatch in (
+        (size * needs.base_angle, size * robot.joint_angle_limit[:, 0], _LEGS - 0.2, ""),
+        (size * needs.platform_angle, size * robot.joint_angle_limit[:, 1], _LEGS + 0.2, "///"),
+    ):
+        _bars(axes, place, 0.0, (1.0 + needs.margin) * angles, alpha=0.3, width=0.36)
+        _bars(axes, place, 0.0, angles, limits, hatch=hatch, edgecolor="white", width=0.36)
     axes.set(xlabel="leg; base joint left, platform joint right, hatched", ylabel=f"joint angle, {unit}")
     axes.set_xticks(_LEGS)
 
 
-def _dashes(axes: Axes, places: NDArray[Any], limits: Array, half: float) -> None:
-    """Draw the limit of each leg across its place, shape (6,), as far as it is given."""
-    given = np.isfinite(limits) & (limits > 0.0)
-    axes.hlines(limits[given], places[given] - half, places[given] + half, **LIMIT)
+def _bars(axes: Axes, x: Array, bottom: Array | float, height: Array, *limits: Array, **style: Any) -> None:
+    """Draw a bar of each leg, and its limits across it, shape (6,) each, as far as they are given."""
+    half = 0.6 * style["width"]
+    axes.bar(x, height, bottom=bottom, color=LEG_COLORS, **style)
+    for limit in limits:
+        given = np.isfinite(limit) & (limit > 0.0)
+        axes.hlines(limit[given], x[given] - half, x[given] + half, **LIMIT)
 
 
 def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort: Array) -> None:

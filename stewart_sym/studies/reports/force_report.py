@@ -197,16 +197,13 @@ def _reaction_columns(found: JointReactionsResult) -> Columns:
 def view_data(view: Viewer) -> dict[str, object]:
     """Return the numbers of a view for JSON, with peaks over the samples that have finite forces."""
     shown = view.history
-    # NumPy warns of legs without a finite force at any sample.
-    with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
-        peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
     return {
         "motion": shown.name,
         "samples": len(shown.time),
         "start_s": shown.time[0],
         "end_s": shown.time[-1],
         "scaled_condition_number_peak": shown.condition.max(),
-        "peak_force_N": peaks,
+        "peak_force_N": {name: np.fmax.reduce(np.abs(F), axis=0) for name, F in shown.forces.items()},
         "legs": by_leg(leg_data(view.limits.tracker)),
         "warnings": [line for _, line in view.limits.told],
         "marked": [{"time_s": e.time, "singular": e.singular, "twist": e.at.twist} for e in shown.events],

@@ -1,7 +1,7 @@
 """Legs and motors along a motion: columns, data, and tables with their limits."""
 
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,35 +18,22 @@ from ..common.text_tables import Columns, leg_table, of_legs
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 
 
-class Extreme(NamedTuple):
-    """Extreme value of each leg or motor: limit, keys of value and status, unit in the keys, and heading."""
-
-    limit: Limit
-    value: str
-    status: str
-    unit: str
-    heading: str = ""
-
-
-_LEGS = (
-    Extreme(limits.SHORTEST, "min_length", "min_length_limit", "m"),
-    Extreme(limits.LONGEST, "max_length", "max_length_limit", "m"),
-    Extreme(limits.SPEED, "peak_speed", "speed_limit", "m_per_s"),
-    Extreme(limits.BASE, "peak_base_angle", "base_angle_limit", "rad"),
-    Extreme(limits.PLATFORM, "peak_platform_angle", "platform_angle_limit", "rad"),
-)
-_MOTORS = (
-    *(
-        Extreme(limits.MOTOR_LIMITS[name], f"motor_peak_{name}", f"motor_{name}_limit", unit, heading)
-        for name, unit, heading in (
-            ("torque", "N_m", "torque"),
-            ("speed", "rad_per_s", "speed"),
-            ("current", "A", "current"),
-            ("power", "W", "shaft power"),
-        )
-    ),
-    Extreme(limits.RATED, "motor_rms_torque", "motor_rated_torque", "N_m", "RMS torque"),
-)
+_LEGS = {
+    limits.SHORTEST: ("min_length", "min_length_limit", "m"),
+    limits.LONGEST: ("max_length", "max_length_limit", "m"),
+    limits.SPEED: ("peak_speed", "speed_limit", "m_per_s"),
+    limits.BASE: ("peak_base_angle", "base_angle_limit", "rad"),
+    limits.PLATFORM: ("peak_platform_angle", "platform_angle_limit", "rad"),
+}
+_MOTORS = {
+    limits.MOTOR_LIMITS["torque"]: ("motor_peak_torque", "motor_torque_limit", "N_m"),
+    limits.MOTOR_LIMITS["speed"]: ("motor_peak_speed", "motor_speed_limit", "rad_per_s"),
+    limits.MOTOR_LIMITS["current"]: ("motor_peak_current", "motor_current_limit", "A"),
+    limits.MOTOR_LIMITS["power"]: ("motor_peak_power", "motor_power_limit", "W"),
+    limits.RATED: ("motor_rms_torque", "motor_rated_torque", "N_m"),
+}
+"""Keys of the extreme value and of the status of each limit in the JSON data, and the unit in keys."""
+_HEADINGS = {"power": "shaft power", "rms_torque": "RMS torque"}
 
 
 def drive_columns(part: MotorStates, sd: Deviations | None) -> Columns:
@@ -59,18 +46,19 @@ def drive_columns(part: MotorStates, sd: Deviations | None) -> Columns:
     return found
 
 
-def _motor_extremes(tracker: LimitTracker) -> list[Extreme]:
-    """Return the defined extremes: currents require a torque constant, and root mean squares a duration."""
+def _motor_limits(tracker: LimitTracker) -> list[Limit]:
+    """Return the limits of defined values: currents require a torque constant, means a duration."""
     assert tracker.robot.drive is not None
     is_defined = {"current": np.any(tracker.robot.drive.torque_constant > 0.0)}
     is_defined[limits.RATED.values] = tracker.weights.sum() > 0.0
-    return [extreme for extreme in _MOTORS if is_defined.get(extreme.limit.values, True)]
+    return [limit for limit in _MOTORS if is_defined.get(limit.values, True)]
 
 
-def _extreme_data(tracker: LimitTracker, extremes: Iterable[Extreme]) -> dict[str, Any]:
+def _extreme_data(tracker: LimitTracker, compared: Iterable[Limit]) -> dict[str, Any]:
     """Return value, standard deviation, limit, and status of each leg for the JSON data, (6,) each."""
     found: dict[str, Any] = {}
-    for limit, value, status, unit, _ in extremes:
+    for limit in compared:
+        value, status, unit = (_LEGS | _MOTORS)[limit]
         peaks, sd = tracker.peaks(limit)
         found |= {f"{value}_{unit}": peaks, status: tracker.verdicts(limit)}
         found |= {} if sd is None else {f"{value}_std_{unit}": sd}
@@ -89,24 +77,23 @@ def leg_data(tracker: LimitTracker) -> dict[str, Any]:
         "force_limit_N": tracker.robot.force_limit,
         "force_limit": tracker.verdicts(limits.FORCE),
     }
-    found |= _extreme_data(tracker, _LEGS if has_angles else _LEGS[:3])
+    found |= _extreme_data(tracker, [*_LEGS][: 5 if has_angles else 3])
     return found if tracker.robot.drive is None else found | motor_data(tracker)
 
 
 def motor_data(tracker: LimitTracker) -> dict[str, Any]:
     """Return extreme values, limits, statuses, and energies of the motors for the JSON data, (6,) each."""
-    found = _extreme_data(tracker, _motor_extremes(tracker)) | {"motor_energy_J": tracker.energy}
+    found = _extreme_data(tracker, _motor_limits(tracker)) | {"motor_energy_J": tracker.energy}
     return found | ({"motor_energy_std_J": tracker.energy_sd} if tracker.noisy else {})
 
 
 def motor_table(tracker: LimitTracker) -> str:
     """Format a line for each motor: peaks and root mean square with their limits, and energy."""
     columns = {}
-    for extreme in _motor_extremes(tracker):
-        scale, unit = tracker.units.of_unit(extreme.limit.unit)
-        bounds = scale * extreme.limit.bound(tracker.robot)
-        cells = zip(extreme_texts(tracker, extreme.limit), bounds, strict=True)
-        columns[f"{extreme.heading}, {unit}"] = [
+    for limit in _motor_limits(tracker):
+        scale, unit = tracker.units.of_unit(limit.unit)
+        cells = zip(extreme_texts(tracker, limit), scale * limit.bound(tracker.robot), strict=True)
+        columns[f"{_HEADINGS.get(limit.values, limit.values)}, {unit}"] = [
             f"{text} of {bound:g}" if np.isfinite(bound) else text for text, bound in cells
         ]
     energy_sd = tracker.energy_sd if tracker.noisy else None
