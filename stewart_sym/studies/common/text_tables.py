@@ -45,10 +45,7 @@ def of_axes(name: str, values: NDArray[Any]) -> Columns:
 def csv_lines(
     columns: Mapping[str, NDArray[Any]], header: bool = True, digits: int | None = None
 ) -> Iterator[str]:
-    """Yield the text of a CSV file in blocks of lines, header first.
-
-    Floats have all digits, or with ``digits`` as many digits as the largest one of their column.
-    """
+    """Yield the text of a CSV file in blocks of lines, with ``digits`` of the largest number of a column."""
     if header:
         yield csv_text([[*columns]])
     form = None if digits is None else _form(columns, digits)

@@ -8,23 +8,15 @@ import numpy as np
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
 from ...design.limit_margins import compared, states_limits
-from ...drives.limit_status import shows, spread_text, unknown_forces
+from ...drives.limit_status import unknown_forces
 from ...io.array_types import Array
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
-from ..common.drawing import (
-    DARK,
-    LEG_COLORS,
-    LIMIT,
-    Axes,
-    Figure,
-    as_written,
-    draw_limit,
-    legend_below,
-    new_figure,
-)
+from ..common import drawing
+from ..common.drawing import LIMIT, Axes, Figure, as_written, draw_limit, legend_below, new_figure
 from ..common.report import SMALL, Picture, Report
 from ..common.text_tables import aligned
+from ..reports.leg_tables import amounts
 
 _ROWS = (
     ("force", "force", "N"),
@@ -48,7 +40,7 @@ _ROWS = (
 """Name, attribute, and SI unit of the requirements; attributes of shape (q, 6) have a row per quantile."""
 _ENDS = ("shortest leg", "longest leg")
 """Names of the rows of ``length``, which have no margin."""
-_RATED: dict[str, Any] = {"color": DARK, "linewidth": 1.0, "linestyle": (0, (1, 1.5))}
+_RATED: dict[str, Any] = {"color": drawing.DARK, "linewidth": 1.0, "linestyle": (0, (1, 1.5))}
 _DIGITS = 4
 """Number of digits in the table."""
 _LEGS = np.arange(1, LEGS + 1)
@@ -101,64 +93,49 @@ def rows(needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str, Array, A
 
 
 def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> str:
-    more = 1.0 + needs.margin
-    cells, noisy = [], False
+    """Format the requirements in the units of the robot file, and the comparison with its limits."""
+    cells = []
     for name, si_unit, values, sd in rows(needs):
         scale, unit = Units.of(robot).of_unit(si_unit)
-        values, sd = scale * values, None if sd is None else scale * sd
-        last = "" if name in _ENDS else f"{more * np.nanmax(values):.{_DIGITS}g}"
-        cells.append((f"{name}, {unit}", *(f"{value:.{_DIGITS}g}" for value in values), last))
-        seen = np.zeros(LEGS, dtype=bool) if sd is None else shows(values, sd, _DIGITS)
-        if sd is not None and seen.any():
-            noisy = True
-            spreads = (spread_text(off) if each else "" for off, each in zip(sd, seen, strict=True))
-            cells.append(("  +-", *spreads, ""))
-    legs = [f"leg {leg + 1}" for leg in range(LEGS)]
+        texts = amounts(scale * values, None if sd is None else scale * sd, _DIGITS)
+        largest = scale * (1.0 + needs.margin) * np.nanmax(values)
+        cells.append((f"{name}, {unit}", *texts, "" if name in _ENDS else f"{largest:.{_DIGITS}g}"))
     neutral = "the home pose" if robot.home_position is not None else "the mean direction of each leg"
     lines = [
         f"robot   {robot.name}",
         f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
         f"margin  {100.0 * needs.margin:g} %, added to the largest value of each row in the last column",
         "",
-        aligned(("need", *legs, "with margin"), cells),
+        aligned(("need", *(f"leg {leg}" for leg in _LEGS), "with margin"), cells),
         "",
         f"Joint angles are from {neutral}.",
     ]
-    if noisy:
+    if needs.std is not None:
         lines.append("+-: standard deviations that the noise of the logs leaves, at most.")
-    lines += [f"{_capital(text)}." for text in _unknown(needs)]
     found = compared(robot, needs)
-    told = [*needs.crossings, *(f"Exceeded: {line}" for line in found.exceeded)]
-    told += map(_capital, found.inconclusive)
-    told += [f"Margin missing: {line}" for line in found.margin_missing]
-    told += map(_capital, found.margin_inconclusive)
-    if not told:
+    told = [f"{text}." for text in _unknown(needs)] + [*needs.crossings]
+    told += [*(f"exceeded: {line}" for line in found.exceeded), *found.inconclusive]
+    told += [*(f"margin missing: {line}" for line in found.margin_missing), *found.margin_inconclusive]
+    if not any([needs.crossings, *found]):
         stated = states_limits(robot, needs)
-        told = ["No limit is exceeded, with the margin." if stated else "The robot file states no limit."]
-    return "\n".join([*lines, *told])
-
-
-def _capital(line: str) -> str:
-    return line[:1].upper() + line[1:]
+        told.append("No limit is exceeded, with the margin." if stated else "The robot file states no limit.")
+    return "\n".join([*lines, *(line[:1].upper() + line[1:] for line in told)])
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> dict[str, Any]:
-    found, noisy = compared(robot, needs), {}
-    if needs.std is not None:
-        noisy = {"std": dict(needs.std), "warnings": _unknown(needs)}
-        noisy |= {name: getattr(found, name) for name in ("inconclusive", "margin_inconclusive")}
-    kept = {name: unit for _, name, unit in _ROWS if getattr(needs, name) is not None}
+    """Return the requirements in SI units, and the comparison with the limits, for the JSON data."""
+    units = {name: unit for _, name, unit in _ROWS if getattr(needs, name) is not None}
     return {
         "robot": robot.name,
         "motions": list(sources),
         "margin": needs.margin,
         "quantiles": needs.quantiles,
-        **{name: getattr(needs, name) for name in kept},
-        "exceeded": found.exceeded,
-        "margin_missing": found.margin_missing,
+        **{name: getattr(needs, name) for name in units},
+        "std": dict(needs.std or {}),
+        **compared(robot, needs)._asdict(),
+        "warnings": _unknown(needs),
         "crossings": list(needs.crossings),
-        **noisy,
-        "units": kept,
+        "units": units,
     }
 
 
@@ -217,7 +194,7 @@ def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None
 def _bars(axes: Axes, x: Array, bottom: Array | float, height: Array, *limits: Array, **style: Any) -> None:
     """Draw a bar of each leg, and its limits across it, shape (6,) each, as far as they are given."""
     half = 0.6 * style["width"]
-    axes.bar(x, height, bottom=bottom, color=LEG_COLORS, **style)
+    axes.bar(x, height, bottom=bottom, color=drawing.LEG_COLORS, **style)
     for limit in limits:
         given = np.isfinite(limit) & (limit > 0.0)
         axes.hlines(limit[given], x[given] - half, x[given] + half, **LIMIT)
@@ -227,8 +204,8 @@ def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort
     """Draw the effort of each leg over its rate, and the limits near the range of the curves."""
     step = max(1, len(rate) // _MOST)
     for line in (axes.axhline, axes.axvline):
-        line(0.0, color=DARK, linewidth=0.7)
-    for leg, color in enumerate(LEG_COLORS):
+        line(0.0, color=drawing.DARK, linewidth=0.7)
+    for leg, color in enumerate(drawing.LEG_COLORS):
         style: Any = {"color": color, "label": f"leg {leg + 1}", "linewidth": 0.8, "alpha": 0.8}
         axes.plot(rate[::step, leg], effort[::step, leg], **style)
     for limits, values, line in ((most_rate, rate, axes.axvline), (most_effort, effort, axes.axhline)):

@@ -7,17 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...design import pose_limits
 from ...design.axis_travel import axis_travel
-from ...design.pose_limits import (
-    CONDITION,
-    INSIDE,
-    LENGTH,
-    REASONS,
-    PoseExaminer,
-    PoseLimits,
-    applies_forces,
-    at_reference,
-)
+from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits, at_reference
 from ...design.workspace import WorkspaceResult
 from ...io.arguments import status_text
 from ...io.array_types import Array
@@ -76,13 +68,13 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
     t = found.position - R @ found.tool
     code = int(examiner.broken_limits(R, t)[0])
     text = status_text(REASONS[code])
-    if code == LENGTH:
+    if code == pose_limits.LENGTH:
         L = leg_lengths(examiner.robot, R, t)
         units = Units.of(robot)
         lengths = f"{L.min() / units.meters:.6g} to {L.max() / units.meters:.6g} {units.length}"
         angles = "" if np.abs(found.rpy).max() <= math.pi else " and --rpy (rad, not degrees)"
         return f"its legs are {lengths} long: change --position (m){angles}"
-    if code == CONDITION:
+    if code == pose_limits.CONDITION:
         number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
         if number <= most:
             return f"{text}: det H has another sign than at the home pose"
@@ -190,7 +182,7 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
         yield f"leg clearance {limits.min_clearance / units.meters:g} {units.length}"
     if limits.max_condition < math.inf:
         yield f"scaled condition number {limits.max_condition:g}"
-    if applies_forces(robot, limits):
+    if pose_limits.applies_forces(robot, limits):
         yield "actuator forces at rest" + (" under the load" if limits.load.any() else "")
     elif limits.forces and np.isfinite(robot.force_limit).any():
         yield f"not actuator forces: {robot.missing_bodies[0]} is missing"

@@ -62,10 +62,9 @@ def from_measurement(
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
 ) -> IdentificationResult:
-    """Identify the parameters that a trajectory excites from forces F (N), (n, 6), at times (s), (n,).
+    """Identify the parameters that a trajectory excites from forces F (N), (n, 6), of the file ``source``.
 
-    Samples at rows that the reader of the trajectory did not use are left out. ``source`` and ``lines`` are
-    the file of the forces and their line numbers, from 2 by default.
+    ``lines`` are their line numbers, from 2 by default. Unused rows of the trajectory are left out.
     """
     poses, forces = _pairs(trajectory, time, source, lines)
     warnings = []

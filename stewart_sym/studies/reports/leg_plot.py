@@ -7,31 +7,19 @@ from numpy.typing import NDArray
 
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
-from ..common.drawing import (
-    BLUE,
-    DARK,
-    LIMIT,
-    Figure,
-    as_written,
-    draw_limit,
-    legend_below,
-    legend_line,
-    new_figure,
-)
+from ..common import drawing
+from ..common.drawing import LIMIT, Figure, as_written, draw_limit, legend_below, legend_line, new_figure
 
-_CURVE: dict[str, Any] = {"color": BLUE, "linewidth": 1.0}
+_CURVE: dict[str, Any] = {"color": drawing.BLUE, "linewidth": 1.0}
 _MOST = 4000
 """Number of samples above which a curve is a bitmap also in SVG files."""
-_RATED: dict[str, Any] = {"color": DARK, "linewidth": 1.1, "linestyle": (0, (1, 1.5))}
+_RATED: dict[str, Any] = {"color": drawing.DARK, "linewidth": 1.1, "linestyle": (0, (1, 1.5))}
 
 
 def leg_figure(
     robot: Robot, time: NDArray[Any], F: NDArray[Any], motors: tuple[NDArray[Any], NDArray[Any]] | None = None
 ) -> Figure:
-    """Plot the forces F (N), (n, 6), over times (s), and with drives torque (N m) over speed (rad/s), (n, 6).
-
-    ``motors`` contains torque and speed.
-    """
+    """Plot forces F (N), (n, 6), over times (s), and torque (N m) over speed (rad/s) of any ``motors``."""
     drive, units, columns = robot.drive, Units.of(robot), 2 if motors is None else 4
     figure = new_figure(4.0 * columns, 8.0)
     panels = figure.subplots(3, columns, squeeze=False)
@@ -40,7 +28,7 @@ def leg_figure(
     _panels(panels[:, :2].ravel(), "leg", time, F, ("time, s", "actuator force, N"), [force])
     for axes in panels[:, :2].ravel():
         axes.margins(x=0.0)
-    handles = [legend_line("samples", color=BLUE, linewidth=1.3)]
+    handles = [legend_line("samples", color=drawing.BLUE, linewidth=1.3)]
     if motors is not None or np.isfinite(robot.force_limit).any():
         handles.append(legend_line("limit", **LIMIT))
     if motors is not None and drive is not None:

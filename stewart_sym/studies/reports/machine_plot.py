@@ -12,12 +12,10 @@ from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ...singularities.singular_poses import SingularityResult
 from ...viewer.content import around
-from ..common.drawing import BLUE as PLATFORM
-from ..common.drawing import DARK as BASE
-from ..common.drawing import GRAY as LEG
-from ..common.drawing import RED as MARK
+from ..common import drawing
 from ..common.drawing import Z_DOWN, Axes, Figure, as_written, name_points, new_figure, vertical
 
+PLATFORM, BASE, LEG, MARK = drawing.BLUE, drawing.DARK, drawing.GRAY, drawing.RED
 OFFSET = "#2a7f3f"
 
 # Length of axes and arrows, and distance below which points coincide, relative to the size of the machine.

@@ -41,16 +41,14 @@ _CERTIFIED = ("is_valid", "samples", "max_utilization", "lengths_ok", "angles_ok
 
 @dataclass(eq=False)
 class Plan:
-    """Path with its time parameterization and results, sampled at ``rate`` (Hz).
-
-    ``torque`` (N m) and ``speed`` (rad/s) of the motors, (n, 6), are set together with ``motors``.
-    """
+    """Path with its time parameterization and results, sampled at ``rate`` (Hz)."""
 
     robot: Robot
     planned: PlannedPath
     timed: TimedPath
     certificate: PlanCertificate
     rate: float
+    # Torque (N m) and speed (rad/s) of the motors, (n, 6), which are set together with ``motors``.
     torque: Array = field(init=False)
     speed: Array = field(init=False)
 

@@ -15,12 +15,7 @@ from ...motion.motion import Motion
 from ...motion.sample_times import time_text
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
-from ...singularities.path_singularities import (
-    SingularityApproach,
-    SingularityCrossing,
-    path_singularities,
-    singular_force_residue,
-)
+from ...singularities.path_singularities import path_singularities, singular_force_residue
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import SingularityResult
 from ..common.drawing import BLUE, DARK, RED, Figure, as_written, log_numbers, new_figure
@@ -28,11 +23,8 @@ from ..common.report import SMALL, Picture, Report
 from ..common.text_tables import Columns, by_leg, leg_table, of_legs
 from .machine_plot import twist_figure
 
-_EVEN = 401
-_NEAR = 150
-_MARKS = 50
-_MOST_DRAWN = 6
-"""Largest number of drawn crossings; an oscillating path may have many."""
+# Numbers of samples over the path and near each mark, and largest numbers of marks and of drawn crossings.
+_EVEN, _NEAR, _MARKS, _MOST_DRAWN = 401, 150, 50, 6
 
 
 class Examination:
@@ -47,11 +39,11 @@ class Examination:
         self.residues = np.full((len(self.along.crossings), LEGS), np.nan)
         for A, crossing in zip(self.residues, self.along.crossings, strict=True):
             if not robot.missing_bodies:
-                A[:] = singular_force_residue(robot, self.pose(crossing), formulation)[0]
+                A[:] = singular_force_residue(robot, self.pose(crossing.time), formulation)[0]
 
-    def pose(self, event: SingularityCrossing | SingularityApproach) -> Motion:
-        """Return the motion at an event, shape (1,)."""
-        return self.path(np.array([event.time]))
+    def pose(self, time: float) -> Motion:
+        """Return the motion at a time (s), shape (1,)."""
+        return self.path(np.array([time]))
 
 
 def _text(found: Examination) -> str:
@@ -86,7 +78,7 @@ def full_report(found: Examination) -> Report:
     drawn: dict[str, Any] = {f"crossing_{number}": crossing for number, crossing in crossings}
     for name, each in (drawn or {"nearest": found.along.nearest}).items():
         title = f"{found.robot.name}, path {found.name}, at {each.time:.9f} s"
-        draw = functools.partial(twist_figure, found.robot, found.pose(each)[0], each.singularity, title)
+        draw = functools.partial(twist_figure, found.robot, found.pose(each.time)[0], each.singularity, title)
         figures[name] = Picture(draw, SMALL)
     return Report(_text(found), {"path": columns}, _data(found), figures)
 
@@ -122,6 +114,7 @@ def _data(found: Examination) -> dict[str, Any]:
 
 
 def _pose_data(at: SingularityResult) -> dict[str, Any]:
+    """Return the singularity measures of a pose for the JSON data."""
     return {
         "scaled_condition_number": at.condition_number,
         "characteristic_length_m": at.characteristic_length,
