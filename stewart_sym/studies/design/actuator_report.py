@@ -113,13 +113,13 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     if needs.std is not None:
         lines.append("+-: standard deviations that the noise of the logs leaves, at most.")
     found = compared(robot, needs)
-    told = [f"{text}." for text in _unknown(needs)] + [*needs.crossings]
+    told = [f"{text}." for text in _unknown(needs)]
     told += [*(f"exceeded: {line}" for line in found.exceeded), *found.inconclusive]
     told += [*(f"margin missing: {line}" for line in found.margin_missing), *found.margin_inconclusive]
     if not any([needs.crossings, *found]):
         stated = states_limits(robot, needs)
         told.append("No limit is exceeded, with the margin." if stated else "The robot file states no limit.")
-    return "\n".join([*lines, *(line[:1].upper() + line[1:] for line in told)])
+    return "\n".join([*lines, *needs.crossings, *(line[:1].upper() + line[1:] for line in told)])
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> dict[str, Any]:
