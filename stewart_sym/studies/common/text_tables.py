@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...drives.limit_status import amount_text
 from ...robot.robot import LEGS
 
 _ROWS = 1024
@@ -93,3 +94,9 @@ def leg_table(name: str, columns: Mapping[str, Sequence[str]]) -> str:
     """Format a text table with a row for each leg, numbered in the first column ``name``."""
     numbers = [str(leg + 1) for leg in range(LEGS)]
     return aligned([name, *columns], list(zip(numbers, *columns.values(), strict=True)))
+
+
+def amounts(values: NDArray[Any], sd: NDArray[Any] | None, digits: int) -> list[str]:
+    """Format the value of each leg with its standard deviation, if any."""
+    deviations = [None] * LEGS if sd is None else sd
+    return [amount_text(value, off, digits) for value, off in zip(values, deviations, strict=True)]

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
 from ...design.limit_margins import compared, states_limits
@@ -15,8 +16,7 @@ from ...robot.units import Units
 from ..common import drawing
 from ..common.drawing import LIMIT, Axes, Figure, as_written, draw_limit, legend_below, new_figure
 from ..common.report import SMALL, Picture, Report
-from ..common.text_tables import aligned
-from ..reports.leg_tables import amounts
+from ..common.text_tables import aligned, amounts
 
 _ROWS = (
     ("force", "force", "N"),
@@ -44,6 +44,7 @@ _RATED: dict[str, Any] = {"color": drawing.DARK, "linewidth": 1.0, "linestyle": 
 _DIGITS = 4
 """Number of digits in the table."""
 _LEGS = np.arange(1, LEGS + 1)
+Vector = NDArray[Any]
 _MOST = 4000
 """Largest number of drawn points per leg."""
 
@@ -191,7 +192,9 @@ def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None
     axes.set_xticks(_LEGS)
 
 
-def _bars(axes: Axes, x: Array, bottom: Array | float, height: Array, *limits: Array, **style: Any) -> None:
+def _bars(
+    axes: Axes, x: Vector, bottom: Vector | float, height: Vector, *limits: Vector, **style: Any
+) -> None:
     """Draw a bar of each leg, and its limits across it, shape (6,) each, as far as they are given."""
     half = 0.6 * style["width"]
     axes.bar(x, height, bottom=bottom, color=drawing.LEG_COLORS, **style)

@@ -22,9 +22,9 @@ from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, Singul
 from ...robot.robot import LEGS, Robot
 from ...viewer.view import Viewer
 from ..common.drawing import Figure
-from ..common.text_tables import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
+from ..common.text_tables import Columns, amounts, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .leg_plot import leg_figure
-from .leg_tables import amounts, at_rows, drive_columns, extreme_texts, largest, leg_data, motor_table
+from .leg_tables import at_rows, drive_columns, extreme_texts, largest, leg_data, motor_table
 
 _FORCES, _STD = (",".join(f"F_{leg + 1}{ending}" for leg in range(LEGS)) for ending in ("", "_std"))
 HEADERS = [f"time,{_FORCES},{after}" for after in ("L_1,", _STD)]
@@ -107,7 +107,7 @@ class ForceReport:
         i = int(largest(condition))
         if not condition[i] <= self.worst[1]:
             self.worst = float(time[i]), float(condition[i])
-        columns = {"time": time} | of_legs("F", found.F)
+        columns: Columns = {"time": time} | of_legs("F", found.F)
         columns |= {} if sd is None else of_legs("F", sd["F"], "_std")
         return columns | of_legs("L", L) | {"condition_number": condition, "status": status} | more
 

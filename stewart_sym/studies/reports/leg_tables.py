@@ -7,13 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...drives import limits
-from ...drives.limit_status import amount_text
 from ...drives.limits import Limit, LimitTracker
 from ...drives.motor_states import MotorStates
 from ...drives.noise import Deviations
 from ...io.array_types import Array
 from ...robot.robot import LEGS
-from ..common.text_tables import Columns, leg_table, of_legs
+from ..common.text_tables import Columns, amounts, leg_table, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 
@@ -105,12 +104,6 @@ def extreme_texts(tracker: LimitTracker, limit: Limit) -> list[str]:
     peaks, sd = tracker.peaks(limit)
     scale, _ = tracker.units.of_unit(limit.unit)
     return amounts(scale * peaks, None if sd is None else scale * sd, 4)
-
-
-def amounts(values: Array, sd: Array | None, digits: int) -> list[str]:
-    """Format the value of each leg with its standard deviation, if any."""
-    deviations = [None] * LEGS if sd is None else sd
-    return [amount_text(value, off, digits) for value, off in zip(values, deviations, strict=True)]
 
 
 def largest(values: Array) -> NDArray[np.int64]:

@@ -133,13 +133,13 @@ def summary(robot: Robot, run: SimulationResult, fine: StateHistory, law: ForceL
     drift = springs_drift(run, fine, law)
     if drift == 0.0:
         lines.append("springs    nothing moved, so that no energy can drift")
-    elif drift is not None:
+    elif drift is not None and isinstance(law, LegSprings):
         finding = f"energy with that of the springs changes by up to {drift:.2e} of the mean kinetic energy"
         lines.append(f"springs    {finding}{_causes(run, law)}")
     return "\n".join(lines)
 
 
-def _causes(run: SimulationResult, law: ForceLaw) -> str:
+def _causes(run: SimulationResult, law: LegSprings) -> str:
     """Name the causes of a legitimate change of the energy of a machine on springs, or return nothing."""
     sources = {
         "dampers": np.any(getattr(law, "damping", 0.0)),
