@@ -214,18 +214,6 @@ def test_rows_without_numbers_in_one_file_are_left_out_of_both(
     assert json.loads(told.out)["verdict"] == "consistent"
 
 
-def test_a_wrong_force_is_named_with_leg_time_and_line(simulated: Path, tmp_path: Path, run: Run) -> None:
-    rows = (simulated / "forces.csv").read_text().splitlines(keepends=True)
-    time, first, _, *others = rows[20].split(",")
-    rows[20] = ",".join([time, first, "9e4", *others])
-    forces = tmp_path / "forces.csv"
-    forces.write_text("".join(rows))
-    inputs = "--measured", simulated / "trajectory.csv", forces
-    told = run("identify", PAPERS, *inputs, "-o", tmp_path / "out", code=1)
-    assert f"{forces}: largest residual: leg 2 at {float(time):.3g}" in told.err
-    assert " s, line 21: " in told.err
-
-
 def test_forces_with_dates_and_units_are_read_and_their_sign_is_checked(
     simulated: Path, tmp_path: Path, run: Run
 ) -> None:
