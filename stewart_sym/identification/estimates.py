@@ -81,6 +81,9 @@ class IdentificationResult:
     force_lag : tuple of float, optional
         Time lag of the forces behind the measured poses (s) and its standard deviation, estimated from the
         residual. The other values are not corrected for the lag.
+    largest_residual : tuple
+        Index of the sample, index of the leg, and size in standard deviations of the largest residual of the
+        forces.
     """
 
     base: BaseParametersResult
@@ -99,6 +102,7 @@ class IdentificationResult:
     unconstrained: IdentificationResult | None = None
     drive: DriveIdentificationResult | None = None
     force_lag: tuple[float, float] | None = None
+    largest_residual: tuple[int, int, float] = (0, 0, 0.0)
 
     @property
     def std(self) -> Array:
@@ -172,7 +176,14 @@ def tested_estimate(data: Data, fit: Fit) -> IdentificationResult:
         motion=fit.motion,
         drive=None if terms is None else terms.estimate(fit.values[rank:], covariance[rank:, rank:]),
         force_lag=None if lag is None else (lag.time, lag.sigma),
+        largest_residual=_largest(fit.parts[0]),
     )
+
+
+def _largest(residual: Array) -> tuple[int, int, float]:
+    """Return sample, leg, and size of the largest residual, shape (n, 6)."""
+    sample, leg = np.unravel_index(int(np.argmax(np.abs(residual))), residual.shape)
+    return int(sample), int(leg), float(abs(residual[sample, leg]))
 
 
 class _Test(NamedTuple):

@@ -75,7 +75,7 @@ def rates_of(
     uncertainty.covariance[:, coarse, -1] += unknown[coarse]
     # Noise of half a step or less cannot be distinguished from rounding.
     if np.any((uncertainty.sigma > 0.5 * steps)[~clean]):
-        remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
+        remedy = "; position_std replaces the estimate" if np.isnan(stated).all() else ""
         form = log.file_format
         noise = noise_text(uncertainty, form.length_unit, form.angle_unit)
         warn_of(log, f"{noise}; the columns are smoothed{remedy}")

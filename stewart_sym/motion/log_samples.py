@@ -201,7 +201,7 @@ def _good_rows(table: CsvTable, cells: Sequence[str], numbers: Array, drop_lines
         raise ValueError(f"{place}: expected a number or a time, got {text!r}; {remedy}")
     if len(dropped):
         finding = f"{source}: rows without numbers ({line_ranges(dropped)})"
-        warn(f"{finding}; they are not used; complete them", TrajectoryWarning)
+        warn(f"{finding}; they are not used", TrajectoryWarning)
     beyond = [line for line in drop_lines if line > table.lines[-1]]
     if beyond:
         raise ValueError(f"{source}: drop_lines: line {beyond[0]} is beyond the last line {table.lines[-1]}")

@@ -139,7 +139,7 @@ def test_forces_warns_of_crossings_between(robot: Path, crossing: Path, trajecto
 def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> None:
     folder = robot.parent / "found"
     told = run("singularities", robot, "III", "-o", folder).out
-    names = ["crossing_1.png", "events.csv", "path.csv", "path.png", "report.json", "report.txt"]
+    names = ["crossing_1.png", "path.csv", "path.png", "report.json", "report.txt"]
     assert results(folder) == names
     text = (folder / "report.txt").read_text()
     assert told.startswith(text)
@@ -147,9 +147,6 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     (crossing,) = json.loads((folder / "report.json").read_text())["crossings"]
     assert (crossing["sign_before"], crossing["sign_after"]) == (-1, 1)
     assert crossing["residue_N_s"][0] == pytest.approx(-27554.33, rel=1e-6)
-    (event,) = read(folder / "events.csv")
-    assert (event["crossing"], event["sign_before"], event["sign_after"]) == ("1", "-1", "1")
-    assert [float(event[f"A_{leg}"]) for leg in range(1, 7)] == crossing["residue_N_s"]
     sides = [
         float(row["F_2"]) for row in read(folder / "path.csv") if abs(float(row["time"]) - 3.6705) < 0.05
     ]

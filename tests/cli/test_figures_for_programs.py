@@ -26,9 +26,9 @@ def strict(text: str) -> object:
 def test_on_standard_output_stands_nothing_but_the_figures(robot: Path, run: Run) -> None:
     found = strict(run("check", robot, "--json").out)
     assert isinstance(found, dict)
-    assert found["platform_mass_kg"] == 40.0
+    assert found["robot"]["platform"]["body"]["mass"] == 40.0
     # The paper's machine has no limits, and JSON has no infinity.
-    assert found["force_limit_N"] == [None] * 6
+    assert found["axis_travel"]["surge"]["acceleration_m_per_s2"] == [None] * 2
     assert len(found["home_pose"]["holding_forces_N"]) == 6
 
 

@@ -193,6 +193,9 @@ def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     assert leg["motor_rms_torque_N_m"] == pytest.approx(found.rms_torque[2], rel=0.02)
     assert leg["motor_energy_J"] == pytest.approx(found.energy[2], rel=0.05)
     assert picture.read_bytes()[:4] == b"\x89PNG"
+    assert run(*command).out == out  # The picture of the program is replaced.
+    picture.write_bytes(b"other")
+    assert "motors.png: exists with other content" in run(*command, code=2).err
     page = (tmp_path / "F.html").read_text(encoding="utf-8")
     assert f'data-value="{leg["motor_rms_torque_N_m"]!r}"' in page
     assert 'alt="forces"' in page

@@ -47,6 +47,19 @@ def test_noisy_poses_of_the_tool_are_taken_as_measured(robot: ss.Robot, excited:
     assert found.compare_with(robot)[1] > 1e-3
 
 
+def test_undetermined_parameters_and_a_wrong_force_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
+    trajectory = Trajectory(excited.time, excited.motion, "log.csv", tuple(range(2, 122)))
+    F = ss.inverse_dynamics(robot, excited.motion).F
+    F[18, 1] += 1e4
+    for sigma, words in (
+        (1e9, "parameters: none is determined"),
+        (1.0, "F.csv: largest residual: leg 2 at "),
+    ):
+        found = from_measurement(robot, trajectory, excited.time, F, sigma, "F.csv")
+        (line,) = (line for line in found.warnings if line.startswith(words))
+    assert " s, line 20: " in line
+
+
 @pytest.fixture(scope="module")
 def lengths(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     """Options of ``identify``: leg lengths with noise of 0.02 mm, and forces with noise of 0.5 N."""

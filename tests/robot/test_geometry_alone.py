@@ -103,7 +103,7 @@ def test_subcommands_of_kinematics_work_and_others_name_the_missing_keys(
     report = run("check", "geometry.toml", "-o", "geometry").out
     assert "masses       missing: platform.body, legs.lower, legs.upper; kinematics only, no forces" in report
     data = json.loads((folder / "geometry" / "report.json").read_text())
-    assert data["platform_mass_kg"] is None
+    assert "body" not in data["robot"]["platform"]
     assert (folder / "geometry" / "machine.png").exists()
     told = run("workspace", "geometry.toml", "--samples", 500, "--no-plots").out
     assert "not actuator forces: platform.body is missing" in told

@@ -82,23 +82,6 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
 
 
-@pytest.mark.slow
-def test_energy_drift_is_written_and_drawn(scene: Path, run: Run, fails: Fails) -> None:
-    output = scene.parent / "out"
-    told = run("simulate", scene, "-o", output, "--energy-drift").out
-    tables = {name: f"energy_drift_{name}.csv" for name in ("exact", "paper")}
-    names = ["energy_drift.png", *tables.values(), "run.csv", "run.png", "summary.json", "summary.txt"]
-    assert sorted(path.name for path in output.glob("[!.]*")) == names
-    worst = {
-        name: max(abs(float(row["drift"])) for row in read(output / table)) for name, table in tables.items()
-    }
-    assert worst["exact"] < 1e-9
-    assert worst["paper"] > 1e-5
-    assert f"{worst['paper']:.2e}" in told
-    scene.write_text(TRACK)
-    assert "the actuation of the scene is not springs" in fails("simulate", scene, "--energy-drift")
-
-
 def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     time = np.linspace(1.0, 2.0, 11)
     pose = {"t_x": 0.1 + 0.05 * time, "t_y": 0 * time, "t_z": 0.5 + 0.05 * time**2}

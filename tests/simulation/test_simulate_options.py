@@ -4,6 +4,7 @@ import dataclasses
 import json
 import pickle
 import shutil
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -155,6 +156,14 @@ def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Pat
     assert line.startswith(f"stewart-sym: error: {scene}: ")
     assert "reaches its limit 0.001 N at 0 s" in line
     assert not (scene.parent / "out").exists()
+
+
+def test_warnings_about_the_robot_name_the_robot_file(scene: Path, run: Run) -> None:
+    limit_forces(scene, 1e-3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("default")
+        err = run("simulate", scene, "-o", scene.parent / "out", "--no-plots").err
+    assert f"warning: {scene.parent / 'robot.toml'}: " in err
 
 
 def test_progress_is_told_in_shares_that_end_at_one() -> None:

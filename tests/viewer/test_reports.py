@@ -50,7 +50,7 @@ def test_size_has_its_needs_as_a_table_and_every_motion(folder: Path) -> None:
     needs = (folder / "size" / "needs.csv").read_text(encoding="utf-8").splitlines()
     assert f"needs.csv: {len(needs) - 1} rows" in text
     assert all(f'data-value="{number}"' in text for number in needs[4].split(",")[3:])
-    assert all(f"<h2>trajectory.csv, motion {n}</h2>" in text for n in (1, 2))
+    assert all(f"<h2>motion {n}: trajectory.csv</h2>" in text for n in (1, 2))
     assert text.count("<iframe") == 2
 
 

@@ -12,14 +12,13 @@ from pathlib import Path
 
 import stewart_sym as ss
 
-from ...drives.limits import replaced_rows
 from ...io.atomic_write import must_be_replaceable, write_file
 from ...io.error_policy import warn
 from ...io.extras import need
 from ...motion.trajectory import noise_text
 from ...singularities.path_warnings import crossing_warning
-from ...studies.common.report import SMALL, Picture, Report, draw
-from ...studies.reports.force_report import NOISE_THRESHOLD, Digest, header_lines, in_parts
+from ...studies.common.report import SMALL, Picture, Report, draw, is_own_png
+from ...studies.reports.force_report import HEADERS, NOISE_THRESHOLD, ForceReport
 from ..command import Arguments, Parser, positive, results
 from ..inputs import robot_of, trajectory_of
 
@@ -46,28 +45,27 @@ def run(arguments: Arguments) -> None:
         if arguments.plot.suffix != ".png":
             raise ValueError(f"--plot {arguments.plot}: the file name must end in .png")
         inputs = [arguments.robot, arguments.trajectory]
-        must_be_replaceable(arguments.plot, False, arguments.force, inputs)
-    with results(arguments, beginnings=header_lines()) as (take, progress):
+        must_be_replaceable(arguments.plot, is_own_png(arguments.plot), arguments.force, inputs)
+    with results(arguments, beginnings=HEADERS) as (take, progress):
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
-        digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
-        how = (arguments.formulation, arguments.backend, arguments.reactions)
-        parts = in_parts(robot, trajectory, *how, arguments.on_singular == "nan")
-        write_file(arguments.output, digest.rows(parts, progress))
+        how = (arguments.formulation, arguments.backend, arguments.reactions, arguments.on_singular == "nan")
+        found = ForceReport(robot, trajectory, *how)
+        write_file(arguments.output, found.rows(progress))
         progress("looking for singular poses")
         crossed = crossing_warning(robot, trajectory)
         if crossed is not None:
             warn(crossed, ss.SingularPoseWarning)
-        lines = [digest.summary()]
+        lines = [found.summary()]
         if trajectory.noise is not None and trajectory.noise.sigma.any():
             noise = noise_text(trajectory.noise, robot.length_unit, robot.angle_unit)
             lines.append(f"{noise}; F_std is the remaining standard deviation")
-        figures = {} if arguments.plot is None else {"forces": Picture(digest.figure, SMALL)}
+        figures = {} if arguments.plot is None else {"forces": Picture(found.figure, SMALL)}
         for picture in figures.values():
             draw(picture, arguments.plot.with_suffix(""))
             lines.append(f"Drawn as {arguments.plot}")
-        doubts = digest.doubts(arguments.noise_threshold)
+        doubts = found.doubts(arguments.noise_threshold)
         views = {"motion": lambda: ss.view(robot, trajectory)}
-        data = {**digest.as_json(), "warnings": doubts}
+        data = {**found.as_json(), "warnings": doubts}
         take(Report("\n".join(lines), data=data, figures=figures, views=views))
     for line in doubts:
         warn(line)

@@ -15,32 +15,26 @@ import stewart_sym as ss
 
 from ...io.error_policy import warn
 from ...simulation.scene import read_scene
-from ...studies.reports import simulation_report as runs
 from ...studies.reports.scene_checks import start_doubts
+from ...studies.reports.simulation_report import report
 from ..command import Arguments, Parser, results
 from ..inputs import warn_of_doubts
 
 
 def add_arguments(parser: Parser) -> None:
     parser.file("scene")
-    text = "compare the energy drift of both formulations, without friction and damping (springs only)"
-    parser.flag("energy-drift", text)
     parser.output("DIR", "folder of the results", "simulation", plots=True, html=True)
 
 
 def run(arguments: Arguments) -> None:
     scene = read_scene(arguments.scene)
-    warn_of_doubts(scene.robot, arguments.scene)
+    warn_of_doubts(scene.robot, scene.files[1])
     for doubt in start_doubts(scene):
         warn(f"{arguments.scene}: {doubt}")
-    if arguments.energy_drift and not isinstance(scene.law, ss.LegSprings):
-        raise ValueError("--energy-drift: the actuation of the scene is not springs; change the scene")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
         done = scene.run(lambda share: progress("simulating", share))
         if done.stop.reason != "completed" and done.stop.time == 0.0:
             why = f"the run stops at its start, nothing was written: {done.stop.message}"
             raise ValueError(f"{arguments.scene}: {why}; start within the limits")
-        drifts = runs.energy_drift(scene) if arguments.energy_drift else None
-        report = runs.report(scene.robot, done, scene.law, drifts, scene.reference)
         views = {"run": lambda: ss.view(scene.robot, done)}
-        take(dataclasses.replace(report, views=views))
+        take(dataclasses.replace(report(scene.robot, done, scene.law, scene.reference), views=views))

@@ -1,8 +1,8 @@
 """Find singular poses along a path and their unconstrained twists.
 
 Between samples of a trajectory, the path is the quintic through poses, rates, and accelerations.
-Output: report, tables of events and of the path, and drawings.
-The report has the units of the robot file; tables have SI units.
+Output: report, table of the path, and drawings.
+The report has the units of the robot file; the table has SI units.
 
 Example: stewart-sym singularities hexapod.toml trajectory.csv -o singularities
 """
@@ -31,7 +31,7 @@ def run(arguments: Arguments) -> None:
     robot = robot_of(arguments.robot)
     name, file = arguments.path, Path(arguments.path)
     read = [] if name in ss.PAPER_PATHS else [file]
-    with results(arguments, "report", "events.csv", "path.csv", read=read) as (take, progress):
+    with results(arguments, "report", "path.csv", read=read) as (take, progress):
         path: MotionPath
         if name in ss.PAPER_PATHS:
             if arguments.pose_guess is not None:
@@ -44,5 +44,5 @@ def run(arguments: Arguments) -> None:
             trajectory = trajectory_of(robot, file, arguments, progress)
             path, times = ss.interpolate(trajectory), trajectory.time
         progress("looking for singular poses")
-        found = singularities.examine(robot, file.name, path, times, arguments.formulation)
+        found = singularities.Examination(robot, file.name, path, times, arguments.formulation)
         take(singularities.full_report(found))

@@ -8,11 +8,14 @@ The report has the units of the robot file; the table has SI units.
 Example: stewart-sym size-actuators hexapod.toml trajectory.csv -o size --margin 0.3
 """
 
-import dataclasses
+from dataclasses import replace
+from functools import partial
+
+import stewart_sym as ss
 
 from ...design.actuator_requirements import QUANTILES, actuator_requirements
 from ...io.error_policy import warn
-from ...studies.design.actuator_report import doubts, report, views
+from ...studies.design.actuator_report import doubts, report
 from ..command import Arguments, Parser, finite, positive, results
 from ..inputs import robot_of, trajectory_of
 
@@ -44,6 +47,9 @@ def run(arguments: Arguments) -> None:
         read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]
         needs = actuator_requirements(robot, read, margin, quantiles, arguments.formulation, progress)
         names = [path.name for path in arguments.trajectories]
-        take(dataclasses.replace(report(robot, names, needs), views=views(robot, names, read)))
+        views = {
+            f"motion {i}: {name}": partial(ss.view, robot, read[i - 1]) for i, name in enumerate(names, 1)
+        }
+        take(replace(report(robot, names, needs), views=views))
     for text in doubts(robot, needs, arguments.robot):
         warn(text)

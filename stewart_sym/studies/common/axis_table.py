@@ -2,42 +2,36 @@
 
 from typing import Any
 
-import numpy as np
-
 from ...design.axis_travel import AXES, AxisTravelResult
 from ...io.arguments import status_text
+from ...io.array_types import Array
 from ...robot.units import Units
 from .text_tables import aligned
 
-_NO_LIMIT = "no limit"
+_TITLE = "axis travel: from the home pose, at the tool, along and about the axes of the base frame"
 
 
 def axis_text(found: AxisTravelResult, units: Units) -> str:
     """Format the table with a header that names its units."""
-    header: tuple[str, ...] = ("axis", "travel from", "to", "limit at lower end", "at upper end", "speed")
-    header += () if found.acceleration is None else ("acceleration from", "to")
-    rows = [_row(found, i, units) for i in range(len(AXES))]
-    title = "axis travel: from the home pose, at the tool, along and about the axes of the base frame"
-    return "\n".join([f"{title} ({units.length}, {units.angle}, s)", aligned(header, rows)])
+    header = ["axis", "travel from", "to", "limit at lower end", "at upper end", "speed"]
+    rows = []
+    for i, name in enumerate(AXES):
+        scale, way = (units.meters, "along") if i < 3 else (units.radians, "about")
+        causes = ["" if cause == "none" else status_text(cause) for cause in found.limits[i]]
+        row = [f"{name}, {way} {'xyz'[i % 3]}", *_cells(found.travel[i] / scale, "outside"), *causes]
+        row += _cells(found.speed[i : i + 1] / scale, "-")
+        if found.acceleration is not None:
+            row += _cells(found.acceleration[i] / scale, "not held")
+        rows.append(row)
+    header += [] if found.acceleration is None else ["acceleration from", "to"]
+    return f"{_TITLE} ({units.length}, {units.angle}, s)\n{aligned(header, rows)}"
 
 
-def _row(found: AxisTravelResult, i: int, units: Units) -> tuple[str, ...]:
-    """Return the cells of one axis."""
-    scale = units.meters if i < 3 else units.radians
-    name = f"{AXES[i]}, {'along' if i < 3 else 'about'} {'xyz'[i % 3]}"
-    ends = tuple(_cell(end / scale, "outside") for end in found.travel[i])
-    causes = tuple("" if cause == "none" else status_text(cause) for cause in found.limits[i])
-    cells = (name, *ends, *causes, _cell(found.speed[i] / scale, "-"))
-    if found.acceleration is None:
-        return cells
-    return (*cells, *(_cell(end / scale, "not held") for end in found.acceleration[i]))
-
-
-def _cell(value: float, unknown: str) -> str:
-    """Format a number; an infinite number means that no limit is given, NaN is ``unknown``."""
-    if np.isnan(value):
-        return unknown
-    return _NO_LIMIT if np.isinf(value) else f"{float(f'{value:.4g}'):g}"
+def _cells(values: Array, unknown: str) -> list[str]:
+    """Format numbers; an infinite number means that no limit is given, NaN is ``unknown``."""
+    names = {"nan": unknown, "inf": "no limit", "-inf": "no limit"}
+    texts = [f"{float(f'{value:.4g}'):g}" for value in values]
+    return [names.get(text, text) for text in texts]
 
 
 def axis_data(found: AxisTravelResult) -> dict[str, Any]:

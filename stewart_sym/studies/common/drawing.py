@@ -19,6 +19,8 @@ else:
 
 BLUE, RED, DARK, GRAY = "#1f4e9c", "#c1440e", "#3a3a3a", "#8a8a8a"
 LEG_COLORS = (BLUE, RED, "#2e7d4f", "#8e5ea2", "#b8860b", DARK)
+LIMIT: dict[str, Any] = {"color": RED, "linewidth": 1.1, "linestyle": (0, (4, 2))}
+"""Style of the line of a limit."""
 
 Place = tuple[float, float]
 """Data coordinates (x, y)."""
@@ -31,6 +33,8 @@ _DECADES = 2.0
 _MARGIN = 0.02
 """Free fraction of the figure width next to a legend."""
 _ALONG_Z = 0.5
+_FAR = 5.0
+"""Ratio of a limit to the largest value of all legs above which the limit is not drawn."""
 """Smallest fraction of gravity along z for which the vertical is the z axis."""
 
 
@@ -48,11 +52,19 @@ def legend_line(label: str, **style: Any) -> Any:
     return Line2D([], [], label=label, **style)
 
 
-def plot_legs(axes: Axes, x: NDArray[Any], values: NDArray[Any], **style: Any) -> None:
-    """Plot a labeled curve of each leg from values of shape (n, 6) over x, shape (n,) or (n, 6)."""
-    across = x if x.ndim == 2 else np.tile(x[:, None], len(LEG_COLORS))
-    for leg, color in enumerate(LEG_COLORS):
-        axes.plot(across[:, leg], values[:, leg], color=color, label=f"leg {leg + 1}", **style)
+def curves(axes: Axes, x: NDArray[Any], values: NDArray[Any], names: Sequence[str], label: str) -> None:
+    """Plot named columns of values, shape (n, k), over x, shape (n,), and label the vertical axis."""
+    axes.plot(x, values, linewidth=1.1, label=[*names])
+    axes.set_ylabel(label)
+    axes.margins(x=0.0)
+
+
+def draw_limit(line: Any, limit: float, values: NDArray[Any], style: dict[str, Any]) -> None:
+    """Draw a limit on each side of zero on which values are, unless it is too far from them."""
+    for side in (-1.0, 1.0):
+        largest = float(np.nanmax(side * values, initial=0.0))
+        if 0.0 < largest and limit <= _FAR * largest:
+            line(side * limit, **style)
 
 
 def as_written(name: str) -> str:
@@ -60,13 +72,23 @@ def as_written(name: str) -> str:
     return name.replace("$", r"\$")
 
 
+def _labeled(panels: Sequence[Axes]) -> dict[str, Any]:
+    """Return one curve for each label."""
+    found = [axes.get_legend_handles_labels() for axes in panels]
+    return {label: one for ones, labels in found for one, label in zip(ones, labels, strict=True)}
+
+
+def legend_beside(figure: Figure) -> None:
+    """Add a legend to the right of each panel, because curves could cover it inside."""
+    for axes in figure.axes:
+        named = _labeled([axes])
+        place: Any = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5), "fontsize": 8.0}
+        axes.legend(list(named.values()), list(named), **place)
+
+
 def legend_below(figure: Figure, handles: list[Any] | None = None, **style: Any) -> None:
     """Add a legend of the handles, or of all labeled curves, below the figure, in as many columns as fit."""
-    if handles is None:
-        found = [axes.get_legend_handles_labels() for axes in figure.axes]
-        named = {label: one for ones, labels in found for one, label in zip(ones, labels, strict=True)}
-    else:
-        named = {one.get_label(): one for one in handles}
+    named = _labeled(figure.axes) if handles is None else {one.get_label(): one for one in handles}
     for columns in range(len(named), 0, -1):
         where: Any = {"loc": "outside lower center", "ncols": columns, "frameon": False}
         legend = figure.legend(list(named.values()), list(named), **where, **style)

@@ -34,7 +34,10 @@ STYLE: Mapping[Any, Any] = {
 """Matplotlib settings of all plots; ``SMALL`` has a smaller font."""
 SMALL: Mapping[Any, Any] = {**STYLE, "font.size": 9.0, "axes.axisbelow": True}
 
-_METADATA: dict[str, dict[str, None]] = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None}}
+_METADATA: dict[str, dict[str, str | None]] = {
+    "png": {"Software": "stewart-sym"},
+    "svg": {"Date": None, "Creator": None},
+}
 # These settings make the files reproducible to the byte.
 _SVG: dict[Any, Any] = {"svg.hashsalt": "stewart-sym", "svg.fonttype": "none"}
 
@@ -80,6 +83,11 @@ def draw(picture: Picture, stem: Path) -> None:
     """Draw a plot, and write it to a path to which the suffixes are added."""
     for kind, data in drawn(picture).items():
         write_file(stem.with_name(f"{stem.name}.{kind}"), data)
+
+
+def is_own_png(path: Path) -> bool:
+    """Return True if a file is a plot of this program."""
+    return path.is_file() and b"Software\0stewart-sym" in path.read_bytes()[:200]
 
 
 def drawn(picture: Picture) -> dict[str, bytes]:

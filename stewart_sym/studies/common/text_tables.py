@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...drives.limit_status import amount_text
 from ...robot.robot import LEGS
 
 _ROWS = 1024
@@ -27,9 +28,14 @@ def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
     return {f"{name}_{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
 
 
+def records(columns: Mapping[str, Any]) -> list[Figures]:
+    """Return a row for each entry of columns, shape (n, ...), by name."""
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+
+
 def by_leg(columns: Mapping[str, Any]) -> list[Figures]:
     """Return a row for each leg, numbered from 1, from columns of shape (6, ...)."""
-    return [{"leg": leg + 1} | {name: values[leg] for name, values in columns.items()} for leg in range(LEGS)]
+    return records({"leg": range(1, LEGS + 1), **columns})
 
 
 def of_axes(name: str, values: NDArray[Any]) -> Columns:
@@ -40,10 +46,7 @@ def of_axes(name: str, values: NDArray[Any]) -> Columns:
 def csv_lines(
     columns: Mapping[str, NDArray[Any]], header: bool = True, digits: int | None = None
 ) -> Iterator[str]:
-    """Yield the text of a CSV file in blocks of lines, header first.
-
-    Floats have all digits, or with ``digits`` as many digits as the largest one of their column.
-    """
+    """Yield the text of a CSV file in blocks of lines, with ``digits`` of the largest number of a column."""
     if header:
         yield csv_text([[*columns]])
     form = None if digits is None else _form(columns, digits)
@@ -70,12 +73,6 @@ def _form(columns: Mapping[str, NDArray[Any]], digits: int) -> str | None:
     return None if None in decimals else ",".join(f"%.{n}f" for n in decimals) + "\n"
 
 
-def columns_of(rows: Sequence[Sequence[object]]) -> Columns:
-    """Return the columns of rows of texts and numbers; the first row is the header."""
-    header, *found = rows
-    return dict(zip(map(str, header), map(np.array, zip(*found, strict=True)), strict=True))
-
-
 def csv_text(rows: Iterable[Sequence[object]]) -> str:
     """Format rows as CSV with all digits of floats."""
     stream = io.StringIO()
@@ -97,3 +94,9 @@ def leg_table(name: str, columns: Mapping[str, Sequence[str]]) -> str:
     """Format a text table with a row for each leg, numbered in the first column ``name``."""
     numbers = [str(leg + 1) for leg in range(LEGS)]
     return aligned([name, *columns], list(zip(numbers, *columns.values(), strict=True)))
+
+
+def amounts(values: NDArray[Any], sd: NDArray[Any] | None, digits: int) -> list[str]:
+    """Format the value of each leg with its standard deviation, if any."""
+    deviations = [None] * LEGS if sd is None else sd
+    return [amount_text(value, off, digits) for value, off in zip(values, deviations, strict=True)]

@@ -1,7 +1,6 @@
 """Report of ``size-actuators``: requirements of every actuator and joint, and the limits of the robot."""
 
-import functools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,50 +9,42 @@ from numpy.typing import NDArray
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
 from ...design.limit_margins import compared, states_limits
-from ...drives.limit_status import shows, spread_text, unknown_forces
+from ...drives.limit_status import unknown_forces
 from ...io.array_types import Array
-from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
-from ...viewer.view import Viewer, view
-from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure, plot_legs
+from ..common import drawing
+from ..common.drawing import LIMIT, Axes, Figure, as_written, draw_limit, legend_below, new_figure
 from ..common.report import SMALL, Picture, Report
-from ..common.text_tables import aligned, columns_of
+from ..common.text_tables import aligned, amounts
 
-_UNITS = (
-    {"force": "N", "speed": "m/s", "power": "W"}
-    | {"max_push_force": "N", "max_pull_force": "N", "rms_force": "N", "max_driving_power": "W"}
-    | {"max_braking_power": "W", "length": "m", "stroke": "m", "base_angle": "rad", "platform_angle": "rad"}
-    | {"torque": "N m", "motor_speed": "rad/s", "current": "A", "motor_power": "W", "rms_torque": "N m"}
+_ROWS = (
+    ("force", "force", "N"),
+    ("force, rms", "rms_force", "N"),
+    ("push force, peak", "max_push_force", "N"),
+    ("pull force, peak", "max_pull_force", "N"),
+    ("speed", "speed", "m/s"),
+    ("power", "power", "W"),
+    ("power into the leg", "max_driving_power", "W"),
+    ("power out of the leg", "max_braking_power", "W"),
+    ("torque", "torque", "N m"),
+    ("torque, rms", "rms_torque", "N m"),
+    ("motor speed", "motor_speed", "rad/s"),
+    ("current", "current", "A"),
+    ("motor power", "motor_power", "W"),
+    ("stroke", "stroke", "m"),
+    ("leg length", "length", "m"),
+    ("base joint", "base_angle", "rad"),
+    ("platform joint", "platform_angle", "rad"),
 )
-"""Units of the values in the JSON data."""
-
-_ROWS: tuple[tuple[str, str, Callable[[Array], Array] | None], ...] = (
-    ("force", "force", None),
-    ("force, rms", "rms_force", np.asarray),
-    ("push force, peak", "max_push_force", np.asarray),
-    ("pull force, peak", "max_pull_force", np.asarray),
-    ("speed", "speed", None),
-    ("power", "power", None),
-    ("power into the leg", "max_driving_power", np.asarray),
-    ("power out of the leg", "max_braking_power", np.asarray),
-    ("torque", "torque", None),
-    ("torque, rms", "rms_torque", np.asarray),
-    ("motor speed", "motor_speed", None),
-    ("current", "current", None),
-    ("motor power", "motor_power", None),
-    ("stroke", "stroke", np.asarray),
-    ("shortest leg", "length", lambda length: length[:, 0]),
-    ("longest leg", "length", lambda length: length[:, 1]),
-    ("base joint", "base_angle", np.asarray),
-    ("platform joint", "platform_angle", np.asarray),
-)
-"""Name and attribute of the rows, and the function that selects values of the legs; None: all quantiles."""
-
-_LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
+"""Name, attribute, and SI unit of the requirements; attributes of shape (q, 6) have a row per quantile."""
+_ENDS = ("shortest leg", "longest leg")
+"""Names of the rows of ``length``, which have no margin."""
+_RATED: dict[str, Any] = {"color": drawing.DARK, "linewidth": 1.0, "linestyle": (0, (1, 1.5))}
 _DIGITS = 4
 """Number of digits in the table."""
 _LEGS = np.arange(1, LEGS + 1)
+Vector = NDArray[Any]
 _MOST = 4000
 """Largest number of drawn points per leg."""
 
@@ -63,20 +54,10 @@ def report(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResu
     legs = [f"leg{leg + 1}" for leg in range(LEGS)]
     header = ("need", "unit", *legs, *(f"{leg}_std" for leg in legs if needs.std is not None))
     found = [(*row, *values, *(() if sd is None else sd)) for *row, values, sd in rows(needs)]
+    columns = map(np.array, zip(*found, strict=True))
     figures = {"size": Picture(lambda: figure(robot, needs), SMALL)}
-    tables = {"needs": columns_of([header, *found])}
+    tables = {"needs": dict(zip(header, columns, strict=True))}
     return Report(_text(robot, sources, needs), tables, _data(robot, sources, needs), figures)
-
-
-def views(
-    robot: Robot, sources: Sequence[str], read: Sequence[Trajectory]
-) -> dict[str, Callable[[], Viewer]]:
-    """Return functions that create the view of each motion; files of the same name are numbered."""
-    found: dict[str, Callable[[], Viewer]] = {}
-    for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
-        name = f"{source}, motion {number}" if sources.count(source) > 1 else source
-        found[name] = functools.partial(view, robot, trajectory)
-    return found
 
 
 def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> list[str]:
@@ -84,11 +65,8 @@ def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> lis
     limits = compared(robot, needs)
     lines = [line for part in limits for line in part]
     told = f"limits exceeded: {len(limits.exceeded)}, limits without the margin: {len(limits.margin_missing)}"
-    for text, part in (
-        ("inconclusive", limits.inconclusive),
-        ("margin inconclusive", limits.margin_inconclusive),
-    ):
-        told += f", {text}: {len(part)}" if part else ""
+    if possible := len(limits.inconclusive) + len(limits.margin_inconclusive):
+        told += f", inconclusive: {possible}"
     return [*_unknown(needs), *([f"{source}: {told}; {lines[0]}"] if lines else [])]
 
 
@@ -103,77 +81,62 @@ def _unknown(needs: ActuatorRequirementsResult) -> list[str]:
 
 def rows(needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str, Array, Array | None]]:
     """Yield name, unit, values, and standard deviations, if any, shape (6,), of every requirement."""
-    for name, attribute, pick in _ROWS:
+    quantiles = [f"{100.0 * share:g} % of time" if share < 1.0 else "peak" for share in needs.quantiles]
+    for name, attribute, unit in _ROWS:
         values, sd = getattr(needs, attribute), (needs.std or {}).get(attribute)
-        unit = _UNITS[attribute]
-        if values is not None and pick is not None:
-            yield name, unit, pick(values), None if sd is None else pick(sd)
+        if values is not None and values.ndim == 1:
+            yield name, unit, values, sd
         elif values is not None:
-            for k, share in enumerate(needs.quantiles):
-                words = "peak" if share == 1.0 else f"{100.0 * float(share):g} % of time"
-                yield f"{name}, {words}", unit, values[k], None if sd is None else sd[k]
+            is_length = attribute == "length"
+            for k, title in enumerate(_ENDS if is_length else [f"{name}, {text}" for text in quantiles]):
+                part = np.s_[:, k] if is_length else k
+                yield title, unit, values[part], None if sd is None else sd[part]
 
 
 def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> str:
-    no_margin = ("shortest leg", "longest leg")
-    more = 1.0 + needs.margin
-    cells, noisy = [], False
+    """Format the requirements in the units of the robot file, and the comparison with its limits."""
+    cells = []
     for name, si_unit, values, sd in rows(needs):
         scale, unit = Units.of(robot).of_unit(si_unit)
-        values, sd = scale * values, None if sd is None else scale * sd
-        last = "" if name in no_margin else f"{more * np.nanmax(values):.{_DIGITS}g}"
-        cells.append((f"{name}, {unit}", *(f"{value:.{_DIGITS}g}" for value in values), last))
-        seen = np.zeros(LEGS, dtype=bool) if sd is None else shows(values, sd, _DIGITS)
-        if sd is not None and seen.any():
-            noisy = True
-            spreads = (spread_text(off) if each else "" for off, each in zip(sd, seen, strict=True))
-            cells.append(("  +-", *spreads, ""))
-    legs = [f"leg {leg + 1}" for leg in range(LEGS)]
+        texts = amounts(scale * values, None if sd is None else scale * sd, _DIGITS)
+        largest = scale * (1.0 + needs.margin) * np.nanmax(values)
+        cells.append((f"{name}, {unit}", *texts, "" if name in _ENDS else f"{largest:.{_DIGITS}g}"))
     neutral = "the home pose" if robot.home_position is not None else "the mean direction of each leg"
     lines = [
         f"robot   {robot.name}",
         f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
         f"margin  {100.0 * needs.margin:g} %, added to the largest value of each row in the last column",
         "",
-        aligned(("need", *legs, "with margin"), cells),
+        aligned(("need", *(f"leg {leg}" for leg in _LEGS), "with margin"), cells),
         "",
         f"Joint angles are from {neutral}.",
     ]
-    if noisy:
+    if needs.std is not None:
         lines.append("+-: standard deviations that the noise of the logs leaves, at most.")
-    lines += [f"{_capital(text)}." for text in _unknown(needs)]
     found = compared(robot, needs)
-    told = [*needs.crossings, *(f"Exceeded: {line}" for line in found.exceeded)]
-    told += map(_capital, found.inconclusive)
-    told += [f"Margin missing: {line}" for line in found.margin_missing]
-    told += map(_capital, found.margin_inconclusive)
-    if not told:
+    told = [f"{text}." for text in _unknown(needs)]
+    told += [*(f"exceeded: {line}" for line in found.exceeded), *found.inconclusive]
+    told += [*(f"margin missing: {line}" for line in found.margin_missing), *found.margin_inconclusive]
+    if not any([needs.crossings, *found]):
         stated = states_limits(robot, needs)
-        told = ["No limit is exceeded, with the margin." if stated else "The robot file states no limit."]
-    return "\n".join([*lines, *told])
-
-
-def _capital(line: str) -> str:
-    return line[:1].upper() + line[1:]
+        told.append("No limit is exceeded, with the margin." if stated else "The robot file states no limit.")
+    return "\n".join([*lines, *needs.crossings, *(line[:1].upper() + line[1:] for line in told)])
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> dict[str, Any]:
-    found, noisy = compared(robot, needs), {}
-    if needs.std is not None:
-        noisy = {"std": dict(needs.std), "warnings": _unknown(needs)}
-        noisy |= {name: getattr(found, name) for name in ("inconclusive", "margin_inconclusive")}
-    kept = {name: getattr(needs, name) for name in _UNITS if getattr(needs, name) is not None}
+    """Return the requirements in SI units, and the comparison with the limits, for the JSON data."""
+    units = {name: unit for _, name, unit in _ROWS if getattr(needs, name) is not None}
     return {
         "robot": robot.name,
         "motions": list(sources),
         "margin": needs.margin,
         "quantiles": needs.quantiles,
-        **kept,
-        "exceeded": found.exceeded,
-        "margin_missing": found.margin_missing,
+        **{name: getattr(needs, name) for name in units},
+        "std": dict(needs.std or {}),
+        **compared(robot, needs)._asdict(),
+        "warnings": _unknown(needs),
         "crossings": list(needs.crossings),
-        **noisy,
-        "units": {name: _UNITS[name] for name in kept},
+        "units": units,
     }
 
 
@@ -182,18 +145,16 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
     course, drive, units = needs.history, robot.drive, Units.of(robot)
     drawn = new_figure(15.0, 4.8) if drive is None else new_figure(11.0, 8.6)
     panels = drawn.subplots(1, 3) if drive is None else drawn.subplots(2, 2).ravel()
-    _plane(
-        panels[0], course.L_dot / units.meters, course.F, robot.speed_limit / units.meters, robot.force_limit
-    )
+    rates, most = course.L_dot / units.meters, robot.speed_limit / units.meters
+    _plane(panels[0], rates, course.F, most, robot.force_limit)
     panels[0].set(xlabel=f"rate of length, {units.length}/s", ylabel="actuator force, N")
     _strokes(panels[1], robot, needs)
     _angles(panels[2], robot, needs)
     if course.torque is not None and course.motor_speed is not None and drive is not None:
-        speed, torque = (np.asarray(limit) for limit in (drive.speed_limit, drive.torque_limit))
-        _plane(panels[3], course.motor_speed / units.radians, course.torque, speed / units.radians, torque)
-        for rated in np.unique(drive.rated_torque[np.isfinite(drive.rated_torque)]):
-            for side in (-rated, rated):
-                panels[3].axhline(side, color=DARK, linewidth=1.0, linestyle=(0, (1, 1.5)))
+        rates, most = course.motor_speed / units.radians, drive.speed_limit / units.radians
+        _plane(panels[3], rates, course.torque, most, drive.torque_limit)
+        for rated in np.unique(drive.rated_torque):
+            draw_limit(panels[3].axhline, float(rated), course.torque, _RATED)
         if np.isfinite(drive.rated_torque).any():
             panels[3].set_title("dotted: rated torque, limit of the root mean square", fontsize=8.0)
         panels[3].set(xlabel=f"motor speed, {units.angle}/s", ylabel="motor torque, N m")
@@ -207,46 +168,49 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
 def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
     """Draw the lengths of each leg, its stroke with the margin, and the limits of the lengths."""
     units = Units.of(robot)
-    (low, high), (least, most) = needs.length.T / units.meters, robot.length_limits.T / units.meters
+    (low, high), limits = needs.length.T / units.meters, robot.length_limits.T / units.meters
     stroke = (1.0 + needs.margin) * needs.stroke / units.meters
     # Half of the margin is at each end, unless a limit shifts it to the other end.
-    bottom = np.minimum(np.maximum(0.5 * (low + high - stroke), least), most - stroke)
+    bottom = np.minimum(np.maximum(0.5 * (low + high - stroke), limits[0]), limits[1] - stroke)
     bottom = np.minimum(np.maximum(bottom, high - stroke), low)
-    axes.bar(_LEGS, stroke, bottom=bottom, color=LEG_COLORS, alpha=0.3, width=0.6)
-    axes.bar(_LEGS, high - low, bottom=low, color=LEG_COLORS, width=0.6)
-    _dashes(axes, _LEGS, least, 0.4)
-    _dashes(axes, _LEGS, most, 0.4)
+    _bars(axes, _LEGS, bottom, stroke, alpha=0.3, width=0.6)
+    _bars(axes, _LEGS, low, high - low, *limits, width=0.6)
     axes.use_sticky_edges = False
     axes.set(xlabel="leg", ylabel=f"length, {units.length}", xticks=_LEGS)
 
 
 def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
     """Draw the largest angles of the joints at the base, left, and at the platform, right and hatched."""
-    style: dict[str, Any] = {"color": LEG_COLORS, "width": 0.36}
     size, unit = Units.of(robot).of_unit("rad")
-    ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
-    for (angles, shift, hatch), limits in zip(ends, robot.joint_angle_limit.T, strict=True):
-        axes.bar(_LEGS + shift, size * (1.0 + needs.margin) * angles, alpha=0.3, **style)
-        axes.bar(_LEGS + shift, size * angles, hatch=hatch, edgecolor="white", **style)
-        _dashes(axes, _LEGS + shift, size * limits, 0.2)
+    for angles, limits, place, hatch in (
+        (size * needs.base_angle, size * robot.joint_angle_limit[:, 0], _LEGS - 0.2, ""),
+        (size * needs.platform_angle, size * robot.joint_angle_limit[:, 1], _LEGS + 0.2, "///"),
+    ):
+        _bars(axes, place, 0.0, (1.0 + needs.margin) * angles, alpha=0.3, width=0.36)
+        _bars(axes, place, 0.0, angles, limits, hatch=hatch, edgecolor="white", width=0.36)
     axes.set(xlabel="leg; base joint left, platform joint right, hatched", ylabel=f"joint angle, {unit}")
     axes.set_xticks(_LEGS)
 
 
-def _dashes(axes: Axes, places: NDArray[Any], limits: Array, half: float) -> None:
-    """Draw the limit of each leg across its place, shape (6,), as far as it is given."""
-    given = np.isfinite(limits) & (limits > 0.0)
-    axes.hlines(limits[given], places[given] - half, places[given] + half, **_LIMIT)
+def _bars(
+    axes: Axes, x: Vector, bottom: Vector | float, height: Vector, *limits: Vector, **style: Any
+) -> None:
+    """Draw a bar of each leg, and its limits across it, shape (6,) each, as far as they are given."""
+    half = 0.6 * style["width"]
+    axes.bar(x, height, bottom=bottom, color=drawing.LEG_COLORS, **style)
+    for limit in limits:
+        given = np.isfinite(limit) & (limit > 0.0)
+        axes.hlines(limit[given], x[given] - half, x[given] + half, **LIMIT)
 
 
 def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort: Array) -> None:
     """Draw the effort of each leg over its rate, and the limits near the range of the curves."""
     step = max(1, len(rate) // _MOST)
-    plot_legs(axes, rate[::step], effort[::step], linewidth=0.8, alpha=0.8)
-    across, along = 1.1 * np.abs(rate).max() or 1.0, 1.1 * np.abs(effort).max() or 1.0
-    axes.axhline(0.0, color=DARK, linewidth=0.7)
-    axes.axvline(0.0, color=DARK, linewidth=0.7)
-    for limit, size, draw in ((most_rate, across, axes.axvline), (most_effort, along, axes.axhline)):
-        for value in np.unique(limit[np.isfinite(limit)]):
-            for side in (-value, value) if value < 3.0 * size else ():
-                draw(side, **_LIMIT)
+    for line in (axes.axhline, axes.axvline):
+        line(0.0, color=drawing.DARK, linewidth=0.7)
+    for leg, color in enumerate(drawing.LEG_COLORS):
+        style: Any = {"color": color, "label": f"leg {leg + 1}", "linewidth": 0.8, "alpha": 0.8}
+        axes.plot(rate[::step, leg], effort[::step, leg], **style)
+    for limits, values, line in ((most_rate, rate, axes.axvline), (most_effort, effort, axes.axhline)):
+        for limit in np.unique(limits):
+            draw_limit(line, float(limit), values, LIMIT)

@@ -2,23 +2,14 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...design import pose_limits
 from ...design.axis_travel import axis_travel
-from ...design.pose_limits import (
-    CONDITION,
-    INSIDE,
-    LENGTH,
-    REASONS,
-    PoseExaminer,
-    PoseLimits,
-    applies_forces,
-    at_reference,
-)
+from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits, at_reference
 from ...design.workspace import WorkspaceResult
 from ...io.arguments import status_text
 from ...io.array_types import Array
@@ -49,6 +40,7 @@ _KINDS = {
 _MARGIN = 0.12
 
 _NAMES = [f"{name}, {'m' if name[1] == '_' else 'rad'}" for name in AXES]
+_DATA = ("volume", "error", "unit", "bounds", "extent", "distance_to_limit", "limit_fractions", "samples")
 
 _OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
 """Colors of the limits in the order of ``REASONS``."""
@@ -59,8 +51,7 @@ _LEAST_RATIO = 1.5
 _WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 
-@dataclass(frozen=True, eq=False)
-class Slice:
+class Slice(NamedTuple):
     """Plane in which two of ``AXES`` vary: first violated limits, scaled condition numbers, shape (n, m)."""
 
     axes: tuple[int, int]
@@ -77,13 +68,13 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
     t = found.position - R @ found.tool
     code = int(examiner.broken_limits(R, t)[0])
     text = status_text(REASONS[code])
-    if code == LENGTH:
+    if code == pose_limits.LENGTH:
         L = leg_lengths(examiner.robot, R, t)
         units = Units.of(robot)
         lengths = f"{L.min() / units.meters:.6g} to {L.max() / units.meters:.6g} {units.length}"
         angles = "" if np.abs(found.rpy).max() <= math.pi else " and --rpy (rad, not degrees)"
         return f"its legs are {lengths} long: change --position (m){angles}"
-    if code == CONDITION:
+    if code == pose_limits.CONDITION:
         number, most = float(examiner.conditions(R, t)[0]), examiner.limits.max_condition
         if number <= most:
             return f"{text}: det H has another sign than at the home pose"
@@ -128,9 +119,8 @@ def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: lis
             "min_clearance_m": limits.min_clearance,
             "load_N_N_m": limits.load,
         },
-        **{name: getattr(found, name) for name in ("volume", "error", "unit", "bounds", "extent")},
+        **{name: getattr(found, name) for name in _DATA},
         **{"tool_m": found.tool, "position_m": found.position, "rpy_rad": found.rpy},
-        **{name: getattr(found, name) for name in ("distance_to_limit", "limit_fractions", "samples")},
         "units": {"bounds": _NAMES[varying], "extent": _NAMES[varying], "distance_to_limit": unit},
         "axis_travel": axis_data(travel),
     }
@@ -147,30 +137,29 @@ def _title(found: WorkspaceResult, units: Units) -> str:
 
 
 def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
-    units = Units.of(robot)
+    """Format the limits, the volume, the coordinates, and the fractions of the limits."""
+    units, (varying, unit, _) = Units.of(robot), _KINDS[found.kind]
     lines = [f"robot      {robot.name}", f"workspace  {_title(found, units)}"]
     if found.tool.any():
         point = f"{units.lengths(found.tool)} {units.length}"
         lines.append(f"point      tool of the robot file, {point}, platform frame: positions and load")
     lines.append(f"limits     {', '.join(_limits(robot, limits)) or 'none'}")
     lines.append(f"volume     {_size(found, units)}, from {found.samples:,} random poses")
-    if found.kind != "six_dof":
-        scale, unit = units.of_unit(_KINDS[found.kind][1])
+    if unit and np.isfinite(found.distance_to_limit):
+        scale, unit = units.of_unit(unit)
         distance = f"{scale * found.distance_to_limit:.4g} {unit}"
-        nearest = f"at most {distance} from the center pose to the nearest pose beyond a limit"
-        known = np.isfinite(found.distance_to_limit)
-        lines.append(f"distance   {nearest if known else 'no random pose is beyond a limit'}")
-    varying = _KINDS[found.kind][0]
-    sizes = np.repeat([units.meters, units.radians], 3)[varying, None]
-    names = [f"{name}, {units.length if name[1] == '_' else units.angle}" for name in AXES[varying]]
-    rows = [
-        (name, *("-" if np.isnan(end) else f"{end:.4g}" for end in ends))
-        for name, ends in zip(names, np.hstack([found.extent, found.bounds]) / sizes, strict=True)
-    ]
+        lines.append(f"distance   at most {distance} from the center pose to the nearest pose beyond a limit")
+    elif unit:
+        lines.append("distance   no random pose is beyond a limit")
+    rows = []
+    for axis in range(6)[varying]:
+        scale, unit = units.of_unit("m" if axis < 3 else "rad")
+        ends = scale * np.concatenate([found.extent, found.bounds], axis=1)[axis - varying.start]
+        rows.append((f"{AXES[axis]}, {unit}", *("-" if np.isnan(end) else f"{end:.4g}" for end in ends)))
     header = ("coordinate", "at least from", "to", "searched from", "to")
-    lines += ["", aligned(header, rows), ""]
     shares = [(status_text(name), f"{100.0 * share:.2f}") for name, share in found.limit_fractions.items()]
-    return "\n".join([*lines, aligned(("first limit that breaks", "% of poses"), shares)])
+    tables = aligned(header, rows), aligned(("first limit that breaks", "% of poses"), shares)
+    return "\n\n".join(["\n".join(lines), *tables])
 
 
 def _size(found: WorkspaceResult, units: Units) -> str:
@@ -193,7 +182,7 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
         yield f"leg clearance {limits.min_clearance / units.meters:g} {units.length}"
     if limits.max_condition < math.inf:
         yield f"scaled condition number {limits.max_condition:g}"
-    if applies_forces(robot, limits):
+    if pose_limits.applies_forces(robot, limits):
         yield "actuator forces at rest" + (" under the load" if limits.load.any() else "")
     elif limits.forces and np.isfinite(robot.force_limit).any():
         yield f"not actuator forces: {robot.missing_bodies[0]} is missing"
@@ -201,14 +190,14 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
 
 def _table(planes: list[Slice]) -> Columns:
     """Return one row for each pose of the planes."""
-    columns: dict[str, list[Any]] = {}
+    parts = []
     for plane in planes:
         first, second = np.meshgrid(plane.first, plane.second, indexing="ij")
         axes = np.full(first.shape, "-".join(AXES[i] for i in plane.axes))
-        part = {"axes": axes, "first": first, "second": second, "first_limit": np.array(REASONS)[plane.codes]}
-        for name, values in (part | {"scaled_condition": plane.condition}).items():
-            columns.setdefault(name, []).append(values.ravel())
-    return {name: np.concatenate(values) for name, values in columns.items()}
+        parts.append((axes, first, second, np.array(REASONS)[plane.codes], plane.condition))
+    names = ("axes", "first", "second", "first_limit", "scaled_condition")
+    columns = zip(*parts, strict=True)
+    return {name: np.stack(values).ravel() for name, values in zip(names, columns, strict=True)}
 
 
 def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
@@ -223,29 +212,22 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     from matplotlib.patches import Patch
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-    panels = drawn.subplots(
-        len(shapes), 3, squeeze=False, width_ratios=widths.tolist(), height_ratios=heights.tolist()
-    )
+    ratios: Any = {"width_ratios": widths.tolist(), "height_ratios": heights.tolist()}
+    panels = drawn.subplots(len(shapes), 3, squeeze=False, **ratios)
     inside = np.concatenate([plane.condition[plane.codes == INSIDE] for plane in planes])
     inside = inside[np.isfinite(inside)]
     low = float(inside.min(initial=_MOST))
     high = float(np.quantile(inside, 0.99)) if inside.size else _MOST
-    norm = LogNorm(low, min(max(high, _LEAST_RATIO * low), max(_MOST, _LEAST_RATIO * low)))
-    mesh: Any = None
-    units = Units.of(robot)
+    norm = LogNorm(low, max(min(high, _MOST), _LEAST_RATIO * low))
+    center = np.concatenate([found.position, found.rpy])
     for axes, plane in zip(panels.ravel(), planes, strict=True):
-        mesh = _draw(axes, plane, norm, units)
-        if plane.axes[1] == AXES.index("t_z") and vertical(robot) == Z_DOWN:
-            axes.invert_yaxis()
-            axes.set_ylabel(f"t_z, {units.length} (z points down)")
-        middle = np.concatenate([found.position, found.rpy])[list(plane.axes)]
-        axes.plot(*(_scale(plane, units) * middle), marker="+", color=DARK, markersize=9.0)
+        mesh = _draw(axes, plane, norm, robot, center)
     bar = drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")
     bar.ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
     bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
-    size = _size(found, units).replace("+-", "±").replace("^3", "³")
-    title = f"{as_written(robot.name)}: {_title(found, units)}"
+    size = _size(found, Units.of(robot)).replace("+-", "±").replace("^3", "³")
+    title = f"{as_written(robot.name)}: {_title(found, Units.of(robot))}"
     drawn.suptitle(f"{title}\n{size}; planes through the pose marked +", fontsize=10.0)
     broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
     handles = [Patch(facecolor=_OUTSIDE[code], label=status_text(REASONS[code])) for code in broken]
@@ -254,14 +236,12 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     return drawn
 
 
-def _scale(plane: Slice, units: Units) -> float:
-    return 1.0 / (units.meters if plane.axes[0] < 3 else units.radians)
-
-
-def _draw(axes: Axes, plane: Slice, norm: Any, units: Units) -> Any:
+def _draw(axes: Axes, plane: Slice, norm: Any, robot: Robot, center: Array) -> Any:
+    """Draw limits and condition numbers of a plane, with the center pose; return the mesh of the numbers."""
     from matplotlib.colors import ListedColormap
 
-    at = _scale(plane, units) * plane.first, _scale(plane, units) * plane.second
+    scale, unit = Units.of(robot).of_unit("m" if plane.axes[0] < 3 else "rad")
+    at = scale * plane.first, scale * plane.second
     colors: Any = {"cmap": ListedColormap(list(_OUTSIDE)), "vmin": -0.5, "vmax": len(_OUTSIDE) - 0.5}
     axes.grid(False)
     axes.pcolormesh(*at, plane.codes.T, rasterized=True, **colors)
@@ -270,8 +250,11 @@ def _draw(axes: Axes, plane: Slice, norm: Any, units: Units) -> Any:
     mesh = axes.pcolormesh(*at, shown.T, cmap="viridis_r", norm=norm, rasterized=True)
     if 0 < np.count_nonzero(inside) < inside.size:
         axes.contour(*at, inside.T.astype(float), levels=[0.5], colors=DARK, linewidths=0.9)
+    axes.plot(*(scale * center[list(plane.axes)]), marker="+", color=DARK, markersize=9.0)
     axes.set_aspect("equal")
-    unit = units.length if plane.axes[0] < 3 else units.angle
     names = [AXES[i] if i < 3 else ("roll", "pitch", "yaw")[i - 3] for i in plane.axes]
     axes.set(xlabel=f"{names[0]}, {unit}", ylabel=f"{names[1]}, {unit}")
+    if names[1] == "t_z" and vertical(robot) == Z_DOWN:
+        axes.invert_yaxis()
+        axes.set_ylabel(f"t_z, {unit} (z points down)")
     return mesh

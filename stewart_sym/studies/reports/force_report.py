@@ -1,43 +1,34 @@
 """Inverse dynamics along a trajectory for ``forces`` and ``view``: columns, limits, and a summary."""
 
 import warnings
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...drives.limit_status import SURE, amount_text, counts_text, unknown_forces
-from ...drives.limits import (
-    BASE,
-    FORCE,
-    LONGEST,
-    PLATFORM,
-    SHORTEST,
-    SPEED,
-    Limit,
-    LimitTracker,
-    limited_angles,
-    replaced_names,
-)
-from ...drives.motor_states import MotorStates, motor_states
+from ...drives import limits
+from ...drives.limit_status import SURE, counts_text, unknown_forces
+from ...drives.motor_states import motor_states
 from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.arguments import status_text
-from ...io.array_types import Array, Codes, Flags
+from ...io.array_types import Array, Flags
 from ...io.progress import Progress
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.sample_times import least_step, time_text
-from ...motion.trajectory import Replaced, Trajectory
+from ...motion.trajectory import Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, SingularPoseWarning
 from ...robot.robot import LEGS, Robot
-from ...robot.units import Units
 from ...viewer.view import Viewer
 from ..common.drawing import Figure
-from ..common.text_tables import Columns, by_leg, csv_lines, leg_table, of_axes, of_legs
-from .drives import drive_columns, motor_data, motor_table
+from ..common.text_tables import Columns, amounts, by_leg, csv_lines, leg_table, of_axes, of_legs
 from .leg_plot import leg_figure
+from .leg_tables import at_rows, drive_columns, extreme_texts, largest, leg_data, motor_table
+
+_FORCES, _STD = (",".join(f"F_{leg + 1}{ending}" for leg in range(LEGS)) for ending in ("", "_std"))
+HEADERS = [f"time,{_FORCES},{after}" for after in ("L_1,", _STD)]
+"""Beginnings of the CSV files, without and with standard deviations."""
 
 NOISE_THRESHOLD = 0.02
 """Fraction of the peak force that ``SURE`` standard deviations may reach without a warning."""
@@ -48,125 +39,77 @@ _PART = 1 << 14
 _DIGITS = 10
 
 
-class Part(NamedTuple):
-    """Samples ``where`` of a trajectory with their dynamics (N, m, s); others as in ``LimitTracker.add``."""
+class ForceReport:
+    """Forces along a trajectory, computed in parts, with the data of summary, warnings, and plot."""
 
-    where: slice
-    time: Array
-    F: Array
-    L: Array
-    L_dot: Array
-    condition: Array
-    status: Codes
-    reactions: JointReactionsResult | None = None
-    effort: MotorStates | None = None
-    sd: Deviations | None = None
-    there: Flags | None = None
-    angles: Mapping[str, Array] | None = None
+    def __init__(
+        self,
+        robot: Robot,
+        trajectory: Trajectory,
+        formulation: Formulation = "exact",
+        backend: Backend = "c",
+        reactions: bool = False,
+        allow_singular: bool = False,
+    ) -> None:
+        self.robot, self.trajectory, self.time = robot, trajectory, trajectory.time
+        self._formulation, self._backend, self._reactions = formulation, backend, reactions
+        self._must_warn, self._allow_singular = True, allow_singular
+        self.replaced, self.step = limits.replaced_rows(trajectory), least_step(self.time)
+        self.limits = limits.LimitTracker(robot, self.time, self.replaced)
+        # Time and value of the largest condition number.
+        self.worst = float(self.time[0]), np.nan
+        self.F, self.torque, self.speed = np.full((3, len(self.time), LEGS), np.nan, dtype=np.float32)
 
-    @property
-    def columns(self) -> Columns:
-        """Written columns (n,) by name, in SI units; noise, a drive, and reactions add columns."""
-        sd = self.sd
-        found: Columns = {"time": self.time} | of_legs("F", self.F)
-        found |= {} if sd is None else of_legs("F", sd["F"], "_std")
-        found |= of_legs("L", self.L) | {"condition_number": self.condition, "status": self.status}
-        if self.effort is not None:
-            found |= drive_columns(self.effort, sd)
-        return found if self.reactions is None else found | _reaction_columns(self.reactions)
+    def rows(self, progress: Progress) -> Iterator[str]:
+        """Compute all samples, and yield the text of the CSV file."""
+        count, deviations = len(self.time), None
+        progress(f"computing {count} samples", 0.0)
+        if self.trajectory.noise is not None:
+            deviations = deviations_in_parts(self.robot, self.trajectory, self._formulation, self._backend)
+        for start in range(0, count, _PART):
+            where = slice(start, start + _PART)
+            sd = None if deviations is None else deviations(where)
+            columns = self._part(where, sd)
+            yield from csv_lines(columns, header=start == 0, digits=None if sd is None else _DIGITS)
+            progress(f"computing {count} samples", min(1.0, where.stop / count))
 
-
-def header_lines() -> list[str]:
-    """Return the beginning of the header of CSV files, without and with standard deviations."""
-    F, F_std, L = (
-        ",".join(of_legs(name, np.zeros((0, LEGS)), ending))
-        for name, ending in (("F", ""), ("F", "_std"), ("L", ""))
-    )
-    rest = f"{L},condition_number,status"
-    return [f"time,{F},{rest}", f"time,{F},{F_std},{rest}"]
-
-
-def in_parts(
-    robot: Robot,
-    trajectory: Trajectory,
-    formulation: Formulation = "exact",
-    backend: Backend = "c",
-    reactions: bool = False,
-    allow_singular: bool = False,
-) -> Iterator[Part]:
-    """Compute the dynamics of a trajectory in parts; an unsolvable pose is an error or a row of nan."""
-    deviations, told = None, False
-    if trajectory.noise is not None:
-        deviations = deviations_in_parts(robot, trajectory, formulation, backend)
-    for start in range(0, max(1, len(trajectory.time)), _PART):
-        where = slice(start, start + _PART)
-        motion = trajectory.at(where)
-        found = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
+    def _part(self, where: slice, sd: Deviations | None) -> Columns:
+        """Compute some samples; return their columns (n,) by name, in SI units."""
+        robot, motion, time = self.robot, self.trajectory.at(where), self.time[where]
+        how: Any = {"formulation": self._formulation, "backend": self._backend, "on_singular": "nan"}
+        found = inverse_dynamics(robot, motion, **how)
         good = ~np.isin(found.status, (ZERO_LENGTH, NOT_FINITE))
         L, L_dot = np.full((2, *motion.shape, LEGS), np.nan)
         if np.any(good):
             legs = inverse_kinematics(robot, motion[good])
             L[good], L_dot[good] = legs.L, legs.L_dot
-        status, more = found.status, None
-        if reactions:
-            more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
-            status = np.where(status == OK, more.status, status)
-        if status.any() and not told:
+        status, condition, more = found.status, condition_number(found.H), Columns()
+        values = {"F": found.F, "L": L, "L_dot": L_dot, **limits.limited_angles(robot, motion)}
+        if robot.drive is not None:
+            effort = motor_states(robot, robot.drive, motion, found.F, L_dot)
+            self.torque[where], self.speed[where] = effort.torque, effort.speed
+            values |= effort._asdict()
+            more |= drive_columns(effort, sd)
+        if self._reactions:
+            reactions = joint_reactions(robot, motion, **how)
+            status = np.where(status == OK, reactions.status, status)
+            more |= _reaction_columns(reactions)
+        if status.any() and self._must_warn:
             at, reason = first_fault(status, robot, motion)
-            text = f"{trajectory.source}: line {trajectory.rows[start + at[0]]}: {reason}"
-            if not allow_singular:
+            line = self.trajectory.rows[(where.start or 0) + at[0]]
+            text = f"{self.trajectory.source}: line {line}: {reason}"
+            if not self._allow_singular:
                 raise ValueError(text)
             warnings.warn(text, SingularPoseWarning, stacklevel=2)
-            told = True
-        sd = None if deviations is None else deviations(where)
-        time, condition = trajectory.time[where], condition_number(found.H)
-        effort = None if robot.drive is None else motor_states(robot, robot.drive, motion, found.F, L_dot)
-        there = None if sd is None else at_replaced(trajectory, time)
-        angles = limited_angles(robot, motion)
-        yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there, angles)
-
-
-_LIMITS = {
-    "min_length": (SHORTEST, "m", "length_limits_m", "min_length_limit"),
-    "max_length": (LONGEST, "m", "length_limits_m", "max_length_limit"),
-    "peak_speed": (SPEED, "m_per_s", "speed_limit_m_per_s", "speed_limit"),
-    "peak_base_angle": (BASE, "rad", "base_angle_limit_rad", "base_angle_limit"),
-    "peak_platform_angle": (PLATFORM, "rad", "platform_angle_limit_rad", "platform_angle_limit"),
-}
-"""Extreme values of the legs in the JSON data: limit, unit, key of the limit, and key of its status."""
-
-
-class Digest:
-    """Data for the summary, the warnings, and the plot of a run."""
-
-    def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
-        """Start a run at all these times (s), shape (n,); ``replaced`` are the replaced rows of the log."""
-        self.robot, self.time, self.replaced, self.step = robot, time, replaced, least_step(time)
-        self.limits = LimitTracker(robot, time, replaced)
-        # Time and value of the largest condition number of each part.
-        self.conditions: list[tuple[float, float]] = []
-        self.F, self.torque, self.speed = np.full((3, len(time), LEGS), np.nan, dtype=np.float32)
-
-    def rows(self, parts: Iterable[Part], progress: Progress) -> Iterator[str]:
-        """Add all parts, and yield the text of their CSV file."""
-        count = len(self.time)
-        progress(f"computing {count} samples", 0.0)
-        for part in parts:
-            digits = None if part.sd is None else _DIGITS
-            yield from csv_lines(part.columns, header=part.where.start == 0, digits=digits)
-            self.add(part)
-            progress(f"computing {count} samples", min(1.0, part.where.stop / count))
-
-    def add(self, part: Part) -> None:
-        """Add the next part."""
-        values: dict[str, Array | None] = {"F": part.F, "L": part.L, "L_dot": part.L_dot}
-        if part.effort is not None:
-            values |= part.effort._asdict()
-            self.torque[part.where], self.speed[part.where] = part.effort.torque, part.effort.speed
-        self.limits.add(part.where, {**values, **(part.angles or {})}, part.sd, part.there)
-        self.F[part.where] = part.F
-        i = int(_largest(part.condition))
-        self.conditions.append((float(part.time[i]), float(part.condition[i])))
+            self._must_warn = False
+        self.limits.add(where, values, sd, None if sd is None else at_replaced(self.trajectory, time))
+        self.F[where] = found.F
+        i = int(largest(condition))
+        if not condition[i] <= self.worst[1]:
+            self.worst = float(time[i]), float(condition[i])
+        columns: Columns = {"time": time} | of_legs("F", found.F)
+        columns |= {} if sd is None else of_legs("F", sd["F"], "_std")
+        return columns | of_legs("L", L) | {"condition_number": condition, "status": status} | more
 
     def doubts(self, noise_share: float) -> list[str]:
         """Return a line for each exceeded or inconclusive limit, and for noise above a fraction of a peak."""
@@ -174,7 +117,7 @@ class Digest:
         beyond = self.limits.exceeded()
         if F_sd is None:
             return beyond
-        names = replaced_names(self.replaced)
+        names = limits.replaced_names(self.replaced)
         causes = [("noise in the log", ~there)]
         causes += [(f"replaced rows ({names})", there)] if self.replaced else []
         when = [time_text(time, self.step) for time in times]
@@ -190,101 +133,52 @@ class Digest:
     def summary(self) -> str:
         """Format the summary as lines of text."""
         time, F, _, F_sd = self.limits.forces()
-        verdicts, limit, units = self.limits.verdicts(FORCE), self.robot.force_limit, Units.of(self.robot)
-        peak = _largest(F)
-        lengths = self._texts(SHORTEST, units.meters), self._texts(LONGEST, units.meters)
+        tracker, units, peak = self.limits, self.limits.units, largest(F)
+        ends = [extreme_texts(tracker, limit) for limit in (limits.SHORTEST, limits.LONGEST)]
         columns = {
-            "peak force, N": _texts(_at(F, peak), None if F_sd is None else _at(F_sd, peak), 6),
+            "peak force, N": amounts(at_rows(F, peak), None if F_sd is None else at_rows(F_sd, peak), 6),
             "at, s": [time_text(when, self.step) for when in time[peak]],
             "force_limit, N": [
                 f"{most:g}" + (f" {status_text(verdict)}" if np.isfinite(most) else "")
-                for most, verdict in zip(limit, verdicts, strict=True)
+                for most, verdict in zip(self.robot.force_limit, tracker.verdicts(limits.FORCE), strict=True)
             ],
-            f"length, {units.length}": [" to ".join(ends) for ends in zip(*lengths, strict=True)],
-            f"speed, {units.length}/s": self._texts(SPEED, units.meters),
+            f"length, {units.length}": [" to ".join(both) for both in zip(*ends, strict=True)],
+            f"speed, {units.length}/s": extreme_texts(tracker, limits.SPEED),
         }
         if self.robot.has_joint_angle_limits:
-            angles = self._texts(BASE, units.radians), self._texts(PLATFORM, units.radians)
+            angles = [extreme_texts(tracker, limit) for limit in (limits.BASE, limits.PLATFORM)]
             columns[f"joint angles, {units.angle}"] = [", ".join(both) for both in zip(*angles, strict=True)]
-        first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self._worst()[0]))
+        first, last, when = (time_text(each, self.step) for each in (*self.time[[0, -1]], self.worst[0]))
         text = (
-            f"{counts_text(self.limits.all_verdicts())}\n"
+            f"{counts_text(tracker.all_verdicts())}\n"
             f"{len(self.time)} sample{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
-            f"number of H up to {self._worst()[1]:.4g} (at {when} s)\n"
+            f"number of H up to {self.worst[1]:.4g} (at {when} s)\n"
             f"{leg_table('leg', columns)}"
         )
-        return text if self.robot.drive is None else f"{text}\n\n{motor_table(self.limits)}"
+        return text if self.robot.drive is None else f"{text}\n\n{motor_table(tracker)}"
 
     def as_json(self) -> dict[str, Any]:
         """Return the numbers of the summary for the JSON data."""
-        time, F, _, F_sd = self.limits.forces()
-        when, condition = self._worst()
-        peak, robot = _largest(F), self.robot
-        legs = {
-            "peak_force_N": _at(F, peak),
-            "peak_force_std_N": [None] * LEGS if F_sd is None else _at(F_sd, peak),
-            "peak_force_time_s": time[peak],
-            "force_limit_N": robot.force_limit,
-            "force_limit": self.limits.verdicts(FORCE),
-        }
-        for name, (limit, unit, key, status) in _LIMITS.items():
-            if limit not in (BASE, PLATFORM) or robot.has_joint_angle_limits:
-                peaks, sd = self.limits.peaks(limit)
-                legs |= {f"{name}_{unit}": peaks, status: self.limits.verdicts(limit)}
-                legs |= {} if sd is None else {f"{name}_std_{unit}": sd}
-                legs[key] = robot.length_limits if limit.values == "L" else limit.bound(robot)
-        legs |= {} if robot.drive is None else motor_data(self.limits)
         found = {"samples": len(self.time), "start_s": self.time[0], "end_s": self.time[-1]}
-        found |= {"condition_number_peak": condition, "condition_number_peak_time_s": when}
-        return found | {"legs": by_leg(legs)}
-
-    def _texts(self, limit: Limit, unit: float) -> list[str]:
-        """Format the extreme value of each leg in a unit (m or rad)."""
-        peaks, sd = self.limits.peaks(limit)
-        return _texts(peaks / unit, None if sd is None else sd / unit, 4)
-
-    def _worst(self) -> tuple[float, float]:
-        """Return the time of the largest condition number (s) and its value."""
-        return self.conditions[int(_largest(np.array(self.conditions)[:, 1]))]
-
-
-def _texts(values: Array, sd: Array | None, digits: int) -> list[str]:
-    """Format the value of each leg with its standard deviation, if any."""
-    deviations = [None] * LEGS if sd is None else sd
-    return [amount_text(value, off, digits) for value, off in zip(values, deviations, strict=True)]
-
-
-def _largest(values: Array) -> NDArray[np.int64]:
-    """Return the indices, shape (...), of the largest magnitudes of values, shape (n, ...)."""
-    return np.asarray(np.argmax(np.nan_to_num(np.abs(values), nan=-1.0), axis=0))
-
-
-def _at(values: Array, rows: NDArray[np.int64]) -> Array:
-    """Return the value of each leg, shape (6,), in its row of values, shape (n, 6)."""
-    return np.asarray(values[rows, np.arange(LEGS)])
-
-
-def peak_noise(F: Array, F_sd: Array) -> Array:
-    """Return the fraction of each peak force, shape (6,), by which noise may conceal a larger force."""
-    peak = np.nan_to_num(np.abs(F)).max(axis=0)
-    possible = np.nan_to_num(np.abs(F) + SURE * F_sd).max(axis=0)
-    return np.asarray((possible - peak) / np.maximum(peak, np.finfo(float).tiny))
+        found |= dict(zip(("condition_number_peak_time_s", "condition_number_peak"), self.worst, strict=True))
+        return found | {"legs": by_leg(leg_data(self.limits))}
 
 
 def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: Flags) -> str | None:
     """Return a warning about the leg with the most uncertain peak, if it is above ``share`` of the peak."""
-    spread = np.where(there[:, None], F_sd, 0.0)
-    ratio = peak_noise(F, spread)
+    nominal = np.nan_to_num(np.abs(F))
+    possible = np.nan_to_num(np.abs(F) + SURE * np.where(there[:, None], F_sd, 0.0))
+    peaks = nominal.max(axis=0)
+    ratio = (possible.max(axis=0) - peaks) / np.maximum(peaks, np.finfo(float).tiny)
     leg = int(np.argmax(ratio))
     if not ratio[leg] > share:
         return None
-    largest, possible = (np.nan_to_num(x[:, leg]) for x in (np.abs(F), np.abs(F) + SURE * spread))
-    i, peak = int(np.argmax(possible)), int(np.argmax(largest))
+    i, peak = int(np.argmax(possible[:, leg])), int(np.argmax(nominal[:, leg]))
     much = f"{100.0 * ratio[leg]:.3g} %" if ratio[leg] <= 10.0 else "more than ten times"
     others = np.count_nonzero(ratio > share) - 1
     return (
         f"leg {leg + 1}: the peak force may be {much} higher than computed because of {cause}: "
-        f"{largest[peak]:.6g} N computed (at {when[peak]} s), up to {possible[i]:.6g} N possible "
+        f"{peaks[leg]:.6g} N computed (at {when[peak]} s), up to {possible[i, leg]:.6g} N possible "
         f"({F[i, leg]:.6g} N with {SURE:g} standard deviations of {F_sd[i, leg]:.3g} N at {when[i]} s); "
         f"a warning beyond {100.0 * share:.3g} % (--noise-threshold {share:g})"
         + (f"; {others} more leg{'s' if others > 1 else ''} likewise" if others else "")
@@ -302,25 +196,15 @@ def _reaction_columns(found: JointReactionsResult) -> Columns:
 
 def view_data(view: Viewer) -> dict[str, object]:
     """Return the numbers of a view for JSON, with peaks over the samples that have finite forces."""
-    shown, found = view.history, view.limits
-    # The legs are compared with their limits as in `forces`.
-    sd, there = (None, None) if shown.noise is None else (shown.noise.sd, shown.noise.there)
-    status = np.zeros(len(shown.time), dtype=np.int32)
-    whole = Part(slice(None), shown.time, found.F, shown.L, shown.L_dot, shown.condition, status)
-    digest = Digest(view.robot, shown.time)
-    angles = limited_angles(view.robot, shown.motion)
-    digest.add(whole._replace(effort=found.motors, sd=sd, there=there, angles=angles))
-    # NumPy warns of legs without a finite force at any sample.
-    with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
-        peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
+    shown = view.history
     return {
         "motion": shown.name,
         "samples": len(shown.time),
         "start_s": shown.time[0],
         "end_s": shown.time[-1],
         "scaled_condition_number_peak": shown.condition.max(),
-        "peak_force_N": peaks,
-        "legs": digest.as_json()["legs"],
+        "peak_force_N": {name: np.fmax.reduce(np.abs(F), axis=0) for name, F in shown.forces.items()},
+        "legs": by_leg(leg_data(view.limits.tracker)),
         "warnings": [line for _, line in view.limits.told],
         "marked": [{"time_s": e.time, "singular": e.singular, "twist": e.at.twist} for e in shown.events],
         "units": {"twist": "m/s and rad/s"},

@@ -1,8 +1,8 @@
 """Identification from measured forces, or from simulated forces with known true parameters."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from math import isnan, nan
+from math import inf, isnan, nan
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,7 @@ from ...motion.sample_times import time_text
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
 from ..common.report import Report
-from ..common.text_tables import Columns, aligned, columns_of, of_legs
+from ..common.text_tables import Columns, aligned, of_legs, records
 
 # Fraction of a normal distribution within one, two, and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)
@@ -62,30 +62,41 @@ def from_measurement(
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
 ) -> IdentificationResult:
-    """Identify the parameters that a trajectory excites from forces F (N), (n, 6), at times (s), (n,).
+    """Identify the parameters that a trajectory excites from forces F (N), (n, 6), of the file ``source``.
 
-    Samples at rows that the reader of the trajectory did not use are left out. ``source`` and ``lines`` are
-    the file of the forces and their line numbers, from 2 by default.
+    ``lines`` are their line numbers, from 2 by default. Unused rows of the trajectory are left out.
     """
     poses, forces = _pairs(trajectory, time, source, lines)
     warnings = []
-    if unpaired := len(trajectory.time) + len(time) - 2 * len(poses):
-        text = f"{unpaired} samples of one file have no sample of the other at their time"
-        warnings.append(f"{text}; they are left out of the fit")
+    for name, each, used in ((trajectory.source, trajectory.time, poses), (source, time, forces)):
+        if len(alone := np.delete(each, used)):
+            count = f"{len(alone)} sample{'s' * (len(alone) > 1)}, the first at {time_text(alone[0])} s"
+            warnings.append(f"{name}: {count}, left out of the fit: no sample of the other file at the time")
     bad = at_replaced(trajectory, trajectory.time[poses])
     if bad.any():
         text = f"{np.count_nonzero(bad)} of {len(bad)} samples at wrong rows are left out of the fit"
         warnings.append(f"motion: {text}; check these rows")
-    motion, F = trajectory.motion[poses[~bad]], F[forces[~bad]]
-    noise = None if noise is None else noise.at(poses[~bad])
+    poses, forces = poses[~bad], forces[~bad]
+    motion, noise = trajectory.motion[poses], None if noise is None else noise.at(poses)
     smooth = motion if noise is None else smoothed(motion, noise)[0]
     base = base_parameters(robot, smooth, friction, identical_legs)
-    found = identify(robot, motion, F, sigma, base, noise, physical, drive_terms=drive)
-    of_file = 0.0 if robot.drive is None else terms_of(robot, [f"coulomb{leg}" for leg in range(1, 7)]).max()
-    if found.verdict in ("misfit", "rejected") and of_file > 0.0 and "coulomb" not in (drive or ()):
-        text = f"drives: dry friction of up to {of_file:.4g} N in the robot file: forces of motors have it"
-        warnings.append(f"{text}, --drive-terms coulomb seeks it")
-    return replace(found, warnings=(*found.warnings, *warnings, *_unlike_forces(robot, found, F)))
+    found = identify(robot, motion, F[forces], sigma, base, noise, physical, drive_terms=drive)
+    if found.verdict in ("misfit", "rejected"):
+        sample, leg, size = found.largest_residual
+        row = forces[sample]
+        place = f"leg {leg + 1} at {time_text(time[row])} s, line {row + 2 if lines is None else lines[row]}"
+        warnings.append(f"{source}: largest residual: {place}: {size:.3g} standard deviations; check it")
+        of_file = 0.0 if robot.drive is None else terms_of(robot, [f"coulomb{i}" for i in range(1, 7)]).max()
+        if of_file > 0.0 and "coulomb" not in (drive or ()):
+            text = (
+                f"drives: dry friction of up to {of_file:.4g} N in the robot file: forces of motors have it"
+            )
+            warnings.append(f"{text}, --drive-terms coulomb seeks it")
+    if np.all(np.abs(found.values) < _TOLD * found.std) and np.isfinite(found.std).all():
+        text = f"parameters: none is determined, all are within {_TOLD} standard deviations of zero"
+        warnings.append(f"{text}; use a faster motion, more samples, or more accurate forces")
+    warnings += _unlike_forces(robot, found, F[forces])
+    return replace(found, warnings=(*found.warnings, *warnings))
 
 
 def _pairs(
@@ -130,8 +141,12 @@ def doubts(found: IdentificationResult) -> list[str]:
     return lines
 
 
-def verdict(found: IdentificationResult) -> list[str]:
-    """Return lines about the residual: its size, the verdict, and the warnings."""
+def _head(
+    robot: Robot, found: IdentificationResult, sigma: ArrayLike, noise: PoseNoise | None, *motion: str
+) -> list[str]:
+    """Return lines about the parameters, the motion, the noise, and the residual with its verdict."""
+    base, sizes = found.base, np.unique([np.min(sigma), np.max(sigma)])
+    poses = "poses exact" if noise is None else f"{noise.position:g} m and {noise.angle:g} rad on each pose"
     text = {
         "consistent": "consistent with the model and the stated noise",
         "misfit": f"misfit; standard deviations inflated {found.inflation_factor:.3g} times",
@@ -139,6 +154,10 @@ def verdict(found: IdentificationResult) -> list[str]:
         "untested": "untested, no more forces than unknowns",
     }[found.verdict]
     return [
+        f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.rank_gap:.2g}"
+        + ("; all legs have the same" if base.identical_legs else ""),
+        *motion,
+        f"noise: {' to '.join(f'{size:.4g}' for size in sizes)} N on each force, {poses}",
         f"residual: {found.normalized_residual:.3f} of its expectation; probability of so large a one "
         f"{found.p_noise:.2g}, of so smooth a one {found.p_model:.2g}",
         f"verdict: {text}",
@@ -173,42 +192,35 @@ def measured_report(
         agrees, p, departure, far = "not compared", nan, np.full_like(departure, np.nan), []
         agreement = f"{agrees}, for the fit is rejected"
     named = f"; farther off than {_FAR:g} sigma: {', '.join(far)}" if far else ""
-    lines = [_count(robot, base), _noise(sigma, noise), *verdict(found), f"robot file: {agreement}{named}"]
+    lines = [*_head(robot, found, sigma, noise), f"robot file: {agreement}{named}"]
     data = {**_data(robot, found, sigma, noise), "robot_file": {"agreement": agrees, "probability": p}}
     if seen is not robot:
         lines.append("C_p of the robot file: with the viscous friction of its drives")
     if drive is not None:
         data["drive"] = _drive_rows(robot, drive)
-        lines += drive_lines(robot, drive)
+        lines += _drive_lines(robot, drive)
     tables: dict[str, Columns] = {}
     if (bodies := found.parameters) is not None:
-        rows = zip(bodies.names, bodies.units, bodies.values.tolist(), strict=True)
-        tables["bodies"] = columns_of([("name", "unit", "value"), *rows])
+        parts = {"name": bodies.names, "unit": bodies.units, "value": bodies.values}
+        tables["bodies"] = {name: np.array(values) for name, values in parts.items()}
     file = base.matrix @ inertial_parameters(seen).values
     numbers = {"estimated": found.values, "std": found.std, "robot_file": file, "departure": departure}
     return _report(lines, base, numbers, tables, data)
 
 
-def drive_lines(robot: Robot, found: DriveIdentificationResult) -> list[str]:
-    """Format a table of the drive terms, and list the terms that are not identifiable."""
-    rows = [
-        [name, unit, *map(_text, numbers, (".6g", ".2g", ".6g"))]
-        for name, unit, *numbers, identifiable in map(dict.values, _drive_rows(robot, found))
-        if identifiable
-    ]
-    unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.std) & np.isfinite(found.std)
-    names = ", ".join(name for name, each in zip(found.names, unsure, strict=True) if each)
-    said = [f"within {_TOLD} sigma of zero, so that the motion does not tell them: {names}"] if names else []
-    table = aligned(("drives", "unit", "estimated", "std", "robot file"), rows, left=2)
-    return ["", table, *said, *found.unidentifiable]
-
-
 def _drive_rows(robot: Robot, found: DriveIdentificationResult) -> list[dict[str, Any]]:
     """Return the drive terms for the JSON data."""
-    of_file = terms_of(robot, found.names)
-    columns = (each.tolist() for each in (found.values, found.std, of_file, found.identifiable))
-    head = ("name", "unit", "estimated", "std", "robot_file", "identifiable")
-    return [dict(zip(head, row, strict=True)) for row in zip(found.names, found.units, *columns, strict=True)]
+    numbers = {"estimated": found.values, "std": found.std, "robot_file": terms_of(robot, found.names)}
+    return records({"name": found.names, "unit": found.units, **numbers, "identifiable": found.identifiable})
+
+
+def _drive_lines(robot: Robot, found: DriveIdentificationResult) -> list[str]:
+    """Format a table of the drive terms, and list the terms that are not identifiable."""
+    rows = [row for row in _drive_rows(robot, found) if row["identifiable"]]
+    unsure = [row["name"] for row in rows if abs(row["estimated"]) < _TOLD * row["std"] < inf]
+    text = f"within {_TOLD} sigma of zero, so that the motion does not tell them: {', '.join(unsure)}"
+    table = _table("drives", rows, ("estimated", "std", "robot_file"))
+    return ["", table, *([text] if unsure else []), *found.unidentifiable]
 
 
 def _report(
@@ -219,23 +231,26 @@ def _report(
     data: Mapping[str, Any],
 ) -> Report:
     """Create a report of text lines and a table of the base parameters with columns (n,) by name."""
-    columns = (values.tolist() for values in numbers.values())
-    head = ("name", "formula", "unit", *numbers)
-    rows = list(zip(base.names, base.formulas, base.units, *columns, strict=True))
-    shown = [_SHOWN.get(name, (name, ".6g")) for name in numbers]
-    forms = [form for _, form in shown]
-    cells = [[name, unit, *map(_text, values, forms)] for name, _, unit, *values in rows]
-    table = aligned(["parameter", "unit", *(title for title, _ in shown)], cells, left=2)
-    merged = [text for name, text in zip(base.names, base.formulas, strict=True) if text != name]
+    texts = {"name": base.names, "formula": base.formulas, "unit": base.units}
+    columns = {name: np.array(values) for name, values in texts.items()} | dict(numbers)
+    rows = records(columns)
+    merged = [row["formula"] for row in rows if row["formula"] != row["name"]]
+    table = _table("parameter", rows, numbers)
     return Report(
         "\n".join([*lines, "", table, "", "Parameters stand for these combinations:", *merged]),
-        {"parameters": columns_of([head, *rows]), **tables},
-        {**data, "parameters": [dict(zip(head, row, strict=True)) for row in rows]},
+        {"parameters": columns, **tables},
+        {**data, "parameters": rows},
     )
 
 
-def _text(value: float, form: str) -> str:
-    return "-" if isnan(value) else f"{value:{form}}"
+def _table(title: str, rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> str:
+    """Format name, unit, and the named numbers of rows; NaN is a dash."""
+    shown = {name: _SHOWN.get(name, (name, ".6g")) for name in names}
+    cells = []
+    for row in rows:
+        texts = (f"{row[name]:{form}}" for name, (_, form) in shown.items())
+        cells.append([row["name"], row["unit"], *("-" if "nan" in text else text for text in texts)])
+    return aligned([title, "unit", *(heading for heading, _ in shown.values())], cells, left=2)
 
 
 def _data(
@@ -267,45 +282,25 @@ def _data(
     }
 
 
-def _noise(sigma: ArrayLike, noise: PoseNoise | None) -> str:
-    poses = "poses exact" if noise is None else f"{noise.position:g} m and {noise.angle:g} rad on each pose"
-    each = " to ".join(f"{value:.4g}" for value in np.unique([np.min(sigma), np.max(sigma)]))
-    return f"noise: {each} N on each force, {poses}"
-
-
 def simulated_report(robot: Robot, found: Experiment) -> Report:
     """Create the report of a simulated measurement: parameters with true values, motion, and forces."""
     excited, estimate = found.excitation, found.estimate
-    size = np.abs(found.z_scores)
-    shares = ", ".join(
-        f"{100 * np.mean(size <= width):.0f} % ({100 * normal:.1f} %) within {width}"
-        for width, normal in zip((1, 2, 3), NORMAL, strict=True)
-    )
-    harmonics, period = len(excited.path.sine), excited.path.period
-    lines = [
-        _count(robot, estimate.base),
-        f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} samples; "
-        f"condition number {excited.condition:.4g}",
-        _noise(found.force_std, found.pose_noise),
-        *verdict(estimate),
-    ]
+    noise, size = (found.force_std, found.pose_noise), np.abs(found.z_scores)
+    harmonics, period, samples = len(excited.path.sine), excited.path.period, len(excited.time)
+    text = f"motion: {harmonics} harmonics, period {period:.4g} s, {samples} samples; "
+    lines = _head(robot, estimate, *noise, f"{text}condition number {excited.condition:.4g}")
     if estimate.verdict != "rejected":
+        fractions = ", ".join(
+            f"{100 * np.mean(size <= width):.0f} % ({100 * normal:.1f} %) within {width}"
+            for width, normal in enumerate(NORMAL, 1)
+        )
         text = "errors in standard deviations (of a normal distribution)"
-        lines.append(f"{text}: {shares}; largest {np.max(size):.2f}")
+        lines.append(f"{text}: {fractions}; largest {np.max(size):.2f}")
     numbers = {"true": found.true_values, "estimated": estimate.values, "std": estimate.std}
     tables = {
         "trajectory": trajectory_columns(robot, excited.time, found.measured_motion),
         "forces": {"time": excited.time} | of_legs("F", found.F),
     }
-    data = _data(robot, estimate, found.force_std, found.pose_noise) | {
-        "period_s": period,
-        "harmonics": harmonics,
-        "samples": len(excited.time),
-        "condition_number": excited.condition,
-    }
+    data = _data(robot, estimate, *noise) | {"period_s": period, "harmonics": harmonics}
+    data |= {"samples": samples, "condition_number": excited.condition}
     return _report(lines, estimate.base, numbers | {"z_score": found.z_scores}, tables, data)
-
-
-def _count(robot: Robot, base: BaseParametersResult) -> str:
-    text = f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.rank_gap:.2g}"
-    return text if not base.identical_legs else f"{text}; all legs have the same"

@@ -7,90 +7,64 @@ from numpy.typing import NDArray
 
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
-from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_below, legend_line, new_figure
+from ..common import drawing
+from ..common.drawing import LIMIT, Figure, as_written, draw_limit, legend_below, legend_line, new_figure
 
-_CURVE: dict[str, Any] = {"color": BLUE, "linewidth": 1.0}
+_CURVE: dict[str, Any] = {"color": drawing.BLUE, "linewidth": 1.0}
 _MOST = 4000
 """Number of samples above which a curve is a bitmap also in SVG files."""
-_FAR = 5.0
-"""Ratio of a limit to the largest value of all legs above which the limit is not drawn."""
-LIMIT: dict[str, Any] = {"color": RED, "linewidth": 1.1, "linestyle": (0, (4, 2))}
-"""Style of the line of a limit."""
-_RATED: dict[str, Any] = {"color": DARK, "linewidth": 1.1, "linestyle": (0, (1, 1.5))}
+_RATED: dict[str, Any] = {"color": drawing.DARK, "linewidth": 1.1, "linestyle": (0, (1, 1.5))}
 
 
 def leg_figure(
     robot: Robot, time: NDArray[Any], F: NDArray[Any], motors: tuple[NDArray[Any], NDArray[Any]] | None = None
 ) -> Figure:
-    """Plot the forces F (N), (n, 6), over times (s), and with drives torque (N m) over speed (rad/s), (n, 6).
-
-    ``motors`` contains torque and speed.
-    """
-    columns = 2 if motors is None else 4
+    """Plot forces F (N), (n, 6), over times (s), and torque (N m) over speed (rad/s) of any ``motors``."""
+    drive, units, columns = robot.drive, Units.of(robot), 2 if motors is None else 4
     figure = new_figure(4.0 * columns, 8.0)
     panels = figure.subplots(3, columns, squeeze=False)
-    _forces(panels[:, :2].ravel(), robot, time, F)
-    handles = [legend_line("samples", color=BLUE, linewidth=1.3)]
+    time = np.broadcast_to(time[:, None], F.shape)
+    force = ("limit", "N", robot.force_limit, False, LIMIT)
+    _panels(panels[:, :2].ravel(), "leg", time, F, ("time, s", "actuator force, N"), [force])
+    for axes in panels[:, :2].ravel():
+        axes.margins(x=0.0)
+    handles = [legend_line("samples", color=drawing.BLUE, linewidth=1.3)]
     if motors is not None or np.isfinite(robot.force_limit).any():
         handles.append(legend_line("limit", **LIMIT))
-    if motors is not None:
-        _motors(panels[:, 2:].ravel(), robot, *motors)
-        if robot.drive is not None and np.isfinite(robot.drive.rated_torque).any():
+    if motors is not None and drive is not None:
+        limits = [
+            ("rated", "N m", drive.rated_torque, False, _RATED),
+            ("peak", "N m", drive.torque_limit, False, LIMIT),
+            ("speed", f"{units.angle}/s", drive.speed_limit / units.radians, True, LIMIT),
+        ]
+        labels = f"motor speed, {units.angle}/s", "motor torque, N m"
+        _panels(panels[:, 2:].ravel(), "motor", motors[1] / units.radians, motors[0], labels, limits)
+        if np.isfinite(drive.rated_torque).any():
             handles.append(legend_line("rated torque (limit of the root mean square)", **_RATED))
     legend_below(figure, handles)
     figure.suptitle(as_written(robot.name), fontsize=11.0)
     return figure
 
 
-def _forces(panels: NDArray[Any], robot: Robot, time: NDArray[Any], F: NDArray[Any]) -> None:
-    """Draw a panel of each leg with its force over time."""
+def _panels(
+    panels: NDArray[Any],
+    name: str,
+    x: NDArray[Any],
+    y: NDArray[Any],
+    labels: tuple[str, str],
+    limits: list[tuple[str, str, NDArray[Any], bool, dict[str, Any]]],
+) -> None:
+    """Draw a panel of each leg with limits: name, unit, values (6,), True for a limit of x, and style."""
     for leg, axes in enumerate(panels):
-        _share_scales(axes, panels[0])
-        axes.plot(time, F[:, leg], rasterized=len(time) > _MOST, **_CURVE)
-        limit = float(robot.force_limit[leg])
-        draw_limit(axes.axhline, limit, F, LIMIT)
-        axes.set_title(f"leg {leg + 1}{_named('limit', limit, 'N')}", fontsize=9.0)
-        axes.margins(x=0.0)
+        if leg > 0:
+            axes.sharex(panels[0])
+            axes.sharey(panels[0])
+        axes.plot(x[:, leg], y[:, leg], rasterized=len(x) > _MOST, **_CURVE)
+        title = f"{name} {leg + 1}"
+        for text, unit, values, is_of_x, style in limits:
+            limit = float(values[leg])
+            draw_limit(axes.axvline if is_of_x else axes.axhline, limit, x if is_of_x else y, style)
+            title += f", {text} {limit:.6g} {unit}" if np.isfinite(limit) else ""
+        axes.set_title(title, fontsize=9.0 if len(limits) == 1 else 7.5)
         axes.locator_params("x", nbins=5)
-        axes.set(xlabel="time, s" if leg >= LEGS - 2 else "", ylabel="" if leg % 2 else "actuator force, N")
-
-
-def _motors(panels: NDArray[Any], robot: Robot, torque: NDArray[Any], speed: NDArray[Any]) -> None:
-    """Draw a panel of each motor with its torque over its speed."""
-    drive, units = robot.drive, Units.of(robot)
-    assert drive is not None
-    rates = speed / units.radians
-    for leg, axes in enumerate(panels):
-        _share_scales(axes, panels[0])
-        axes.plot(rates[:, leg], torque[:, leg], rasterized=len(rates) > _MOST, **_CURVE)
-        rated, peak = float(drive.rated_torque[leg]), float(drive.torque_limit[leg])
-        fastest = float(drive.speed_limit[leg]) / units.radians
-        draw_limit(axes.axhline, rated, torque, _RATED)
-        draw_limit(axes.axhline, peak, torque, LIMIT)
-        draw_limit(axes.axvline, fastest, rates, LIMIT)
-        axes.locator_params("x", nbins=5)
-        limits = _named("rated", rated, "N m") + _named("peak", peak, "N m")
-        limits += _named("speed", fastest, f"{units.angle}/s")
-        axes.set_title(f"motor {leg + 1}{limits}", fontsize=7.5)
-        axes.set(xlabel=f"motor speed, {units.angle}/s" if leg >= LEGS - 2 else "")
-        axes.set(ylabel="" if leg % 2 else "motor torque, N m")
-
-
-def _share_scales(axes: Axes, first: Axes) -> None:
-    """Give a panel the scales of the first panel."""
-    if axes is not first:
-        axes.sharex(first)
-        axes.sharey(first)
-
-
-def _named(name: str, limit: float, unit: str) -> str:
-    """Return the text of a limit for a title; nothing without a limit."""
-    return f", {name} {limit:.6g} {unit}" if np.isfinite(limit) else ""
-
-
-def draw_limit(line: Any, limit: float, values: NDArray[Any], style: dict[str, Any]) -> None:
-    """Draw a limit on each side of zero on which values are, unless it is too far from them."""
-    for side in (-1.0, 1.0):
-        largest = float(np.nanmax(side * values, initial=0.0))
-        if 0.0 < largest and limit <= _FAR * largest:
-            line(side * limit, **style)
+        axes.set(xlabel=labels[0] if leg >= LEGS - 2 else "", ylabel="" if leg % 2 else labels[1])

@@ -12,12 +12,10 @@ from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ...singularities.singular_poses import SingularityResult
 from ...viewer.content import around
-from ..common.drawing import BLUE as PLATFORM
-from ..common.drawing import DARK as BASE
-from ..common.drawing import GRAY as LEG
-from ..common.drawing import RED as MARK
+from ..common import drawing
 from ..common.drawing import Z_DOWN, Axes, Figure, as_written, name_points, new_figure, vertical
 
+PLATFORM, BASE, LEG, MARK = drawing.BLUE, drawing.DARK, drawing.GRAY, drawing.RED
 OFFSET = "#2a7f3f"
 
 # Length of axes and arrows, and distance below which points coincide, relative to the size of the machine.
@@ -116,32 +114,32 @@ def _number_in_units(axis: Any, robot: Robot) -> None:
 
 def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
     """Draw the fixed axes of the universal joints, the center of mass with gravity, and the tool point."""
-    size = radius(robot.b) + radius(robot.p)
+    size, captions = radius(robot.b) + radius(robot.p), []
     bars = np.stack([robot.b - _AXIS * size * robot.k, robot.b + _AXIS * size * robot.k], axis=1)
-    for bar in bars if robot.base_joint == "universal" else ():
-        axes.plot(*bar.T, color=MARK, linewidth=1.2)
-    drawn_joints = _offset_legs(axes, robot, home)
+    if robot.base_joint == "universal":
+        captions.append("red: fixed axes of the universal joints")
+        for bar in bars:
+            axes.plot(*bar.T, color=MARK, linewidth=1.2)
+    drawn = [bars.reshape(-1, 3), *_offset_legs(axes, robot, home)]
+    if len(drawn) > 1:
+        captions.append("green: lines of sliding and the offsets to them")
     # Without masses, gravity acts at the platform points' mean in the drawing.
     center = home.t + (robot.p.mean(axis=0) if robot.missing_bodies else robot.R_0)
+    captions.append("arrow: gravity" if robot.missing_bodies else "dot: center of mass of the platform")
     if not robot.missing_bodies:
         axes.plot(*center[:, None], marker="o", color=PLATFORM, markersize=5.0, linestyle="")
-    drawn = [bars.reshape(-1, 3), center[None], *drawn_joints]
-    text = "red: fixed axes of the universal joints\n" if robot.base_joint == "universal" else ""
-    text += "green: lines of sliding and the offsets to them\n" if drawn_joints else ""
-    text += "dot: center of mass of the platform" if not robot.missing_bodies else "arrow: gravity"
     if np.any(robot.g):
         arrow = 3.0 * _AXIS * size * robot.g / np.linalg.norm(robot.g)
         axes.quiver(*center, *arrow, color=BASE, linewidth=1.2, arrow_length_ratio=0.25)
-        drawn.append((center + arrow)[None])
-        text += "" if robot.missing_bodies else ", with gravity"
+        drawn.append(np.stack([center, center + arrow]))
+        captions[-1] += "" if robot.missing_bodies else ", with gravity"
     if robot.tool.any():
-        tool = home.t + robot.tool
-        line = np.stack([tips.mean(axis=0), tool])
+        line = np.stack([tips.mean(axis=0), home.t + robot.tool])
         axes.plot(*line.T, color=PLATFORM, linewidth=0.8, linestyle=(0, (4, 2)))
-        axes.plot(*tool[:, None], marker="x", color=PLATFORM, markersize=6.0, linestyle="")
-        drawn.append(tool[None])
-        text += "\ncross: point of the trajectories' poses"
-    axes.set_title(text, fontsize=8.0)
+        axes.plot(*line[1:].T, marker="x", color=PLATFORM, markersize=6.0, linestyle="")
+        drawn.append(line)
+        captions.append("cross: point of the trajectories' poses")
+    axes.set_title("\n".join(captions), fontsize=8.0)
     return drawn
 
 
@@ -149,13 +147,14 @@ def _offset_legs(axes: Any, robot: Robot, home: HomePose) -> list[Array]:
     """Draw base point, moving axis, sliding line, and platform point of each leg with offsets."""
     if robot.offsets is None:
         return []
-    still = np.zeros(3)
-    at = chains(robot, Motion._unchecked(np.eye(3), home.t, still, still))
+    at = chains(robot, Motion._unchecked(np.eye(3), home.t, np.zeros(3), np.zeros(3)))
     foot = at.T - at.L * at.s
     corners = robot.b[:, None] + np.stack([np.zeros_like(at.A), at.A, foot, at.T, at.P], axis=1)
-    for leg in corners if np.isfinite(corners).all() else ():
+    if not np.isfinite(corners).all():
+        return []
+    for leg in corners:
         axes.plot(*leg.T, color=OFFSET, linewidth=1.6)
-    return [corners.reshape(-1, 3)] if np.isfinite(corners).all() else []
+    return [corners.reshape(-1, 3)]
 
 
 def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
@@ -180,10 +179,8 @@ def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
 
 def _numbers(points: Array) -> list[tuple[str, tuple[float, float]]]:
     """Return the numbers of the legs at points seen along z; coincident points have a common label."""
-    left, found = list(range(LEGS)), []
-    size = radius(points) or 1.0
-    while left:
-        same = [i for i in left if np.linalg.norm((points[i] - points[left[0]])[:2]) < _SAME * size]
-        found.append((", ".join(str(i + 1) for i in same), tuple(points[left[0], :2].tolist())))
-        left = [i for i in left if i not in same]
-    return found
+    apart = np.linalg.norm(points[:, None, :2] - points[:, :2], axis=-1) >= _SAME * (radius(points) or 1.0)
+    groups: dict[tuple[int, ...], tuple[float, float]] = {}
+    for row, (x, y, _) in zip(apart, points.tolist(), strict=True):
+        groups.setdefault(tuple(np.flatnonzero(~row).tolist()), (x, y))
+    return [(", ".join(str(leg + 1) for leg in legs), place) for legs, place in groups.items()]

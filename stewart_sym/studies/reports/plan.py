@@ -29,8 +29,8 @@ from ...viewer.view import Viewer
 from ..common.drawing import BLUE, GRAY, RED, Axes, Figure, legend_below, log_numbers, new_figure
 from ..common.report import SMALL, Picture, Report
 from ..common.text_tables import Columns, by_leg, of_legs
-from .drives import motor_data, motor_table
 from .leg_plot import leg_figure
+from .leg_tables import motor_data, motor_table
 
 # Number of samples of the work, because accelerations jump between them if another limit becomes active.
 _INSTANTS = 10_001
@@ -41,16 +41,14 @@ _CERTIFIED = ("is_valid", "samples", "max_utilization", "lengths_ok", "angles_ok
 
 @dataclass(eq=False)
 class Plan:
-    """Path with its time parameterization and results, sampled at ``rate`` (Hz).
-
-    ``torque`` (N m) and ``speed`` (rad/s) of the motors, (n, 6), are set together with ``motors``.
-    """
+    """Path with its time parameterization and results, sampled at ``rate`` (Hz)."""
 
     robot: Robot
     planned: PlannedPath
     timed: TimedPath
     certificate: PlanCertificate
     rate: float
+    # Torque (N m) and speed (rad/s) of the motors, (n, 6), which are set together with ``motors``.
     torque: Array = field(init=False)
     speed: Array = field(init=False)
 
@@ -134,37 +132,34 @@ def _summary(plan: Plan) -> str:
     over = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
     beyond = " and ".join(name for name, exceeded in over.items() if exceeded)
     verdict = "valid" if found.is_valid else f"not valid{beyond and f': {beyond} beyond their limits'}"
-    leg = int(np.argmax(found.force.value))
-    fast = int(np.argmax(found.speed.value))
     longer = planned.condition_numbers.length / planned.initial_condition_numbers.length
+    shortest, longest = found.shortest.value.min(), found.longest.value.max()
     lines = [
-        f"duration   {plan.timed.duration:.6g} s, from rest to rest",
-        f"path       {longer:.4g} times as long as the straight one",
-        f"condition  {_condition_text(planned.condition_numbers)}",
-        f"straight   {_condition_text(planned.initial_condition_numbers)}",
-        f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
-        f"speed      up to {found.speed.value[fast] / units.meters:.6g} {units.length}/s, leg {fast + 1} "
-        f"at {found.speed.time[fast]:.6g} s",
-        f"energy     {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
-        f"length     {found.shortest.value.min() / units.meters:.6g} to "
-        f"{found.longest.value.max() / units.meters:.6g} {units.length}",
-        *_angles(found, units),
-        f"limits     used to {100.0 * found.max_utilization:.5f} % at {found.samples:,} samples, "
+        f"duration     {plan.timed.duration:.6g} s, from rest to rest",
+        f"path         {longer:.4g} times as long as the straight one",
+        f"condition    {_condition_text(planned.condition_numbers)}",
+        f"straight     {_condition_text(planned.initial_condition_numbers)}",
+        f"energy       {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
+        f"length       {shortest / units.meters:.6g} to {longest / units.meters:.6g} {units.length}",
+    ]
+    for text, peaks, si_unit in (
+        ("force        up to", found.force, "N"),
+        ("speed        up to", found.speed, "m/s"),
+        ("angle        at the base up to", found.base_angle, "rad"),
+        ("angle        at the platform up to", found.platform_angle, "rad"),
+    ):
+        if peaks is not None:
+            leg, (scale, unit) = int(np.argmax(peaks.value)), units.of_unit(si_unit)
+            peak = f"{scale * peaks.value[leg]:.6g} {unit}, leg {leg + 1} at {peaks.time[leg]:.6g} s"
+            lines.append(f"{text} {peak}")
+    lines += [
+        f"limits       used to {100.0 * found.max_utilization:.5f} % at {found.samples:,} samples, "
         f"one is active in {100.0 * found.active_fraction:.4g} % of the time",
-        f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
+        f"crossings    {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
         f"smallest singular value {found.nearest.smallest:.4g}",
         f"certificate  {verdict}",
-        *_moved(planned, units),
     ]
-    return "\n".join(lines)
-
-
-def _angles(found: PlanCertificate, units: Units) -> Iterator[str]:
-    for name, angle in (("base", found.base_angle), ("platform", found.platform_angle)):
-        if angle is not None:
-            leg = int(np.argmax(angle.value))
-            most = f"up to {angle.value[leg] / units.radians:.6g} {units.angle}, leg {leg + 1}"
-            yield f"angle      at the {name} {most} at {angle.time[leg]:.6g} s"
+    return "\n".join([*lines, *_moved(planned, units)])
 
 
 def _condition_text(found: Conditions) -> str:
@@ -197,11 +192,12 @@ def _data(plan: Plan) -> dict[str, Any]:
         "peak_force_time_s": found.force.time,
         "force_limit_N": force_limits(plan.robot, plan.timed.limits),
     }
-    ends = {"base": found.base_angle, "platform": found.platform_angle}
-    for (end, angle), limit in zip(ends.items(), plan.robot.joint_angle_limit.T, strict=True):
-        # A robot without a home pose has no joint angles.
-        if angle is not None:
-            legs |= {f"peak_{end}_angle_rad": angle.value, f"{end}_angle_limit_rad": limit}
+    # A robot without a home pose has no joint angles.
+    if found.base_angle is not None and found.platform_angle is not None:
+        ends = {"base": found.base_angle, "platform": found.platform_angle}
+        legs |= {f"peak_{end}_angle_rad": angle.value for end, angle in ends.items()}
+        limits = zip(ends, plan.robot.joint_angle_limit.T, strict=True)
+        legs |= {f"{end}_angle_limit_rad": limit for end, limit in limits}
     order = plan.robot.trajectory_format.rotation_order
     return {
         "duration_s": plan.timed.duration,
@@ -220,26 +216,31 @@ def _data(plan: Plan) -> dict[str, Any]:
             "nearest_singular_pose_time_s": found.nearest.time,
             "smallest_singular_value": found.nearest.smallest,
         },
-        "units": _UNITS,
+        "units": {
+            "condition_numbers": "of H with moments over the characteristic length; path length over it",
+            "max_utilization": "fraction of a limit",
+            "active_fraction": "fraction of the duration",
+        },
     }
 
 
-_UNITS = {
-    "condition_numbers": "of H with moments over the characteristic length; length of the path over that",
-    "max_utilization": "fraction of a limit",
-    "active_fraction": "fraction of the duration",
-}
+def _path_axes(plan: Plan, height: float, label: str) -> tuple[Figure, Axes]:
+    """Create a plot over the path parameter with dashed lines at the via poses."""
+    figure = new_figure(8.0, height)
+    axes = figure.subplots()
+    for via in plan.planned.path.via:
+        axes.axvline(via, color=GRAY, linewidth=0.7, linestyle=(0, (4, 3)))
+    axes.set(xlim=(0.0, 1.0), xlabel="path parameter s; via poses dashed", ylabel=label)
+    return figure, axes
 
 
 def _condition_figure(plan: Plan) -> Figure:
     """Plot the condition numbers of the planned and of the straight path over their parameter."""
-    figure = new_figure(8.0, 4.4)
-    axes, planned, s = figure.subplots(), plan.planned, np.linspace(0.0, 1.0, _POSES)
+    figure, axes = _path_axes(plan, 4.4, "scaled condition number of H")
+    planned, s = plan.planned, np.linspace(0.0, 1.0, _POSES)
     drawn = ((planned.initial_path, "straight spline", GRAY), (planned.path, "planned", BLUE))
     for path, name, color in drawn:
         axes.semilogy(s, _conditions(plan.robot, path(s)), color=color, linewidth=1.4, label=name)
-    _mark_via(axes, plan)
-    axes.set(xlim=(0.0, 1.0), xlabel=_PARAMETER, ylabel="scaled condition number of H")
     log_numbers(axes.yaxis)
     legend_below(figure)
     return figure
@@ -256,8 +257,8 @@ def _forces_figure(plan: Plan) -> Figure:
 
 def _phase_figure(plan: Plan) -> Figure:
     """Plot s' over s: the motion, and its limits for feasible accelerations and for stopping at the end."""
-    figure = new_figure(8.0, 4.6)
-    axes, profile = figure.subplots(), plan.timed.profile
+    figure, axes = _path_axes(plan, 4.6, "its rate, 1/s")
+    profile = plan.timed.profile
     s, rate = profile.nodes.s, profile.nodes.rate
     top = 1.6 * float(rate.max())
     if profile.ease is None:
@@ -267,15 +268,6 @@ def _phase_figure(plan: Plan) -> Figure:
         ):
             axes.plot(s, np.minimum(np.sqrt(square), 2.0 * top), color=color, linestyle="--", label=name)
     axes.plot(s, rate, color=BLUE, label="motion")
-    _mark_via(axes, plan)
-    axes.set(xlim=(0.0, 1.0), ylim=(0.0, top), xlabel=_PARAMETER, ylabel="its rate, 1/s")
+    axes.set(ylim=(0.0, top))
     legend_below(figure)
     return figure
-
-
-_PARAMETER = "path parameter s; via poses dashed"
-
-
-def _mark_via(axes: Axes, plan: Plan) -> None:
-    for via in plan.planned.path.via:
-        axes.axvline(via, color=GRAY, linewidth=0.7, linestyle=(0, (4, 3)))

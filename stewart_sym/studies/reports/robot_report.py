@@ -12,9 +12,7 @@ from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.mounting_side import DECISIVE, AssemblyModeWarning
 from ...results import STATUS_TEXT
-from ...robot.drive import Drive
 from ...robot.robot import Robot
-from ...robot.schema_2 import format_table
 from ...robot.units import Units, vector_text
 from ..common.axis_table import axis_data, axis_text
 from ..common.report import SMALL, Picture, Report
@@ -35,66 +33,34 @@ def report(robot: Robot) -> Report:
     return Report(text, data=data, figures=figures)
 
 
+_HOME = {
+    "rule": "rule",
+    "position_m": "t",
+    "leg_lengths_m": "L",
+    "status": "status",
+    "holding_forces_N": "F",
+    "condition_number": "condition",
+    "scaled_condition_number": "scaled_condition",
+}
+"""Attributes of the home pose by key of the JSON data."""
+
+
 def _data(robot: Robot, home: HomePose) -> dict[str, Any]:
-    """Return dimensions, masses, limits, and the home pose for the JSON data."""
-    offsets = {
-        "cross_mass": "kg",
-        "cross_inertia": "kg_m2",
-        "cross_center": "m",
-        **dict.fromkeys(_OFFSETS, "m"),
-    }
-    drive = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "backdrive_efficiency": ""}
-    drive |= {name: unit for name, (_, unit) in _DRIVE_FRICTION.items()}
-    drive |= {limit.name.removeprefix("drive."): limit.unit for limit in MOTOR_LIMITS.values()}
+    """Return the keys of the robot file in SI units, and the home pose, for the JSON data."""
+    home_pose = {key: getattr(home, name) for key, name in _HOME.items()}
+    home_pose["above"] = home.side.direction
+    home_pose["characteristic_length_m"] = characteristic_length(robot)
     return {
-        "robot": robot.name,
-        "base_joint": robot.base_joint,
-        "platform_joint": _platform_joint(robot),
-        **_with_units("offset", robot.offsets, offsets),
-        "gravity_m_per_s2": robot.g,
-        "platform_mass_kg": robot.M,
-        "platform_center_of_mass_m": robot.R_0,
-        "lower_mass_kg": robot.m_d,
-        "upper_mass_kg": robot.m_u,
-        "mass_ratio_platform_to_leg": robot.M / np.mean(robot.m_d + robot.m_u),
-        "base_radius_m": radius(robot.b),
-        "platform_radius_m": radius(robot.p),
-        "friction_universal_N_m_s": robot.C_u,
-        "friction_prismatic_N_s_per_m": robot.C_p,
-        "friction_spherical_N_m_s": robot.C_s,
-        "tool_m": robot.tool,
-        "trajectory_format": format_table(robot.trajectory_format),
-        "length_limits_m": robot.length_limits,
-        "force_limit_N": robot.force_limit,
-        "speed_limit_m_per_s": robot.speed_limit,
-        "joint_angle_limit_rad": robot.joint_angle_limit,
-        **_with_units("drive", robot.drive, drive),
+        "robot": robot.to_dict(),
         "impossible_inertias": robot.find_invalid_inertias(),
-        "home_pose": {
-            "rule": home.rule,
-            "above": home.side.direction,
-            "position_m": home.t,
-            "leg_lengths_m": home.L,
-            "status": home.status,
-            "holding_forces_N": home.F,
-            "condition_number": home.condition,
-            "scaled_condition_number": home.scaled_condition,
-            "characteristic_length_m": characteristic_length(robot),
-        },
+        "home_pose": home_pose,
+        "units": {"robot": "keys of a robot file in m, rad, and other SI units"},
     }
-
-
-def _with_units(prefix: str, part: object, units: dict[str, str]) -> dict[str, Any]:
-    """Return attributes of a part of the robot with their units in the keys; nothing without the part."""
-    keys = {
-        name: "_".join([prefix, name, *unit.replace("/", " per ").split()]) for name, unit in units.items()
-    }
-    return {} if part is None else {key: getattr(part, name) for name, key in keys.items()}
 
 
 def _description(robot: Robot, home: HomePose, unit: Units) -> str:
+    """Format the rows of the report without the axis travel."""
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
-    bad = f"not physically possible: {', '.join(bodies)}"
     sizes = [f"{radius(points) / unit.meters:.4g} {unit.length}" for points in (robot.b, robot.p)]
     rows = [
         ("name", robot.name),
@@ -105,10 +71,12 @@ def _description(robot: Robot, home: HomePose, unit: Units) -> str:
         ("size", f"base points {sizes[0]}, platform points {sizes[1]} (RMS radius)"),
         *_conventions(robot, unit),
         ("friction", _friction(robot)),
-        *([] if robot.drive is None else _drives(robot, robot.drive, unit)),
+        *_drives(robot, unit),
         ("limits", _limits(robot, unit)),
-        *([] if robot.missing_bodies else [("inertias", bad if bodies else "physically possible")]),
     ]
+    if not robot.missing_bodies:
+        bad = f"not physically possible: {', '.join(bodies)}"
+        rows.append(("inertias", bad if bodies else "physically possible"))
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
 
 
@@ -166,6 +134,7 @@ def _conventions(robot: Robot, unit: Units) -> list[tuple[str, str]]:
 
 
 def _home_lines(robot: Robot, home: HomePose, unit: Units) -> list[str]:
+    """Format the home pose: side, position, leg lengths, condition, and leg forces."""
     shortest, longest = robot.length_limits.T
     legs = ", ".join(str(i + 1) for i in np.flatnonzero((home.L < shortest) | (home.L > longest)))
     outside = f"; outside the limits: leg {legs}" if legs else ""
@@ -174,6 +143,8 @@ def _home_lines(robot: Robot, home: HomePose, unit: Units) -> list[str]:
         ("position", f"{unit.lengths(home.t)} {unit.length}, level, at rest"),
         ("leg lengths", f"{unit.lengths(home.L)} {unit.length}{outside}"),
     ]
+    if robot.tool.any():
+        rows.insert(2, ("tool", f"{unit.lengths(home.t + robot.tool)} {unit.length} in the base frame"))
     if np.isfinite(longest).all() and not legs:
         back, forth = np.min(home.L - shortest), np.min(longest - home.L)
         span = f"{-back / unit.meters:.4g} to {forth / unit.meters:+.4g} {unit.length}"
@@ -184,21 +155,19 @@ def _home_lines(robot: Robot, home: HomePose, unit: Units) -> list[str]:
         by = f"{characteristic_length(robot) / unit.meters:.4g} {unit.length}"
         scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
-        if not robot.missing_bodies:
-            rows.append(("leg forces", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
-    what = "platform centered above the base; " if robot.home_position is None else ""
-    return [f"home pose: {what}{home.rule}", *_rows(rows)]
+    if not home.status and not robot.missing_bodies:
+        rows.append(("leg forces", f"({', '.join(f'{force:.6g}' for force in home.F.tolist())}) N"))
+    place = "platform centered above the base; " if robot.home_position is None else ""
+    return [f"home pose: {place}{home.rule}", *_rows(rows)]
 
 
 def _side(robot: Robot, home: HomePose) -> str:
     """Describe the side of the base at home, and the sign of the leg load if gravity determines it."""
     direction, rule, _ = home.side
-    text = f"{vector_text(direction)} of the base, {rule}"
-    pull = float(direction @ robot.g)
+    text, pull = f"{vector_text(direction)} of the base, {rule}", float(direction @ robot.g)
     if abs(pull) <= DECISIVE * np.linalg.norm(robot.g):
         return text
-    here, there = ("stands on its legs", "hangs below its base")[:: 1 if pull < 0.0 else -1]
-    return f"{text}; the platform {here} (on the other side, {vector_text(-direction)}, it {there})"
+    return f"{text}; the platform {'stands on its legs' if pull < 0.0 else 'hangs below its base'}"
 
 
 def _rows(rows: list[tuple[str, str]]) -> list[str]:
@@ -220,8 +189,11 @@ _DRIVE_FRICTION = {
 """Text and unit of the friction of a drive."""
 
 
-def _drives(robot: Robot, drive: Drive, unit: Units) -> list[tuple[str, str]]:
+def _drives(robot: Robot, unit: Units) -> list[tuple[str, str]]:
     """Return rows about the drives and, if any are given, the limits of their motors."""
+    drive = robot.drive
+    if drive is None:
+        return []
     parts = [
         f"{_range(drive.lead / drive.gear_ratio / unit.meters)} {unit.length} per motor revolution",
         f"reflected mass {_range(drive.reflected_mass, 4)} kg",
@@ -239,21 +211,21 @@ def _drives(robot: Robot, drive: Drive, unit: Units) -> list[tuple[str, str]]:
 
 
 def _limits(robot: Robot, unit: Units) -> str:
-    angles = (robot.joint_angle_limit / unit.radians).T
+    """Format the limits of the legs, each with the number of legs that have it."""
     parts = []
-    for name, limits, per in (
-        ("length", (robot.length_limits / unit.meters).T, unit.length),
+    for name, limits, si_unit in (
+        ("length", robot.length_limits.T, "m"),
         ("force", robot.force_limit[None], "N"),
-        ("speed", robot.speed_limit[None] / unit.meters, f"{unit.length}/s"),
-        ("joint angles from home", angles, f"{unit.angle} (base and platform joint)"),
+        ("speed", robot.speed_limit[None], "m/s"),
+        ("joint angles from home, base and platform joint,", robot.joint_angle_limit.T, "rad"),
     ):
-        given = np.isfinite(limits[-1])
+        given, (scale, per) = np.isfinite(limits[-1]), unit.of_unit(si_unit)
         if given.any():
             some = "" if given.all() else f" ({np.count_nonzero(given)} of 6 legs)"
-            between, digits = (" and ", 4) if limits is angles else (" to ", 6)
-            span = between.join(_range(end[given], digits) for end in limits)
+            between, digits = (" and ", 4) if si_unit == "rad" else (" to ", 6)
+            span = between.join(_range(scale * end[given], digits) for end in limits)
             parts.append(f"{name} {span} {per}{some}")
-        elif limits is not angles:
+        elif si_unit != "rad":
             parts.append(f"{name} none")
     return "; ".join(parts)
 

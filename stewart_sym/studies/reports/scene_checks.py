@@ -33,24 +33,20 @@ def start_doubts(scene: Scene) -> list[str]:
         )
     theta = stated.get("state.theta", np.zeros(3))
     if start not in found and np.abs(theta).max() > LEAST_TURN:
-        t = np.stack([state.t, state.t])
-        how, degrees = (
-            impossible(robot, t, rotation_from_rpy(np.stack([np.zeros(3), turned])))
-            for turned in (theta, np.radians(theta))
-        )
+        turns = [rotation_from_rpy(np.stack([np.zeros(3), each])) for each in (theta, np.radians(theta))]
+        how, degrees = (impossible(robot, np.stack([state.t, state.t]), R) for R in turns)
         if np.any(np.abs(theta) > MOST_TURNS) or (how is not None and degrees is None):
             axis = int(np.argmax(np.abs(theta)))
-            lines.append(
-                f"state.theta: {theta[axis]:.4g} rad about {'xyz'[axis]}: in degrees, expected radians?"
-            )
+            text = f"{theta[axis]:.4g} rad about {'xyz'[axis]}: in degrees, expected radians?"
+            lines.append(f"state.theta: {text}")
     length = float(np.median(L))
     fall = float(np.sqrt(2.0 * abs(DEFAULT_GRAVITY[2]) * length))
-    units = {"v": ("m/s", "in mm/s", fall), "omega": ("rad/s", "in degrees/s", fall / length)}
-    for name, (unit, other, usual) in units.items():
+    for name, unit, other, usual in (
+        ("v", "m/s", "in mm/s", fall),
+        ("omega", "rad/s", "in degrees/s", fall / length),
+    ):
         speed = float(np.linalg.norm(stated.get(f"state.{name}", 0.0)))
         if speed > _MOST_FALLS * usual:
-            lines.append(
-                f"state.{name}: {speed:.4g} {unit}, {speed / usual:.2g} times what a fall through the length "
-                f"of a leg gives: {other}, expected {unit}?"
-            )
+            times = f"{speed / usual:.2g} times what a fall through the length of a leg gives"
+            lines.append(f"state.{name}: {speed:.4g} {unit}, {times}: {other}, expected {unit}?")
     return lines

@@ -1,7 +1,6 @@
 """Report of ``singularities``: singular poses that a path crosses, and the degrees of freedom lost there."""
 
 import functools
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -9,54 +8,42 @@ import numpy as np
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, moments_over
-from ...kinematics.inverse_kinematics import ROUNDING, leg_vectors, wrench_matrix
+from ...kinematics.inverse_kinematics import ROUNDING, leg_vectors
 from ...kinematics.pose_search import rates_per_twist
 from ...motion.interpolation import Path
+from ...motion.motion import Motion
 from ...motion.sample_times import time_text
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
-from ...singularities.path_singularities import (
-    PathSingularitiesResult,
-    path_singularities,
-    singular_force_residue,
-)
+from ...singularities.path_singularities import path_singularities, singular_force_residue
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import SingularityResult
 from ..common.drawing import BLUE, DARK, RED, Figure, as_written, log_numbers, new_figure
 from ..common.report import SMALL, Picture, Report
-from ..common.text_tables import Columns, aligned, by_leg, of_axes, of_legs
+from ..common.text_tables import Columns, by_leg, leg_table, of_legs
 from .machine_plot import twist_figure
 
-_EVEN = 401
-_NEAR = 150
-_MARKS = 50
-_MOST_DRAWN = 6
-"""Largest number of drawn crossings; an oscillating path may have many."""
+# Numbers of samples over the path and near each mark, and largest numbers of marks and of drawn crossings.
+_EVEN, _NEAR, _MARKS, _MOST_DRAWN = 401, 150, 50, 6
 
 
-@dataclass(frozen=True, eq=False)
 class Examination:
     """Singular poses of a path, and the residue A (N s) of each: F = A / (t - t_0), NaN without masses."""
 
-    robot: Robot
-    name: str
-    path: Path
-    formulation: Formulation
-    along: PathSingularitiesResult
-    residues: tuple[Array, ...]
+    def __init__(
+        self, robot: Robot, name: str, path: Path, times: Array, formulation: Formulation = "exact"
+    ) -> None:
+        """Find the singular poses; ``path`` and ``times`` as in ``singularity_crossings``."""
+        self.robot, self.name, self.path, self.formulation = robot, name, path, formulation
+        self.along = path_singularities(robot, path, times)
+        self.residues = np.full((len(self.along.crossings), LEGS), np.nan)
+        for A, crossing in zip(self.residues, self.along.crossings, strict=True):
+            if not robot.missing_bodies:
+                A[:] = singular_force_residue(robot, self.pose(crossing.time), formulation)[0]
 
-
-def examine(
-    robot: Robot, name: str, path: Path, times: Array, formulation: Formulation = "exact"
-) -> Examination:
-    """Find the singular poses of a path; ``path`` and ``times`` as in ``singularity_crossings``."""
-    along = path_singularities(robot, path, times)
-    poses = [path(np.array([crossing.time])) for crossing in along.crossings]
-    residues = tuple(
-        np.full(LEGS, np.nan) if robot.missing_bodies else singular_force_residue(robot, pose, formulation)[0]
-        for pose in poses
-    )
-    return Examination(robot, name, path, formulation, along, residues)
+    def pose(self, time: float) -> Motion:
+        """Return the motion at a time (s), shape (1,)."""
+        return self.path(np.array([time]))
 
 
 def _text(found: Examination) -> str:
@@ -84,47 +71,20 @@ def _text(found: Examination) -> str:
 
 
 def full_report(found: Examination) -> Report:
-    """Create the report with text, events, and curves over time, their plot, and drawings of crossings."""
+    """Create the report with text, curves over time, their plot, and drawings of crossings."""
     columns = _curves(found)
     figures = {"path": Picture(lambda: _path_figure(found, columns))}
     crossings = enumerate(found.along.crossings[:_MOST_DRAWN], 1)
     drawn: dict[str, Any] = {f"crossing_{number}": crossing for number, crossing in crossings}
     for name, each in (drawn or {"nearest": found.along.nearest}).items():
-        pose = found.path(np.array([each.time]))[0]
         title = f"{found.robot.name}, path {found.name}, at {each.time:.9f} s"
-        draw = functools.partial(twist_figure, found.robot, pose, each.singularity, title)
+        draw = functools.partial(twist_figure, found.robot, found.pose(each.time)[0], each.singularity, title)
         figures[name] = Picture(draw, SMALL)
-    return Report(_text(found), {"events": _events(found), "path": columns}, _data(found), figures)
-
-
-def _events(found: Examination) -> Columns:
-    """Return columns (n,) with a row for each crossing (1) and each local minimum (0), sorted by time."""
-    along, none = found.along, np.full(LEGS, np.nan)
-    rows = [
-        (item.time, 1, item.time_error, item.sign_before, item.sign_after, item.singularity, A)
-        for item, A in zip(along.crossings, found.residues, strict=True)
-    ]
-    minima = [*along.approaches, *([] if along.crossings else [along.nearest])]
-    for approach in {item.time: item for item in minima}.values():
-        side = int(np.sign(approach.singularity.determinant))
-        rows.append((approach.time, 0, np.nan, side, side, approach.singularity, none))
-    *numbers, poses, residues = zip(*sorted(rows, key=lambda row: row[0]), strict=True)
-    names = ("time", "crossing", "time_error", "sign_before", "sign_after")
-    columns: Columns = {name: np.array(values) for name, values in zip(names, numbers, strict=True)}
-    at = {name: np.array([getattr(pose, name) for pose in poses]) for name in _OF_POSE}
-    columns |= {name: at[name] for name in _OF_POSE[:4]}
-    columns |= of_axes("v", at["twist"][:, :3]) | of_axes("omega", at["twist"][:, 3:])
-    columns |= of_axes("screw_axis", at["screw_axis"]) | of_axes("screw_point", at["screw_point"])
-    return columns | of_legs("A", np.array(residues))
-
-
-_OF_POSE = (
-    *("condition_number", "smallest_singular_value", "lost_dof", "screw_pitch"),
-    *("twist", "screw_axis", "screw_point"),
-)
+    return Report(_text(found), {"path": columns}, _data(found), figures)
 
 
 def _data(found: Examination) -> dict[str, Any]:
+    """Return all results for the JSON data."""
     along, legs = found.along, dict[str, Any]()
     for name, unit in (("min_joint_sine", ""), ("min_length", "_m"), ("max_length", "_m")):
         extreme = getattr(along, name)
@@ -154,6 +114,7 @@ def _data(found: Examination) -> dict[str, Any]:
 
 
 def _pose_data(at: SingularityResult) -> dict[str, Any]:
+    """Return the singularity measures of a pose for the JSON data."""
     return {
         "scaled_condition_number": at.condition_number,
         "characteristic_length_m": at.characteristic_length,
@@ -201,25 +162,22 @@ def _curves(found: Examination) -> Columns:
 
 
 def _crossing_lines(found: Examination, number: int) -> list[str]:
+    """Format one crossing: time, signs of det H, the pose, and the residue of the forces."""
     crossing, A = found.along.crossings[number], found.residues[number]
-    pose, leg = found.path(np.array([crossing.time])), int(np.argmax(np.abs(A)))
-    units = Units.of(found.robot)
-    rates = wrench_matrix(found.robot, pose)[0].T @ crossing.singularity.twist
-    fastest = np.max(np.abs(rates)) / units.meters
-    at = f"{crossing.time:.12f} s (rounding error up to {crossing.time_error:.1e} s)"
     before, after = sign_text(crossing.sign_before), sign_text(crossing.sign_after)
+    error = f"rounding error up to {crossing.time_error:.1e} s"
     lines = [
-        f"Crossing {number + 1} at {at}",
+        f"Crossing {number + 1} at {crossing.time:.12f} s ({error})",
         f"  det H                {before} before, {after} after",
-        *_pose_lines(crossing.singularity, units),
-        f"  leg rates            at most {fastest:.1e} {units.length}/s for this twist",
+        *_pose_lines(crossing.singularity, Units.of(found.robot)),
     ]
     if found.robot.missing_bodies:
         return [*lines, f"  force residue        unknown: {found.robot.missing_bodies[0]} is missing"]
     if not np.isfinite(A).all():
         return [*lines, "  force residue        none: the path is at rest there, or follows singular poses"]
-    values = ", ".join(f"{value:.6g}" for value in A)
+    leg = int(np.argmax(np.abs(A)))
     ends = ["-inf", "+inf"] if A[leg] > 0.0 else ["+inf", "-inf"]
+    values = ", ".join(f"{value:.6g}" for value in A)
     residue = f"  force residue        F = A / (t - t_0), A = ({values}) N s"
     return [*lines, residue, f"  most affected        leg {leg + 1}: {ends[0]} before, {ends[1]} after"]
 
@@ -250,23 +208,18 @@ def _pose_lines(at: SingularityResult, units: Units) -> list[str]:
 
 
 def _legs_table(found: Examination) -> str:
+    """Format the extreme values of the legs with their times."""
     along, units = found.along, Units.of(found.robot)
-    extremes = along.min_joint_sine, along.min_length, along.max_length
-    limits, scale = found.robot.length_limits / units.meters, 1.0 / units.meters
-    rows, unit = [], units.length
-    for leg, (low, high) in enumerate(limits):
-        below = f"{scale * along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none"
-        above = f"{high - scale * along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none"
-        sine, least, most = (
-            (f"{size * extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}")
-            for size, extreme in zip((1.0, scale, scale), extremes, strict=True)
-        )
-        rows.append((str(leg + 1), *sine, *least, below, *most, above))
-    header = ["leg", "min |k x s|", "time, s"]
-    for end in ("min", "max"):
-        header += [f"{end} L, {unit}", "time, s", f"margin, {unit}"]
-    title = "Smallest sine of the angle between leg and universal axis; extreme lengths and margins to limits"
-    return f"{title}\n{aligned(header, rows)}"
+    columns = {}
+    for title, scale, extreme in (
+        ("min |k x s|", 1.0, along.min_joint_sine),
+        (f"min length, {units.length}", 1.0 / units.meters, along.min_length),
+        (f"max length, {units.length}", 1.0 / units.meters, along.max_length),
+    ):
+        pairs = zip(scale * extreme.value, extreme.time, strict=True)
+        columns[title] = [f"{value:.6f} at {time:.6f} s" for value, time in pairs]
+    title = "Smallest sine of the angle between leg and universal axis, and extreme lengths"
+    return f"{title}\n{leg_table('leg', columns)}"
 
 
 def _near(time: float, at: SingularityResult) -> str:
@@ -276,27 +229,25 @@ def _near(time: float, at: SingularityResult) -> str:
 
 def _path_figure(found: Examination, columns: Columns) -> Figure:
     """Plot condition number, signed smallest singular value, and the largest force over the whole path."""
-    figure = new_figure(9.0, 7.2)
+    figure, time, crossings = new_figure(9.0, 7.2), columns["time"], found.along.crossings
     panels = figure.subplots(3, 1, sharex=True)
-    time = columns["time"]
     largest = np.max(np.abs([columns[f"F_{leg}"] for leg in range(1, LEGS + 1)]), axis=0)
     panels[1].axhline(0.0, color=DARK, linewidth=0.7)
-    for axes, values, label in (
-        (panels[0], columns["scaled_condition"], "scaled condition\nnumber of H"),
-        (panels[1], columns["smallest_singular_value"], "smallest singular value,\nsign of det H"),
-        (panels[2], largest, "largest actuator\nforce, N"),
-    ):
+    curves = {
+        "scaled condition\nnumber of H": columns["scaled_condition"],
+        "smallest singular value,\nsign of det H": columns["smallest_singular_value"],
+        "largest actuator\nforce, N": largest,
+    }
+    for axes, (label, values) in zip(panels, curves.items(), strict=True):
         axes.plot(time, values, color=BLUE, linewidth=1.2)
         axes.set_ylabel(label)
         if axes is not panels[1] and np.isfinite(values).any():
             axes.set_yscale("log")
             log_numbers(axes.yaxis)
-        for crossing in found.along.crossings:
+        for crossing in crossings:
             axes.axvline(crossing.time, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
     panels[2].set(xlabel="time, s", xlim=(time[0], time[-1]))
-    count = len(found.along.crossings)
-    where = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
-    if found.along.spans:
-        where += ", and a segment of singular poses"
+    where = f"{len(crossings)} crossing{'' if len(crossings) == 1 else 's'} of a singular pose"
+    where += ", and a segment of singular poses" if found.along.spans else ""
     figure.suptitle(as_written(f"{found.robot.name}, path {found.name}: {where}"), fontsize=11.0)
     return figure
