@@ -17,7 +17,7 @@ from ..motion.motion import Motion
 from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot.robot import Robot
 from . import native
-from .kernel import MOTION, defines_of, offset_numbers, overflows, robot_kernel, robot_numbers, takes_rotors
+from .kernel import MOTION, defines_of, overflows, robot_kernel, robot_numbers, takes_rotors
 from .kernel_sources import generated_text
 
 
@@ -104,8 +104,7 @@ def prepared_model(
     """
     dtype = np.float64 if precision == "double" else np.float32
     with np.errstate(over="ignore"):
-        given = robot_numbers(robot, rotors) if robot.offsets is None else offset_numbers(robot)
-        numbers = given.astype(dtype)
+        numbers = robot_numbers(robot, rotors, robot.offsets is not None).astype(dtype)
     # The constants are aligned to a cache line, so that no vector register load crosses a line.
     room = np.zeros(count + 64 // numbers.itemsize, dtype=dtype)
     first = -room.ctypes.data % 64 // room.itemsize

@@ -28,8 +28,6 @@ DRIVE_FIDELITIES: tuple[str, ...] = tuple(_DRIVE_TABLE)
 ``slender`` and ``massless`` legs. The other levels omit the rotors.
 """
 
-# Names that have no kernel of their own, because at rest these legs have the same forces as slender legs.
-_SAME = {"axisymmetric_static": "slender_static", "point_masses_static": "slender_static"}
 _GENERAL = "general"
 
 
@@ -41,25 +39,19 @@ def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     ``paper`` with rotors has none. Raises ValueError for an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)
-    if robot.offsets is None and formulation == "paper" and robot.has_rotors:
-        return ()
     if robot.offsets is not None or formulation == "paper":
-        return (_GENERAL,)
+        return () if robot.has_rotors and robot.offsets is None else (_GENERAL,)
     table, any_joint = levels(robot), robot.base_joint == "universal"
     return tuple(name for name in table if any_joint or name == _GENERAL or not table[name]["universal"])
 
 
 def resolve_level(robot: Robot, formulation: str, fidelity: str) -> str:
-    """Return the level whose kernel computes the forces of a level: itself, or a value of ``_SAME``.
-
-    Raises ValueError, which lists the available levels, for an unavailable one.
-    """
+    """Return a level; raise ValueError, which lists the available levels, for an unavailable one."""
     force_kernel(robot, formulation)
     names = available(robot, formulation)
-    name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else ""
-    if name not in names:
+    if not isinstance(fidelity, str) or fidelity not in names:
         raise ValueError(f"fidelity: expected one of {', '.join(names)}, got {shown(fidelity)}")
-    return name
+    return fidelity
 
 
 def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
@@ -80,7 +72,7 @@ def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERA
 
 def meaning(fidelity: str, rotors: bool = False) -> str:
     """Describe the physics of a level; ``rotors`` selects the level of robots with rotors."""
-    return str((_DRIVE_TABLE if rotors else _TABLE)[_SAME.get(fidelity, fidelity)]["meaning"])
+    return str((_DRIVE_TABLE if rotors else _TABLE)[fidelity]["meaning"])
 
 
 def rotor_of(robot: Robot, fidelity: str) -> str:

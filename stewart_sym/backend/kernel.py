@@ -1,6 +1,5 @@
 """Names and modules of the generated kernels, and the constants of a robot in the order of the kernels."""
 
-from collections.abc import Sequence
 from importlib import import_module
 from types import ModuleType
 
@@ -9,7 +8,7 @@ import numpy as np
 from ..generated.interface import STRUCTS
 from ..io.arguments import option
 from ..io.array_types import Array
-from ..robot.offsets import JointOffsets, need_no_offsets
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_masses, of_symbol
 from .kernel_sources import PACKAGE
 
@@ -77,22 +76,15 @@ def module(name: str) -> ModuleType:
     return import_module(f"{PACKAGE}.{name}")
 
 
-def robot_numbers(robot: Robot, rotors: bool = False) -> Array:
-    """Return the constants of a robot in the order of ``struct stewart_robot``, optionally with rotors."""
-    need_no_offsets(robot)
-    return _numbers(robot, (*LEG, *ROTOR) if rotors else LEG)
-
-
-def offset_numbers(robot: Robot) -> Array:
-    """Return the constants of the robot in the order of ``struct stewart_offset_robot``."""
-    offsets = JointOffsets() if robot.offsets is None else robot.offsets
-    return _numbers(robot, (*LEG, *ROTOR), [columns(of_symbol(offsets, name)) for name in OFFSETS])
-
-
-def _numbers(robot: Robot, names: Sequence[str], more: Sequence[Array] = ()) -> Array:
-    legs = np.concatenate([*(columns(of_symbol(robot, name)) for name in names), *more], axis=1)
+def robot_numbers(robot: Robot, rotors: bool = False, offsets: bool = False) -> Array:
+    """Return the constants of a robot in the order of ``stewart_robot`` or ``stewart_offset_robot``."""
+    legs = [columns(of_symbol(robot, name)) for name in ((*LEG, *ROTOR) if rotors or offsets else LEG)]
+    if offsets:
+        legs += [columns(of_symbol(robot.offsets, name)) for name in OFFSETS]
+    else:
+        need_no_offsets(robot)
     platform = [np.ravel(stored(np.asarray(of_symbol(robot, name)))) for name in PLATFORM]
-    return np.concatenate([legs.ravel(), *platform])
+    return np.concatenate([np.concatenate(legs, axis=1).ravel(), *platform])
 
 
 def overflows(precision: str) -> ValueError:

@@ -9,16 +9,15 @@ import hashlib
 import importlib.abc
 import importlib.util
 import sys
-from collections.abc import Sequence
 from functools import cache
 from importlib.machinery import ModuleSpec
 from importlib.resources import files
 from pathlib import Path, PurePosixPath
 from threading import Lock
-from types import ModuleType
+from typing import Any
 
 from ..io.atomic_write import write_file
-from .cache import cache_folder, locked
+from .native import cache_folder, create_once
 
 PACKAGE = "stewart_sym.generated"
 """Package of the generated kernels."""
@@ -40,17 +39,17 @@ def generated_text(path: str) -> str:
     """
     if path not in digests():
         return (files(PACKAGE) / path).read_text(encoding="utf-8")
-    text = _cached(path)
-    return _derived(path) if text is None else text
+    kernel = PurePosixPath(path).stem
 
+    def store() -> None:
+        for each, text in _derived(kernel).items():
+            write_file(_place(each), text)
 
-def _cached(path: str) -> str | None:
-    """Read a derived file from the cache folder; return None if it is missing or damaged."""
     with contextlib.suppress(OSError):
-        content = _place(path).read_bytes()
-        if hashlib.sha256(content).hexdigest() == digests()[path]:
-            return content.decode()
-    return None
+        create_once(_place(path), store)
+        return _place(path).read_text(encoding="utf-8")
+    # The cache folder cannot be written.
+    return _derived(kernel)[path]
 
 
 def _place(path: str) -> Path:
@@ -59,32 +58,17 @@ def _place(path: str) -> Path:
     return cache_folder() / f"{name.stem}-{digests()[path][:32]}{name.suffix}"
 
 
-def _derived(path: str) -> str:
-    """Derive a file and store it, once for all processes if the cache folder can be written."""
-    kernel = PurePosixPath(path).stem
-    with _ONE_DERIVATION, contextlib.ExitStack() as stack:
-        with contextlib.suppress(OSError):
-            stack.enter_context(locked(cache_folder() / f"{kernel}.lock"))
-        text = _cached(path)
-        if text is None:
-            texts = _kernel_files(kernel)
-            text = texts[path]
-            for each, content in texts.items():
-                with contextlib.suppress(OSError):
-                    write_file(_place(each), content)
-        return text
-
-
 @cache
-def _kernel_files(kernel: str) -> dict[str, str]:
-    """Derive the files of one kernel, text by path in ``generated/``, and compare them with their digests."""
+def _derived(kernel: str) -> dict[str, str]:
+    """Derive the files of a kernel, text by path, and compare them with their digests."""
     try:
         from ..derive.on_demand import kernel_files
     except ModuleNotFoundError as error:
         missing = error.name or ""
         remedy = f"install it with `pip install {missing}`"
         raise ImportError(f"kernel {kernel}: the derivation needs {missing}; {remedy}") from error
-    texts: dict[str, str] = kernel_files(kernel)
+    with _ONE_DERIVATION:
+        texts: dict[str, str] = kernel_files(kernel)
     for path, text in texts.items():
         if hashlib.sha256(text.encode()).hexdigest() != digests()[path]:
             remedy = "install the version of SymPy in its requirements, or run `stewart-sym derive`"
@@ -92,22 +76,13 @@ def _kernel_files(kernel: str) -> dict[str, str]:
     return texts
 
 
-class _Importer(importlib.abc.MetaPathFinder, importlib.abc.ExecutionLoader):
+class _Importer(importlib.abc.InspectLoader):
     """Import of the Python modules that are derived at first use."""
 
-    def find_spec(
-        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
+    def find_spec(self, fullname: str, path: Any, target: Any = None) -> ModuleSpec | None:
         package, _, name = fullname.rpartition(".")
-        if package != PACKAGE or f"{name}.py" not in digests():
-            return None
-        return importlib.util.spec_from_loader(fullname, self)
-
-    def is_package(self, fullname: str) -> bool:
-        return False
-
-    def get_filename(self, fullname: str) -> str:
-        return str(_place(f"{fullname.rpartition('.')[2]}.py"))
+        is_derived = package == PACKAGE and f"{name}.py" in digests()
+        return importlib.util.spec_from_loader(fullname, self) if is_derived else None
 
     def get_source(self, fullname: str) -> str:
         return generated_text(f"{fullname.rpartition('.')[2]}.py")

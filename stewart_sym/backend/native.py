@@ -1,4 +1,4 @@
-"""Compilation of C sources into shared libraries in a cache folder, and loading with ctypes."""
+"""Compilation of C sources into shared libraries in the cache folder of the user, and their loading."""
 
 import contextlib
 import ctypes
@@ -12,11 +12,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
-
-from .cache import cache_folder, locked
 
 # Code on Windows is always position independent, and clang rejects the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
@@ -30,15 +28,9 @@ _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 # Names of the lines of /proc/cpuinfo with the model and its instruction sets (x86, Arm, RISC-V, POWER).
 _PROCESSOR_LINES = ("model", "flags", "Features", "CPU", "isa", "uarch", "cpu\t")
 
-_loaded: dict[str, ctypes.CDLL] = {}
-
 
 class CompilerError(RuntimeError):
-    """Error of building or loading a library, in one line; ``log`` is the output of the compiler."""
-
-    def __init__(self, message: str, log: str = "") -> None:
-        super().__init__(message)
-        self.log = log
+    """Error of building or loading a library, in one line."""
 
 
 class Compiler(NamedTuple):
@@ -46,6 +38,29 @@ class Compiler(NamedTuple):
 
     command: tuple[str, ...]
     version: str
+
+
+def cache_folder() -> Path:
+    """Return ``$STEWART_SYM_CACHE``, by default the cache folder of the user."""
+    import platformdirs
+
+    named = os.environ.get("STEWART_SYM_CACHE")
+    return Path(named or platformdirs.user_cache_dir("stewart-sym", appauthor=False)).absolute()
+
+
+def create_once(path: Path, create: Callable[[], None]) -> None:
+    """Call ``create`` unless a path exists; other processes and threads wait for it at a lock file."""
+    if path.exists():
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.with_suffix(".lock").open("w") as stream:
+        # On Windows, two processes may create the same file.
+        if sys.platform != "win32":
+            import fcntl
+
+            fcntl.flock(stream, fcntl.LOCK_EX)
+        if not path.exists():
+            create()
 
 
 def find_compiler() -> Compiler | None:
@@ -74,32 +89,44 @@ def load(
 ) -> ctypes.CDLL:
     """Load the shared library of C files, text by file name, and compile it if it is not in the cache.
 
-    ``flags`` follow FLAGS, and ``defines`` are values of macros. A repeated call returns the same object.
-    Raises CompilerError without a compiler, if it fails, or if the cache folder cannot be written.
+    ``flags`` follow FLAGS, and ``defines`` are values of macros. Raises CompilerError without a compiler, if
+    it fails, or if the cache folder cannot be written.
     """
     macros = [f"-D{macro}={value}" for macro, value in sorted((defines or {}).items())]
-    compiler = _require_compiler()
-    command = (*compiler.command, *FLAGS, *macros, *flags)
-    inputs = (name, sorted(sources.items()), command, compiler.version, _processor())
-    file = f"{name}-{hashlib.sha256(repr(inputs).encode()).hexdigest()[:32]}{_SUFFIX}"
-    if file not in _loaded:
-        library = cache_folder() / file
-        try:
-            if not library.exists():
-                _publish(library, name, sources, command)
-            # Threads that load the same library at the same time receive the same object.
-            _loaded.setdefault(file, ctypes.CDLL(str(library)))
-        except OSError as error:
-            remedy = "set STEWART_SYM_CACHE to a writable folder"
-            raise CompilerError(f"cannot load {library}: {error}; {remedy}") from error
-    return _loaded[file]
+    flags = (*FLAGS, *macros, *flags)
+    inputs = (name, sorted(sources.items()), _require_compiler(), flags, _processor())
+    digest = hashlib.sha256(repr(inputs).encode()).hexdigest()[:32]
+    library = cache_folder() / f"{name}-{digest}{_SUFFIX}"
+
+    def publish() -> None:
+        with tempfile.TemporaryDirectory(dir=library.parent) as place:
+            os.replace(compile_library(Path(place), name, sources, flags), library)
+
+    try:
+        create_once(library, publish)
+        return ctypes.CDLL(str(library))
+    except OSError as error:
+        remedy = "set STEWART_SYM_CACHE to a writable folder"
+        raise CompilerError(f"cannot load {library}: {error}; {remedy}") from error
 
 
-def compile_library(
-    folder: Path, name: str, sources: Mapping[str, str], flags: Sequence[str] = FLAGS
-) -> Path:
+def compile_library(folder: Path, name: str, sources: Mapping[str, str], flags: Sequence[str]) -> Path:
     """Compile a library into ``folder`` with ``flags`` alone and return its path; raises as ``load``."""
-    return _compile(folder, name, sources, (*_require_compiler().command, *flags))
+    for file, text in sources.items():
+        (folder / file).write_text(text, encoding="utf-8", newline="\n")
+    library = folder / f"{name}{_SUFFIX}"
+    # Relative file names avoid blanks and non-ASCII characters of the home folder.
+    files = sorted(file for file in sources if file.endswith(".c"))
+    libraries = () if sys.platform == "win32" else ("-lm",)
+    try:
+        command = (*_require_compiler().command, *flags, *files, "-o", library.name, *libraries)
+        run_compiler(command, folder)
+    except CompilerError as error:
+        if _NATIVE not in flags:
+            raise CompilerError(f"can't compile {name}: {error}") from error
+        # Some compilers do not support the flag, or the assembler does not support the instructions.
+        return compile_library(folder, name, sources, [flag for flag in flags if flag != _NATIVE])
+    return library
 
 
 def run_compiler(command: Sequence[str], folder: Path) -> str:
@@ -113,7 +140,7 @@ def run_compiler(command: Sequence[str], folder: Path) -> str:
     except subprocess.CalledProcessError as error:
         log = error.output.decode(errors="replace")
         first = next((line for line in log.splitlines() if "error:" in line), log.partition("\n")[0])
-        raise CompilerError(f"{command[0]} fails: {first}", log) from error
+        raise CompilerError(f"{command[0]} fails: {first}") from error
     return output.decode(errors="replace")
 
 
@@ -140,30 +167,5 @@ def _processor() -> str:
     lines: set[str] = set()
     with contextlib.suppress(OSError):
         lines.update(Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines())
-    machine = f"{sys.platform} {platform.machine()} {platform.processor()} {sys.maxsize}"
-    return "\n".join([machine, *sorted(line for line in lines if line.startswith(_PROCESSOR_LINES))])
-
-
-def _publish(library: Path, name: str, sources: Mapping[str, str], command: tuple[str, ...]) -> None:
-    """Compile a library in a temporary folder, and move it into the cache folder, once for all processes."""
-    with locked(library.with_suffix(".lock")):
-        if not library.exists():
-            with tempfile.TemporaryDirectory(dir=library.parent) as place:
-                os.replace(_compile(Path(place), name, sources, command), library)
-
-
-def _compile(folder: Path, name: str, sources: Mapping[str, str], command: tuple[str, ...]) -> Path:
-    for file, text in sources.items():
-        (folder / file).write_text(text, encoding="utf-8", newline="\n")
-    library = folder / f"{name}{_SUFFIX}"
-    # Relative file names avoid blanks and non-ASCII characters of the home folder.
-    files = sorted(file for file in sources if file.endswith(".c"))
-    libraries = () if sys.platform == "win32" else ("-lm",)
-    try:
-        run_compiler((*command, *files, "-o", library.name, *libraries), folder)
-    except CompilerError as error:
-        if _NATIVE not in command:
-            raise CompilerError(f"can't compile {name}: {error}", error.log) from error
-        # Some compilers do not support the flag, or the assembler does not support the instructions.
-        return _compile(folder, name, sources, tuple(word for word in command if word != _NATIVE))
-    return library
+    known = sorted(line for line in lines if line.startswith(_PROCESSOR_LINES))
+    return "\n".join([platform.machine(), platform.processor(), *known])

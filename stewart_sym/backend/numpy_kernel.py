@@ -34,14 +34,12 @@ class NumpyKernel:
 
     def forces(self, motion: Motion) -> InverseDynamicsResult:
         """Compute the inverse dynamics of every pose; results are NaN if the status is not 0."""
-        found, status = self._computed(motion)
+        found, status = self.terms(motion)
         return InverseDynamicsResult(**_blanked(found, status), status=status)
 
-    def terms(self, motion: Motion) -> dict[str, Array]:
-        """Compute the terms of every pose, whose D, K, H, and c are finite if H is singular."""
-        return self._computed(motion)[0]
+    def terms(self, motion: Motion) -> tuple[dict[str, Array], Codes]:
+        """Compute terms and status of every pose; D, K, H, and c are finite if H is singular."""
 
-    def _computed(self, motion: Motion) -> tuple[dict[str, Array], Codes]:
         def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
             found = module(self.name).inverse_dynamics(on, robot, part)
             return {**vars(found.terms), **vars(found)}
@@ -82,14 +80,13 @@ def on_arrays(
     count = math.prod(motion.shape)
     found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
     status = np.zeros(count, dtype=np.int32)
-    components = {name: math.prod(shape) for name, shape in MOTION.items()}
     given = {
-        name: np.ascontiguousarray(value.reshape(count, components[name]).T)
+        name: np.ascontiguousarray(value.reshape(count, math.prod(MOTION[name])).T)
         for name, value in vars(loaded(motion)).items()
     }
     arithmetic = module("arithmetic").Arithmetic(np)
     for first in range(0, count, _AT_ONCE):
-        at = slice(first, min(first + _AT_ONCE, count))
+        at = slice(first, first + _AT_ONCE)
         part = SimpleNamespace(**{name: list(rows[:, at]) for name, rows in given.items()})
         with np.errstate(all="ignore"):
             made = run(arithmetic, robot, part, at)

@@ -148,13 +148,13 @@ class Parser(argparse.ArgumentParser):
     ) -> None:
         """Add an option with a value, and append its default, if any, to the help."""
         if default is not None:
-            text += f"; default: {f'{default:g}' if isinstance(default, float) else default}"
+            text += f"; default: {default:g}" if isinstance(default, float) else f"; default: {default}"
         (group or self).add_argument(f"--{name}", type=kind, default=default, metavar=metavar, help=text)
 
-    def chosen(self, name: str, choices: Sequence[str], text: str = "") -> None:
+    def chosen(self, name: str, choices: Sequence[str], text: str) -> None:
         """Add an option whose value is one of ``choices``; the first one is the default."""
-        said = "; ".join(filter(None, (text, f"default: {choices[0]}")))
-        self.add_argument(f"--{name}", choices=choices, default=choices[0], help=said)
+        text += f"; default: {choices[0]}"
+        self.add_argument(f"--{name}", choices=choices, default=choices[0], help=text)
 
     def seed(self) -> None:
         """Add ``--seed``."""
@@ -233,8 +233,6 @@ class Parser(argparse.ArgumentParser):
         group.add_argument("--no-smoothing", dest="smoothing", action="store_false", help=text)
 
 
-# --- output ---------------------------------------------------------------------------------
-
 Taker = Callable[..., None]
 """Function that writes a report, and the content of a single file if there is one, to their destinations."""
 
@@ -254,7 +252,8 @@ def results(
     be written or replaced are errors before the block. The text is printed after a block without an error.
     """
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
-    output, inputs = getattr(arguments, "output", None), [*read]
+    output, page = (getattr(arguments, name, None) for name in ("output", "html"))
+    plots, inputs = getattr(arguments, "plots", True), [*read]
     for name, value in vars(arguments).items():
         if name not in ("output", "json", "html"):
             values = value if isinstance(value, list) else [value]
@@ -264,20 +263,34 @@ def results(
         if getattr(arguments, "plots", False):
             need_drawing(", or use --no-plots")
         folder = ResultFolder(output, arguments.force, inputs, (f"{stem}.txt", f"{stem}.json", *tables))
-    _check_files(arguments, inputs, beginnings, json_text(made_by))
+    paths = [path for path in (output, page, arguments.json) if path is not None]
+    if len({*paths}) < len(paths):
+        raise ValueError("-o, --html, --json: two results have the same file; name another file")
+    if page is not None:
+        need_html("--html", page)
+    json_beginning = json_text(made_by).removesuffix("\n}\n") + ","
+    for path, texts in (output, beginnings), (page, [HTML_BEGINNING]), (arguments.json, [json_beginning]):
+        if path is not None and texts:
+            need_own_file(path, texts, arguments.force, inputs)
     lines: list[str] = []
 
     def take(report: Report, content: str | None = None) -> None:
         if content is not None and output is not None:
             write_file(output, content)
-        figures = report.figures if getattr(arguments, "plots", True) else {}
+        figures = report.figures if plots else {}
         report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
         if report.text:
             lines.append(report.text.rstrip("\n"))
         if folder is not None and stem is not None:
             write(report, folder, stem, progress)
             lines.append(f"Written to {output}: {', '.join(sorted(folder.names))}")
-        lines.extend(_written(arguments, report, progress))
+        if page is not None:
+            from ..studies.common.html_page import html_page
+
+            write_file(page, html_page(made_by["generator"], report, progress))
+            lines.append(f"Written to {page}")
+        if arguments.json is not None:
+            write_file(arguments.json, json_text(report.data))
 
     with progress_line() as progress:
         yield take, progress
@@ -288,36 +301,6 @@ def results(
     if str(arguments.json) != "-":
         for text in lines:
             print(*map(safe_text, text.split("\n")), sep="\n")
-
-
-def _check_files(
-    arguments: Arguments, inputs: Iterable[Path], beginnings: Sequence[str], generator: str
-) -> None:
-    """Raise ValueError for single files that cannot be written or replaced; ``generator`` begins JSON."""
-    output, page = (getattr(arguments, name, None) for name in ("output", "html"))
-    paths = [path for path in (output, page, arguments.json) if path is not None]
-    if len({*paths}) < len(paths):
-        raise ValueError("-o, --html, --json: two results have the same file; name another file")
-    if beginnings and output is not None:
-        need_own_file(output, beginnings, arguments.force, inputs)
-    if page is not None:
-        need_html("--html", page)
-        need_own_file(page, [HTML_BEGINNING], arguments.force, inputs)
-    if arguments.json is not None:
-        beginning = generator.removesuffix("\n}\n") + ","
-        need_own_file(arguments.json, [beginning], arguments.force, inputs)
-
-
-def _written(arguments: Arguments, report: Report, progress: Progress) -> list[str]:
-    """Write the HTML and JSON files of a report; return the lines about them."""
-    page = getattr(arguments, "html", None)
-    if page is not None:
-        from ..studies.common.html_page import html_page
-
-        write_file(page, html_page(report.data["generator"], report, progress))
-    if arguments.json is not None:
-        write_file(arguments.json, json_text(report.data))
-    return [] if page is None else [f"Written to {page}"]
 
 
 def need_own_file(path: Path, beginnings: Sequence[str], force: bool, inputs: Iterable[Path]) -> None:

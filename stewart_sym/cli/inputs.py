@@ -43,25 +43,29 @@ def warn_of_doubts(robot: ss.Robot, source: Path) -> None:
 
 
 def trajectory_of(
-    robot: ss.Robot, source: Path, arguments: argparse.Namespace, progress: Progress
+    robot: ss.Robot | None, source: Path, arguments: argparse.Namespace, progress: Progress
 ) -> Trajectory:
-    """Read a CSV file of poses or leg lengths as specified by the options, and return poses over time."""
+    """Read a CSV file as specified by the options; with a robot, leg lengths become poses."""
     progress(f"reading {source}")
-    samples = samples_of(robot, source, log_format(arguments))
-    log = log_of(robot, samples, _smoothing(arguments, samples.file_format), progress)
-    return _resampled(poses_of(robot, log, arguments, progress), arguments)
-
-
-def plain_trajectory(source: Path, arguments: argparse.Namespace, progress: Progress) -> Trajectory:
-    """Read a CSV file as specified by the options, without a robot."""
-    if arguments.pose_guess is not None:
-        raise ValueError("--pose-guess: needs the robot; add --robot")
-    progress(f"reading {source}")
-    samples = read_samples(str(source), log_format(arguments))
-    log = motion_log_of(samples, _smoothing(arguments, samples.file_format), progress)
-    if arguments.rate is not None and log.in_joints:
-        raise ValueError("--rate: resampling of leg lengths needs the robot; add --robot")
-    return _resampled(log, arguments)
+    if robot is None:
+        samples = read_samples(str(source), log_format(arguments))
+        log = motion_log_of(samples, _smoothing(arguments, samples.file_format), progress)
+        if arguments.pose_guess is not None:
+            raise ValueError("--pose-guess: needs the robot; add --robot")
+        if arguments.rate is not None and log.in_joints:
+            raise ValueError("--rate: resampling of leg lengths needs the robot; add --robot")
+    else:
+        samples = samples_of(robot, source, log_format(arguments))
+        log = log_of(robot, samples, _smoothing(arguments, samples.file_format), progress)
+        log = poses_of(robot, log, arguments, progress)
+    if arguments.rate is None:
+        return log
+    few = ss.resample(log, arguments.rate)
+    if len(few.time) < min(FEW_ROWS, len(log.time)):
+        finding = f"{len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(log.time)} rows in "
+        finding += f"{log.time[-1] - log.time[0]:.4g} s at {arguments.rate:g} Hz"
+        warn(f"{log.source}: {finding}; the motion between them is not computed; raise --rate")
+    return few
 
 
 def _smoothing(arguments: argparse.Namespace, form: ss.TrajectoryFormat) -> ss.SmoothingOptions:
@@ -70,18 +74,6 @@ def _smoothing(arguments: argparse.Namespace, form: ss.TrajectoryFormat) -> ss.S
         if getattr(arguments, name) is not None:
             raise ValueError(f"--{name.replace('_', '-')} and --no-smoothing cannot be given together")
     return ss.SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
-
-
-def _resampled(trajectory: Trajectory, arguments: argparse.Namespace) -> Trajectory:
-    """Return a trajectory at the rate of the options, if any."""
-    if arguments.rate is None:
-        return trajectory
-    few = ss.resample(trajectory, arguments.rate)
-    if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
-        finding = f"{len(few.time)} sample{'s' * (len(few.time) > 1)} of {len(trajectory.time)} rows in "
-        finding += f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at {arguments.rate:g} Hz"
-        warn(f"{trajectory.source}: {finding}; the motion between them is not computed; raise --rate")
-    return few
 
 
 def stated_noise(

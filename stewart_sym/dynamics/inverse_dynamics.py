@@ -419,7 +419,7 @@ def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Ar
     if robot.offsets is not None:
         terms = offset_joints.terms(robot, motion)
     else:
-        terms = NumpyKernel.prepare(robot, formulation).terms(motion)
+        terms = NumpyKernel.prepare(robot, formulation).terms(motion)[0]
     with np.errstate(over="ignore", invalid="ignore"):
         x, error = damped_least_squares(terms["H"], terms["c"], characteristic_length(robot) or 1.0)
         F = terms["D"] - x

@@ -84,7 +84,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     progress("computing test vectors")
     found = _vectors(robot, choice, made)
     tested = [function for function in made.functions if found[function.stem]]
-    machine = _machine(robot, choice)
+    machine = _machine(robot, TORQUE in choice.functions)
     texts = _sources(machine, made)
     unsolvable = rejected(robot, choice.level, choice.precision)
     texts[build.SELFTEST] = selftest(machine, tested, found, unsolvable)
@@ -122,7 +122,7 @@ def _of_language(robot: Robot, choice: Choice, missing: str = "") -> Kit:
     texts = languages.texts(robot, choice)
     texts["README.md"] = _with_missing(texts["README.md"], missing)
     files = {name: text.encode() for name, text in texts.items()}
-    files[MANIFEST] = _manifest(_machine(robot, choice), choice, files)
+    files[MANIFEST] = _manifest(_machine(robot, TORQUE in choice.functions), choice, files)
     return Kit(dict(sorted(files.items())), None, None)
 
 
@@ -131,7 +131,7 @@ def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
     check(choice, robot)
     if choice.language != "c":
         return list(_of_language(robot, choice).files)
-    machine = _machine(robot, choice)
+    machine = _machine(robot, TORQUE in choice.functions)
     unit = [f"{machine.symbol}.fmu"] if choice.fmu else []
     return sorted([*_sources(machine, parts(robot, choice)), *_TEXTS, *unit, MANIFEST])
 
@@ -142,12 +142,8 @@ def _sources(machine: Machine, made: Parts) -> dict[str, str]:
     return made.files | named | (robot_files(machine) if reads_robot(made.functions) else {})
 
 
-def _machine(robot: Robot, choice: Choice) -> Machine:
-    """Collect the constants of the robot, and of its drives if the kit computes motor torques."""
-    return _constants(robot, TORQUE in choice.functions)
-
-
-def _constants(robot: Robot, with_drives: bool) -> Machine:
+def _machine(robot: Robot, with_drives: bool) -> Machine:
+    """Collect the constants of the robot, and of its drives if a function computes motor torques."""
     shortest, longest = robot.length_limits.T.tolist()
     limits = {"shortest": shortest, "longest": longest}
     limits |= {"force": robot.force_limit.tolist(), "speed": robot.speed_limit.tolist()}
@@ -248,7 +244,7 @@ def _unit(robot: Robot, choice: Choice, made: Parts) -> bytes:
     """Build the co-simulation unit, which starts at rest at the home pose."""
     assert choice.fmu is not None
     selected = unit_parts(robot, choice, made)
-    machine = _constants(robot, choice.fmu != fmu.PLANT)
+    machine = _machine(robot, choice.fmu != fmu.PLANT)
     sources = selected.files | (robot_files(machine) if reads_robot(selected.functions) else {})
     start = _start(robot, choice.formulation)
     # The sum removes minus signs of zeros.

@@ -21,35 +21,16 @@ _SYSTEMS = {"linux": "linux", "win32": "win", "darwin": "darwin"}
 
 
 def packed(symbol: str, texts: Mapping[str, str]) -> bytes:
-    """Write ``<symbol>.fmu`` to bytes: the texts of the unit and, if it can be compiled on this machine, a
-    binary.
+    """Return ``<symbol>.fmu``: the texts by path in the archive, and a binary if this machine can build it.
 
-    Parameters
-    ----------
-    symbol : str
-        Identifier of the constants of the robot.
-    texts : mapping of str to str
-        Text by path in the archive, from ``derive.package.fmu.unit``.
-
-    Returns
-    -------
-    bytes
-        Content of the archive. Equal arguments and an equal compiler give identical bytes. Without a
-        compiler, or on a platform that FMI 2.0 does not name, the archive contains only C sources (see
-        ``binary_folder``).
-
-    Raises
-    ------
-    native.CompilerError
-        If the compiler fails.
+    Equal texts and an equal compiler give identical bytes. Raises native.CompilerError if the compiler fails.
     """
     files = {path: text.encode() for path, text in texts.items()}
     folder = binary_folder()
     if folder is not None:
         identifier = model_identifier(symbol)
-        code = {
-            path.removeprefix("sources/"): text for path, text in texts.items() if path.startswith("sources/")
-        }
+        sources = [path for path in texts if path.startswith("sources/")]
+        code = {path.removeprefix("sources/"): texts[path] for path in sources}
         with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as place:
             made = native.compile_library(Path(place), identifier, code, native.PORTABLE_FLAGS)
             files[f"{folder}/{made.name}"] = made.read_bytes()

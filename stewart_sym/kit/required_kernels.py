@@ -86,9 +86,7 @@ class Parts:
 
 
 def fields(rotors: bool) -> tuple[str, ...]:
-    """List the fields of ``stewart_robot``, first of the legs, then of the platform; ``rotors`` adds rotor
-    fields.
-    """
+    """List the fields of ``stewart_robot``: of the legs, optionally with rotors, and of the platform."""
     of_leg = quantities.OF_LEG if rotors else quantities.LEG
     return tuple(quantity.name for quantity in (*of_leg, *quantities.PLATFORM))
 

@@ -1,6 +1,9 @@
-"""Finding about a robot."""
+"""Finding about a robot, with quantities in the units of its file."""
 
 from typing import NamedTuple
+
+from ..robot.robot import Robot
+from ..robot.units import Units
 
 
 class Finding(NamedTuple):
@@ -8,3 +11,14 @@ class Finding(NamedTuple):
 
     name: str
     text: str
+
+
+def finding(name: str, text: str, cause: str) -> Finding:
+    """Return a finding from its text and the likely cause."""
+    return Finding(name, f"{text}; likely cause: {cause}")
+
+
+def in_file(robot: Robot, value: float, unit: str = "m", digits: int = 3) -> str:
+    """Format a quantity of an SI unit, such as m/s, in the units of the robot file."""
+    factor, name = Units.of(robot).of_unit(unit)
+    return f"{float(f'{factor * value:.{digits}g}'):.10g} {name}"

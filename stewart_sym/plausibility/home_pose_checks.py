@@ -9,7 +9,7 @@ from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
 from ..motion.motion import at_rest
 from ..robot.robot import Robot, legs_text
-from .finding import Finding
+from .finding import Finding, finding, in_file
 
 MOST_LEGS = 5.0
 """Largest plausible shortest leg over machine size; machines have 0.2 to 2, limits in inches at least 8."""
@@ -46,33 +46,35 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
     low, high = robot.length_limits.T
     beyond = np.flatnonzero((low > L) | (high < L)).tolist()
     size, longest = radius(robot.b) + radius(robot.p), float(np.mean(high))
-    limits = f"length_limits {low.min():.4g} to {high.max():.4g} m"
-    limits += f": legs {L.min():.4g} to {L.max():.4g} m long at the home pose"
+    limits = f"length_limits {_range(robot, low.min(), high.max())}: "
+    limits += f"legs {_range(robot, L.min(), L.max())} long at the home pose"
     in_meters = longest < IN_METERS * np.mean(L)
     unit = "limits given in m in a file of another unit of length" if in_meters else ""
     away = 0.0 if robot.home_position is None else float(np.linalg.norm(robot.home_position))
     if 0.0 < away < LEAST_HOME * size:
-        text = f"home_position {away:.3g} m from the origin of the base frame, on a machine of {size:.3g} m"
-        yield Finding("home", f"{text}; likely cause: given in a larger unit, expected {robot.length_unit}")
+        text = f"home_position {in_file(robot, away)} from the origin of the base frame, on a machine of "
+        cause = f"given in a larger unit, expected {robot.length_unit}"
+        yield finding("home", f"{text}{in_file(robot, size)}", cause)
     elif robot.home_position is not None and beyond:
         of_home = "home of another point than the platform frame's origin, or a stroke without 0 in it"
         i = max(beyond, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
-        yield Finding(
-            "home",
-            f"{legs_text(beyond)} beyond length_limits at the home pose: {L[i]:.4g} m, limits {low[i]:.4g} "
-            f"to {high[i]:.4g} m; likely cause: {unit or of_home}",
-        )
+        text = f"{legs_text(beyond)} beyond length_limits at the home pose: {in_file(robot, L[i], digits=4)}"
+        yield finding("home", f"{text}, limits {_range(robot, low[i], high[i])}", unit or of_home)
     elif OUTSIDE * np.mean(low) > min(np.mean(L), OUTSIDE * MOST_LEGS * size):
         cause = "limits in millimeters, centimeters, or inches, or points of another machine"
-        yield Finding("length-limits", f"{limits}; likely cause: {cause}")
+        yield finding("length-limits", limits, cause)
     elif longest < OUTSIDE * np.mean(L):
         cause = unit or "the stroke given, expected the length from joint to joint"
-        yield Finding("length-limits", f"{limits}; likely cause: {cause}")
+        yield finding("length-limits", limits, cause)
     elif np.any(high - low < LEAST_STROKE * np.where(np.isfinite(high), high, 0.0)):
         cause = "stroke or limits given in m in a file of another unit of length"
-        yield Finding(
-            "length-limits", f"{limits}, a stroke of {min(high - low):.3g} m; likely cause: {cause}"
-        )
+        yield finding("length-limits", f"{limits}, a stroke of {in_file(robot, min(high - low))}", cause)
+
+
+def _range(robot: Robot, low: float, high: float) -> str:
+    """Format two lengths (m) in the unit of the file."""
+    first = in_file(robot, low, digits=4).partition(" ")[0]
+    return f"{first} to {in_file(robot, high, digits=4)}"
 
 
 def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:
@@ -91,25 +93,17 @@ def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:
             if far[i] or near[i]:
                 smaller = "millimeters" if robot.length_unit == "m" else "a smaller unit"
                 cause = f"given in {smaller if far[i] else 'meters in a file of millimeters'}"
-            beyond = f", {r[i, 0]:.3g} m beyond it" if r[i, 0] > 0.0 else ""
-            yield Finding(
-                "center-of-mass",
-                f"{part} part of {legs_text(legs)}: center_of_mass {away[i]:.3g} m from the {joint}{beyond}, "
-                f"in a leg {L[i]:.3g} m long; likely cause: {cause}",
-            )
+            beyond = f", {in_file(robot, r[i, 0])} beyond it" if r[i, 0] > 0.0 else ""
+            text = f"{part} part of {legs_text(legs)}: center_of_mass {in_file(robot, away[i])} from the "
+            text += f"{joint}{beyond}, in a leg {in_file(robot, L[i])} long"
+            yield finding("center-of-mass", text, cause)
 
 
 def _of_forces(robot: Robot, F: Array) -> Iterator[Finding]:
     """Yield a finding if force limits are below the forces F (N), (6,), that hold the machine at rest."""
-    weak = np.flatnonzero(np.abs(F) > robot.force_limit).tolist()
-    if weak:
-        worst = max(weak, key=lambda i: abs(F[i]) / robot.force_limit[i])
-        yield Finding(
-            "force-limit",
-            f"force_limit of {legs_text(weak)}: {robot.force_limit[worst]:.4g} N, but "
-            f"{abs(F[worst]):.4g} N hold the machine at rest at the home pose; likely cause: "
-            "force_limit in kN, masses in grams, or actuators too weak",
-        )
+    cause = "force_limit in kN, masses in grams, or actuators too weak"
+    if text := _too_weak("force_limit of", np.abs(F), robot.force_limit, "N"):
+        yield finding("force-limit", text, cause)
 
 
 def _of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
@@ -120,29 +114,33 @@ def _of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
     turns = np.abs(drive.transmission_ratio)
     friction = drive.screw_coulomb + drive.stribeck_force + turns * drive.motor_coulomb
     torque = (drive.backdrive_efficiency * np.abs(F) - friction) / turns
+    cause = "a missing gear ratio, lead in another unit, or motors too weak"
     for name in ("torque_limit", "rated_torque"):
-        limit = getattr(drive, name)
-        weak = np.flatnonzero(torque > limit).tolist()
-        if weak:
-            worst = max(weak, key=lambda i: float(torque[i] / limit[i]))
-            yield Finding(
-                "drive-limit",
-                f"{name} of the drives of {legs_text(weak)}: {limit[worst]:.4g} N m, but {torque[worst]:.4g} "
-                "N m hold the machine at rest at the home pose; likely cause: a missing gear ratio, lead in "
-                "another unit, or motors too weak",
-            )
+        if text := _too_weak(f"{name} of the drives of", torque, getattr(drive, name), "N m"):
+            yield finding("drive-limit", text, cause)
             return
+
+
+def _too_weak(owner: str, required: Array, limit: Array, unit: str) -> str:
+    """Return the text about limits below the values (6,) for the machine at rest, or an empty text."""
+    weak = np.flatnonzero(required > limit).tolist()
+    if not weak:
+        return ""
+    worst = max(weak, key=lambda i: float(required[i] / limit[i]))
+    text = f"{owner} {legs_text(weak)}: {limit[worst]:.4g} {unit}, but {required[worst]:.4g} {unit} hold the "
+    return f"{text}machine at rest at the home pose"
 
 
 def _of_rotors(robot: Robot) -> Iterator[Finding]:
     """Yield a finding if rotors that are reflected to their legs are much heavier than the machine."""
     if robot.drive is None:
         return
-    reflected = robot.drive.rotor_inertia * robot.drive.transmission_ratio**2
+    inertia = robot.drive.rotor_inertia
+    reflected = inertia * robot.drive.transmission_ratio**2
     heavy = np.flatnonzero(reflected > MOST_REFLECTED * (robot.M + np.sum(robot.m_d + robot.m_u))).tolist()
     if heavy:
-        yield Finding(
-            "drive-inertia",
-            f"rotor_inertia of {legs_text(heavy)}: {robot.drive.rotor_inertia[heavy[0]]:.4g} kg m^2, "
-            f"{reflected[heavy[0]]:.3g} kg at the leg; likely cause: given in kg cm^2, kg mm^2, or g cm^2",
+        i = heavy[0]
+        text = (
+            f"rotor_inertia of {legs_text(heavy)}: {inertia[i]:.4g} kg m^2, {reflected[i]:.3g} kg at the leg"
         )
+        yield finding("drive-inertia", text, "given in kg cm^2, kg mm^2, or g cm^2")

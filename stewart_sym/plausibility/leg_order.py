@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..io.array_types import Array
 from ..kinematics.mounting_side import level_positions
 from ..robot.robot import LEGS, Robot
-from .finding import Finding
+from .finding import Finding, finding
 from .level_poses import GOOD_CONDITION, HEIGHTS, MISPAIRED, level_conditions
 
 TWISTED = np.radians(75.0)
@@ -43,18 +43,17 @@ def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
         yield better
     elif given > MOST_CONDITION:
         found = f"scaled condition number {given:.2g}" if np.isfinite(given) else "H is singular"
-        yield Finding(
-            "condition",
-            f"{found} with the platform parallel to the base, at any height; likely cause: platform points "
-            "of wrong legs or mirrored, points in one place, nearly parallel or concurrent legs, or similar "
-            "hexagons (expected pairs of base points above gaps of the platform points)",
+        cause = (
+            "platform points of wrong legs or mirrored, points in one place, nearly parallel or concurrent "
+            "legs, or similar hexagons (expected pairs of base points above gaps of the platform points)"
         )
+        yield finding("condition", f"{found} with the platform parallel to the base, at any height", cause)
     elif crossed is not None:
-        yield Finding(
-            "crossing",
-            f"legs {crossed[0] + 1}, {crossed[1] + 1} cross at the home pose; likely cause: their platform "
-            "points exchanged, platform points in another order than base points, or mirrored",
+        cause = (
+            "their platform points exchanged, platform points in another order than base points, or mirrored"
         )
+        text = f"legs {crossed[0] + 1}, {crossed[1] + 1} cross at the home pose"
+        yield finding("crossing", text, cause)
 
 
 def _better_order(b: Array, p: Array, heights: Array, twisted: bool) -> Finding | None:
@@ -67,15 +66,12 @@ def _better_order(b: Array, p: Array, heights: Array, twisted: bool) -> Finding 
     mispaired = given > GOOD_CONDITION and ratio > MISPAIRED and (turn, k) != (1, 0)
     if not mispaired and not (twisted and ratio > 2.0):
         return None
-    shift = min(k, LEGS - k)
-    shifted = f"shifted by {shift} of six places"
+    shifted = f"shifted by {min(k, LEGS - k)} of six places"
     cause = shifted if turn > 0 else "in the opposite sense (mirrored) or exchanged"
-    return Finding(
-        "leg-order",
-        f"scaled condition number {given:.2g} with the platform parallel to the base, "
-        f"{conditions[least]:.2g} with its points in another order; likely cause: platform points {cause} "
-        "against the base points, or a platform frame turned about its normal",
-    )
+    text = f"scaled condition number {given:.2g} with the platform parallel to the base, "
+    text += f"{conditions[least]:.2g} with its points in another order"
+    cause = f"platform points {cause} against the base points, or a platform frame turned about its normal"
+    return finding("leg-order", text, cause)
 
 
 def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[int, int] | None:

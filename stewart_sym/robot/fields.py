@@ -24,7 +24,7 @@ WARNING_NAMES = (
     *("gravity", "length-unit", "proportion", "mass", "inertia-size", "center-of-mass"),
     *("leg-order", "condition", "crossing"),
     *("home", "length-limits", "force-limit", "speed-limit", "drive-limit", "drive-inertia", "drive-lead"),
-    "drive-speed",
+    *("drive-speed", "tool"),
 )
 """Names of all warnings about the numbers of a robot, as in ``suppress_warnings``.
 

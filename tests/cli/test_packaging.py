@@ -7,7 +7,7 @@ import tarfile
 from pathlib import Path
 
 import pytest
-from installed import REPOSITORY, install
+from installed import REPOSITORY, installed
 
 CHECK = """
 import sys, pathlib, warnings
@@ -85,8 +85,8 @@ def test_archives_are_small_and_pass_the_checks_of_the_package_index(archives: t
 
 
 @pytest.mark.slow
-def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
-    target = install(tmp_path)
+def test_a_plain_install_carries_everything(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    target = installed(tmp_path_factory)
     run = [sys.executable, "-I", "-c", CHECK, str(target)]
     done = subprocess.run(run, check=True, capture_output=True, text=True, cwd=tmp_path)
     assert done.stdout == "(2, 6)\n"
@@ -94,7 +94,7 @@ def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
     shipped = {str(path.relative_to(package)) for path in package.rglob("*") if path.is_file()}
     renamed = {"stewart_sym": "", "derive": "derive/", "generated": "generated/"}
     for folder, prefix in renamed.items():
-        source = tmp_path / "source" / folder
+        source = target.parent / "source" / folder
         for path in source.rglob("*"):
             if path.is_file() and path.suffix != ".pyc":
                 assert prefix + str(path.relative_to(source)) in shipped

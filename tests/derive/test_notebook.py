@@ -3,6 +3,7 @@
 ``COMMAND`` runs them and writes the outputs into the committed files.
 """
 
+import os
 import subprocess
 import sys
 from importlib import resources
@@ -11,7 +12,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
-from installed import install
+from installed import installed
 from quick_compiler import quick_path
 from sweeps import FULL
 
@@ -47,13 +48,14 @@ def test_every_cell_is_committed_as_executed_in_order_without_error(name: str) -
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NOTEBOOKS if FULL else NOTEBOOKS[:1])
 def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    name: str, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """In a folder of its own, and without the packages of other extras."""
-    installed = install(tmp_path)
+    package = installed(tmp_path_factory)
     others = set(EXTRAS) - {"matplotlib", "mpl_toolkits"}
-    (installed / "sitecustomize.py").write_text(WITHOUT.format(names=others))
-    monkeypatch.setenv("PYTHONPATH", str(installed))
+    (tmp_path / "without").mkdir()
+    (tmp_path / "without" / "sitecustomize.py").write_text(WITHOUT.format(names=others))
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(tmp_path / "without"), str(package)]))
     monkeypatch.setenv("PATH", quick_path(tmp_path / "compilers"))
     for variable in ("IPYTHONDIR", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
         monkeypatch.setenv(variable, str(tmp_path / variable))
@@ -64,7 +66,7 @@ def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
         text=True,
         cwd=tmp_path,
     )
-    assert Path(used.stdout.strip()).is_relative_to(installed)
+    assert Path(used.stdout.strip()).is_relative_to(package)
     committed = _code_cells(_committed(name))
     fresh = _code_cells(_executed(name, tmp_path))
     assert not [out for cell in fresh for out in cell.outputs if out.output_type == "error"]

@@ -1,5 +1,6 @@
 """Every example of the README and of the documentation runs and gives what the page says."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import matplotlib.image
@@ -19,6 +20,8 @@ from pages import (
 )
 from sweeps import FULL, slow_but
 
+import stewart_sym as ss
+
 _HEAVY = ("gallery/mpc", "gallery/computed-torque", "gallery/controller-models")
 _HEAVY += ("howto/plan", "howto/languages", "howto/cmake", "howto/simulate", "howto/drives", "howto/fidelity")
 _HEAVY += ("gallery/motors", "gallery/telemetry", "howto/workspace")
@@ -36,6 +39,23 @@ LONG = {
 } | {f".docs/howto/{name}.md" for name in ("arrays", "cluster", "controller", "friction")}
 DARKEST_PAPER = 0.94
 """Brightness below which a dot of a drawing is ink, 0 to 1."""
+
+
+@pytest.fixture(autouse=True, scope="module")
+def same_robots() -> Iterator[None]:
+    """One robot of all files with the same content, whose kits then share their test vectors."""
+    read = ss.Robot.from_toml
+    known: dict[bytes, ss.Robot] = {}
+
+    def once(path: str | Path) -> ss.Robot:
+        content = Path(path).read_bytes() if Path(path).is_file() else b""
+        if content not in known:
+            known[content] = read(path)
+        return known[content]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(ss.Robot, "from_toml", once)
+        yield
 
 
 @pytest.mark.parametrize("page", slow_but(set(RUNNING) - SHELL - LONG, RUNNING))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from command_line import Run
 from robot_files import PAPERS
+from sweeps import FULL
 
 import stewart_sym as ss
 from stewart_sym.identification.log_noise import noise_of_log
@@ -76,7 +77,7 @@ def lengths(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("stated", [True, False])
+@pytest.mark.parametrize("stated", [True, False] if FULL else [False])
 def test_noise_of_leg_lengths_is_noise_along_the_legs(
     lengths: list[str], stated: bool, tmp_path: Path, run: Run
 ) -> None:

@@ -174,7 +174,7 @@ def test_a_killed_run_leaves_whole_files(at_robot: Path, name: str) -> None:
     subprocess.run(command, check=True, capture_output=True)
     seconds, usual = time.monotonic() - began, folder_state(out)
     shutil.rmtree(out)
-    for run in range(8 if FULL else 2):
+    for run in range(13 if FULL else 2):
         number = SIGNALS[run % len(SIGNALS)]
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         with contextlib.suppress(subprocess.TimeoutExpired):

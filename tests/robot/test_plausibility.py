@@ -14,6 +14,7 @@ from plausible_machines import (
     machine_of,
     published,
     ring,
+    scaled,
     sound,
     sound_machine,
     unlimited,
@@ -82,6 +83,11 @@ def test_numbers_near_the_ends_of_double_are_doubted_and_nothing_else_happens(si
         robot = dataclasses.replace(unlimited(), **{name: float(changed) if name == "M" else changed})
         for said in find_implausible(robot):
             assert said.name in WARNING_NAMES
+
+
+def test_lengths_have_the_unit_of_the_file() -> None:
+    (said,) = find_implausible(scaled(p=1e3)(dataclasses.replace(sound(), length_unit="mm")))
+    assert said.text.startswith("base points 500 mm, platform points 300000 mm in RMS radius; ")
 
 
 def test_check_warns_in_one_line_and_the_file_may_accept_it(tmp_path: Path, run: Run) -> None:

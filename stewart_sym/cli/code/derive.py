@@ -11,11 +11,14 @@ import hashlib
 from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 from ...io.arguments import shown
-from ...io.atomic_write import ResultFolder, write_file
+from ...io.atomic_write import ResultFolder, digest, write_file
 from ...studies.common.report import Report
 from ..command import Arguments, Parser, hint, results
+
+_LABELS = {"differ": "differs", "missing": "missing", "not_generated": "not generated"}
 
 
 def add_arguments(parser: Parser) -> None:
@@ -38,35 +41,36 @@ def run(arguments: Arguments) -> int:
         # The installed kernels have no record, because they are part of this program.
         own = arguments.check or directory == installed
         folder = None if own else ResultFolder(directory, arguments.force)
-        seconds: dict[str, float] = {}
+        kernels: list[dict[str, Any]] = []
 
         def note(name: str, time_s: float, share: float) -> None:
             progress(f"derived {name}", share)
-            seconds[name] = time_s
+            kernels.append({"name": name, "time_s": time_s})
 
         if arguments.kernel is not None:
             stored = texts = _one_kernel(arguments.kernel)
         else:
             texts = generated_files(note, CORES)
             stored = committed(texts)
-        lines, kernels = [], []
-        for name, time_s in seconds.items():
-            count = _operations(texts.get(f"{name}.py", ""))
-            kernels.append({"name": name, "time_s": time_s, "operations_per_pose": count})
+        lines = []
+        for kernel in kernels:
+            count = kernel["operations_per_pose"] = _operations(texts.get(f"{kernel['name']}.py", ""))
             counts = "" if count is None else f"   operations per pose: {count}"
-            lines.append(f"{name:<16} {time_s:6.1f} s{counts}")
-        data: dict[str, list[str]] = {}
+            lines.append(f"{kernel['name']:<16} {kernel['time_s']:6.1f} s{counts}")
+        names: dict[str, list[str]] = {}
         if arguments.check:
-            more, data = _compared(directory, texts, stored)
+            names = _compared(directory, texts, stored)
+            more = [f"{_LABELS[kind]}: {name}" for kind, each in names.items() for name in each]
+            lines += more or [f"{directory}: all {len(texts)} files are as derived"]
         else:
             for name, text in stored.items():
                 if folder is None:
                     write_file(directory / name, text)
                 else:
                     folder.write(name, text)
-            more = [f"{len(stored)} files written to {directory}"]
-        take(Report("\n".join(lines + more), data={"files": len(texts), "kernels": kernels, **data}))
-    return 1 if any(data.values()) else 0
+            lines.append(f"{len(stored)} files written to {directory}")
+        take(Report("\n".join(lines), data={"files": len(texts), "kernels": kernels, **names}))
+    return 1 if any(names.values()) else 0
 
 
 def _one_kernel(name: str) -> dict[str, str]:
@@ -88,30 +92,21 @@ def _operations(module: str) -> int | None:
     return None
 
 
-def _compared(
-    directory: Path, texts: Mapping[str, str], stored: Mapping[str, str]
-) -> tuple[list[str], dict[str, list[str]]]:
-    """Return report lines and names of the files that differ, are missing, or are not generated.
+def _compared(directory: Path, texts: Mapping[str, str], stored: Mapping[str, str]) -> dict[str, list[str]]:
+    """Return the names of files that differ from ``texts``, are missing, or are not generated.
 
-    ``texts`` are all files, and ``stored`` are the files of the folder: its table contains the other digests.
+    ``stored`` are the files of the folder, whose table contains the digests of the others.
     """
     from ...derive.on_demand import TABLE
 
     paths = [path for pattern in ("*.py", "c/*.[ch]") for path in directory.glob(pattern)]
-    files = {path.relative_to(directory).as_posix(): _digest(path.read_bytes()) for path in paths}
+    files = {path.relative_to(directory).as_posix(): digest(path) for path in paths}
     table = directory / TABLE
     rows = table.read_text(encoding="utf-8").splitlines() if table.is_file() else []
-    present = files | {name: digest for digest, name in map(str.split, rows)}
-    expected = {name: _digest(text.encode()) for name, text in texts.items()}
-    names = {
+    present = files | {name: code for code, name in map(str.split, rows)}
+    expected = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
+    return {
         "differ": sorted(name for name in expected.keys() & present if expected[name] != present[name]),
         "missing": sorted(expected.keys() - present),
         "not_generated": sorted((present.keys() - expected) | (files.keys() - stored.keys())),
     }
-    told = {"differ": "differs", "missing": "missing", "not_generated": "not generated"}
-    lines = [f"{told[kind]}: {name}" for kind, each in names.items() for name in each]
-    return lines or [f"{directory}: all {len(texts)} files are as derived"], names
-
-
-def _digest(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()

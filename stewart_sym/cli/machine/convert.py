@@ -12,7 +12,7 @@ from ...kinematics.trajectory_writer import BEGINNINGS, csv_lines_of
 from ...motion.trajectory import Trajectory, noise_text
 from ...studies.common.report import Report
 from ..command import Arguments, Parser, results
-from ..inputs import plain_trajectory, robot_of, trajectory_of
+from ..inputs import robot_of, trajectory_of
 
 
 def add_arguments(parser: Parser) -> None:
@@ -24,12 +24,8 @@ def add_arguments(parser: Parser) -> None:
 
 def run(arguments: Arguments) -> None:
     with results(arguments, beginnings=BEGINNINGS) as (take, progress):
-        robot = None
-        if arguments.robot is None:
-            trajectory = plain_trajectory(arguments.trajectory, arguments, progress)
-        else:
-            robot = robot_of(arguments.robot)
-            trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
+        robot = None if arguments.robot is None else robot_of(arguments.robot)
+        trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         take(_report(trajectory), "".join(csv_lines_of(trajectory, robot)))
 
 

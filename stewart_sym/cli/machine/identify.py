@@ -88,9 +88,8 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     if not in_joints:
         _need_both(arguments)
     log = log_of(robot, samples, ss.SmoothingOptions(*std), progress)
-    stated = std[0] is not None
     # Rates of the file are used as they are, unless the noise of the poses is stated.
-    if noisy := stated or (log.noise is not None and not {"v", "L_dot"} & set(samples.vectors)):
+    if noisy := std[0] is not None or (log.noise is not None and not {"v", "L_dot"} & set(samples.vectors)):
         # The fit smooths the values with its own model of the noise.
         log = _measured_rows(log, log_of(robot, samples, ss.SmoothingOptions(enabled=False)))
     trajectory = poses_of(robot, log, arguments, progress)

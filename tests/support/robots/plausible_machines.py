@@ -261,7 +261,16 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "force-limit": {"force limit in kN": (scaled(force_limit=1e-3), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
     "drive-inertia": {"rotor in g cm^2": (driven(rotor_inertia=173.0), "or g cm^2")},
-    "drive-lead": {"lead in meters in a file of millimeters": (driven(lead=5e-6), "expected m")},
+    "drive-lead": {
+        "lead in meters in a file of millimeters": (driven(lead=5e-6), "expected m"),
+        "motors with that lead": (driven(lead=5e-6, speed_limit=300.0, torque_limit=1e-4), "expected m"),
+    },
+    "tool": {
+        "tool in meters in a file of millimeters": (
+            of(length_unit="mm", tool=np.array([0.0, 0.0, 1e-4])),
+            "expected mm",
+        )
+    },
     "drive-speed": {
         "revolutions a minute": (driven(speed_limit=5000.0), "5000 rad/s"),
         "radians in a file of degrees": (driven(speed_limit=8e-3), "expected rad/s"),
