@@ -194,12 +194,9 @@ class Trajectory:
                 f"{self.source}: leg lengths have no poses yet; use read_trajectory with the robot"
             )
         q, q_dot, q_ddot = self.coordinates[:, index]
-        given = {"F_ext": self.F_ext, "M_ext": self.M_ext}
-        loads = {name: load[index] for name, load in given.items() if load is not None}
+        loads = (None if load is None else load[index] for load in (self.F_ext, self.M_ext))
         R, omega, alpha = rotation.motion_about_axes(q[..., 3:], q_dot[..., 3:], q_ddot[..., 3:], self.order)
-        motion = Motion(
-            R=R, t=q[..., :3], omega=omega, v=q_dot[..., :3], alpha=alpha, a=q_ddot[..., :3], **loads
-        )
+        motion = Motion._unchecked(R, q[..., :3], omega, q_dot[..., :3], alpha, q_ddot[..., :3], *loads)
         return motion if self.tool is None else motion.at_point(-self.tool)
 
     def of_tool(self, tool: Array) -> Self:
