@@ -54,8 +54,8 @@ def deviations_in_parts(
         neutral = neutral_directions(robot)
 
     def deviations(part: slice) -> Deviations:
-        at = _State(robot, trajectory.at(part), forces, neutral)
         rows, time = near_knots(trajectory, part), trajectory.time
+        at = _State(robot, trajectory.at(part), forces, neutral)
         some = at if len(rows) == len(at.F) else _State(robot, trajectory.at(rows), forces, neutral)
         found = {name: np.zeros(values.shape) for name, values in some.values.items()}
         products = {name: np.zeros(some.F.shape) for name in some.products(some)}

@@ -110,17 +110,15 @@ def _deviations_of_forces(
 def near_knots(trajectory: Trajectory, part: slice) -> Indices:
     """Return the samples of a slice at which standard deviations are computed, with both ends.
 
-    They are the samples on both sides of each time of the covariances of a smooth log, where these bend, and
-    one between two such times; all samples of other logs.
+    They are the samples on both sides of each time of the covariances of a smooth log, or all samples.
     """
     rows = np.arange(len(trajectory.time))[part]
     noise, time = trajectory.noise, trajectory.time[part]
     if noise is None or len(noise.grid) <= 2 or len(rows) <= 2:
         return rows
     after = np.searchsorted(time, noise.grid)
-    middle = np.searchsorted(time, 0.5 * (noise.grid[1:] + noise.grid[:-1]))
-    wanted = np.concatenate([after - 1, after, middle, [0, len(rows) - 1]])
-    return np.asarray(rows[np.unique(np.clip(wanted, 0, len(rows) - 1))])
+    adjacent = np.concatenate([after - 1, after, [0, len(rows) - 1]])
+    return np.asarray(rows[np.unique(np.clip(adjacent, 0, len(rows) - 1))])
 
 
 def between(time: Array, known: Array, deviations: Array) -> Array:

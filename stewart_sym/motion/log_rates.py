@@ -32,6 +32,8 @@ _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
 # Ratio of the stated and the estimated noise, or its inverse, that is a contradiction.
 _CONTRADICTS = 5.0
+# Distances of covariances in periods of the fastest motion, and distances from the ends of parts of a log.
+_EVEN, _NEAR_EDGES = 0.25, np.linspace(0.04, 1.0, 25)
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
 
@@ -178,13 +180,16 @@ def _interpolated_variances(time: Array | None, sigma: Array) -> Array:
 
 
 def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, clean: Flags) -> Uncertainty:
-    """Return the uncertainty of smoothed columns, on a grid of the knots and of the rows left out."""
+    """Return the uncertainty of smoothed columns, on a grid that is fine near rows that are left out."""
     assert log.time is not None
     since = elapsed(log.time)
     runs = [(max(a - 1, 0), min(b, len(used) - 1)) for a, b in zip(*flagged_spans(~used), strict=True)]
-    outside = [np.linspace(since[a], since[b], 9) for a, b in runs]
-    knots = max((curve.knots for curve in curves.columns), key=len)
-    grid = np.unique(np.clip(np.concatenate([knots, since[[0, -1]], *outside]), 0.0, since[-1]))
+    inside = [np.linspace(since[a], since[b], 9) for a, b in runs]
+    period = min(curve.period for curve in curves.columns)
+    even = np.linspace(0.0, since[-1], min(math.ceil(since[-1] / (_EVEN * period)), len(since)) + 1)
+    edges = since[[0, -1, *itertools.chain(*runs)]]
+    near = [edges + side * distance * period for side in (-1.0, 1.0) for distance in _NEAR_EDGES]
+    grid = np.unique(np.clip(np.concatenate([even, edges, *near, *inside]), 0.0, since[-1]))
     covariance = curves.covariance(grid)
     exact = _interpolated_variances(log.time, np.where(clean, curves.noise_std, 0.0))
     covariance[..., _VARIANCES] = np.maximum(covariance[..., _VARIANCES], exact)

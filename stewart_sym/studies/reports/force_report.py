@@ -44,6 +44,9 @@ NOISE_THRESHOLD = 0.02
 
 # Number of samples that are computed at a time, because the outputs of all samples could exceed the memory.
 _PART = 1 << 14
+# Distance (samples) and least number of condition numbers between which others are interpolated, and largest
+# relative error of interpolation over twice the distance.
+_INTERPOLATED, _FEWEST_INTERPOLATED, _INTERPOLATION_ERROR = 4, 256, 1e-6
 # Number of written digits of the largest value of a column, if a log has noise.
 _DIGITS = 10
 
@@ -119,11 +122,28 @@ def in_parts(
             warnings.warn(text, SingularPoseWarning, stacklevel=2)
             told = True
         sd = None if deviations is None else deviations(where)
-        time, condition = trajectory.time[where], condition_number(found.H)
+        time = trajectory.time[where]
+        condition = condition_number(found.H) if deviations is None else _condition_numbers(found.H)
         effort = None if robot.drive is None else motor_states(robot, robot.drive, motion, found.F, L_dot)
         there = None if sd is None else at_replaced(trajectory, time)
         angles = limited_angles(robot, motion)
         yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there, angles)
+
+
+def _condition_numbers(H: Array) -> Array:
+    """Return the condition numbers of samples (n,) of a noisy log, interpolated if they change slowly.
+
+    The spline through every eighth sample must pass through the samples between them.
+    """
+    some = np.arange(0, len(H), _INTERPOLATED)
+    values = condition_number(H[some])
+    if len(some) > _FEWEST_INTERPOLATED and np.isfinite(values).all():
+        from scipy.interpolate import CubicSpline
+
+        checked = CubicSpline(some[::2], values[::2])(some)
+        if np.all(np.abs(checked - values) <= _INTERPOLATION_ERROR * values):
+            return np.asarray(CubicSpline(some, values)(np.arange(len(H))))
+    return condition_number(H)
 
 
 _LIMITS = {
