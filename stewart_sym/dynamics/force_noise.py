@@ -179,9 +179,10 @@ def displaced(robot: Robot, trajectory: Trajectory, part: slice | Indices) -> It
     if trajectory.noise is None:
         return
     L = _factors(trajectory.noise, trajectory.time[part])
-    motion, tool = trajectory.at(part), trajectory.noise.tool
-    coordinates = trajectory.noise.coordinates[:, part]
-    inverse = twist_per_rates(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
+    motion, tool = trajectory.at(part), trajectory.tool
+    assert trajectory.coordinates is not None
+    coordinates = trajectory.coordinates[:, part]
+    inverse = twist_per_rates(robot, motion.R, motion.t) if trajectory.has_lengths else None
     motion = motion if tool is None else motion.at_point(tool)
     for i in range(6):
         for k in range(3):
@@ -196,7 +197,7 @@ def displaced(robot: Robot, trajectory: Trajectory, part: slice | Indices) -> It
                 other = _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
             else:
                 theta, theta_dot, theta_ddot = moved[..., 3:]
-                R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, trajectory.noise.order)
+                R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, trajectory.order)
                 other = _moved(motion, R=R, omega=omega, alpha=alpha)
             yield other if tool is None else other.at_point(-tool)
 

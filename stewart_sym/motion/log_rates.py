@@ -70,7 +70,7 @@ def rates_of(
     coarse = _coarse_columns(log, since, found, fitted)
     if clean.all() and used.all() and np.isnan(stated).all() and not coarse.any():
         return found, None
-    uncertainty = _of_curve(log, found, fitted.curves, used, clean)
+    uncertainty = _of_curve(log, fitted.curves, used, clean)
     # Accelerations of such a column are unknown, so that limits are inconclusive.
     fastest = _SECOND_RATE * fitted.curves.noise_std / float(np.median(np.diff(since))) ** 2
     unknown = np.mean(found[2] ** 2, axis=0) + fastest**2
@@ -79,7 +79,7 @@ def rates_of(
     if np.any((uncertainty.sigma > 0.5 * steps)[~clean]):
         remedy = "; state a known noise with position_std" if np.isnan(stated).all() else ""
         form = log.file_format
-        noise = noise_text(uncertainty, form.length_unit, form.angle_unit)
+        noise = noise_text(uncertainty.sigma, "L" in log.vectors, form.length_unit, form.angle_unit)
         warn_of(log, f"{noise}; the columns are smoothed{remedy}")
     return found, uncertainty
 
@@ -91,7 +91,7 @@ def as_given(
     sigma = np.array(steps) / math.sqrt(12.0)
     stated = _stated(log, options)
     sigma[0] = np.where(np.isnan(stated), sigma[0], stated)
-    return _constant(log, found, sigma) if options.enabled else None
+    return _constant(log, sigma) if options.enabled else None
 
 
 def _of_few_rows(log: LogSamples, found: Array, stated: Array, rounding: Array) -> Uncertainty | None:
@@ -104,17 +104,17 @@ def _of_few_rows(log: LogSamples, found: Array, stated: Array, rounding: Array) 
     if unknown.any():
         finding = f"{len(found[0])} rows are too few for an estimate of their noise"
         warn_of(log, f"{finding}; accelerations are unknown; add rows, or state position_std")
-    return _constant(log, found, sigma)
+    return _constant(log, sigma)
 
 
-def _constant(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | None:
+def _constant(log: LogSamples, sigma: Array) -> Uncertainty | None:
     """Return the uncertainty for standard deviations, (3, 6), that are equal at all times; None for 0."""
     assert log.time is not None
     if not sigma.any():
         return None
     covariance = np.zeros((2, 6, len(PAIRS)))
     covariance[..., _VARIANCES] = sigma.T**2
-    return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0], "L" in log.vectors)
+    return Uncertainty(log.time[[0, -1]], covariance, sigma[0])
 
 
 def _check_options(log: LogSamples, options: SmoothingOptions, assumed: Array, estimated: Array) -> None:
@@ -179,7 +179,7 @@ def _interpolated_variances(time: Array | None, sigma: Array) -> Array:
     return np.asarray((sigma[:, None] * [1.0, _RATE / step, _SECOND_RATE / step**2]) ** 2)
 
 
-def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, clean: Flags) -> Uncertainty:
+def _of_curve(log: LogSamples, curves: SmoothCurves, used: Flags, clean: Flags) -> Uncertainty:
     """Return the uncertainty of smoothed columns, on a grid that is fine near rows that are left out."""
     assert log.time is not None
     since = elapsed(log.time)
@@ -197,7 +197,7 @@ def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, 
         Replaced(float(log.time[a]), float(log.time[b]), (f"lines {log.lines[a]} to {log.lines[b]}",))
         for a, b in runs
     )
-    return Uncertainty(found, log.time[0] + grid, covariance, curves.noise_std, "L" in log.vectors, replaced)
+    return Uncertainty(log.time[0] + grid, covariance, curves.noise_std, replaced)
 
 
 def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
