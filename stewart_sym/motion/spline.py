@@ -73,22 +73,11 @@ class Smoothness(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class SmoothCurve:
-    """One column of samples as a curve over time.
+    """B-splines of degree 5 on even knots from ``start`` (s), with their posterior covariance.
 
-    Attributes
-    ----------
-    start, step : float
-        Time of the first knot (s) and distance between knots (s).
-    coefficients : ndarray, shape (p,)
-        B-spline coefficients.
-    noise_std : float
-        Standard deviation of the noise of the samples.
-    period : float
-        Period (s) of the fastest motion that the curve follows.
-    band : ndarray, shape (p, 6)
-        Posterior covariance of each coefficient with itself and the five next ones.
-    factors : ndarray, shape (3, p)
-        Ratio of the actual standard deviation to the posterior one, for values, rates, and second rates.
+    ``band`` contains the covariance of each coefficient with itself and the five next ones, (p, 6), and
+    ``factors`` the ratio of actual to posterior standard deviations of values, rates, and second rates,
+    (3, p). ``period`` is the period (s) of the fastest motion that the curve follows.
     """
 
     start: float
@@ -227,22 +216,11 @@ def _variances(values: Array, noise_std: Array | None, least_std: Array | float)
 
 
 def inverse_band(factor: Array) -> Array:
-    """Return the band of the inverse of a positive definite band matrix.
+    """Return the band of the inverse of a positive definite band matrix: elements (i, i + k), (p, 6).
 
-    Parameters
-    ----------
-    factor : ndarray, shape (w + 1, p)
-        Upper Cholesky factor as returned by ``scipy.linalg.cholesky_banded``.
-
-    Returns
-    -------
-    ndarray, shape (p, 6)
-        Element [i, k] is the element (i, i + k) of the inverse, or 0 beyond its edge.
-
-    Notes
-    -----
-    The inverse is the covariance of a Markov chain of blocks. Each block depends on the first w elements of
-    the next one; the covariances follow from the last block to the first one.
+    The inverse is the covariance of a Markov chain of blocks. Each block depends on the first elements of the
+    next one; the covariances follow from the last block to the first one. ``factor`` is the upper Cholesky
+    factor of ``scipy.linalg.cholesky_banded``.
     """
     width, size = len(factor) - 1, factor.shape[1]
     found, next_corner = np.zeros((size, DEGREE + 1)), np.zeros((width, width))
