@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array, Flags, Indices
 from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
@@ -20,9 +20,8 @@ from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 _FEWEST_PER_PERIOD, _VISIBLE = 6, 50.0
 # Ratio of the noise of columns, and fraction of the range, from which noise may be a fast motion.
 _UNLIKE, _TAKEN_FOR_NOISE = 30.0, 0.05
-FEWEST_ROWS = 4
-"""Number of rows that a spline requires."""
-_FEWEST_SMOOTHED = 12
+# Numbers of rows that a spline and smoothing require.
+_FEWEST_ROWS, _FEWEST_SMOOTHED = 4, 12
 # Standard deviations of rates and second rates of an interpolating spline for noise 1 and steps 1, inside.
 _RATE, _SECOND_RATE = 1.38, 4.8
 # Components of a covariance that are variances.
@@ -47,7 +46,7 @@ def rates_of(
     """
     assert log.time is not None
     since = elapsed(log.time)
-    if len(since) < FEWEST_ROWS:
+    if len(since) < _FEWEST_ROWS:
         raise ValueError(
             f"{log.source}: too few rows for rates, {len(since)}; add rows, or columns of all rates"
         )
@@ -139,29 +138,27 @@ def _stated(log: LogSamples, options: SmoothingOptions) -> Array:
     return np.repeat([math.nan if each is None else each for each in stated], 3)
 
 
-def breaks(since: Array) -> list[int]:
-    """Return the index of the first sample after each gap."""
-    step = np.diff(since)
-    gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1
-    edges = [0, *gaps.tolist(), len(since)]
-    # A spline requires a few rows on both sides.
-    enough = all(b - a >= FEWEST_ROWS for a, b in itertools.pairwise(edges))
-    return edges[1:-1] if enough else []
+def _gaps(time: Array) -> Indices:
+    """Return the index of the first row after each gap."""
+    step = np.diff(time)
+    return np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1
 
 
 def _interpolated(since: Array, values: Array, at: Array | None = None) -> Array:
-    """Return values and derivatives of splines through rows, one for each part between gaps, (3, n, c)."""
+    """Return values and derivatives of splines through rows, one for each part between gaps, (3, n, c).
+
+    Rows are not divided if a part has too few rows for a spline.
+    """
     at = since if at is None else at
     found = np.empty((3, len(at), values.shape[1]))
-    edges = [0, *breaks(since), len(since)]
-    starts = np.searchsorted(at, since[edges[1:-1]]).tolist()
-    for (first, end), (low, high) in zip(
-        itertools.pairwise(edges), itertools.pairwise([0, *starts, len(at)]), strict=True
-    ):
-        degree = DEGREE if end - first > DEGREE else 3
+    edges = [0, *_gaps(since).tolist(), len(since)]
+    edges = edges if min(np.diff(edges)) >= _FEWEST_ROWS else [0, len(since)]
+    starts = [0, *np.searchsorted(at, since[edges[1:-1]]).tolist(), len(at)]
+    for i, (first, end) in enumerate(itertools.pairwise(edges)):
+        degree, part = DEGREE if end - first > DEGREE else 3, slice(starts[i], starts[i + 1])
         spline: Callable[..., Array] = make_interp_spline(since[first:end], values[first:end], k=degree)
         for order in range(3):
-            found[order, low:high] = spline(at[low:high], order)
+            found[order, part] = spline(at[part], order)
     return found
 
 
@@ -208,8 +205,7 @@ def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
     if texts:
         advice = "check the deviations there, or leave out more with drop_lines"
         warn_of(log, f"{' and '.join(texts)}; they are not used; {advice}")
-    step = np.diff(log.time[used])
-    gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9))
+    step, gaps = np.diff(log.time[used]), _gaps(log.time[used]) - 1
     if gaps.size:
         i = int(gaps[np.argmax(step[gaps])])
         start, end = (time_text(each, float(np.median(step))) for each in log.time[used][i : i + 2])
