@@ -367,9 +367,8 @@ class _Column:
     def _factors(self, c: Array, order: int, period: float) -> Array:
         """Return the ratios of actual to posterior standard deviations, shape (3, p).
 
-        The posterior variance is the noise that passes the filter, plus the expected bias. The bias is large
-        where the penalized differences are large, such as at a jump of the jerk; it is small if the motion is
-        smoother than the prior. The period is in cells.
+        The posterior variance is the noise that passes the filter, plus the expected bias. The bias increases
+        with the penalized differences, for example at a jump of the jerk. The period is in cells.
         """
         left = order // 2
         squares = np.pad(np.diff(c, order) ** 2, (left, order - left), mode="edge")

@@ -91,8 +91,8 @@ LEAST_NOISE = 1e-15
 class Trajectory:
     """Poses or leg lengths at n times.
 
-    A trajectory contains a motion of the reference point, or coordinates from which motions are computed
-    where they are needed, in a third of the memory. Poses that are computed from leg lengths have both.
+    A trajectory contains a motion of the reference point, or coordinates in a third of the memory, from which
+    motions are computed on demand. Poses that are computed from leg lengths have both.
 
     Attributes
     ----------
