@@ -29,8 +29,9 @@ _VARIANCES = [0, 2, 5]
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
-# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction.
-_CONTRADICTS = 5.0
+# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction, and the number of rows
+# from which the noise is estimated.
+_CONTRADICTS, _COMPARED_ROWS = 5.0, 1 << 13
 # Distances of covariances in periods of the fastest motion, and distances from the ends of parts of a log.
 _EVEN, _NEAR_EDGES = 0.25, np.linspace(0.04, 1.0, 25)
 # A step this many times as long as nine of ten is a gap.
@@ -58,7 +59,9 @@ def rates_of(
         return found, _of_few_rows(log, found, stated, rounding)
     fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
     if options.cutoff_frequency is not None or not np.isnan(stated).all():
-        estimated = fit_good_rows(since, values, None, rounding).curves.noise_std
+        first = max((len(since) - _COMPARED_ROWS) // 2, 0)
+        some = slice(first, first + _COMPARED_ROWS)
+        estimated = fit_good_rows(since[some], values[some], None, rounding).curves.noise_std
         _check_options(log, options, fitted.curves.noise_std, estimated)
     used = ~(fitted.outliers | fitted.frozen)
     _warn_of_rows(log, used, fitted)
