@@ -121,7 +121,7 @@ def in_parts(
                 raise ValueError(text)
             warnings.warn(text, SingularPoseWarning, stacklevel=2)
             told = True
-        sd = None if deviations is None else deviations(where)
+        sd = None if deviations is None else deviations(where, motion, found.F)
         time = trajectory.time[where]
         condition = condition_number(found.H) if deviations is None else _condition_numbers(found.H)
         effort = None if robot.drive is None else motor_states(robot, robot.drive, motion, found.F, L_dot)
