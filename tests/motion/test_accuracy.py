@@ -38,7 +38,8 @@ def test_stated_deviations_cover_the_errors(sweep: dict[tuple[str, str], list[Ru
     slack = 0.08 if FULL and kind != "trapezoids" else 0.13
     assert fraction(runs, 1.0) == pytest.approx(0.68, abs=slack)
     assert fraction(runs, 2.0) == pytest.approx(0.95, abs=slack)
-    assert fraction(runs, 4.0) > 0.985
+    # Standard deviations do not apply near the jumps of the acceleration of trapezoids.
+    assert fraction(runs, 4.0) > (0.97 if kind == "trapezoids" else 0.985)
 
 
 @pytest.mark.slow
