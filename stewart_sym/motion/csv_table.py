@@ -4,6 +4,7 @@ import contextlib
 import csv
 import itertools
 import re
+import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -19,8 +20,9 @@ DECIMALS = {"point": ".", "comma": ","}
 
 # Numbers of characters that are searched for the header, and that are converted together.
 _HEAD, _BLOCK = 1 << 20, 1 << 18
-# Largest integer that a double represents without rounding error.
-_MOST_EXACT = 2**53
+# Largest integer, and largest power of ten, that a double represents without rounding error.
+_MOST_EXACT, _POWERS = 2**53, 10.0 ** np.arange(23)
+_DIGITS = b"0123456789+-"
 # Number of digits of nanoseconds since 1970, which a double cannot represent.
 _LONG = 16
 _BETWEEN_NUMBERS = re.compile(r"[\s;]+|,(?=\s|[-+\d])")
@@ -230,16 +232,34 @@ def _rows(block: str, first: int, delimiter: str, decimal: str, width: int) -> _
 
 
 def _plain_numbers(block: str, delimiter: str, decimal: str, width: int) -> Array | None:
-    """Convert rows of numbers, shape (n, width); None for other cells or lines, and for long integers."""
-    lines = block.replace(decimal, ".").split("\n")
-    if not any(lines):
+    """Convert decimal numbers in rows with the same marks, shape (n, width); None for other rows.
+
+    A number is an integer divided by a power of ten. Both are exact, so that the quotient is the nearest
+    double.
+    """
+    text, count = block.encode() + b"\n", block.count("\n") + 1
+    marks = text[: text.index(b"\n") + 1].translate(None, _DIGITS)
+    cells = marks.decode().rstrip("\n").split(delimiter)
+    known = len(cells) == width and set(cells) <= {"", decimal}
+    if not known or text.translate(None, _DIGITS) != marks * count:
         return None
-    try:
-        found = np.loadtxt(lines, delimiter=delimiter, comments=None, ndmin=2)
-    except ValueError:
+    digits = text.translate(bytes.maketrans(f"{delimiter}\n".encode(), b",,"), decimal.encode())
+    if any(empty in b"," + digits for empty in (b",,", b"-,", b"+,")):
         return None
-    exact = found.shape == (len(lines), width) and np.abs(found).max() < _MOST_EXACT
-    return found if exact else None
+    with warnings.catch_warnings(action="error", category=DeprecationWarning):
+        try:
+            integers = np.fromstring(digits, np.int64, sep=",")
+        except (DeprecationWarning, ValueError):
+            return None
+    if integers.size != count * width or np.abs(integers).max() >= _MOST_EXACT:
+        return None
+    is_mark = np.frombuffer(text.translate(bytes(i in marks for i in range(256))), bool)
+    length = np.diff(np.flatnonzero(is_mark).reshape(count, -1), prepend=0)
+    ends = np.cumsum([len(cell) + 1 for cell in cells]) - 1
+    decimals = np.where([bool(cell) for cell in cells], length[:, ends] - 1, 0)
+    if decimals.max() >= len(_POWERS):
+        return None
+    return np.asarray(integers.reshape(count, width) / _POWERS[decimals])
 
 
 def _numbers(block: Array | list[str], places: list[int], delimiter: str, decimal: str) -> Array:
