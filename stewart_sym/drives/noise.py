@@ -43,9 +43,10 @@ def deviations_in_parts(
     formulation: Formulation = "exact",
     backend: Backend = "c",
     neutral: Array | None = None,
-) -> Callable[[slice], Deviations]:
+) -> Callable[..., Deviations]:
     """Return a function that computes the standard deviations of a slice of at most about 16,384 samples.
 
+    Further arguments of the function are the motion of these samples and its forces (N), if they are known.
     ``neutral`` contains the directions from which joint angles at base and platform are measured, (2, 6, 3)
     or (6, 3); None for the neutral directions of a robot that limits these angles.
     """
@@ -53,14 +54,16 @@ def deviations_in_parts(
     if neutral is None and robot.has_joint_angle_limits:
         neutral = neutral_directions(robot)
 
-    def deviations(part: slice) -> Deviations:
-        at = _State(robot, trajectory.at(part), forces, neutral)
+    def deviations(part: slice, motion: Motion | None = None, F: Array | None = None) -> Deviations:
         rows, time = near_knots(trajectory, part), trajectory.time
+        motion = trajectory.at(part) if motion is None else motion
+        # Changes of forces are differences of results of one kernel.
+        at = _State(robot, motion, forces, neutral, F=F if len(rows) < len(motion.t) else None)
         some = at if len(rows) == len(at.F) else _State(robot, trajectory.at(rows), forces, neutral)
         found = {name: np.zeros(values.shape) for name, values in some.values.items()}
         products = {name: np.zeros(some.F.shape) for name in some.products(some)}
-        for motion in displaced(robot, trajectory, rows):
-            other = _State(robot, motion, forces, neutral, some.sign)
+        for moved in displaced(robot, trajectory, rows):
+            other = _State(robot, moved, forces, neutral, some.sign)
             with np.errstate(all="ignore"):
                 for name, values in other.values.items():
                     found[name] = np.hypot(found[name], _open(values, values - some.values[name]))
@@ -110,8 +113,9 @@ class _State:
         forces: Callable[[Motion], Array],
         neutral: Array | None,
         sign: Array | None = None,
+        F: Array | None = None,
     ) -> None:
-        self.F, (L, self.L_dot, s) = forces(motion), reached_legs(robot, motion)
+        (L, self.L_dot, s), self.F = reached_legs(robot, motion), forces(motion) if F is None else F
         self.values = {"F": self.F, "L": L, "L_dot": self.L_dot}
         if neutral is not None:
             base, platform = np.broadcast_to(neutral, (2, *s.shape[1:]))

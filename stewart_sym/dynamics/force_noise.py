@@ -110,17 +110,15 @@ def _deviations_of_forces(
 def near_knots(trajectory: Trajectory, part: slice) -> Indices:
     """Return the samples of a slice at which standard deviations are computed, with both ends.
 
-    They are the samples on both sides of each time of the covariances of a smooth log, where these bend, and
-    one between two such times; all samples of other logs.
+    They are the samples on both sides of each time of the covariances of a smooth log, or all samples.
     """
     rows = np.arange(len(trajectory.time))[part]
     noise, time = trajectory.noise, trajectory.time[part]
     if noise is None or len(noise.grid) <= 2 or len(rows) <= 2:
         return rows
     after = np.searchsorted(time, noise.grid)
-    middle = np.searchsorted(time, 0.5 * (noise.grid[1:] + noise.grid[:-1]))
-    wanted = np.concatenate([after - 1, after, middle, [0, len(rows) - 1]])
-    return np.asarray(rows[np.unique(np.clip(wanted, 0, len(rows) - 1))])
+    adjacent = np.concatenate([after - 1, after, [0, len(rows) - 1]])
+    return np.asarray(rows[np.unique(np.clip(adjacent, 0, len(rows) - 1))])
 
 
 def between(time: Array, known: Array, deviations: Array) -> Array:
@@ -181,9 +179,10 @@ def displaced(robot: Robot, trajectory: Trajectory, part: slice | Indices) -> It
     if trajectory.noise is None:
         return
     L = _factors(trajectory.noise, trajectory.time[part])
-    motion, tool = trajectory.at(part), trajectory.noise.tool
-    coordinates = trajectory.noise.coordinates[:, part]
-    inverse = twist_per_rates(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
+    motion, tool = trajectory.at(part), trajectory.tool
+    assert trajectory.coordinates is not None
+    coordinates = trajectory.coordinates[:, part]
+    inverse = twist_per_rates(robot, motion.R, motion.t) if trajectory.has_lengths else None
     motion = motion if tool is None else motion.at_point(tool)
     for i in range(6):
         for k in range(3):
@@ -198,7 +197,7 @@ def displaced(robot: Robot, trajectory: Trajectory, part: slice | Indices) -> It
                 other = _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
             else:
                 theta, theta_dot, theta_ddot = moved[..., 3:]
-                R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, trajectory.noise.order)
+                R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, trajectory.order)
                 other = _moved(motion, R=R, omega=omega, alpha=alpha)
             yield other if tool is None else other.at_point(-tool)
 

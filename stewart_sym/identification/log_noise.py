@@ -39,17 +39,16 @@ def noise_of_log(
     PoseNoise or None
         Noise about the reference point.
     """
-    in_joints = log.noise is not None and log.noise.in_joints
     sigma = np.zeros(6) if log.noise is None else log.noise.sigma
-    if not in_joints:
+    if not log.has_lengths:
         sigma = np.repeat(np.sqrt(np.mean(sigma.reshape(2, 3) ** 2, axis=1)), 3)
-    position, angle = stated[0], stated[0] if in_joints else stated[1]
+    position, angle = stated[0], stated[0] if log.has_lengths else stated[1]
     given = np.repeat([np.nan if each is None else each for each in (position, angle)], 3)
     sigma = np.where(np.isnan(given), sigma, given)
     if sigma.max() < _EXACT:
         return None
     sigma = np.maximum(sigma, _EXACT)
-    if in_joints:
+    if log.has_lengths:
         back = np.linalg.inv(np.swapaxes(inverse_dynamics(robot, log.motion).H, -1, -2))
         return _with_covariance(log, back * sigma, period, harmonics)
     if robot.tool.any():

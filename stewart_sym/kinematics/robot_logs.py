@@ -97,5 +97,4 @@ def _with_home(log: Trajectory, home: Array) -> Trajectory:
     assert log.coordinates is not None
     found = log.coordinates.copy()
     found[0] += home
-    noise = None if log.noise is None else replace(log.noise, coordinates=found)
-    return replace(log, coordinates=found, noise=noise)
+    return replace(log, coordinates=found)

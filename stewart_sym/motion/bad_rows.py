@@ -1,6 +1,6 @@
 """Rows of a log that do not belong to its motion: outliers, frozen rows, and the time around gaps."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d
@@ -25,17 +25,8 @@ _FROZEN_ROWS = 3
 _FEWEST_ROWS = 12
 
 
-@dataclass(frozen=True, eq=False)
-class FittedRows:
-    """Curves through the good rows of a log, and the rows that they leave out.
-
-    Attributes
-    ----------
-    curves : SmoothCurves
-        Curves through the good rows.
-    outliers, frozen : ndarray of bool, shape (n,)
-        Rows that are left out.
-    """
+class FittedRows(NamedTuple):
+    """Curves through the good rows of a log, and the rows that they leave out."""
 
     curves: SmoothCurves
     outliers: Flags

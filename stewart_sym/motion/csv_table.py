@@ -41,20 +41,9 @@ Instants = NDArray[np.datetime64]
 
 @dataclass(frozen=True, eq=False)
 class CsvTable:
-    """Columns of a file as written.
+    """Columns of a file as written, with the line of each row and of each line below the header that is none.
 
-    Attributes
-    ----------
-    source : str
-        Name of the file.
-    header : tuple of str
-        Names of all columns without their units.
-    units : dict of str to str
-        Units by name, from brackets in the header or from a row of units.
-    lines : ndarray, shape (n,)
-        Line of each row of numbers.
-    dropped : ndarray, shape (k,)
-        Lines below the header that are no rows of numbers.
+    Units come from brackets in the header, or from a row of units.
     """
 
     source: str

@@ -130,13 +130,14 @@ def resample(trajectory: Trajectory, rate: float) -> Trajectory:
     # The other steps of a long log would take as much memory as the log.
     used = np.union1d(i, i + 1)
     path = interpolate(Trajectory(time[used], trajectory.at(used), trajectory.source))
-    noise = trajectory.noise
-    if noise is not None:
-        h, coordinates = np.diff(since)[:, None], noise.coordinates
+    coordinates = trajectory.coordinates
+    if coordinates is not None:
+        h = np.diff(since)[:, None]
         c = _quintics(h, coordinates[:, :-1], coordinates[:, 1:])
-        noise = replace(noise, coordinates=np.stack(_values(c[:, i], share, h[i])))
+        coordinates = np.stack(_values(c[:, i], share, h[i]))
     rows = np.asarray(trajectory.rows)[i].tolist() if len(trajectory.rows) else ()
-    return Trajectory(when, path(when), trajectory.source, rows, noise)
+    resampled = replace(trajectory, time=when, rows=rows, coordinates=coordinates)
+    return replace(resampled, given_motion=path(when), F_ext=None, M_ext=None)
 
 
 def _increasing(trajectory: Trajectory) -> Array:

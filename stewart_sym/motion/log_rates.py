@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array, Flags, Indices
 from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
@@ -20,9 +20,8 @@ from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 _FEWEST_PER_PERIOD, _VISIBLE = 6, 50.0
 # Ratio of the noise of columns, and fraction of the range, from which noise may be a fast motion.
 _UNLIKE, _TAKEN_FOR_NOISE = 30.0, 0.05
-FEWEST_ROWS = 4
-"""Number of rows that a spline requires."""
-_FEWEST_SMOOTHED = 12
+# Numbers of rows that a spline and smoothing require.
+_FEWEST_ROWS, _FEWEST_SMOOTHED = 4, 12
 # Standard deviations of rates and second rates of an interpolating spline for noise 1 and steps 1, inside.
 _RATE, _SECOND_RATE = 1.38, 4.8
 # Components of a covariance that are variances.
@@ -30,8 +29,11 @@ _VARIANCES = [0, 2, 5]
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
-# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction.
-_CONTRADICTS = 5.0
+# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction, and the number of rows
+# from which the noise is estimated.
+_CONTRADICTS, _COMPARED_ROWS = 5.0, 1 << 13
+# Distances of covariances in periods of the fastest motion, and distances from the ends of parts of a log.
+_EVEN, _NEAR_EDGES = 0.25, np.linspace(0.04, 1.0, 25)
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
 
@@ -45,7 +47,7 @@ def rates_of(
     """
     assert log.time is not None
     since = elapsed(log.time)
-    if len(since) < FEWEST_ROWS:
+    if len(since) < _FEWEST_ROWS:
         raise ValueError(
             f"{log.source}: too few rows for rates, {len(since)}; add rows, or columns of all rates"
         )
@@ -57,7 +59,9 @@ def rates_of(
         return found, _of_few_rows(log, found, stated, rounding)
     fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
     if options.cutoff_frequency is not None or not np.isnan(stated).all():
-        estimated = fit_good_rows(since, values, None, rounding).curves.noise_std
+        first = max((len(since) - _COMPARED_ROWS) // 2, 0)
+        some = slice(first, first + _COMPARED_ROWS)
+        estimated = fit_good_rows(since[some], values[some], None, rounding).curves.noise_std
         _check_options(log, options, fitted.curves.noise_std, estimated)
     used = ~(fitted.outliers | fitted.frozen)
     _warn_of_rows(log, used, fitted)
@@ -68,7 +72,7 @@ def rates_of(
     coarse = _coarse_columns(log, since, found, fitted)
     if clean.all() and used.all() and np.isnan(stated).all() and not coarse.any():
         return found, None
-    uncertainty = _of_curve(log, found, fitted.curves, used, clean)
+    uncertainty = _of_curve(log, fitted.curves, used, clean)
     # Accelerations of such a column are unknown, so that limits are inconclusive.
     fastest = _SECOND_RATE * fitted.curves.noise_std / float(np.median(np.diff(since))) ** 2
     unknown = np.mean(found[2] ** 2, axis=0) + fastest**2
@@ -77,7 +81,7 @@ def rates_of(
     if np.any((uncertainty.sigma > 0.5 * steps)[~clean]):
         remedy = "; position_std replaces the estimate" if np.isnan(stated).all() else ""
         form = log.file_format
-        noise = noise_text(uncertainty, form.length_unit, form.angle_unit)
+        noise = noise_text(uncertainty.sigma, "L" in log.vectors, form.length_unit, form.angle_unit)
         warn_of(log, f"{noise}; the columns are smoothed{remedy}")
     return found, uncertainty
 
@@ -89,7 +93,7 @@ def as_given(
     sigma = np.array(steps) / math.sqrt(12.0)
     stated = _stated(log, options)
     sigma[0] = np.where(np.isnan(stated), sigma[0], stated)
-    return _constant(log, found, sigma) if options.enabled else None
+    return _constant(log, sigma) if options.enabled else None
 
 
 def _of_few_rows(log: LogSamples, found: Array, stated: Array, rounding: Array) -> Uncertainty | None:
@@ -102,17 +106,17 @@ def _of_few_rows(log: LogSamples, found: Array, stated: Array, rounding: Array) 
     if unknown.any():
         finding = f"{len(found[0])} rows are too few for an estimate of their noise"
         warn_of(log, f"{finding}; accelerations are unknown; add rows, or state position_std")
-    return _constant(log, found, sigma)
+    return _constant(log, sigma)
 
 
-def _constant(log: LogSamples, found: Array, sigma: Array) -> Uncertainty | None:
+def _constant(log: LogSamples, sigma: Array) -> Uncertainty | None:
     """Return the uncertainty for standard deviations, (3, 6), that are equal at all times; None for 0."""
     assert log.time is not None
     if not sigma.any():
         return None
     covariance = np.zeros((2, 6, len(PAIRS)))
     covariance[..., _VARIANCES] = sigma.T**2
-    return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0], "L" in log.vectors)
+    return Uncertainty(log.time[[0, -1]], covariance, sigma[0])
 
 
 def _check_options(log: LogSamples, options: SmoothingOptions, assumed: Array, estimated: Array) -> None:
@@ -137,29 +141,27 @@ def _stated(log: LogSamples, options: SmoothingOptions) -> Array:
     return np.repeat([math.nan if each is None else each for each in stated], 3)
 
 
-def breaks(since: Array) -> list[int]:
-    """Return the index of the first sample after each gap."""
-    step = np.diff(since)
-    gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1
-    edges = [0, *gaps.tolist(), len(since)]
-    # A spline requires a few rows on both sides.
-    enough = all(b - a >= FEWEST_ROWS for a, b in itertools.pairwise(edges))
-    return edges[1:-1] if enough else []
+def _gaps(time: Array) -> Indices:
+    """Return the index of the first row after each gap."""
+    step = np.diff(time)
+    return np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1
 
 
 def _interpolated(since: Array, values: Array, at: Array | None = None) -> Array:
-    """Return values and derivatives of splines through rows, one for each part between gaps, (3, n, c)."""
+    """Return values and derivatives of splines through rows, one for each part between gaps, (3, n, c).
+
+    Rows are not divided if a part has too few rows for a spline.
+    """
     at = since if at is None else at
     found = np.empty((3, len(at), values.shape[1]))
-    edges = [0, *breaks(since), len(since)]
-    starts = np.searchsorted(at, since[edges[1:-1]]).tolist()
-    for (first, end), (low, high) in zip(
-        itertools.pairwise(edges), itertools.pairwise([0, *starts, len(at)]), strict=True
-    ):
-        degree = DEGREE if end - first > DEGREE else 3
+    edges = [0, *_gaps(since).tolist(), len(since)]
+    edges = edges if min(np.diff(edges)) >= _FEWEST_ROWS else [0, len(since)]
+    starts = [0, *np.searchsorted(at, since[edges[1:-1]]).tolist(), len(at)]
+    for i, (first, end) in enumerate(itertools.pairwise(edges)):
+        degree, part = DEGREE if end - first > DEGREE else 3, slice(starts[i], starts[i + 1])
         spline: Callable[..., Array] = make_interp_spline(since[first:end], values[first:end], k=degree)
         for order in range(3):
-            found[order, low:high] = spline(at[low:high], order)
+            found[order, part] = spline(at[part], order)
     return found
 
 
@@ -177,14 +179,17 @@ def _interpolated_variances(time: Array | None, sigma: Array) -> Array:
     return np.asarray((sigma[:, None] * [1.0, _RATE / step, _SECOND_RATE / step**2]) ** 2)
 
 
-def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, clean: Flags) -> Uncertainty:
-    """Return the uncertainty of smoothed columns, on a grid of the knots and of the rows left out."""
+def _of_curve(log: LogSamples, curves: SmoothCurves, used: Flags, clean: Flags) -> Uncertainty:
+    """Return the uncertainty of smoothed columns, on a grid that is fine near rows that are left out."""
     assert log.time is not None
     since = elapsed(log.time)
     runs = [(max(a - 1, 0), min(b, len(used) - 1)) for a, b in zip(*flagged_spans(~used), strict=True)]
-    outside = [np.linspace(since[a], since[b], 9) for a, b in runs]
-    knots = max((curve.knots for curve in curves.columns), key=len)
-    grid = np.unique(np.clip(np.concatenate([knots, since[[0, -1]], *outside]), 0.0, since[-1]))
+    inside = [np.linspace(since[a], since[b], 9) for a, b in runs]
+    period = min(curve.period for curve in curves.columns)
+    even = np.linspace(0.0, since[-1], min(math.ceil(since[-1] / (_EVEN * period)), len(since)) + 1)
+    edges = since[[0, -1, *itertools.chain(*runs)]]
+    near = [edges + side * distance * period for side in (-1.0, 1.0) for distance in _NEAR_EDGES]
+    grid = np.unique(np.clip(np.concatenate([even, edges, *near, *inside]), 0.0, since[-1]))
     covariance = curves.covariance(grid)
     exact = _interpolated_variances(log.time, np.where(clean, curves.noise_std, 0.0))
     covariance[..., _VARIANCES] = np.maximum(covariance[..., _VARIANCES], exact)
@@ -192,7 +197,7 @@ def _of_curve(log: LogSamples, found: Array, curves: SmoothCurves, used: Flags, 
         Replaced(float(log.time[a]), float(log.time[b]), (f"lines {log.lines[a]} to {log.lines[b]}",))
         for a, b in runs
     )
-    return Uncertainty(found, log.time[0] + grid, covariance, curves.noise_std, "L" in log.vectors, replaced)
+    return Uncertainty(log.time[0] + grid, covariance, curves.noise_std, replaced)
 
 
 def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
@@ -203,8 +208,7 @@ def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
     if texts:
         advice = "check the deviations there, or leave out more with drop_lines"
         warn_of(log, f"{' and '.join(texts)}; they are not used; {advice}")
-    step = np.diff(log.time[used])
-    gaps = np.flatnonzero(step > _GAP * np.quantile(step, 0.9))
+    step, gaps = np.diff(log.time[used]), _gaps(log.time[used]) - 1
     if gaps.size:
         i = int(gaps[np.argmax(step[gaps])])
         start, end = (time_text(each, float(np.median(step))) for each in log.time[used][i : i + 2])

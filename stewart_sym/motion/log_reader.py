@@ -53,9 +53,8 @@ def trajectory_of(
         found, noise = rates_of(samples, smoothing, values, steps)
     time = np.arange(float(len(values))) if samples.time is None else samples.time
     loads: dict[str, Any] = {name: samples.vectors[name] for name in LOADS if name in samples.vectors}
-    noise = None if noise is None else replace(noise, order=order)
     lines = samples.lines.tolist()
-    log = Trajectory(time, None, samples.source, lines, noise, found, in_joints=in_joints, order=order)
+    log = Trajectory(time, None, samples.source, lines, noise, found, has_lengths=in_joints, order=order)
     return replace(log, **loads)
 
 

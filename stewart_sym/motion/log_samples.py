@@ -65,27 +65,12 @@ _MOST_DROPPED = 0.5
 
 @dataclass(frozen=True, eq=False)
 class LogSamples:
-    """Samples of a log.
+    """Samples of a log in SI units, with their lines in the file.
 
-    Attributes
-    ----------
-    source : str
-        Name of the file.
-    lines : ndarray, shape (n,)
-        Line of each sample.
-    time : ndarray, shape (n,), or None
-        Increasing times (s), from the first row if they are dates, times of day, or times since 1970; None
-        for a list of static poses.
-    vectors : dict of str to ndarray, shape (n, 3), (n, 4), or (n, 6)
-        Positions ``t`` with ``theta`` or ``q``, or lengths ``L``, their rates, and loads; or forces (SI).
-    steps : dict of str to ndarray
-        Step to which the components are rounded (SI), by vector.
-    file_format : TrajectoryFormat
-        Format with all units.
-    places : dict of str to str
-        Origin of each unit, of the modes, and of the columns, such as "the options"; empty for defaults.
-    start : float
-        Time of the first row (s), since 1970 or midnight, if ``time`` is counted from it; otherwise 0.
+    Times are counted from ``start`` (s) if they are dates, times of day, or times since 1970; None for static
+    poses. ``vectors`` contains positions ``t`` with ``theta`` or ``q``, or lengths ``L``, their rates, and
+    loads, or forces; ``steps`` contains the steps to which they are rounded. ``places`` is the origin of each
+    unit, of the modes, and of the columns, such as "the options".
     """
 
     source: str

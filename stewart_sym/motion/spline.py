@@ -7,6 +7,7 @@ curve has a posterior covariance. Rows that are left out need no special treatme
 and the covariance increases there.
 """
 
+import functools
 import itertools
 import math
 from collections.abc import Sequence
@@ -14,16 +15,18 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial.polynomial import polyder
-from scipy import sparse
+from numpy.typing import ArrayLike
 from scipy.interpolate import BSpline
-from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded, solveh_banded
+from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.linalg.lapack import dtbtrs
 from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from scipy.optimize import minimize_scalar
 from scipy.special import gammaln
 
+from ..io.arguments import deviations, real_array, shown
 from ..io.array_types import Array, Indices
+from ..io.toml_reader import positive
+from .sample_times import elapsed
 
 DEGREE = 5
 ORDERS = (3, 4, 7)
@@ -36,9 +39,8 @@ With order 8 instead of 7, three of about 90 random logs had 1.3 to 1.6 times th
 _BIAS = {3: 0.7, 4: 0.7, 7: 0.1}
 # A coefficient with less than this fraction of the usual number of samples is in a gap.
 _EMPTY = 0.1
-# Coefficients of powers of the fraction of a cell, for each of the six B-splines on the cell.
+# The six B-splines that are not zero on a cell between knots, as functions of the fraction of the cell.
 _SPLINES = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
-_POLYNOMIALS = np.array([_SPLINES(0.0, power) / math.factorial(power) for power in range(DEGREE + 1)])
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Orders of the derivatives to which the components of a covariance belong."""
 # Logarithms of weights relative to the samples per cell: the smallest one, and the smallest one for which the
@@ -54,6 +56,7 @@ _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
 _CELLS_PER_PERIOD = 8.0
 # Largest number of rows for each independent error of rounding, and smallest number of such errors.
 _MOST_ROWS, _FEWEST_ERRORS = 64, 64
+_FEWEST = 8
 _CHUNK = 1 << 14
 _BLOCK = 64
 # Parts of the largest diagonal element and of the samples per cell that keep a matrix definite in gaps.
@@ -75,26 +78,18 @@ class Smoothness(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class SmoothCurve:
-    """One column of samples as a curve over time.
+    """B-splines of degree 5 on even knots from ``start`` (s), with their posterior covariance.
 
-    Attributes
-    ----------
-    start, step : float
-        Time of the first knot (s) and distance between knots (s).
-    coefficients : ndarray, shape (p,)
-        B-spline coefficients.
-    noise_std : float
-        Standard deviation of the noise of the samples.
-    band : ndarray, shape (p, 6)
-        Posterior covariance of each coefficient with itself and the five next ones.
-    factors : ndarray, shape (3, p)
-        Ratio of the actual standard deviation to the posterior one, for values, rates, and second rates.
+    ``band`` contains the covariance of each coefficient with itself and the five next ones, (p, 6), and
+    ``factors`` the ratio of actual to posterior standard deviations of values, rates, and second rates,
+    (3, p). ``period`` is the period (s) of the fastest motion that the curve follows.
     """
 
     start: float
     step: float
     coefficients: Array
     noise_std: float
+    period: float
     band: Array
     factors: Array
 
@@ -112,10 +107,13 @@ class SmoothCurve:
         centers = self.step * (np.arange(size) - DEGREE // 2)
         for part in (slice(i, i + _CHUNK) for i in range(0, len(time), _CHUNK)):
             since = self.since(time[part])
-            C = self.band[_cells(since, self.step, size)[:, None, None] + low, distance]
+            cells = _cells(since, self.step, size)
+            C = self.band[cells[:, None, None] + low, distance]
             rows = [
-                _weights(since, self.step, size, order) * np.interp(since, centers, f)[:, None]
-                for order, f in enumerate(self.factors)
+                _SPLINES(since / self.step - cells, order)
+                / self.step**order
+                * np.interp(since, centers, factors)[:, None]
+                for order, factors in enumerate(self.factors)
             ]
             for k, (i, j) in enumerate(PAIRS):
                 found[part, k] = np.einsum("np,npq,nq->n", rows[i], C, rows[j], optimize=True)
@@ -146,8 +144,9 @@ class SmoothCurves:
             columns = np.flatnonzero(steps == step)
             since = self.columns[columns[0]].since(time)
             c = np.stack([self.columns[column].coefficients for column in columns], axis=-1)
+            spline = BSpline(_all_knots(float(step), len(c)), c, DEGREE)
             for order in range(orders):
-                found[order][:, columns] = _matrix(since, float(step), len(c), order) @ c
+                found[order][:, columns] = spline(since, order)
         return found
 
     def covariance(self, time: Array) -> Array:
@@ -163,39 +162,21 @@ def smooth_columns(
     cutoff: float | None = None,
     smoothness: Sequence[Smoothness] | None = None,
 ) -> SmoothCurves:
-    """Smooth columns of samples without phase shift.
+    """Smooth columns of samples (n, c) at n increasing times (s) without phase shift.
 
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        Increasing times (s), at least 8.
-    values : ndarray, shape (n, c)
-        Samples, finite.
-    noise_std : ndarray, shape (c,), optional
-        Standard deviation of the noise of each column; NaN or None: estimated.
-    least_std : ndarray, shape (c,), or float
-        Smallest standard deviation, for example of rounding.
-    cutoff : float, optional
-        Frequency (Hz) at which the amplitude is halved; None: estimated.
-    smoothness : sequence of Smoothness, length c, optional
-        Known smoothness, for example from other rows; None: estimated.
-
-    Returns
-    -------
-    SmoothCurves
-        Curves with covariances.
+    Unknown standard deviations of the noise are None or NaN; then they are estimated, and not smaller than
+    ``least_std``, for example of rounding. ``cutoff`` is the frequency (Hz) at which the amplitude is halved.
+    The smoothness of each column is estimated unless it is known, for example from other rows.
     """
     if smoothness is None:
         smoothness = likeliest(time, values, noise_std, least_std, cutoff)
-    noise, mean = _noise(values, noise_std, least_std), values.mean(axis=0)
-    curves: dict[int, SmoothCurve] = {}
-    for step in {each.step for each in smoothness}:
-        columns = [k for k, each in enumerate(smoothness) if each.step == step]
-        samples = _Samples(time - time[0], values[:, columns] - mean[columns], step, noise.of(columns))
-        for i, k in enumerate(columns):
-            problem = _Problem(samples, smoothness[k].order)
-            curves[k] = problem.curve(i, smoothness[k], float(time[0]), float(mean[k]))
-    return SmoothCurves(tuple(curves[k] for k in range(len(smoothness))))
+    grids = {step: _Grid(time - time[0], step) for step in {each.step for each in smoothness}}
+    mean, variances = values.mean(axis=0), _variances(values, noise_std, least_std)
+    columns = [
+        _Column(grids[each.step], u, *known).curve(each, float(time[0]), float(start))
+        for each, u, known, start in zip(smoothness, (values - mean).T, variances, mean, strict=True)
+    ]
+    return SmoothCurves(tuple(columns))
 
 
 def likeliest(
@@ -207,68 +188,44 @@ def likeliest(
 ) -> list[Smoothness]:
     """Estimate the smoothness of each column of samples; arguments as of ``smooth_columns``."""
     since = time - time[0]
-    if cutoff is None:
-        noise = _noise(values, noise_std, least_std)
-        found: dict[int, Smoothness] = {}
-        rows = [_rows_for_each_error(u, std) for u, std in zip(values.T, np.sqrt(noise.least), strict=True)]
-        trials = [min(len(since) // each, _TRIAL_SAMPLES) for each in rows]
-        firsts = [_busiest(u, n * each) for u, n, each in zip(values.T, trials, rows, strict=True)]
-        for first, every, trial in set(zip(firsts, rows, trials, strict=True)):
-            columns = [k for k, each in enumerate(zip(firsts, rows, strict=True)) if each == (first, every)]
-            some = slice(first, first + trial * every, every)
-            t, u = since[some] - since[first], values[some, columns]
-            step = float(since[-1]) * trial * every / len(since) / _FEWEST_CELLS
-            each = _likeliest(t, u - u.mean(axis=0), noise.of(columns), step)
-            found |= {
-                k: one._replace(rows=every, log_weight=one.log_weight + math.log(every))
-                for k, one in zip(columns, each, strict=True)
-            }
-        return [found[k] for k in range(values.shape[1])]
-    half, step = math.pi / _CELLS_PER_PERIOD, 1.0 / (_CELLS_PER_PERIOD * cutoff)
-    # Frequency responses of the B-splines and of the differences at the cut-off frequency.
-    splines, differences = (math.sin(half) / half) ** (DEGREE + 1), (2.0 * math.sin(half)) ** ORDERS[-1]
-    weight = math.log(len(time) * step / float(since[-1])) + 2.0 * math.log(splines / differences)
-    return [Smoothness(step, ORDERS[-1], weight)] * values.shape[1]
+    if cutoff is not None:
+        half, step = math.pi / _CELLS_PER_PERIOD, 1.0 / (_CELLS_PER_PERIOD * cutoff)
+        # Frequency responses of the B-splines and of the differences at the cut-off frequency.
+        splines, differences = (math.sin(half) / half) ** (DEGREE + 1), (2.0 * math.sin(half)) ** ORDERS[-1]
+        weight = math.log(len(time) * step / float(since[-1])) + 2.0 * math.log(splines / differences)
+        return [Smoothness(step, ORDERS[-1], weight)] * values.shape[1]
+
+    @functools.cache
+    def grid(first: int, end: int, every: int, cells: int) -> _Grid:
+        some = since[first:end:every] - since[first]
+        return _Grid(some, float(since[-1]) * (end - first) / len(since) / cells)
+
+    found = []
+    for u, variances in zip(values.T, _variances(values, noise_std, least_std), strict=True):
+        every = _rows_for_each_error(u, math.sqrt(variances[1]))
+        trial = min(len(since) // every, _TRIAL_SAMPLES)
+        first = _busiest(u, trial * every)
+        end, cells = first + trial * every, _FEWEST_CELLS
+        some = u[first:end:every] - u[first:end:every].mean()
+        while (best := _Column(grid(first, end, every, cells), some, *variances).likeliest()) is None:
+            cells *= 2
+        found.append(best._replace(rows=every, log_weight=best.log_weight + math.log(every)))
+    return found
 
 
-class _Noise(NamedTuple):
-    """Known variances of the noise of columns, or NaN, and smallest variances."""
-
-    known: Array
-    least: Array
-
-    def of(self, columns: Sequence[int]) -> "_Noise":
-        """Return the variances of some columns."""
-        return _Noise(self.known[columns], self.least[columns])
-
-    def variances(self, mean_squares: Array) -> Array:
-        """Return the variances, known or estimated by the mean squares of residuals."""
-        return np.where(np.isnan(self.known), np.maximum(mean_squares, self.least), self.known)
-
-
-def _noise(values: Array, noise_std: Array | None, least_std: Array | float) -> _Noise:
-    count = values.shape[1]
-    known = np.full(count, np.nan) if noise_std is None else np.broadcast_to(noise_std, count) ** 2
-    return _Noise(known, np.broadcast_to(least_std, count) ** 2 + 1e-28 * np.var(values, axis=0) + 1e-60)
+def _variances(values: Array, noise_std: Array | None, least_std: Array | float) -> Array:
+    """Return the known variance of the noise of each column, or NaN, and the smallest one, shape (c, 2)."""
+    known = np.full(values.shape[1], np.nan) if noise_std is None else np.asarray(noise_std) ** 2
+    least = np.asarray(least_std) ** 2 + 1e-28 * np.var(values, axis=0) + 1e-60
+    return np.stack(np.broadcast_arrays(known, least), axis=-1)
 
 
 def inverse_band(factor: Array) -> Array:
-    """Return the band of the inverse of a positive definite band matrix.
+    """Return the band of the inverse of a positive definite band matrix: elements (i, i + k), (p, 6).
 
-    Parameters
-    ----------
-    factor : ndarray, shape (w + 1, p)
-        Upper Cholesky factor as returned by ``scipy.linalg.cholesky_banded``.
-
-    Returns
-    -------
-    ndarray, shape (p, 6)
-        Element [i, k] is the element (i, i + k) of the inverse, or 0 beyond its edge.
-
-    Notes
-    -----
-    The inverse is the covariance of a Markov chain of blocks. Each block depends on the first w elements of
-    the next one; the covariances follow from the last block to the first one.
+    The inverse is the covariance of a Markov chain of blocks. Each block depends on the first elements of the
+    next one; the covariances follow from the last block to the first one. ``factor`` is the upper Cholesky
+    factor of ``scipy.linalg.cholesky_banded``.
     """
     width, size = len(factor) - 1, factor.shape[1]
     found, next_corner = np.zeros((size, DEGREE + 1)), np.zeros((width, width))
@@ -294,166 +251,136 @@ def _cells(since: Array, step: float, size: int) -> Indices:
     return np.asarray(np.minimum((since / step).astype(int), size - DEGREE - 1))
 
 
-def _weights(since: Array, step: float, size: int, order: int = 0) -> Array:
-    """Return a derivative of the six B-splines that are not zero at each time, shape (n, 6)."""
-    fraction = since / step - _cells(since, step, size)
-    powers = np.vander(fraction, DEGREE + 1 - order, increasing=True)
-    return np.asarray(powers @ polyder(_POLYNOMIALS, order) / step**order)
+def _all_knots(step: float, size: int) -> Array:
+    """Return the times (s) of all knots of ``size`` B-splines, also outside of the samples."""
+    return np.asarray(step * np.arange(-DEGREE, size + 1.0))
 
 
-def _matrix(since: Array, step: float, size: int, order: int = 0) -> sparse.csr_matrix:
-    """Return a derivative of all B-splines at each time, shape (n, size)."""
-    count, width = len(since), DEGREE + 1
-    indices = (_cells(since, step, size)[:, None] + np.arange(width)).astype(np.int32)
-    ends = np.arange(0, width * count + 1, width, dtype=np.int32)
-    weights = _weights(since, step, size, order)
-    return sparse.csr_matrix((weights.ravel(), indices.ravel(), ends), shape=(count, size))
+class _Grid:
+    """B-splines at the times of samples, and the penalties of their differences."""
 
-
-class _Samples:
-    """Columns of samples (n, c) on even knots.
-
-    Sums of squared residuals are quadratic functions of the difference from ``center``, the coefficients of
-    least squares. Therefore many weights are tried without all samples.
-    """
-
-    def __init__(self, since: Array, values: Array, step: float, noise: _Noise) -> None:
-        self.count, self.step, self.values, self.noise = len(since), step, values, noise
+    def __init__(self, since: Array, step: float) -> None:
+        self.count, self.step = len(since), step
         self.cells = max(1, math.ceil(float(since[-1]) / step * (1.0 - 1e-9)))
         self.size, self.density = self.cells + DEGREE, math.log(self.count / self.cells)
-        self.B = _matrix(since, step, self.size)
-        gram, self.products = self.B.T @ self.B, self.B.T @ values
+        inside = np.minimum(since, step * self.cells * (1.0 - 1e-15))
+        self.B = BSpline.design_matrix(inside, _all_knots(step, self.size), DEGREE)
+        weights, cells = self.B.data.reshape(-1, DEGREE + 1), self.B.indices[:: DEGREE + 1]
         self.gram = np.zeros((ORDERS[-1] + 1, self.size))
-        for k in range(DEGREE + 1):
-            self.gram[ORDERS[-1] - k, k:] = gram.diagonal(k)
-        self.center = solveh_banded(self.definite(self.gram[-DEGREE - 1 :]), self.products)
-        residuals = values - self.B @ self.center
-        self.least_squares, self.gradient = np.sum(residuals**2, axis=0), self.B.T @ residuals
+        for i, k in itertools.combinations_with_replacement(range(DEGREE + 1), 2):
+            sums = np.bincount(cells, weights[:, i] * weights[:, k], self.cells)
+            self.gram[ORDERS[-1] - (k - i), k : k + self.cells] += sums
+        self._factors: dict[tuple[int, float], tuple[Array, float]] = {}
 
-    def definite(self, band: Array) -> Array:
-        """Return a band that is positive definite in gaps."""
-        band = band.copy()
-        band[-1] += _ROUNDING * band[-1].max() + _RIDGE * math.exp(self.density)
-        return band
+    def factor(self, order: int, log_weight: float) -> tuple[Array, float]:
+        """Return the Cholesky factor of the matrix of least squares, and the cost of its determinant."""
+        if (order, log_weight) not in self._factors:
+            self._factors[order, log_weight] = self._factor(order, log_weight)
+        return self._factors[order, log_weight]
 
-    def squares(self, c: Array, columns: slice) -> Array:
-        """Return the sum of the squared residuals of each column with coefficients c, (p, c)."""
-        d = self.center[:, columns] - c
-        found = self.least_squares[columns] + 2.0 * np.sum(d * self.gradient[:, columns], axis=0)
-        found += self.gram[-1] @ d**2
-        for k in range(1, DEGREE + 1):
-            found += 2.0 * (self.gram[-1 - k, k:] @ (d[k:] * d[:-k]))
-        return np.asarray(found)
-
-
-class _Problem:
-    """Least squares of columns of samples with a penalty on differences of an order."""
-
-    def __init__(self, samples: _Samples, order: int) -> None:
-        self.samples, self.order, self.size = samples, order, samples.size
-        width, count = max(DEGREE, order), samples.size - order
-        self.gram, self.penalty = samples.gram[-width - 1 :], np.zeros((width + 1, samples.size))
-        difference = np.diff(np.pad([1.0], order), order)
+    def _factor(self, order: int, log_weight: float) -> tuple[Array, float]:
+        width, count = max(DEGREE, order), self.size - order
+        difference, penalty = np.diff(np.pad([1.0], order), order), np.zeros((width + 1, self.size))
         for i, k in itertools.combinations_with_replacement(range(order + 1), 2):
-            self.penalty[width - (k - i), k : k + count] += difference[i] * difference[k]
+            penalty[width - (k - i), k : k + count] += difference[i] * difference[k]
+        matrix = self.gram[-width - 1 :] + math.exp(log_weight) * penalty
+        matrix[-1] += _ROUNDING * matrix[-1].max() + _RIDGE * math.exp(self.density)
+        factor = cholesky_banded(matrix, overwrite_ab=True, check_finite=False)
         # Logarithm of the determinant of D D^T, a Toeplitz matrix, in closed form.
         j = np.arange(order)
-        self.log_determinant = float(
-            np.sum(gammaln(j + 1) + gammaln(count + order + j + 1))
-            - np.sum(gammaln(order + j + 1) + gammaln(count + j + 1))
-        )
-        heaviest = _CONDITION - order * math.log(4.0)
-        self.tried = samples.density + np.linspace(_LIGHTEST, heaviest, _TRIED_WEIGHTS)
+        determinant = np.sum(gammaln(j + 1) + gammaln(count + order + j + 1))
+        determinant -= np.sum(gammaln(order + j + 1) + gammaln(count + j + 1))
+        return factor, float(2.0 * np.sum(np.log(factor[-1])) - count * log_weight - determinant)
 
-    def solve(self, log_weight: float, columns: slice) -> tuple[Array, Array, Array]:
-        """Return coefficients, the Cholesky factor, and the minima of the penalized sums of squares."""
-        weight = math.exp(log_weight)
-        factor = cholesky_banded(
-            self.samples.definite(self.gram + weight * self.penalty), overwrite_ab=True, check_finite=False
-        )
-        c = cho_solve_banded((factor, False), self.samples.products[:, columns], check_finite=False)
-        penalty = np.sum(np.diff(c, self.order, axis=0) ** 2, axis=0)
-        return c, factor, self.samples.squares(c, columns) + weight * penalty
+    def tried_weights(self, order: int) -> Array:
+        """Return logarithms of weights of a penalty."""
+        return self.density + np.linspace(_LIGHTEST, _CONDITION - order * math.log(4.0), _TRIED_WEIGHTS)
 
-    def costs(self, log_weight: float, columns: slice = slice(None)) -> Array:
-        """Return -2 times the restricted log likelihood of each column."""
+
+class _Column:
+    """Least squares of a column of samples (n,).
+
+    The variance of its noise is known, or NaN and at least ``least``.
+    """
+
+    def __init__(self, grid: _Grid, u: Array, known: float, least: float) -> None:
+        self.grid, self.u, self.known, self.least = grid, u, known, least
+        self.product = grid.B.T @ u
+
+    def solve(self, order: int, log_weight: float) -> tuple[Array, Array, float]:
+        """Return coefficients, residuals, and the minimum of the penalized sum of squares."""
+        factor = self.grid.factor(order, log_weight)[0]
+        c = cho_solve_banded((factor, False), self.product, check_finite=False)
+        residuals = self.u - self.grid.B @ c
+        penalty = math.exp(log_weight) * float(np.sum(np.diff(c, order) ** 2))
+        return c, residuals, float(residuals @ residuals) + penalty
+
+    def variance(self, order: int, squares: float) -> float:
+        """Return the variance of the noise, known or estimated."""
+        estimate = max(squares / (self.grid.count - order), self.least)
+        return estimate if math.isnan(self.known) else self.known
+
+    def cost(self, order: int, log_weight: float) -> float:
+        """Return -2 times the restricted log likelihood."""
         try:
-            _, factor, squares = self.solve(log_weight, columns)
+            squares = self.solve(order, log_weight)[2]
         except LinAlgError:
-            return np.full(self.samples.products[:1, columns].size, np.inf)
-        logdet = 2.0 * float(np.sum(np.log(factor[-1])))
-        logdet -= (self.size - self.order) * log_weight + self.log_determinant
-        free = self.samples.count - self.order
-        variances = _Noise(*(each[columns] for each in self.samples.noise)).variances(squares / free)
-        return np.asarray(logdet + free * np.log(variances) + squares / variances)
+            return math.inf
+        variance = self.variance(order, squares)
+        free = self.grid.count - order
+        return self.grid.factor(order, log_weight)[1] + free * math.log(variance) + squares / variance
 
-    def refined(self, column: int, log_weight: float) -> tuple[float, int, float]:
+    def likeliest(self) -> Smoothness | None:
+        """Return the likeliest smoothness; None if it requires finer knots."""
+        grid, tried = self.grid, {order: self.grid.tried_weights(order) for order in ORDERS}
+        best = {order: min((self.cost(order, x), x) for x in tried[order].tolist()) for order in ORDERS}
+        order = min(ORDERS, key=lambda order: best[order])
+        if 2 * grid.cells <= grid.count and not self._has_fine_knots(order, best[order][1]):
+            return None
+        refined = [self._refined(order, best[order][1], np.ptp(tried[order][:2])) for order in ORDERS]
+        return Smoothness(grid.step, *min(refined)[1:])
+
+    def _refined(self, order: int, log_weight: float, distance: float) -> tuple[float, int, float]:
         """Return cost, order, and logarithm of the best weight near a tried one."""
-        distance, only = self.tried[1] - self.tried[0], slice(column, column + 1)
-        found = minimize_scalar(
-            lambda x: float(self.costs(x, only)[0]),
-            bounds=(log_weight - distance, log_weight + distance),
-            method="bounded",
-            options={"xatol": 0.1},
-        )
-        return float(found.fun), self.order, float(found.x)
+        bounds = log_weight - distance, log_weight + distance
+        options = {"bounds": bounds, "method": "bounded", "options": {"xatol": 0.1}}
+        found = minimize_scalar(lambda x: self.cost(order, float(x)), **options)
+        return float(found.fun), order, float(found.x)
 
-    def has_white_residuals(self, column: int, log_weight: float) -> bool:
-        """Return False if adjacent residuals are correlated, because the knots are too coarse."""
-        only = slice(column, column + 1)
-        residuals = (self.samples.values[:, only] - self.samples.B @ self.solve(log_weight, only)[0])[:, 0]
+    def _has_fine_knots(self, order: int, log_weight: float) -> bool:
+        """Return False for a light penalty or correlated adjacent residuals, because knots are too coarse."""
+        if log_weight <= self.grid.density + _FINE:
+            return False
+        residuals = self.solve(order, log_weight)[1]
         return float(residuals[1:] @ residuals[:-1]) <= _MOST_CORRELATED * float(residuals @ residuals)
 
-    def curve(self, column: int, smoothness: Smoothness, start: float, mean: float) -> SmoothCurve:
-        """Return the curve through the samples of a column, with its covariance."""
-        only = slice(column, column + 1)
-        c, factor, squares = self.solve(smoothness.log_weight, only)
-        noise = self.samples.noise.of([column])
-        variance = float(noise.variances(squares / (self.samples.count - self.order))[0])
-        band = smoothness.rows * variance * inverse_band(factor)
-        factors = self._factors(c[:, 0], smoothness.log_weight)
-        return SmoothCurve(start, self.samples.step, c[:, 0] + mean, math.sqrt(variance), band, factors)
+    def curve(self, smoothness: Smoothness, start: float, mean: float) -> SmoothCurve:
+        """Return the curve through the samples and their mean, with its covariance."""
+        step, order, log_weight, rows = smoothness
+        c, _, squares = self.solve(order, log_weight)
+        variance = self.variance(order, squares)
+        band = rows * variance * inverse_band(self.grid.factor(order, log_weight)[0])
+        period = 2.0 * math.pi * math.exp((log_weight - self.grid.density) / (2 * order))
+        factors = self._factors(c, order, period)
+        return SmoothCurve(start, step, c + mean, math.sqrt(variance), step * period, band, factors)
 
-    def _factors(self, c: Array, log_weight: float) -> Array:
+    def _factors(self, c: Array, order: int, period: float) -> Array:
         """Return the ratios of actual to posterior standard deviations, shape (3, p).
 
-        The posterior variance is the noise that passes the filter, plus the expected bias. The bias is large
-        where the penalized differences are large, such as at a jump of the jerk; it is small if the motion is
-        smoother than the prior.
+        The posterior variance is the noise that passes the filter, plus the expected bias. The bias increases
+        with the penalized differences, for example at a jump of the jerk. The period is in cells.
         """
-        left = self.order // 2
-        squares = np.pad(np.diff(c, self.order) ** 2, (left, self.order - left), mode="edge")
-        period = 2.0 * math.pi * math.exp((log_weight - self.samples.density) / (2 * self.order))
+        left = order // 2
+        squares = np.pad(np.diff(c, order) ** 2, (left, order - left), mode="edge")
         size = min(max(3, round(period)), len(squares))
         local = uniform_filter1d(squares, size, mode="nearest")
-        bias = _BIAS[self.order] * local / max(float(np.mean(squares)), 1e-300)
-        noise = 1.0 - (2.0 * np.arange(3)[:, None] + 1.0) / (2 * self.order)
+        bias = _BIAS[order] * local / max(float(np.mean(squares)), 1e-300)
+        noise = 1.0 - (2.0 * np.arange(3)[:, None] + 1.0) / (2 * order)
         variance = noise + (1.0 - noise) * bias
         # Near the ends, and near places without samples, the bias has the whole variance of the prior.
-        empty = self.gram[-1] < _EMPTY * np.median(self.gram[-1])
+        empty = self.grid.gram[-1] < _EMPTY * np.median(self.grid.gram[-1])
         near = maximum_filter1d(empty, size)
         return np.asarray(np.sqrt(np.where(near, np.maximum(variance, 1.0), variance)))
-
-
-def _likeliest(since: Array, values: Array, noise: _Noise, step: float) -> list[Smoothness]:
-    """Return the likeliest smoothness of each column, with knots as fine as necessary."""
-    found: dict[int, Smoothness] = {}
-    while len(found) < values.shape[1]:
-        missing = [k for k in range(values.shape[1]) if k not in found]
-        samples = _Samples(since, values[:, missing], step, noise.of(missing))
-        problems = [_Problem(samples, order) for order in ORDERS]
-        costs = np.array([[problem.costs(x) for x in problem.tried] for problem in problems])
-        for i, k in enumerate(missing):
-            own = costs[..., i]
-            best = [float(problem.tried[j]) for problem, j in zip(problems, own.argmin(axis=1), strict=True)]
-            order = int(own.min(axis=1).argmin())
-            fine = best[order] > samples.density + _FINE
-            fine = fine and problems[order].has_white_residuals(i, best[order])
-            if fine or 2 * samples.cells > samples.count:
-                refined = [problem.refined(i, x) for problem, x in zip(problems, best, strict=True)]
-                found[k] = Smoothness(step, *min(refined)[1:])
-        step /= 2.0
-    return [found[k] for k in range(values.shape[1])]
 
 
 def _rows_for_each_error(u: Array, rounding: float) -> int:
@@ -476,3 +403,75 @@ def _busiest(u: Array, trial: int) -> int:
     changes = np.concatenate([[0.0], np.cumsum(np.diff(blocks, 2) ** 2)])
     span = min(_TRIAL_BLOCKS - 2, len(changes) - 1)
     return min(size * int(np.argmax(changes[span:] - changes[: len(changes) - span])), len(u) - trial)
+
+
+class SmoothSamplesResult(NamedTuple):
+    """Smoothed columns at the times of the samples.
+
+    Attributes
+    ----------
+    values, derivatives, second_derivatives : ndarray, shape (n, c)
+        Values and derivatives of the curves.
+    noise_std : ndarray, shape (c,)
+        Standard deviation of the noise.
+    covariance_time : ndarray, shape (n,)
+        Times of the covariances.
+    covariance : ndarray, shape (n, c, 6)
+        Covariance of value, rate, and second rate: the lower triangle row by row.
+    """
+
+    values: Array
+    derivatives: Array
+    second_derivatives: Array
+    noise_std: Array
+    covariance_time: Array
+    covariance: Array
+
+
+def smooth_samples(
+    time: ArrayLike, values: ArrayLike, noise_std: ArrayLike | None = None, cutoff: float | None = None
+) -> SmoothSamplesResult:
+    """Smooth columns of samples without phase shift.
+
+    Parameters
+    ----------
+    time : array_like, shape (n,)
+        Increasing times (s), at least 8.
+    values : array_like, shape (n, c)
+        Samples.
+    noise_std : array_like, shape (c,) or (), optional
+        Standard deviation of the noise of each column; by default estimated.
+    cutoff : float, optional
+        Frequency (Hz) at which the amplitude is halved; by default the likeliest.
+
+    Returns
+    -------
+    SmoothSamplesResult
+        Smoothed columns with derivatives and covariances.
+
+    Raises
+    ------
+    ValueError
+        If an argument is invalid; the message begins with its name.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stewart_sym as ss
+    >>> time = np.linspace(0.0, 2.0, 401)
+    >>> noisy = np.sin(time) + np.random.default_rng(1).normal(0.0, 1e-3, 401)
+    >>> smooth = ss.smooth_samples(time, noisy[:, None])
+    >>> bool(np.abs(smooth.second_derivatives[:, 0] + np.sin(time)).max() < 0.1)
+    True
+    """
+    when, columns = real_array(time, "time"), real_array(values, "values")
+    if when.ndim != 1 or len(when) < _FEWEST or not (np.diff(when) > 0.0).all():
+        raise ValueError(f"time: expected at least {_FEWEST} increasing times, s, (n,), got {shown(time)}")
+    if columns.ndim != 2 or len(columns) != len(when) or not columns.size or not np.isfinite(columns).all():
+        raise ValueError(f"values: expected finite columns ({len(when)}, c), got shape {columns.shape}")
+    known = None if noise_std is None else deviations(noise_std, "noise_std", columns.shape[1:], "> 0")
+    cutoff = None if cutoff is None else positive(cutoff, "cutoff")
+    since = elapsed(when)
+    curves = smooth_columns(since, columns, known, cutoff=cutoff)
+    smooth, rates, second_rates = curves.evaluate(since)
+    return SmoothSamplesResult(smooth, rates, second_rates, curves.noise_std, when, curves.covariance(since))

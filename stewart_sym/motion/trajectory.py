@@ -61,32 +61,20 @@ class Uncertainty:
 
     Attributes
     ----------
-    coordinates : ndarray, shape (3, n, 6)
-        Values, rates, and second rates of poses ``t`` and ``theta``, or of leg lengths.
     grid : ndarray, shape (g,)
         Times (s) of the covariances.
     covariance : ndarray, shape (g, 6, 6)
         Covariance of value, rate, and second rate of each coordinate: the lower triangle row by row.
     sigma : ndarray, shape (6,)
         Standard deviation of the samples.
-    in_joints : bool
-        True for leg lengths.
     replaced : tuple of Replaced
         Spans in which rows are not used.
-    tool : ndarray, shape (3,), or None
-        Point (m, platform frame) of the poses; None for the reference point.
-    order : str
-        Order of the rotations about ``theta``.
     """
 
-    coordinates: Array
     grid: Array
     covariance: Array
     sigma: Array
-    in_joints: bool = False
     replaced: tuple[Replaced, ...] = ()
-    tool: Array | None = None
-    order: str = "zyx"
 
     def covariances(self, time: Array) -> Array:
         """Return the covariances at n times, shape (n, 6, 6)."""
@@ -99,32 +87,19 @@ LEAST_NOISE = 1e-15
 """Noise (m, rad) below which a column is exact in messages."""
 
 
-def noise_text(noise: Uncertainty, length_unit: str | None = None, angle_unit: str | None = None) -> str:
-    """Format the noise of a log, such as ``noise of 0.0002 m and 0.0001 rad``, by default in SI units."""
-    length, angle = length_unit or "m", angle_unit or "rad"
-    parts = [(slice(6), length)] if noise.in_joints else [(slice(3), length), (slice(3, 6), angle)]
-    sizes = LENGTH_UNITS | ANGLE_UNITS
-    texts = [
-        f"{noise.sigma[part].max() / sizes[unit]:.2g} {unit}"
-        for part, unit in parts
-        if noise.sigma[part].max() > LEAST_NOISE
-    ]
-    return f"noise of {' and '.join(texts)} in the log"
-
-
 @dataclass(frozen=True, eq=False)
 class Trajectory:
     """Poses or leg lengths at n times.
 
-    A trajectory contains a motion of the reference point, or coordinates from which motions are computed
-    where they are needed, in a third of the memory.
+    A trajectory contains a motion of the reference point, or coordinates in a third of the memory, from which
+    motions are computed on demand. Poses that are computed from leg lengths have both.
 
     Attributes
     ----------
     time : ndarray, shape (n,)
         Increasing times (s).
     given_motion : Motion or None
-        Motion of the reference point, shape (n,); None if the trajectory has coordinates.
+        Motion of the reference point, shape (n,); None if the coordinates determine it.
     source : str
         Name of the file, or another name for messages.
     rows : sequence of int, length n
@@ -135,7 +110,7 @@ class Trajectory:
         Values, rates, and second rates of ``t`` and ``theta`` (m, rad), or of leg lengths (m).
     F_ext, M_ext : ndarray, shape (n, 3), or None
         External load (N, N m), platform frame, at the tool.
-    in_joints : bool
+    has_lengths : bool
         True if the coordinates are leg lengths.
     tool : ndarray, shape (3,)
         Point (m, platform frame) of the poses and of the load.
@@ -160,7 +135,7 @@ class Trajectory:
     coordinates: Array | None = None
     F_ext: Array | None = None
     M_ext: Array | None = None
-    in_joints: bool = False
+    has_lengths: bool = False
     tool: Array | None = None
     order: str = "zyx"
 
@@ -189,17 +164,14 @@ class Trajectory:
         """
         if self.given_motion is not None:
             return self.given_motion[index]
-        if self.in_joints or self.coordinates is None:
+        if self.has_lengths or self.coordinates is None:
             raise ValueError(
                 f"{self.source}: leg lengths have no poses yet; use read_trajectory with the robot"
             )
         q, q_dot, q_ddot = self.coordinates[:, index]
-        given = {"F_ext": self.F_ext, "M_ext": self.M_ext}
-        loads = {name: load[index] for name, load in given.items() if load is not None}
+        loads = (None if load is None else load[index] for load in (self.F_ext, self.M_ext))
         R, omega, alpha = rotation.motion_about_axes(q[..., 3:], q_dot[..., 3:], q_ddot[..., 3:], self.order)
-        motion = Motion(
-            R=R, t=q[..., :3], omega=omega, v=q_dot[..., :3], alpha=alpha, a=q_ddot[..., :3], **loads
-        )
+        motion = Motion._unchecked(R, q[..., :3], omega, q_dot[..., :3], alpha, q_ddot[..., :3], *loads)
         return motion if self.tool is None else motion.at_point(-self.tool)
 
     def of_tool(self, tool: Array) -> Self:
@@ -217,18 +189,34 @@ class Trajectory:
         """
         if not tool.any():
             return self
-        if self.in_joints:
-            moment = 0.0 if self.M_ext is None else self.M_ext
-            return self if self.F_ext is None else replace(self, M_ext=moment + np.cross(tool, self.F_ext))
-        noise = None if self.noise is None else replace(self.noise, tool=tool)
-        return replace(self, tool=tool, noise=noise)
+        if not self.has_lengths:
+            return replace(self, tool=tool)
+        moment = 0.0 if self.M_ext is None else self.M_ext
+        return self if self.F_ext is None else replace(self, M_ext=moment + np.cross(tool, self.F_ext))
+
+    @property
+    def in_joints(self) -> bool:
+        """True for leg lengths without poses."""
+        return self.has_lengths and self.given_motion is None
 
     @property
     def lengths(self) -> Array:
         """Leg lengths, rates, and second rates (m), shape (3, n, 6)."""
-        assert self.in_joints
+        assert self.has_lengths
         assert self.coordinates is not None
         return self.coordinates
+
+
+def noise_text(
+    sigma: Array, has_lengths: bool, length_unit: str | None = None, angle_unit: str | None = None
+) -> str:
+    """Format the noise of a log, such as ``noise of 0.0002 m and 0.0001 rad``, by default in SI units."""
+    length, angle = length_unit or "m", angle_unit or "rad"
+    parts = [(slice(6), length)] if has_lengths else [(slice(3), length), (slice(3, 6), angle)]
+    largest = [(float(sigma[part].max()), unit) for part, unit in parts]
+    sizes = LENGTH_UNITS | ANGLE_UNITS
+    texts = [f"{noise / sizes[unit]:.2g} {unit}" for noise, unit in largest if noise > LEAST_NOISE]
+    return f"noise of {' and '.join(texts)} in the log"
 
 
 MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)

@@ -13,6 +13,7 @@ import itertools
 import math
 import os
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -189,7 +190,7 @@ def on_platform(
     except LostError as error:
         row = joints.rows[error.sample]
         raise ValueError(f"{joints.source}: line {row}: {error.reason}") from None
-    return Trajectory(joints.time, motion, joints.source, joints.rows, joints.noise)
+    return replace(joints, given_motion=motion)
 
 
 def read_trajectory(

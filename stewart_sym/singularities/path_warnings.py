@@ -1,24 +1,31 @@
 """Warnings about singular poses on the path of a log, also between its rows, with unbounded forces."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from ..io.array_types import Array
+from ..kinematics.conditioning import characteristic_length, moments_over
+from ..kinematics.inverse_kinematics import leg_vectors, wrench_matrix
 from ..kinematics.trajectory_checks import side_change
 from ..motion.interpolation import interpolate
 from ..motion.trajectory import Trajectory
-from ..robot.robot import Robot
+from ..robot.robot import LEGS, Robot
 from ..robot.units import Units
 from .path_singularities import singularity_crossings
 from .singular_poses import SingularityResult
+
+_BLOCK_ROWS = 16
 
 
 def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
     """Return a warning text about the singular poses that a log's path crosses, or None."""
     if robot.offsets is not None:
         return row_warning(robot, log)
-    found = singularity_crossings(robot, interpolate(log), log.time) if len(log.time) > 1 else ()
+    part = _near_singular_part(robot, log) if len(log.time) > 1 else slice(0)
+    some = Trajectory(log.time[part], log.at(part), log.source)
+    found = singularity_crossings(robot, interpolate(some), some.time) if len(some.time) else ()
     if not found:
         return None
     first = found[0]
@@ -35,6 +42,34 @@ def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
         "leg forces grow without bound; "
         f"unconstrained twist{of} {twist_text(first.singularity, Units.of(robot))}{more}"
     )
+
+
+def _near_singular_part(robot: Robot, log: Trajectory) -> slice:
+    """Return the rows among which all singular poses of a path are.
+
+    The smallest singular value of H changes by at most the norm of the change of H, which the path length
+    from the middle of a block of rows bounds.
+    """
+    count, time, motion = len(log.time), log.time, log.given_motion
+    if motion is not None:
+        speed, turning = (np.linalg.norm(rate, axis=-1) for rate in (motion.v, motion.omega))
+    else:
+        assert log.coordinates is not None
+        turning = np.abs(log.coordinates[1, :, 3:]).sum(axis=-1)
+        speed = np.linalg.norm(log.coordinates[1, :, :3], axis=-1) + np.linalg.norm(robot.tool) * turning
+    starts = np.arange(0, count - 1, _BLOCK_ROWS)
+    paths = (np.maximum(rate[1:], rate[:-1]) * np.diff(time) for rate in (speed, turning))
+    moved, turned = (np.add.reduceat(path, starts) for path in paths)
+    middles = log.at(np.minimum(starts + _BLOCK_ROWS // 2, count - 1))
+    arm, size = float(np.linalg.norm(robot.p, axis=-1).max()), characteristic_length(robot) or 1.0
+    shortest = leg_vectors(robot, middles.R, middles.t)[2].min(axis=-1)
+    tips = moved + arm * turned
+    with np.errstate(divide="ignore"):
+        direction = np.where(tips < shortest, tips / np.maximum(shortest - tips, 0.0), np.inf)
+    change = np.hypot(direction, arm * (turned + direction) / size) * math.sqrt(LEGS)
+    H = moments_over(wrench_matrix(robot, middles), size)
+    near = np.flatnonzero(~(np.linalg.svd(H, compute_uv=False)[:, -1] > change))
+    return slice(starts[near[0]], starts[near[-1]] + _BLOCK_ROWS + 1) if near.size else slice(0)
 
 
 def row_warning(robot: Robot, log: Trajectory, places: str = "lines") -> str | None:

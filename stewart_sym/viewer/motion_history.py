@@ -249,7 +249,8 @@ def _noise(robot: Robot, trajectory: Trajectory, formulations: list[str]) -> Noi
     forces = {name: force_std(robot, trajectory, name) for name in others}  # type: ignore[arg-type]
     replaced, said = replaced_rows(trajectory), []
     if trajectory.noise.sigma.any():
-        said.append(f"{noise_text(trajectory.noise, robot.length_unit, robot.angle_unit)}: smoothed")
+        units = robot.length_unit, robot.angle_unit
+        said.append(f"{noise_text(trajectory.noise.sigma, trajectory.has_lengths, *units)}: smoothed")
     if replaced:
         said.append(f"replaced rows: {replaced_names(replaced)}")
     text, there = "; ".join(said), at_replaced(trajectory, trajectory.time)

@@ -213,13 +213,9 @@ def test_dry_friction_is_as_unsure_as_the_direction_of_the_leg(robot: ss.Robot) 
         covariance = np.zeros((n, 6, 6))
         covariance[:, :, 2] = sure**2
         coordinates = np.concatenate([t, still], axis=1)
-        noise = Uncertainty(
-            np.array([coordinates, np.hstack([up.v, still]), 0.0 * coordinates]),
-            np.arange(n) * 1.0,
-            covariance,
-            np.full(6, rate),
-        )
-        log = Trajectory(np.arange(n) * 1.0, up, "log.csv", range(n), noise)
+        found = np.array([coordinates, np.hstack([up.v, still]), 0.0 * coordinates])
+        noise = Uncertainty(np.arange(n) * 1.0, covariance, np.full(6, rate))
+        log = Trajectory(np.arange(n) * 1.0, up, "log.csv", range(n), noise, found)
         effort = ss.drive_effort(driven, log)
         # Joints' friction is in both.
         through = ss.drive_effort(with_drive(robot), log).std

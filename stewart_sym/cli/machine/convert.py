@@ -38,6 +38,7 @@ def _report(trajectory: Trajectory) -> Report:
     noise = trajectory.noise
     data = {"rows": len(time), "start_s": time[0], "end_s": time[-1], "rate_Hz": rate, "content": kind}
     if noise is not None and noise.sigma.any():
-        lines.append(f"{noise_text(noise)}; the file does not contain it: use the log itself for limits")
+        text = noise_text(noise.sigma, trajectory.has_lengths)
+        lines.append(f"{text}; the file does not contain it: use the log itself for limits")
         data["noise_std"] = noise.sigma
     return Report("\n".join(lines), data=data)

@@ -57,7 +57,8 @@ def run(arguments: Arguments) -> None:
             warn(crossed, ss.SingularPoseWarning)
         lines = [found.summary()]
         if trajectory.noise is not None and trajectory.noise.sigma.any():
-            noise = noise_text(trajectory.noise, robot.length_unit, robot.angle_unit)
+            units = robot.length_unit, robot.angle_unit
+            noise = noise_text(trajectory.noise.sigma, trajectory.has_lengths, *units)
             lines.append(f"{noise}; F_std is the remaining standard deviation")
         figures = {} if arguments.plot is None else {"forces": Picture(found.figure, SMALL)}
         for picture in figures.values():

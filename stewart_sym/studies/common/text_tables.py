@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from ...drives.limit_status import amount_text
 from ...robot.robot import LEGS
 
-_ROWS = 1024
+_ROWS = 2048
 # Largest integer that a double represents exactly, and largest number of decimals.
 _MOST_EXACT, _MOST_DECIMALS = 2.0**53, 18
+# Four characters of each integer below 10,000.
+_FOUR_DIGITS = np.frombuffer("".join(f"{k:04d}" for k in range(10_000)).encode(), np.uint32)
 
 Columns = dict[str, NDArray[Any]]
 """Columns of shape (n,) by name."""
@@ -49,28 +51,60 @@ def csv_lines(
     """Yield the text of a CSV file in blocks of lines, with ``digits`` of the largest number of a column."""
     if header:
         yield csv_text([[*columns]])
-    form = None if digits is None else _form(columns, digits)
+    decimals = None if digits is None else _decimals(columns, digits)
     # Rows are converted to Python numbers in blocks, because these require four times the memory of arrays.
     for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
         part = [column[start : start + _ROWS] for column in columns.values()]
-        rows = zip(*(values.tolist() for values in part), strict=True)
-        yield csv_text(rows) if form is None else "".join(form % row for row in rows)
+        if decimals is None:
+            yield csv_text(zip(*(values.tolist() for values in part), strict=True))
+        else:
+            yield _decimal_lines(part, decimals)
 
 
-def _form(columns: Mapping[str, NDArray[Any]], digits: int) -> str | None:
-    """Return the format of a row with a fixed number of decimals; None for infinite or too large numbers."""
+def _decimals(columns: Mapping[str, NDArray[Any]], digits: int) -> list[int] | None:
+    """Return the number of decimals of each column; None for infinite or too large numbers."""
     decimals: list[int | None] = []
     for name, values in columns.items():
         largest = float(np.abs(values).max(initial=0.0))
-        if name == "time":
-            exact = (n for n in range(_MOST_DECIMALS) if np.array_equal(np.round(values, n), values))
-            decimals.append(next(exact, None))
-        elif not largest < _MOST_EXACT:
+        if not largest < _MOST_EXACT:
             decimals.append(None)
+        elif name == "time":
+            places = [n for n in range(_MOST_DECIMALS) if largest * 10.0**n < _MOST_EXACT]
+            decimals.append(next((n for n in places if np.array_equal(np.round(values, n), values)), None))
         else:
             whole = math.floor(math.log10(largest)) + 1 if largest > 0.0 else digits
             decimals.append(min(max(digits - whole, 0), 0 if values.dtype.kind in "iu" else _MOST_DECIMALS))
-    return None if None in decimals else ",".join(f"%.{n}f" for n in decimals) + "\n"
+    known = [each for each in decimals if each is not None]
+    return known if len(known) == len(decimals) else None
+
+
+def _decimal_lines(columns: Sequence[NDArray[Any]], decimals: Sequence[int]) -> str:
+    """Format rows with fixed numbers of decimals, in a fifth of the time of Python's formatting."""
+    cells = []
+    for values, places in zip(columns, decimals, strict=True):
+        scaled = np.rint(np.abs(values) * 10.0**places).astype(np.int64)
+        width = max(len(str(scaled.max(initial=0))), places + 1)
+        text = _digits(scaled, width)
+        # Null characters are removed below.
+        for k in range(width - places - 1):
+            text[:, k] *= scaled >= 10 ** (width - 1 - k)
+        sign = np.where(values < 0, ord("-"), 0).astype(np.uint8)[:, None]
+        point, comma = (np.full((len(values), 1), ord(mark), np.uint8) for mark in ".,")
+        whole, fraction = text[:, : width - places], text[:, width - places :]
+        cells += [sign, whole, *([point, fraction] if places else []), comma]
+    table = np.hstack(cells)
+    table[:, -1] = ord("\n")
+    return table.tobytes().translate(None, b"\0").decode()
+
+
+def _digits(values: NDArray[np.int64], width: int) -> NDArray[np.uint8]:
+    """Return the last ``width`` decimal digits of integers >= 0, shape (n,), as characters, (n, width)."""
+    found = np.empty((len(values), -(-width // 4)), np.uint32)
+    for k in reversed(range(found.shape[1])):
+        quotient = values // 10_000
+        found[:, k] = _FOUR_DIGITS[values - 10_000 * quotient]
+        values = quotient
+    return found.view(np.uint8)[:, -width:]
 
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:

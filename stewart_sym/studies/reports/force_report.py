@@ -1,7 +1,7 @@
 """Inverse dynamics along a trajectory for ``forces`` and ``view``: columns, limits, and a summary."""
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -35,6 +35,9 @@ NOISE_THRESHOLD = 0.02
 
 # Number of samples that are computed at a time, because the outputs of all samples could exceed the memory.
 _PART = 1 << 14
+# Distance (samples) and least number of condition numbers between which others are interpolated, and largest
+# relative error of interpolation over twice the distance.
+_INTERPOLATED, _FEWEST_INTERPOLATED, _INTERPOLATION_ERROR = 4, 256, 1e-6
 # Number of written digits of the largest value of a column, if a log has noise.
 _DIGITS = 10
 
@@ -68,12 +71,12 @@ class ForceReport:
             deviations = deviations_in_parts(self.robot, self.trajectory, self._formulation, self._backend)
         for start in range(0, count, _PART):
             where = slice(start, start + _PART)
-            sd = None if deviations is None else deviations(where)
-            columns = self._part(where, sd)
-            yield from csv_lines(columns, header=start == 0, digits=None if sd is None else _DIGITS)
+            columns = self._part(where, deviations)
+            digits = None if deviations is None else _DIGITS
+            yield from csv_lines(columns, header=start == 0, digits=digits)
             progress(f"computing {count} samples", min(1.0, where.stop / count))
 
-    def _part(self, where: slice, sd: Deviations | None) -> Columns:
+    def _part(self, where: slice, deviations: Callable[..., Deviations] | None) -> Columns:
         """Compute some samples; return their columns (n,) by name, in SI units."""
         robot, motion, time = self.robot, self.trajectory.at(where), self.time[where]
         how: Any = {"formulation": self._formulation, "backend": self._backend, "on_singular": "nan"}
@@ -83,7 +86,9 @@ class ForceReport:
         if np.any(good):
             legs = inverse_kinematics(robot, motion[good])
             L[good], L_dot[good] = legs.L, legs.L_dot
-        status, condition, more = found.status, condition_number(found.H), Columns()
+        sd = None if deviations is None else deviations(where, motion, found.F)
+        condition = condition_number(found.H) if sd is None else _condition_numbers(found.H)
+        status, more = found.status, Columns()
         values = {"F": found.F, "L": L, "L_dot": L_dot, **limits.limited_angles(robot, motion)}
         if robot.drive is not None:
             effort = motor_states(robot, robot.drive, motion, found.F, L_dot)
@@ -162,6 +167,22 @@ class ForceReport:
         found = {"samples": len(self.time), "start_s": self.time[0], "end_s": self.time[-1]}
         found |= dict(zip(("condition_number_peak_time_s", "condition_number_peak"), self.worst, strict=True))
         return found | {"legs": by_leg(leg_data(self.limits))}
+
+
+def _condition_numbers(H: Array) -> Array:
+    """Return the condition numbers of samples (n,) of a noisy log, interpolated if they change slowly.
+
+    The spline through every eighth sample must pass through the samples between them.
+    """
+    some = np.arange(0, len(H), _INTERPOLATED)
+    values = condition_number(H[some])
+    if len(some) > _FEWEST_INTERPOLATED and np.isfinite(values).all():
+        from scipy.interpolate import CubicSpline
+
+        checked = CubicSpline(some[::2], values[::2])(some)
+        if np.all(np.abs(checked - values) <= _INTERPOLATION_ERROR * values):
+            return np.asarray(CubicSpline(some, values)(np.arange(len(H))))
+    return condition_number(H)
 
 
 def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: Flags) -> str | None:
