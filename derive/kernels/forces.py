@@ -12,7 +12,7 @@ from ..mechanics.actuator_forces import ForceKernel
 from ..program.block import Block, Quantity
 from ..program.order import ready_in
 from ..trace.recorder import Branch, Slot, Trace
-from ..trace.values import LEGS, Value, as_value, constant, larger, sum_over_legs, where
+from ..trace.values import LEGS, Value, as_value, constant, larger, where
 from .solve import COLUMNS, RIGHT_SIDE, solution
 
 PER_LENGTH = Quantity("per_length", (), "1/m", "factor of the moment rows of H and c")
@@ -45,8 +45,13 @@ def forces(k: Trace, kernel: ForceKernel, scaled: bool | None = None) -> None:
     if rest.operations().total > ONE_LEG_AHEAD:
         with k.part("leg_roots", _says("a leg up to its square roots", roots), per_leg=True, ahead=True):
             k.run(roots, {}, known, ready)
+            points = [known[name].name for name in n.q.names if name in known]
+            k.slots |= {name: Slot("leg_roots", n.q.name, i) for i, name in enumerate(points)}
     else:
         rest = kernel.leg
+    with k.part("legs_fit", "Marks a pose in which a leg must be examined."):
+        any_unfit = k.accumulator("any_unfit", as_value(0.0), operator="larger")
+        is_short = k.let("is_short", as_value(0.0))
     with k.part("leg_terms", _says("a leg: its D, its column of H, and its part of c", rest), per_leg=True):
         leg = k.run(rest, pose, known, ready)
         unfit = where(leg[n.L][0] > least_L, 0.0, 1.0)
@@ -56,17 +61,10 @@ def forces(k: Trace, kernel: ForceKernel, scaled: bool | None = None) -> None:
             unfit = where(leg[n.k3][0] > least, unfit, 1.0)
         else:
             unfit = where(leg[n.L][0] <= constant("MAX"), unfit, 1.0)
-        unfit = k.let("unfit", unfit)
-    with k.part("legs_fit", "Checks whether a leg must be examined."):
-        any_unfit = unfit.at(0)
-        for other in unfit.legs()[1:]:
-            any_unfit = larger(other, any_unfit)
-        any_unfit = k.let("any_unfit", any_unfit)
-        is_short = k.let("is_short", as_value(0.0))
+        k.accumulate(any_unfit, k.let("unfit", unfit))
     with k.rarely(any_unfit > 0.0, alone=True) as branch:
         examine_legs(k, kernel, leg, pose, branch, is_short)
-    tip = tip_terms(k, kernel, pose, leg[n.q]) if kernel.about_tip else pose[n.c_moment]
-    H, c = equations(k, kernel, leg, pose, tip, scaled)
+    H, c = equations(k, kernel, leg, pose, scaled)
     x, suspect = solution(k, H, c)
     with k.part("force_terms", "Computes F = D - x, (37)."):
         D = leg.get(n.D)
@@ -88,42 +86,42 @@ def forces(k: Trace, kernel: ForceKernel, scaled: bool | None = None) -> None:
         )
 
 
-def tip_terms(k: Trace, kernel: ForceKernel, pose: Outputs, q: list[Value]) -> list[Value]:
-    """Trace the platform's part of c with moments about platform point 1."""
-    with k.part("tip_terms", _says("the platform's part of c about platform point 1", kernel.shift)):
-        given = {
-            p.q_1: [value.at(0) for value in q],
-            n.c_force: pose[n.c_force],
-            n.c_moment: pose[n.c_moment],
-        }
-        return k.run(kernel.shift, given)[p.c_tip]
-
-
 def equations(
-    k: Trace, kernel: ForceKernel, leg: Outputs, pose: Outputs, tip: list[Value], scaled: bool | None
+    k: Trace, kernel: ForceKernel, leg: Outputs, pose: Outputs, scaled: bool | None
 ) -> tuple[list[Value], list[Value]]:
     """Trace H and c, with moments about platform point 1 or the reference point."""
-    about, unit = leg, k.input(PER_LENGTH.name)
-    q_1 = [q.at(0) for q in leg[n.q]]
+    unit = k.input(PER_LENGTH.name)
+    c = [*pose[n.c_force], *pose[n.c_moment]]
+    if kernel.about_tip:
+        says = _says("the platform's part of c about platform point 1", kernel.shift)
+        with k.part("tip_terms", says):
+            q_1 = [k.let(name, value.at(0)) for name, value in zip(p.q_1.names, leg[n.q], strict=True)]
+            moved = k.run(kernel.shift, {p.q_1: q_1, **{q: pose[q] for q in (n.c_force, n.c_moment)}})
+            c[3:] = moved[p.c_tip]
+    with k.part("wrench", "Adds the parts of c of the platform and the legs."):
+        slot = [None if scaled and i >= 3 else Slot(RIGHT_SIDE, "c", i) for i in range(LEGS)]
+        c = [k.accumulator(f"c_{i}", own, slot[i]) for i, own in enumerate(c)]
+    with k.part("leg_wrench", "Adds a leg's part of c.", per_leg=True):
+        for first, q in ((0, n.c_force), (3, n.c_moment)):
+            for i, term in enumerate(leg.get(q, ()), first):
+                k.accumulate(c[i], term)
+    H = [*leg[n.H_force], *leg.get(n.H_moment, ())]
     if kernel.about_tip:
         says = _says("the moments of a leg about platform point 1", kernel.moments)
         with k.part("moment_terms", says, per_leg=True, skips_first=True):
             about = k.run(kernel.moments, {p.q_1: q_1, **leg})
-    H = [*leg[n.H_force], *about[n.H_moment]]
+            H[3:] = about[n.H_moment]
+            for i, term in enumerate(about.get(p.arm_c, ()), 3):
+                k.accumulate(c[i], term)
     if scaled:
         with k.part("moment_terms", "", per_leg=True, skips_first=kernel.about_tip):
             H[3:] = [k.let(f"H_{i}", value * unit) for i, value in enumerate(H[3:], 3)]
+        with k.part("scaled_wrench", "Multiplies the moments of c by `per_length`."):
+            c[3:] = [
+                k.let(f"c_{i}", value * unit, Slot(RIGHT_SIDE, "c", i)) for i, value in enumerate(c[3:], 3)
+            ]
     for i, value in enumerate(H):
         k.slots[value.name] = Slot(COLUMNS, "H", i)
-    with k.part("wrench", "Adds the parts of c of the platform and the legs."):
-        c = []
-        for i in range(LEGS):
-            own, q = (pose[n.c_force][i], n.c_force) if i < 3 else (tip[i - 3], n.c_moment)
-            terms = [leg[q][i % 3]] if q in leg else []
-            terms += [about[p.arm_c][i % 3]] if i >= 3 and p.arm_c in about else []
-            total = sum_over_legs(own, terms)
-            total = total * unit if scaled and i >= 3 else total
-            c.append(k.let(f"c_{i}", total, Slot(RIGHT_SIDE, "c", i)))
     if scaled is None:
         with k.rarely(unit.differs_from(1.0)) as branch:
             scale_moments(k, branch, H[3:], c[3:], kernel.about_tip)

@@ -10,13 +10,17 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import Any
 
-from ..trace.schedule import LANE, LEG_INDEX, Schedule, placed, reads
 from . import nodes as t
 from .fused import with_products_in_sums
+from .part_order import reads
 from .placement import where_read
-from .read import LANES
+from .read import LANES, POSES
 from .recorder import Branch, Part, Reject, Step, Trace
-from .values import LEGS, Value
+from .schedule import LANE, LEG_INDEX, Schedule, placed
+from .values import LEGS, Value, joined
+
+INLINE_STEPS = 12
+"""Most steps of a part with legs in lanes that compilers may inline; a larger one requires all registers."""
 
 
 class Lanes(Schedule):
@@ -43,8 +47,10 @@ class Lanes(Schedule):
         if self.poses_in_lanes and part.per_leg:
             arguments.append(t.Argument(LEG_INDEX.name, t.Integer()))
         for name, changed in self._structures(part).items():
-            arguments.append(t.Argument(name, self.type_of(name), changed, alone=True))
-        apart = part.ahead or part.name in self.branch_of or self.poses_in_lanes != part.per_leg
+            kind = t.Record(f"{name}{self.end}") if part.ahead else self.type_of(name)
+            arguments.append(t.Argument(name, kind, changed, alone=True))
+        large = part.per_leg and not self.poses_in_lanes and len(part.steps) > INLINE_STEPS
+        apart = part.ahead or part.common or part.name in self.branch_of or large
         name = f"compute_{part.name}{self.end}"
         return t.Function(name, part.meaning, tuple(arguments), None, body, apart=apart)
 
@@ -57,6 +63,8 @@ class Lanes(Schedule):
         """Return the structures that a part reads, with True if it changes them."""
         found: dict[str, bool] = {}
         for step in self.steps_of(part):
+            if step.joins:
+                found[self.slot(step.joins).structure] = True
             for name, _ in reads(step.expr):
                 if name in self.home and self.home[name] is not part and name not in self.fixed:
                     found.setdefault(self.slot(name).structure, False)
@@ -76,24 +84,30 @@ class Lanes(Schedule):
     def _computed(self, part: Part, step: Step, name: str, value: t.Expression) -> list[t.Statement]:
         """Return a step as a constant, or as an assignment if only other parts read it."""
         read_here = {found for each in self.steps_of(part) for found, _ in reads(each.expr)}
-        if step.name in self.crossing and step.name not in read_here and step.per_leg == part.per_leg:
+        only_stored = step.name in self.crossing and step.name not in read_here
+        if only_stored and step.per_leg == part.per_leg and not self._is_selected(step.name):
             return [*_remark(step), self._store(step, value)]
         return [*_remark(step), t.Let(name, value)]
 
     def _to_store(self, part: Part) -> list[Step]:
         """Return the stored results that are also read in their own part."""
         read_here = {found for each in self.steps_of(part) for found, _ in reads(each.expr)}
-        return [step for step in self.stored(part) if step.name in read_here or step.per_leg != part.per_leg]
+        return [
+            step
+            for step in self.stored(part)
+            if step.name in read_here or step.per_leg != part.per_leg or self._is_selected(step.name)
+        ]
 
     def _store(self, step: Step, value: t.Expression) -> t.Assign:
         """Return the assignment of a result to its location."""
         leg = LEG_INDEX if self.poses_in_lanes else LANE
-        target = self.place(step.name, leg if step.per_leg else None)
-        if self.poses_in_lanes and step.name in self.moved:
-            _, branch = self.moved[step.name]
-            if not self.is_uniform(branch.test):
-                value = t.Select(placed(branch.test.expr, self.at), value, target)
+        target = self.place(step.name, leg if step.per_leg else None, self.home[step.name].ahead)
         return t.Assign(target, value)
+
+    def _is_selected(self, name: str) -> bool:
+        """Return True if a value replaces another one in some of the lanes."""
+        moved = self.poses_in_lanes and name in self.moved
+        return moved and not self.is_uniform(self.moved[name][1].test)
 
     def _of_pose(self, part: Part) -> tuple[t.Statement, ...]:
         """Return the body of a part with legs in lanes: loops over lanes, and steps without a leg."""
@@ -179,7 +193,15 @@ class Lanes(Schedule):
             loads.setdefault(named, found)
             return t.Name(named)
 
+        totals: dict[str, t.Expression] = {}
         for step in self.steps_of(part):
+            if step.joins or step.name in self.trace.accumulators:
+                name, term = step.joins or step.name, placed(step.expr, place)
+                if step.joins:
+                    before = totals.get(name, self.place(name, None))
+                    term = joined(self.trace.accumulators[name], before, term)
+                totals[name] = term
+                continue
             legs: Sequence[int | None] = [None]
             if step.per_leg and not part.per_leg:
                 legs = sorted(leg for name, leg in self.needed if name == step.name and leg is not None)
@@ -190,10 +212,28 @@ class Lanes(Schedule):
 
                 name = step.name if leg is None else f"{step.name}_leg{leg + 1}"
                 steps += self._computed(part, step, name, placed(step.expr, of_leg))
+        steps += [t.Assign(self.place(name, None), value) for name, value in totals.items()]
         kept, rest = where_read([t.Let(name, found) for name, found in loads.items()], steps)
-        body = (*rest, *kept, *(self._store(step, t.Name(step.name)) for step in self._to_store(part)))
+        to_store = self._to_store(part)
+        selected = [step for step in to_store if self._is_selected(step.name)]
+        stores = [self._store(step, t.Name(step.name)) for step in to_store if step not in selected]
+        stores += [t.Assign(t.at(f"{step.name}_of", LANE), t.Name(step.name)) for step in selected]
+        body = (*rest, *kept, *stores)
         body = with_products_in_sums(body) if part.fuses_named else body
-        return (t.For(LANE.name, t.Number(0), self.lanes, body),)
+        loop = t.For(LANE.name, t.Number(0), self.lanes, body)
+        return (loop,) if not selected else self._with_selections(loop, selected)
+
+    def _with_selections(self, loop: t.For, steps: Sequence[Step]) -> tuple[t.Statement, ...]:
+        """Select in a loop of its own; otherwise gcc computes the values only in lanes with a true test."""
+        lanes = t.Array(t.Real(), (POSES,))
+        variables = [t.Variable(f"{step.name}_of", lanes, blank=True) for step in steps]
+        selections = []
+        for step in steps:
+            test = placed(self.moved[step.name][1].test.expr, self.at)
+            target = self.place(step.name, None)
+            value = t.Select(test, t.at(f"{step.name}_of", LANE), target)
+            selections.append(t.Assign(target, value))
+        return (*variables, loop, t.For(LANE.name, t.Number(0), self.lanes, tuple(selections)))
 
     # ------------------------------------------------------------ calls
 
@@ -205,7 +245,7 @@ class Lanes(Schedule):
         """Yield the calls of the parts in order."""
         begun: list[Part] = []
         items = self.body if items is None else items
-        for (in_loop, _), run in groupby(items, self._loop_of):
+        for in_loop, run in groupby(items, self._is_in_loop):
             found = list(run)
             if in_loop:
                 ahead = [part for part in found if part.ahead]
@@ -218,11 +258,9 @@ class Lanes(Schedule):
             for item in found:
                 yield from self._item(item)
 
-    def _loop_of(self, item: Part | Branch | Reject) -> tuple[bool, bool]:
-        """Return True for a part in a loop over the legs, and True if the loop begins with leg 2."""
-        if not self.poses_in_lanes or not isinstance(item, Part):
-            return False, False
-        return item.per_leg, item.skips_first
+    def _is_in_loop(self, item: Part | Branch | Reject) -> bool:
+        """Return True for a part that is called in a loop over the legs."""
+        return self.poses_in_lanes and isinstance(item, Part) and (item.per_leg or item.only_first)
 
     def _item(self, item: Part | Branch | Reject) -> Iterator[t.Statement]:
         if isinstance(item, Part):
@@ -245,19 +283,26 @@ class Lanes(Schedule):
         given = {LEG_INDEX.name: leg, "at": motion} | {
             name: self.at(name, None) for name in self._numbers(part)
         }
+        if part.ahead and leg is not None:
+            given |= {name: t.Element(t.Name(name), (leg,)) for name in self._structures(part)}
         arguments = (given.get(each.name) or t.Name(each.name) for each in function.arguments)
         return t.Do(t.Call(function.name, tuple(arguments)))
 
-    def _loop(self, begun: Iterable[Part], parts: Iterable[Part]) -> t.Statement:
+    def _loop(self, begun: Iterable[Part], parts: Sequence[Part]) -> t.Statement:
         """Return the loop over the legs; parts that are ``begun`` are one leg ahead."""
         body: list[t.Statement] = []
-        first = 0
+        first = int(all(part.skips_first for part in parts))
         for part in begun:
             test = t.Binary("<", LEG_INDEX, t.Number(LEGS - 1))
             body.append(t.If(test, (self._call(part, LEG_INDEX + t.Number(1)),)))
         for part in parts:
-            body.append(self._call(part, LEG_INDEX))
-            first = int(part.skips_first)
+            call = self._call(part, LEG_INDEX)
+            if part.only_first:
+                body.append(t.If(t.Binary("==", LEG_INDEX, t.Number(0)), (call,)))
+            elif part.skips_first and not first:
+                body.append(t.If(t.Binary(">", LEG_INDEX, t.Number(0)), (call,)))
+            else:
+                body.append(call)
         return t.For(LEG_INDEX.name, t.Number(first), t.Number(LEGS), tuple(body))
 
     def _rejection(self, item: Reject) -> Iterator[t.Statement]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
@@ -30,6 +30,7 @@ class Input:
 
 
 Inputs = dict[str, Input]
+_SIMPLE = (t.Name, t.Number, t.Constant, t.Element)
 
 
 def inputs_of(kind: str, quantities: Iterable[Quantity]) -> Inputs:
@@ -48,12 +49,16 @@ class Slot:
 
 @dataclass(frozen=True)
 class Step:
-    """Named step; ``remark`` contains its equation number and meaning."""
+    """Named step; ``remark`` contains its equation number and meaning.
+
+    With ``joins``, the step is the part of a leg that joins the accumulator of this name.
+    """
 
     name: str
     expr: t.Expression
     per_leg: bool
     remark: str = ""
+    joins: str = ""
 
 
 @dataclass
@@ -68,6 +73,8 @@ class Part:
         True if the part of the next leg is computed before the other parts of a leg.
     skips_first : bool
         True if the results are zero for leg 1, which is then omitted.
+    only_first : bool
+        True if the function is called after the other parts of leg 1, because it requires their results.
     common : bool
         True if the function is in a header because several kernels use it.
     fuses_named : bool
@@ -79,6 +86,7 @@ class Part:
     per_leg: bool = False
     ahead: bool = False
     skips_first: bool = False
+    only_first: bool = False
     common: bool = False
     fuses_named: bool = False
     steps: list[Step] = field(default_factory=list)
@@ -128,6 +136,8 @@ class Trace:
         Names of steps with one number for each leg.
     zero_at_first : set of str
         Names of steps that are zero for leg 1.
+    accumulators : dict
+        Operators by which the parts of the legs join an accumulator, by its name: ``+`` or ``larger``.
     result : list of Value
         Results of the kernel.
     unfinished : list of Value
@@ -139,6 +149,7 @@ class Trace:
     slots: dict[str, Slot] = field(default_factory=dict)
     per_leg: set[str] = field(default_factory=set)
     zero_at_first: set[str] = field(default_factory=set)
+    accumulators: dict[str, str] = field(default_factory=dict)
     result: list[Value] = field(default_factory=list)
     unfinished: list[Value] = field(default_factory=list)
 
@@ -161,6 +172,7 @@ class Trace:
         """Record a step; a name that is in use receives a number."""
         part = self._part
         assert part is not None
+        value = replace(value, expr=self._flat(name, value))
         free, count = name, 1
         while free in self._names or free in self.inputs:
             count += 1
@@ -175,6 +187,38 @@ class Trace:
             self.slots[free] = slot
         part.steps.append(Step(free, value.expr, per_leg, remark))
         return Value(t.Name(free), per_leg, self)
+
+    def _flat(self, name: str, value: Value) -> Any:
+        """Record the operands of selections: compilers vectorize only selections between numbers."""
+
+        def flat(node: Any) -> Any:
+            if isinstance(node, tuple):
+                return tuple(map(flat, node))
+            if not isinstance(node, t.Node):
+                return node
+            changed = t.mapped(node, flat)
+            if isinstance(changed, t.Select):
+                yes, no = (
+                    each if isinstance(each, _SIMPLE) else self.let(name, replace(value, expr=each)).expr
+                    for each in (changed.yes, changed.no)
+                )
+                return replace(changed, yes=yes, no=no)
+            return changed
+
+        return flat(value.expr)
+
+    def accumulator(self, name: str, start: Value, slot: Slot | None = None, operator: str = "+") -> Value:
+        """Record a number that all legs change in order; ``start`` is its value before leg 1."""
+        found = self.let(name, start, slot)
+        self.accumulators[found.name] = operator
+        return found
+
+    def accumulate(self, total: Value, term: Value) -> None:
+        """Join a recorded number of each leg to an accumulator."""
+        assert self._part is not None
+        assert self._part.per_leg
+        self.let(f"{total.name}_and_{term.name}", term)
+        self._part.steps[-1] = replace(self._part.steps[-1], joins=total.name)
 
     # ------------------------------------------------------------ parts
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from . import nodes as t
+from .part_order import in_loop_order, merged, reads, with_sums
 from .read import LANES, POSES
 from .recorder import LEG, MODEL, MOTION, Branch, Part, Reject, Slot, Step, Trace
 from .values import LEGS, ZERO, Value, binary
@@ -17,21 +18,6 @@ from .values import LEGS, ZERO, Value, binary
 LANE, LEG_INDEX = t.Name("l"), t.Name("leg")
 Place = Callable[[str, int | None], t.Expression]
 """Expression of a name, or of the number of one leg."""
-
-
-def reads(node: Any) -> Iterator[tuple[str, int | None]]:
-    """Yield the names that a node reads, with the leg if only one is read."""
-    match node:
-        case t.Element(t.Name(name), (t.Number(leg),)):
-            yield name, int(leg)
-        case t.Name(name):
-            yield name, None
-        case tuple():
-            for each in node:
-                yield from reads(each)
-        case t.Node():
-            members: tuple[str, ...] = node.__match_args__
-            yield from reads(tuple(getattr(node, member) for member in members))
 
 
 def placed(node: Any, place: Place) -> Any:
@@ -76,7 +62,8 @@ class Schedule:
 
     def __post_init__(self) -> None:
         body = list(self._scheduled(self.trace.body))
-        self.body = self._merged(self._gathered(body) if self.poses_in_lanes else body)
+        body = in_loop_order(self.trace, body) if self.poses_in_lanes else with_sums(self.trace, body)
+        self.body = merged(body, self.poses_in_lanes)
         self.parts: list[Part] = []
         self.branch_of: dict[str, Branch] = {}
         self.of_one_leg: set[str] = set()
@@ -89,7 +76,7 @@ class Schedule:
             name: step.expr
             for name, step in self.steps.items()
             if isinstance(step.expr, t.Number)
-            and name not in {*updated, *self.moved}
+            and name not in {*updated, *self.moved, *self.trace.accumulators}
             and name not in self.trace.slots
         }
         self._mark()
@@ -106,36 +93,6 @@ class Schedule:
                 yield replace(item, body=body, updates=item.updates if body else {})
             elif isinstance(item, Part) or not self.poses_in_lanes:
                 yield item
-
-    def _gathered(self, body: list[Any]) -> list[Any]:
-        """Move each part of a leg behind the previous one, past the parts that it does not read."""
-        body = list(body)
-        for at, item in enumerate(body):
-            if _is_of_leg(item):
-                names = {name for step in item.steps for name, _ in reads(step.expr)}
-                last = max((i for i, other in enumerate(body[:at]) if _is_of_leg(other)), default=at)
-                if not any(names & _written(other) for other in body[last + 1 : at]):
-                    body.insert(min(last + 1, at), body.pop(at))
-        return body
-
-    def _merged(self, body: list[Any]) -> list[Any]:
-        """Merge neighbors with equal loops, so that their results stay in registers."""
-        found: list[Any] = []
-        for item in body:
-            before = found[-1] if found else None
-            if isinstance(item, Branch) and self.poses_in_lanes and not item.body:
-                continue
-            if isinstance(item, Part) and isinstance(before, Part) and self._alike(before, item):
-                found[-1] = replace(before, steps=[*before.steps, *item.steps])
-            else:
-                found.append(item)
-        return found
-
-    def _alike(self, one: Part, other: Part) -> bool:
-        """Return True if two parts can have one loop."""
-        properties = [(each.per_leg, each.skips_first, each.fuses_named) for each in (one, other)]
-        plain = not any(each.ahead or each.common for each in (one, other))
-        return plain and properties[0] == properties[1] and (self.poses_in_lanes or one.name == other.name)
 
     def _collect(self, items: list[Any], branch: Branch | None) -> None:
         """List the parts, their branches, and the names that replace others."""
@@ -168,12 +125,20 @@ class Schedule:
         for reject in _rejects(self.body):
             waiting += [name for value in values_of(reject) for name in reads(value.expr)]
         self.crossing = {name for name, _ in waiting}
+        joining: dict[str, list[str]] = {}
+        for step in self.steps.values():
+            if step.joins:
+                joining.setdefault(step.joins, []).append(step.name)
+        readers: dict[str, list[tuple[Part, int | None]]] = {}
         self.needed: set[tuple[str, int | None]] = set()
         while waiting:
             name, leg = waiting.pop()
             if (name, leg) in self.needed or name not in self.steps:
                 continue
             self.needed.add((name, leg))
+            if name in joining:
+                waiting += [(step, None) for step in joining[name]]
+                self.crossing.add(name)
             for other, of in reads(self.steps[name].expr):
                 if other in self.steps:
                     own = leg if of is None and other in self.trace.per_leg else of
@@ -181,7 +146,24 @@ class Schedule:
                         waiting.append((other, own))
                     if self.home[other] is not self.home[name]:
                         self.crossing.add(other)
+                        readers.setdefault(other, []).append((self.home[name], of))
         self._names_needed = {name for name, _ in self.needed}
+        self.of_current_leg = {
+            name
+            for name in self.crossing & self.trace.per_leg
+            if self.poses_in_lanes and self._lives_in_loop(name, readers.get(name, []))
+        }
+
+    def _lives_in_loop(self, name: str, readers: list[tuple[Part, int | None]]) -> bool:
+        """Return True if only the loop over the legs reads a result, and only that of the current leg."""
+        home = self.home[name]
+        own = (reader.only_first if of == 0 else reader.per_leg and of is None for reader, of in readers)
+        in_loop = (
+            home.per_leg
+            and not home.ahead
+            and not {home.name, *(r.name for r, _ in readers)} & {*self.branch_of}
+        )
+        return bool(readers) and in_loop and name not in self.moved and all(own)
 
     def steps_of(self, part: Part) -> list[Step]:
         """Return the needed steps of a part."""
@@ -202,7 +184,8 @@ class Schedule:
     def slot(self, name: str) -> Slot:
         """Return the location of a result, or of the value that it replaces."""
         name = self.target(name)
-        return self.trace.slots.get(name) or Slot(self.home[name].name, name)
+        slot = self.trace.slots.get(name) or Slot(self.home[name].name, name)
+        return replace(slot, structure=f"{slot.structure}_now") if name in self.of_current_leg else slot
 
     def structures(self) -> dict[str, t.Structure]:
         """Return the structures of all results.
@@ -216,7 +199,7 @@ class Schedule:
                 slot = self.slot(step.name)
                 of = members.setdefault(slot.structure, {})
                 count = max(of.get(slot.member, (0, False))[0], 0 if slot.index is None else slot.index + 1)
-                of[slot.member] = count, self.is_per_leg(self.target(step.name))
+                of[slot.member] = count, self.has_legs(self.target(step.name))
         if self.poses_in_lanes:
             self.of_one_leg = {
                 name for name, of in members.items() if all(per_leg for _, per_leg in of.values())
@@ -251,8 +234,15 @@ class Schedule:
         found = self.trace.inputs.get(name)
         return name in self.trace.per_leg if found is None else found.kind == LEG
 
-    def place(self, name: str, leg: t.Expression | None) -> t.Expression:
-        """Return the location of a number outside of its part."""
+    def has_legs(self, name: str) -> bool:
+        """Return True if the numbers of all legs are stored."""
+        return self.is_per_leg(name) and name not in self.of_current_leg
+
+    def place(self, name: str, leg: t.Expression | None, ahead: bool = False) -> t.Expression:
+        """Return the location of a number outside of its part.
+
+        A part that is ``ahead`` has only the structures of its own leg.
+        """
         if name in self.fixed:
             return self.fixed[name]
         if name in self.trace.inputs:
@@ -268,11 +258,12 @@ class Schedule:
             return ZERO
         slot = self.slot(name)
         own = () if slot.index is None else (t.Number(slot.index),)
-        of_leg = () if leg is None or not self.is_per_leg(name) else (leg,)
+        of_leg = () if leg is None or not self.has_legs(name) else (leg,)
         index = (*of_leg, *own, LANE) if self.poses_in_lanes else (*own, *of_leg)
         array = t.of(slot.structure, slot.member)
         if of_leg and slot.structure in self.of_one_leg:
-            array, index = t.of(t.Element(t.Name(slot.structure), of_leg), slot.member), index[1:]
+            owner = t.Name(slot.structure) if ahead else t.Element(t.Name(slot.structure), of_leg)
+            array, index = t.of(owner, slot.member), index[1:]
         return t.Element(array, index) if index else array
 
     def at(self, name: str, leg: int | None) -> t.Expression:
@@ -290,19 +281,6 @@ class Schedule:
 def values_of(reject: Reject) -> list[Value]:
     """Return the arguments of a rejection as one list."""
     return [value for given in reject.arguments for value in (given if isinstance(given, list) else [given])]
-
-
-def _is_of_leg(item: Any) -> bool:
-    return isinstance(item, Part) and item.per_leg and not item.ahead
-
-
-def _written(item: Any) -> set[str]:
-    """Return the names that a part or branch defines or replaces."""
-    if isinstance(item, Part):
-        return {step.name for step in item.steps}
-    if isinstance(item, Branch):
-        return {*item.updates}.union(*map(_written, item.body))
-    return set()
 
 
 def _rejects(items: list[Any]) -> Iterator[Reject]:

@@ -6,7 +6,6 @@ records the steps. Loops, conditions, and functions of Python leave no trace.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -136,13 +135,10 @@ def larger(one: Value, two: Value | float) -> Value:
     """Return the larger of two values."""
     other = as_value(two)
     return Value(
-        t.Call("larger", (one.expr, other.expr)), one.per_leg or other.per_leg, one.trace or other.trace
+        joined("larger", one.expr, other.expr), one.per_leg or other.per_leg, one.trace or other.trace
     )
 
 
-def sum_over_legs(total: Value, terms: Sequence[Value]) -> Value:
-    """Add the terms of the legs to a number, one leg after the other."""
-    for leg in range(LEGS):
-        for term in terms:
-            total = total + term.at(leg)
-    return total
+def joined(operator: str, left: t.Expression, right: t.Expression) -> t.Expression:
+    """Return the sum of two expressions, or the larger of them."""
+    return t.Call("larger", (left, right)) if operator == "larger" else binary(operator, left, right)

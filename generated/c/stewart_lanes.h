@@ -24,7 +24,7 @@ typedef struct {
 
 /* Solves H x = c for x in two blocks of three legs, (36). Sets `weak` if the blocks are too inaccurate,
  * so that pivots are required. */
-STEWART_SHARED void compute_two_blocks_pose(
+STEWART_APART STEWART_SHARED void compute_two_blocks_pose(
     stewart_real arm_cube, const columns_pose *STEWART_RESTRICT columns,
     const right_side_pose *STEWART_RESTRICT right_side, solution_pose *STEWART_RESTRICT solution)
 {
@@ -412,10 +412,12 @@ STEWART_APART STEWART_SHARED void compute_pivots_pose(
     solution->x[0] = STEWART_FMA(row_0_2_of[5], -y_5, STEWART_FMA(row_0_2_of[4], -y_4,
         STEWART_FMA(row_0_2_of[3], -y_3, STEWART_FMA(row_0_2_of[2], -y_2, STEWART_FMA(row_0_2_of[1], -y_1,
         right_0_2)))))*inverse_0;
-    solution->suspect = STEWART_FABS(row_5_8_of[5]) > STEWART_SUSPECT ? (STEWART_FABS(row_4_7_of[4]) > STEWART_SUSPECT
-        ? (STEWART_FABS(row_3_6_of[3]) > STEWART_SUSPECT ? (STEWART_FABS(row_2_7_of[2]) > STEWART_SUSPECT ? (STEWART_FABS(row_1_6_of[1]) > STEWART_SUSPECT
-        ? (STEWART_FABS(row_0_2_of[0]) > STEWART_SUSPECT ? REAL(0) : REAL(1)) : REAL(1)) : REAL(1)) : REAL(1))
-        : REAL(1)) : REAL(1);
+    const stewart_real small = STEWART_FABS(row_0_2_of[0]) > STEWART_SUSPECT ? REAL(0) : REAL(1);
+    const stewart_real small_2 = STEWART_FABS(row_1_6_of[1]) > STEWART_SUSPECT ? small : REAL(1);
+    const stewart_real small_3 = STEWART_FABS(row_2_7_of[2]) > STEWART_SUSPECT ? small_2 : REAL(1);
+    const stewart_real small_4 = STEWART_FABS(row_3_6_of[3]) > STEWART_SUSPECT ? small_3 : REAL(1);
+    const stewart_real small_5 = STEWART_FABS(row_4_7_of[4]) > STEWART_SUSPECT ? small_4 : REAL(1);
+    solution->suspect = STEWART_FABS(row_5_8_of[5]) > STEWART_SUSPECT ? small_5 : REAL(1);
     solution->x[5] = y_5;
     solution->x[4] = y_4;
     solution->x[3] = y_3;
@@ -424,12 +426,12 @@ STEWART_APART STEWART_SHARED void compute_pivots_pose(
 }
 
 typedef struct {
-    stewart_real H[6][POSES];
-} STEWART_ALIGNED columns_block;
-
-typedef struct {
     stewart_real c[6][POSES];
 } STEWART_ALIGNED right_side_block;
+
+typedef struct {
+    stewart_real H[6][POSES];
+} STEWART_ALIGNED columns_block;
 
 typedef struct {
     stewart_real suspect[POSES];
@@ -559,6 +561,13 @@ STEWART_APART STEWART_SHARED void compute_pivots_block(
     solution_block *STEWART_RESTRICT solution)
 {
     int l;
+    stewart_real y_5_of[POSES];
+    stewart_real y_4_of[POSES];
+    stewart_real y_3_of[POSES];
+    stewart_real y_2_of[POSES];
+    stewart_real y_1_of[POSES];
+    stewart_real y_0_of[POSES];
+    stewart_real small_6_of[POSES];
     for (l = 0; l < POSES; ++l) {
         const stewart_real H_1_leg1 = columns[0].H[1][l], H_0_leg1 = columns[0].H[0][l], H_2_leg1 = columns[0].H[2][l];
         const stewart_real H_1_leg2 = columns[1].H[1][l], H_0_leg2 = columns[1].H[0][l], H_2_leg2 = columns[1].H[2][l],
@@ -790,18 +799,31 @@ STEWART_APART STEWART_SHARED void compute_pivots_block(
             STEWART_FMA(-row_2_7_leg4, y_3, right_2_7)))*inverse_2;
         const stewart_real y_1 = STEWART_FMA(-row_1_6_leg6, y_5, STEWART_FMA(-row_1_6_leg5, y_4,
             STEWART_FMA(-row_1_6_leg4, y_3, STEWART_FMA(-row_1_6_leg3, y_2, right_1_6))))*inverse_1;
-        solution->x[0][l] = solution->weak[l] > REAL(0) ? STEWART_FMA(-row_0_2_leg6, y_5,
-            STEWART_FMA(-row_0_2_leg5, y_4, STEWART_FMA(-row_0_2_leg4, y_3, STEWART_FMA(-row_0_2_leg3, y_2,
-            STEWART_FMA(-row_0_2_leg2, y_1, right_0_2)))))*inverse_0 : solution->x[0][l];
-        solution->suspect[l] = solution->weak[l] > REAL(0) ? (STEWART_FABS(row_5_8_leg6) > STEWART_SUSPECT ? (STEWART_FABS(row_4_7_leg5) > STEWART_SUSPECT
-            ? (STEWART_FABS(row_3_6_leg4) > STEWART_SUSPECT ? (STEWART_FABS(row_2_7_leg3) > STEWART_SUSPECT
-            ? (STEWART_FABS(row_1_6_leg2) > STEWART_SUSPECT ? (STEWART_FABS(row_0_2_leg1) > STEWART_SUSPECT
-            ? REAL(0) : REAL(1)) : REAL(1)) : REAL(1)) : REAL(1)) : REAL(1)) : REAL(1)) : solution->suspect[l];
-        solution->x[5][l] = solution->weak[l] > REAL(0) ? y_5 : solution->x[5][l];
-        solution->x[4][l] = solution->weak[l] > REAL(0) ? y_4 : solution->x[4][l];
-        solution->x[3][l] = solution->weak[l] > REAL(0) ? y_3 : solution->x[3][l];
-        solution->x[2][l] = solution->weak[l] > REAL(0) ? y_2 : solution->x[2][l];
-        solution->x[1][l] = solution->weak[l] > REAL(0) ? y_1 : solution->x[1][l];
+        const stewart_real y_0 = STEWART_FMA(-row_0_2_leg6, y_5, STEWART_FMA(-row_0_2_leg5, y_4,
+            STEWART_FMA(-row_0_2_leg4, y_3, STEWART_FMA(-row_0_2_leg3, y_2, STEWART_FMA(-row_0_2_leg2, y_1,
+            right_0_2)))))*inverse_0;
+        const stewart_real small = STEWART_FABS(row_0_2_leg1) > STEWART_SUSPECT ? REAL(0) : REAL(1);
+        const stewart_real small_2 = STEWART_FABS(row_1_6_leg2) > STEWART_SUSPECT ? small : REAL(1);
+        const stewart_real small_3 = STEWART_FABS(row_2_7_leg3) > STEWART_SUSPECT ? small_2 : REAL(1);
+        const stewart_real small_4 = STEWART_FABS(row_3_6_leg4) > STEWART_SUSPECT ? small_3 : REAL(1);
+        const stewart_real small_5 = STEWART_FABS(row_4_7_leg5) > STEWART_SUSPECT ? small_4 : REAL(1);
+        const stewart_real small_6 = STEWART_FABS(row_5_8_leg6) > STEWART_SUSPECT ? small_5 : REAL(1);
+        y_5_of[l] = y_5;
+        y_4_of[l] = y_4;
+        y_3_of[l] = y_3;
+        y_2_of[l] = y_2;
+        y_1_of[l] = y_1;
+        y_0_of[l] = y_0;
+        small_6_of[l] = small_6;
+    }
+    for (l = 0; l < POSES; ++l) {
+        solution->x[5][l] = solution->weak[l] > REAL(0) ? y_5_of[l] : solution->x[5][l];
+        solution->x[4][l] = solution->weak[l] > REAL(0) ? y_4_of[l] : solution->x[4][l];
+        solution->x[3][l] = solution->weak[l] > REAL(0) ? y_3_of[l] : solution->x[3][l];
+        solution->x[2][l] = solution->weak[l] > REAL(0) ? y_2_of[l] : solution->x[2][l];
+        solution->x[1][l] = solution->weak[l] > REAL(0) ? y_1_of[l] : solution->x[1][l];
+        solution->x[0][l] = solution->weak[l] > REAL(0) ? y_0_of[l] : solution->x[0][l];
+        solution->suspect[l] = solution->weak[l] > REAL(0) ? small_6_of[l] : solution->suspect[l];
     }
 }
 
