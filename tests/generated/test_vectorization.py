@@ -24,7 +24,8 @@ def loops(text: str) -> list[tuple[str, range]]:
         first = text.count("\n", 0, function.start()) + 1
         begins = [i for i, line in enumerate(body) if LOOP.match(line)]
         ends = [*begins[1:], len(body)]
-        found += [(function[1], range(first + i, first + end)) for i, end in zip(begins, ends, strict=True)]
+        computing = ((i, end) for i, end in zip(begins, ends, strict=True) if "*" in "".join(body[i:end]))
+        found += [(function[1], range(first + i, first + end)) for i, end in computing]
     return found
 
 
