@@ -5,6 +5,8 @@ flow, each folder imports only the folders before it:
 
     program     blocks: straight-line programs with named steps, and their transformations
     mechanics   equations of the paper as blocks: legs, platform, forces, closed form, regressor, reductions
+    trace       traces of kernels and their schedules; trees of functions
+    kernels     actuator forces as an ordinary Python function that is traced
     kernel      complete functions as trees: blocks with loops, checks, and linear solves
     print       trees as C, Python, MATLAB, and Rust
     emit        files of ``generated/``

@@ -27,7 +27,6 @@ from .kernel import kinematics as search
 from .kernel.bounds import BoundedForces
 from .kernel.operations import KernelOperations, force_operations, kernel_operations
 from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
-from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.axial_forces import axial_block
@@ -44,6 +43,7 @@ from .mechanics.regressor import regressor, rotor_columns
 from .print.template import filled
 from .program.block import Block
 from .program.cse import share, shared_blocks
+from .trace.nodes import Program, joined
 
 WHOLE = (EXACT, EXACT_DRIVE)
 """Formulations that have a closed form and error bounds."""

@@ -24,7 +24,7 @@ import stewart_sym as ss
 from stewart_sym.backend.kernel_sources import generated_text
 from stewart_sym.cli import main
 from stewart_sym.derive.kernel.interface import STRUCTS
-from stewart_sym.derive.kernel.tree.constants import STATUSES
+from stewart_sym.derive.trace.constants import STATUSES
 from stewart_sym.viewer.view import frame
 
 _HEIGHT = 780

@@ -7,9 +7,6 @@ import sympy as sp
 
 from ..kernel.inverse_dynamics import arrays_program, regressor_program, rotor_program, shared_program
 from ..kernel.operations import KernelOperations, force_operations
-from ..kernel.tree import nodes as t
-from ..kernel.tree.constants import NAMES, PRECISIONS, STATUS, constants
-from ..kernel.tree.lower import expression
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
@@ -21,6 +18,9 @@ from ..print.python import Python
 from ..print.spelling import WIDTH
 from ..print.template import filled
 from ..program.block import Block, Quantity, component_name
+from ..trace import nodes as t
+from ..trace.constants import NAMES, PRECISIONS, STATUS, constants
+from ..trace.lower import expression
 from .inverse_dynamics import operations_table, wrap_list
 
 Counts = Mapping[str, KernelOperations]

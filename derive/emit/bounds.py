@@ -1,9 +1,9 @@
 """C99 files of the actuator forces with bounds of their rounding errors and the reciprocal condition of H."""
 
 from ..kernel.bounds import BoundedForces
-from ..kernel.tree.nodes import Function
 from ..print.c import C
 from ..print.template import filled
+from ..trace.nodes import Function
 from .shared import LANES, SIZES, header
 
 _OF_FORCES = ("shared_of_pose", "leg_of_pose", "leg_of_pose_near_singularity")

@@ -1,6 +1,6 @@
 """C99 files of the closed form: equations of motion, bias, forward dynamics, derivatives, linearization.
 
-The trees of ``kernel.outputs`` are printed with the legs in lanes (``kernel.tree.legs_in_lanes``), and use
+The trees of ``kernel.outputs`` are printed with the legs in lanes (``trace.legs_in_lanes``), and use
 the prepared model of the force kernel. Parts that exist only in C are in ``kernel.written.motion``, and
 batches in ``closed_form_blocks``.
 """
@@ -12,11 +12,6 @@ import sympy as sp
 
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
-from ..kernel.tree import nodes as t
-from ..kernel.tree import read
-from ..kernel.tree.decided_selections import settled
-from ..kernel.tree.legs_in_lanes import Layout
-from ..kernel.tree.lower import expression, steps_of
 from ..kernel.written.motion import closed_form_results as results
 from ..kernel.written.motion import lanes as written
 from ..mechanics import quantities as n
@@ -26,6 +21,11 @@ from ..mechanics.closed_form.terms import SumKernel
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Operations, Quantity
+from ..trace import nodes as t
+from ..trace import read
+from ..trace.decided_selections import settled
+from ..trace.legs_in_lanes import Layout
+from ..trace.lower import expression, steps_of
 from . import closed_form_blocks as blocks
 from .closed_form_blocks import CHECKS, LEGS
 from .closed_form_interface import OF_BATCHES, PARTS, STRUCTS, arrays_of, interface, members, struct_of

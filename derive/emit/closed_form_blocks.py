@@ -10,9 +10,6 @@ from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_block, missi
 from ..kernel.outputs import SIX, inertia_at
 from ..kernel.prepare import MOTION, result
 from ..kernel.shared import shared
-from ..kernel.tree import nodes as t
-from ..kernel.tree import read
-from ..kernel.tree.read import LANES
 from ..kernel.written.motion import blocks as texts
 from ..kernel.written.motion import closed_form_results as results
 from ..mechanics import quantities as n
@@ -20,6 +17,9 @@ from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.closed_form import GIVEN
 from ..mechanics.closed_form.terms import BY_POSE, BY_TWIST, CORIOLIS, F_LEG, SumKernel
 from ..program.block import Quantity
+from ..trace import nodes as t
+from ..trace import read
+from ..trace.read import LANES
 from .closed_form_interface import OF_BATCHES, STRUCTS, arrays_of, in_place, members_in_order, struct_of
 
 OUTPUTS = ("equations", "bias_and_friction", "forward_dynamics", "derivatives")

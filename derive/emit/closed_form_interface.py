@@ -9,11 +9,11 @@ from ..kernel import outputs as o
 from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_one, missing
 from ..kernel.interface import CALLS
 from ..kernel.prepare import MOTION, result
-from ..kernel.tree import nodes as t
-from ..kernel.tree import read
-from ..kernel.tree.read import LANES
 from ..kernel.written import batch
 from ..mechanics import quantities as n
+from ..trace import nodes as t
+from ..trace import read
+from ..trace.read import LANES
 
 STRUCTS = {
     "equations": "Terms of the equations of motion, base frame, moments about the reference point.",

@@ -4,9 +4,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from ..kernel.interface import CALLS, STRUCTS, Member
-from ..kernel.tree.constants import STATUSES
 from ..mechanics.quantities import MOTION, OF_LEG, PLATFORM
 from ..print.template import filled
+from ..trace.constants import STATUSES
 
 _MORE = {"NOT_CONVERGED": ", or R of the guess is not a rotation"}
 """Causes of a status in addition to its text."""

@@ -11,14 +11,14 @@ from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Written, filling, structure
 from ..kernel.operations import LEGS, KernelOperations
 from ..kernel.shared import legs_in_turn, shared
-from ..kernel.tree.nodes import Array, Field, Number, Real, Statement, Structure
-from ..kernel.tree.read import Given
 from ..kernel.written import every_output as written
 from ..mechanics import quantities as n
 from ..mechanics.formulation import SPHERICAL, UNIVERSAL
 from ..mechanics.inverse_dynamics import Kernel
 from ..print.c import C
 from ..program.block import Block
+from ..trace.nodes import Array, Field, Number, Real, Statement, Structure
+from ..trace.read import Given
 from .shared import OUTPUTS, Part, Source, header, top
 
 

@@ -7,13 +7,13 @@ from collections.abc import Iterable
 
 from ..kernel.elimination import RETURNED
 from ..kernel.kinematics import legs_batch, rotation_program, search_operations, search_program
-from ..kernel.tree.constants import SEARCH
-from ..kernel.tree.decided_selections import of_one_pose
-from ..kernel.tree.nodes import Program, snake
 from ..mechanics.kinematics import Kinematics
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block
+from ..trace.constants import SEARCH
+from ..trace.decided_selections import of_one_pose
+from ..trace.nodes import Program, snake
 from .shared import ARITHMETIC, header, top
 
 STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}

@@ -8,15 +8,15 @@ from ..kernel.batches import LOADS, MOTIONS, batch, is_null, loaded_one, missing
 from ..kernel.layouts import LANE, Place, Written
 from ..kernel.prepare import LEG, MOTION, ROBOT
 from ..kernel.shared import shared
-from ..kernel.tree import nodes as t
-from ..kernel.tree.lower import steps_of
-from ..kernel.tree.read import LANES, Entries, Given
 from ..kernel.written.batch import load_pose
 from ..kernel.written.motion import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, column, names_of
 from ..print.c import C
 from ..program.block import Block, Quantity
+from ..trace import nodes as t
+from ..trace.lower import steps_of
+from ..trace.read import LANES, Entries, Given
 from .closed_form import checks
 from .closed_form_blocks import CHECKS, LEGS
 from .shared import SIZES, SOLVE, header, top

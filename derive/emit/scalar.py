@@ -13,9 +13,6 @@ from ..kernel.batches import missing
 from ..kernel.elimination import BY_POINTERS
 from ..kernel.operations import force_operations
 from ..kernel.shared import shared
-from ..kernel.tree import nodes as t
-from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.read import Given
 from ..kernel.written import scalar as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel, joined
@@ -23,6 +20,10 @@ from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity, part_of
 from ..program.order import AS_DERIVED
+from ..trace import nodes as t
+from ..trace.lower import expression, steps_of
+from ..trace.placement import where_read
+from ..trace.read import Given
 from .inverse_dynamics import operations_table
 from .shared import SOLVE, Part, Source, header, top
 
@@ -211,8 +212,8 @@ class _Source(Source):
         exprs, used = block.exprs, lay.names_used(block)
         before, after = lay.parted_steps(own, (*exprs[n.L], *exprs.get(n.k3, ())))
         loads = lay.loads((q for q in block.inputs if q != q_1), used, self._layout)
-        first, loads = lay.where_read(loads, steps_of(before, AS_DERIVED))
-        then, loads = lay.where_read(loads, steps_of(after, AS_DERIVED))
+        first, loads = where_read(loads, steps_of(before, AS_DERIVED))
+        then, loads = where_read(loads, steps_of(after, AS_DERIVED))
         alone = near or kernel.leg_near_singular is None
         given: dict[str, Given] = {
             "NEAR": int(near),

@@ -8,11 +8,11 @@ from types import MappingProxyType
 from ..kernel.layouts import Written
 from ..kernel.prepare import LUMPED
 from ..kernel.shared import Shared, shared
-from ..kernel.tree import nodes as t
-from ..kernel.tree.read import LANES as COUNT
-from ..kernel.tree.read import POSES
 from ..print.c import C
 from ..print.template import filled
+from ..trace import nodes as t
+from ..trace.read import LANES as COUNT
+from ..trace.read import POSES
 
 ARITHMETIC, SOLVE = "stewart_arithmetic.h", "stewart_solve.h"
 LANES, OUTPUTS = "stewart_lanes.h", "stewart_outputs.h"
@@ -36,11 +36,7 @@ def shared_headers(version: str, about_tip: bool = True) -> Mapping[str, str]:
         ARITHMETIC: filled("arithmetic.h", version=version),
         SOLVE: filled("solve.h", version=version, functions=_printed(found, (LUMPED, *found.solve))),
         LANES: filled(
-            "lanes.h",
-            version=version,
-            functions=_printed(found, (*found.lanes[:-3], *found.moments)),
-            solve_block=_printed(found, found.lanes[-3:], "STEWART_NO_COPY "),
-            blocks=filled("blocks.c"),
+            "lanes.h", version=version, functions=_printed(found, found.lanes), blocks=filled("blocks.c")
         ),
         OUTPUTS: filled(
             "outputs.h", version=version, functions=_printed(found, (found.platform_terms, *found.outputs))
@@ -49,8 +45,8 @@ def shared_headers(version: str, about_tip: bool = True) -> Mapping[str, str]:
     return MappingProxyType(texts)
 
 
-def _printed(found: Shared, parts: tuple[t.Structure | t.Function, ...], more: str = "") -> str:
-    printer = C(found.by_name.values(), _OF_BLOCKS, static=f"STEWART_SHARED {more}", unread=("D",))
+def _printed(found: Shared, parts: tuple[t.Structure | t.Function, ...]) -> str:
+    printer = C(found.by_name.values(), _OF_BLOCKS, static="STEWART_SHARED ")
     return printer.source(*parts)
 
 

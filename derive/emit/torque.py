@@ -4,10 +4,10 @@ from random import Random
 
 from ..kernel.interface import STRUCTS
 from ..kernel.torque import axial_program, torque_program
-from ..kernel.tree.decided_selections import of_one_pose
-from ..kernel.tree.operation_counter import counted
 from ..mechanics.formulation import SPHERICAL, Formulation
 from ..program.block import Block, Operations
+from ..trace.decided_selections import of_one_pose
+from ..trace.operation_counter import counted
 from .header import member_text
 from .kinematics import OF_STEWART_H, files
 

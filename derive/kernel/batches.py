@@ -5,8 +5,8 @@ from functools import partial, reduce
 
 from ..mechanics import quantities as n
 from ..program.block import Quantity
-from .tree import nodes as t
-from .tree.read import Given
+from ..trace import nodes as t
+from ..trace.read import Given
 from .written import batch as text
 
 NUMBERS = t.Pointer(t.Real())

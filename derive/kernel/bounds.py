@@ -29,6 +29,11 @@ from ..program.rounding import (
     error_symbol,
     rounded,
 )
+from ..trace import nodes as t
+from ..trace.constants import SMALLEST
+from ..trace.fused import with_products_in_sums
+from ..trace.lower import expression, remark
+from ..trace.read import LANES, Given
 from . import batches
 from . import prepare as p
 from .batches import LOADS, MOTIONS, missing, parts_at, parts_of_one
@@ -44,12 +49,7 @@ from .layouts import (
     stored,
     stores,
 )
-from .shared import legs_with_errors, shared
-from .tree import nodes as t
-from .tree.constants import SMALLEST
-from .tree.fused import with_products_in_sums
-from .tree.lower import expression, remark
-from .tree.read import LANES, Given
+from .shared import common_parts, legs_with_errors, shared
 from .written import batch
 from .written import bounds as written
 
@@ -99,7 +99,13 @@ class BoundedForces:
             "Motions": MOTIONS,
         } | self._structures()
         flags = _FLAGS | {"COUNT": self.model_numbers(), "SMALLEST": t.Number(SMALLEST)}
-        self.texts = Written(self.structures, flags, shared().by_name)
+        common = {each.name: each for each in common_parts() if isinstance(each, t.Structure)}
+        solved = {
+            "Columns": common["columns_pose"],
+            "RightSide": common["right_side_pose"],
+            "Solution": common["solution_pose"],
+        }
+        self.texts = Written(self.structures | solved, flags, shared().by_name)
 
     def _structures(self) -> dict[str, t.Structure]:
         kernel, name = self.kernel, f"stewart_{self.kernel.formulation.kernel_name}_bounds"

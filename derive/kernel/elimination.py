@@ -6,8 +6,8 @@
 
 from collections.abc import Callable, Mapping
 
-from .tree.nodes import Element, Expression, Name, Number
-from .tree.read import Given
+from ..trace.nodes import Element, Expression, Name
+from ..trace.read import Given
 from .written import elimination as text
 
 
@@ -19,12 +19,6 @@ def _entries(name: str) -> Callable[..., Expression]:
 def _one(name: str) -> Callable[..., Expression]:
     """Return one variable for all indices of a loop."""
     return lambda *_: Name(name)
-
-
-def _whole(row: Expression, column: Expression | None = None) -> Expression:
-    """Return entries of complete rows, whose current column is in variables."""
-    assert isinstance(row, Number)
-    return Name(f"a_{row.value}") if column in (None, row) else Element(Name("A"), (row, column))
 
 
 RETURNED: Mapping[str, Given] = {"reject": text.returned, "CARRIED": 0}
@@ -109,29 +103,6 @@ INVERSE: Mapping[str, Given] = {
 """The inverse, each row times its pivot, beside H."""
 
 
-def in_lanes(about_tip: bool) -> dict[str, Given]:
-    """Return the layout with a variable for each entry, in a loop over lanes without branches."""
-    return {
-        **_COMMON,
-        "FIRST": 3 if about_tip else 6,
-        "upper": lambda i, j: Name(f"a_{i.value}_{j.value}"),
-        "exchange": text.exchange_in_lanes,
-        "weigh_pivot": text.fault_in_lanes,
-    }
-
-
-def by_rows(about_tip: bool) -> dict[str, Given]:
-    """Return the layout of one pose with vector registers: a row of eight entries is one vector."""
-    return {
-        **_COMMON,
-        "FIRST": 3 if about_tip else 6,
-        "a": _whole,
-        "x": _entries("x"),
-        "exchange": text.exchange_whole,
-        "update": text.by_rows,
-    }
-
-
 BY_POINTERS: Mapping[str, Given] = {
     **_COMMON,
     "IN_ROWS": 1,
@@ -145,23 +116,10 @@ BY_POINTERS: Mapping[str, Given] = {
 }
 """One pose without vector registers: rows change places by their addresses, an upper one is read once."""
 
-_BLOCKS: Mapping[str, Given] = {
+BLOCKS_IN_ARRAYS: Mapping[str, Given] = {
     "two_blocks": text.two_blocks,
-    "eliminated": text.entry_by_entry,
-    "OWN": 0,
-    "GUARDED": 0,
-}
-BLOCKS_IN_ARRAYS: Mapping[str, Given] = {**_BLOCKS, "a": _entries("A"), "x": _entries("x"), "GUARDED": 1}
-"""Two blocks of poses side by side in arrays; nothing is divided by zero, for derivatives' sake."""
-BLOCKS_OF_POSE: Mapping[str, Given] = {
-    **_BLOCKS,
     "a": _entries("A"),
     "x": _entries("x"),
-    "eliminated": text.column_by_column,
+    "GUARDED": 1,
 }
-"""One pose, rows of eight vectors."""
-
-
-def blocks_in_lanes(about_tip: bool) -> dict[str, Given]:
-    """Return the layout of two blocks in lanes; leg 1 has no moments about platform point 1."""
-    return {**_BLOCKS, "OWN": 2 if about_tip else 0, "FIRST": 3 if about_tip else 6}
+"""Two blocks of poses side by side in arrays; nothing is divided by zero, for derivatives' sake."""

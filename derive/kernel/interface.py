@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from ..mechanics import quantities as n
 from ..program.block import Quantity
+from ..trace import nodes as t
 from .outputs import FORCED, RESULTS, arrays
-from .tree import nodes as t
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,13 @@ from ..mechanics.platform import platform
 from ..mechanics.regressor import Regressor
 from ..program.block import Block, Output
 from ..program.cse import share
+from ..trace import nodes as t
+from ..trace import read
 from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Arguments, Written, block_function, entries, structure
 from .prepare import ABOUT_REFERENCE as SIZES
 from .prepare import machine_structures, result
 from .shared import legs_in_turn
-from .tree import nodes as t
-from .tree import read
 from .written import inverse_dynamics as written
 from .written import legs, solve
 

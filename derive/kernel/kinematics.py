@@ -10,14 +10,14 @@ from typing import Any
 from ..mechanics import kinematics as k
 from ..mechanics import quantities as n
 from ..program.block import Block, Operations
+from ..trace import nodes as t
+from ..trace import read
+from ..trace.operation_counter import counted
 from . import batches
 from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
 from .elimination import CARRIED, RETURNED
 from .layouts import Arguments, Written, block_function, structure
 from .prepare import machine_structures, result
-from .tree import nodes as t
-from .tree import read
-from .tree.operation_counter import counted
 from .written import batch, legs
 from .written.kinematics import nearest_pose
 from .written.kinematics import pose_search as written

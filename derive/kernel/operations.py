@@ -10,21 +10,22 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
+from ..kernels.solve import solver
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.lumped_constants import arm_c
 from ..program.block import Block, Operations, part_of
-from .elimination import BY_POINTERS, ONCE, blocks_in_lanes, in_lanes
+from ..trace import read
+from ..trace.fused import fused, with_products_in_sums
+from ..trace.lanes import Lanes
+from ..trace.lower import expression, steps_of
+from ..trace.nodes import Binary, Function, Node, Program, Return, calls_in, parts_of
+from ..trace.operation_counter import counted
+from ..trace.read import POSES, Given
+from .elimination import BY_POINTERS, ONCE
 from .prepare import is_scaled
-from .shared import FORCE
-from .tree import read
-from .tree.fused import fused, with_products_in_sums
-from .tree.lower import expression, steps_of
-from .tree.nodes import Binary, Function, Name, Node, Program, Return, calls_in, parts_of
-from .tree.operation_counter import counted
-from .tree.read import POSES, Given
-from .written import lanes, scalar, solve
+from .written import scalar, solve
 
 LEGS = 6
 NOTHING = Operations()
@@ -66,31 +67,36 @@ class KernelOperations:
         }
 
 
-_SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
-    "every output": (solve.eliminate, ONCE, 1),
-    "block": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=False), POSES),
-    "block about tip": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=True), POSES),
-    "pivots about tip": (lanes.pivots_of_lanes, in_lanes(about_tip=True), POSES),
-    "one pose": (scalar.solve, BY_POINTERS, 1),
+_WRITTEN: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given]]] = {
+    "every output": (solve.eliminate, ONCE),
+    "one pose": (scalar.solve, BY_POINTERS),
+}
+_TRACED = {
+    "block": (False, "two_blocks"),
+    "block about tip": (True, "two_blocks"),
+    "pivots about tip": (True, "pivots"),
 }
 
 
 @cache
 def solve_operations(name: str) -> Operations:
-    """Count the operations of a written solve; for several systems side by side, of one of them."""
-    force, function, count = _solve(name)
+    """Count the operations of a solve; for several systems in lanes, of one of them."""
+    program, count = _solve(name)
     draw = random.Random(1)
-    alone = Program("", (), (force, function))
-    found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"POSES": POSES})
+    function = program.functions[-1].name
+    found = counted(program, function, lambda _: draw.uniform(0.5, 1.5), {"POSES": POSES})
     return Operations(*(each // count for each in (found.mul, found.add, found.div, found.sqrt)))
 
 
 @cache
-def _solve(name: str) -> tuple[Function, Function, int]:
-    """Function with a solve, statement that replaces F = D - x in it, and the number of systems it solves."""
-    text, given, count = _SOLVES[name]
-    force = replace(FORCE, body=(Return(Name("x")),))
-    return force, read.function(text, {}, {force.name: force}, given=given), count
+def _solve(name: str) -> tuple[Program, int]:
+    """Return a program whose last function is a solve, and the number of systems that it solves."""
+    if name in _WRITTEN:
+        text, given = _WRITTEN[name]
+        return Program("", (), (read.function(text, {}, {}, given=given),)), 1
+    about_tip, part = _TRACED[name]
+    schedule = Lanes(solver(about_tip), "", poses_in_lanes=True)
+    return Program("", tuple(schedule.structures().values()), (schedule.functions[part],)), POSES
 
 
 def _fused(function: Function, named: bool = False) -> int:
@@ -153,7 +159,7 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
         + _fused_in(kernel.shared, named=not scalar_text)
         + (_fused_in(kernel.shift) + arms * _fused_in(kernel.moments) if kernel.about_tip else 0)
         + (_fused_in(point) if scalar_text else 0)
-        + _fused(_solve(solve)[1]),
+        + _fused(_solve(solve)[0].functions[-1]),
     )
 
 

@@ -13,15 +13,15 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.closed_form import terms
 from ..program.block import Block, Output, Quantity
+from ..trace import nodes as t
+from ..trace import read
+from ..trace.function_text import Names
+from ..trace.nodes import Field, Record, Structure
 from .elimination import BLOCKS_IN_ARRAYS, CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
 from .layouts import Arguments, block_function, structure
 from .prepare import block_arguments, model_functions, model_structures
 from .prepare import result as _result
 from .shared import legs_in_turn, shared
-from .tree import nodes as t
-from .tree import read
-from .tree.function_text import Names
-from .tree.nodes import Field, Record, Structure
 from .written import closed_form, elimination, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"

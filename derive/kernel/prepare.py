@@ -14,11 +14,11 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Block, Quantity
+from ..trace import nodes as t
+from ..trace import read
+from ..trace.constants import LARGEST, SMALLEST
+from ..trace.read import Given
 from . import layouts as lay
-from .tree import nodes as t
-from .tree import read
-from .tree.constants import LARGEST, SMALLEST
-from .tree.read import Given
 from .written import forces, solve
 
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST

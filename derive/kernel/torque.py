@@ -4,12 +4,12 @@ from math import factorial
 
 from ..mechanics import quantities as n
 from ..program.block import Block
+from ..trace import nodes as t
+from ..trace.read import Entries, Given
 from .elimination import RETURNED
 from .interface import STRUCTS
 from .layouts import Arguments, Written, block_function, structure
 from .prepare import machine_structures, result
-from .tree import nodes as t
-from .tree.read import Entries, Given
 from .written import legs
 
 DRIVES = t.Structure(

@@ -16,11 +16,11 @@ from ..mechanics import lumped_constants
 from ..mechanics import quantities as n
 from ..mechanics.closed_form import terms
 from ..program.block import AXES, Quantity
+from ..trace.constants import constants
+from ..trace.interpret import Arithmetic, Interpreter
+from ..trace.nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
 from .outputs import FORWARD
 from .prepare import PER_LENGTH
-from .tree.constants import constants
-from .tree.interpret import Arithmetic, Interpreter
-from .tree.nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
 
 Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
 

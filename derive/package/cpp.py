@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from ..kernel.interface import Argument
 from ..kernel.outputs import FORCES, OUTPUTS
-from ..kernel.tree.constants import STATUSES
+from ..trace.constants import STATUSES
 from .functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from .text_format import template
 

@@ -14,10 +14,10 @@ from dataclasses import dataclass, replace
 from html import escape
 
 from ..kernel.interface import CALLS, STRUCTS, Member
-from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..mechanics.orientation import RATE, SECOND
 from ..program.block import AXES, Quantity
+from ..trace.constants import STATUSES
 from . import kit_license
 from .functions import MODEL, Function, Part, includes
 from .robot_source import Machine

@@ -5,9 +5,9 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..print.c import wrapped
+from ..trace.constants import STATUSES
 from . import kit_license
 from .forces_name import FORCES_HEADER
 from .functions import DRIVES, MODEL, Function, Part, reads_robot

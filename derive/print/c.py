@@ -4,8 +4,8 @@ import textwrap
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby
 
-from ..kernel.tree import nodes as t
-from ..kernel.tree.fused import fused
+from ..trace import nodes as t
+from ..trace.fused import fused
 from .spelling import ATOM, COMPARE, LEVELS, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer, remark
 
 _BUILT_IN = {
@@ -39,8 +39,6 @@ class C(Printer):
         Structures of variables by name.
     static : str
         Prefix of functions that are not in the interface.
-    unread : collection of str
-        Arguments that macros may not read.
     fused : bool
         True to print products that feed sums as ``STEWART_FMA``.
     apart : collection of str
@@ -55,13 +53,12 @@ class C(Printer):
         records: Mapping[str, str] | None = None,
         structures: Iterable[t.Structure] = (),
         static: str = "static ",
-        unread: Collection[str] = (),
         fused: bool = True,
         apart: Collection[str] = PREPARATION,
     ) -> None:
         super().__init__(functions)
         self.sizes, self.brackets = dict(sizes or {}), brackets
-        self.static, self.unread = static, unread
+        self.static = static
         self.fused, self.apart = fused, apart
         self.records = dict(records or {})
         self.structures = {each.name: each for each in structures}
@@ -301,7 +298,7 @@ class C(Printer):
         apart = "STEWART_APART " if function.apart else ""
         inlined = "STEWART_INLINE " if function.inlined else ""
         static = "" if function.public else f"{apart}{self.static}{inlined}"
-        used = {each.name for each in t.names_in(function.body)}.difference(self.unread)
+        used = {each.name for each in t.names_in(function.body)}
         return [
             *([] if function.public else self.remark(function.meaning)),
             *self.head(static, function, ""),

@@ -3,8 +3,8 @@
 import math
 import textwrap
 
-from ..kernel.tree import nodes as t
-from ..kernel.tree.nodes import snake
+from ..trace import nodes as t
+from ..trace.nodes import snake
 from .spelling import Printer
 
 

@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterable, Mapping
 from itertools import groupby
 from types import MappingProxyType
 
-from ..kernel.tree import nodes as t
-from ..kernel.tree.constants import INTEGERS
+from ..trace import nodes as t
+from ..trace.constants import INTEGERS
 from .spelling import ATOM, WIDTH, Printer, remark
 
 

@@ -2,7 +2,7 @@
 
 from functools import reduce
 
-from ..kernel.tree import nodes as t
+from ..trace import nodes as t
 from .spelling import SUM, WIDTH, Printer, remark
 
 

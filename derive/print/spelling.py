@@ -4,7 +4,7 @@ import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 
-from ..kernel.tree import nodes as t
+from ..trace import nodes as t
 
 WIDTH = 108
 SELECT, OR, AND, COMPARE, SUM, PRODUCT, SIGN, ATOM = range(8)

@@ -32,33 +32,6 @@ typedef struct {
     stewart_real M_ext[3][POSES];
 } STEWART_ALIGNED motion_lanes;
 
-/* Terms of a pose that are common to all legs. */
-typedef struct {
-    stewart_real B[9];
-    stewart_real c_force[3];
-    stewart_real c_moment[3];
-    stewart_real c_tip[3];
-} shared_terms;
-
-typedef struct {
-    stewart_real B[9][POSES];
-    stewart_real least_L[POSES]; /* m: length below which a leg must be checked */
-} STEWART_ALIGNED shared_lanes;
-
-/* The legs of one pose. */
-typedef struct {
-    stewart_real A[6][LANES]; /* H, one column for each leg */
-    stewart_real q[3][LANES];
-    stewart_real D[LANES];
-    stewart_real c_force[3][LANES];
-    stewart_real c_moment[3][LANES];
-    stewart_real arm_c[3][LANES];
-    stewart_real L[LANES];
-    stewart_real reach[LANES];
-    stewart_real k3[LANES];
-    stewart_real bad[LANES]; /* 1 if the leg must be checked, else 0 */
-} leg_lanes;
-
 /* Constants of one leg, and its contributions to the constants of the platform. */
 static void prepare_leg(
     const stewart_robot *robot, const stewart_leg *leg, int i, stewart_exact_model *out,
@@ -305,24 +278,108 @@ int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model
     return STEWART_OK;
 }
 
-/* Computes the terms of a pose that are common to all legs: 180 (93 mul, 87 add, 0 div, 0 sqrt)
- * operations. */
-static void shared_of_pose(const stewart_exact_model *model, const stewart_motion *at, shared_terms *out)
+typedef struct {
+    stewart_real B[9];
+    stewart_real c_force[3];
+    stewart_real c_moment[3];
+    stewart_real least_L;
+} STEWART_ALIGNED shared_terms_pose;
+
+typedef struct {
+    stewart_real L[LANES];
+    stewart_real S_x[LANES];
+    stewart_real S_y[LANES];
+    stewart_real S_z[LANES];
+    stewart_real inv_L[LANES];
+    stewart_real inv_rho[LANES];
+    stewart_real k_cross_S_x[LANES];
+    stewart_real k_cross_S_y[LANES];
+    stewart_real k_cross_S_z[LANES];
+    stewart_real q[3][LANES];
+    stewart_real rho[LANES];
+    stewart_real zeta[LANES];
+} STEWART_ALIGNED leg_roots_pose;
+
+typedef struct {
+    stewart_real D[LANES];
+    stewart_real c_force[3][LANES];
+    stewart_real c_moment[3][LANES];
+    stewart_real k3[LANES];
+    stewart_real unfit_2[LANES];
+} STEWART_ALIGNED leg_terms_pose;
+
+typedef struct {
+    stewart_real any_unfit;
+    stewart_real is_short;
+} STEWART_ALIGNED legs_fit_pose;
+
+typedef struct {
+    stewart_real reach[LANES];
+} STEWART_ALIGNED reach_of_legs_pose;
+
+typedef struct {
+    stewart_real near_6;
+} STEWART_ALIGNED examination_pose;
+
+typedef struct {
+    stewart_real c_tip[3];
+    stewart_real q_1_x;
+    stewart_real q_1_y;
+    stewart_real q_1_z;
+} STEWART_ALIGNED tip_terms_pose;
+
+typedef struct {
+    stewart_real arm_c[3][LANES];
+} STEWART_ALIGNED moment_terms_pose;
+
+typedef struct {
+    stewart_real F[6];
+} STEWART_ALIGNED forces_pose;
+
+typedef struct {
+    stewart_real doubtful;
+} STEWART_ALIGNED force_terms_pose;
+
+typedef struct {
+    stewart_real reach_2[LANES];
+} STEWART_ALIGNED reach_of_rows_pose;
+
+/* Computes terms of a pose that are common to all legs: 180 (93 mul, 87 add, 0 div, 0 sqrt). */
+static void compute_shared_terms_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    shared_terms_pose *STEWART_RESTRICT shared_terms)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
-        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
-    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
-    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
-    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real alpha_z = at->alpha[2], alpha_y = at->alpha[1], alpha_x = at->alpha[0];
+    const stewart_real R_xx = at->R[0];
+    const stewart_real r_C_x = model->r_C[0];
+    const stewart_real R_xy = at->R[1];
+    const stewart_real r_C_y = model->r_C[1];
+    const stewart_real R_xz = at->R[2];
+    const stewart_real r_C_z = model->r_C[2];
+    const stewart_real R_yx = at->R[3], R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7],
+        R_zz = at->R[8];
     const stewart_real M_P = model->M_P;
-    const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
-    const stewart_real J_C_xx = model->J_C[0], J_C_xy = model->J_C[1], J_C_xz = model->J_C[2], J_C_yy = model->J_C[3],
-        J_C_yz = model->J_C[4], J_C_zz = model->J_C[5];
-    const stewart_real dJ_C_x = model->dJ_C[0], dJ_C_y = model->dJ_C[1], dJ_C_z = model->dJ_C[2];
+    const stewart_real g_x = model->g[0];
+    const stewart_real a_x = at->a[0];
+    const stewart_real g_y = model->g[1];
+    const stewart_real a_y = at->a[1];
+    const stewart_real g_z = model->g[2];
+    const stewart_real a_z = at->a[2];
+    const stewart_real M_ext_x = at->M_ext[0];
+    const stewart_real J_C_yz = model->J_C[4], J_C_xx = model->J_C[0];
+    const stewart_real dJ_C_x = model->dJ_C[0];
+    const stewart_real J_C_xy = model->J_C[1], J_C_xz = model->J_C[2];
+    const stewart_real M_ext_y = at->M_ext[1];
+    const stewart_real J_C_yy = model->J_C[3];
+    const stewart_real dJ_C_y = model->dJ_C[1];
+    const stewart_real M_ext_z = at->M_ext[2];
+    const stewart_real J_C_zz = model->J_C[5];
+    const stewart_real dJ_C_z = model->dJ_C[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real C_P = model->C_P;
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real t_z = at->t[2], t_y = at->t[1], t_x = at->t[0];
+    const stewart_real base_reach = model->base_reach;
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xy = omega_x*omega_y;
@@ -382,61 +439,45 @@ static void shared_of_pose(const stewart_exact_model *model, const stewart_motio
         alpha_P_y), STEWART_FMA(J_C_xz, STEWART_FMA_OF(P_yz, omega_P_y, omega_P_z, -alpha_P_x),
         STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy,
         STEWART_FMA_OF(-P_yy, -omega_P_y, omega_P_y, P_xx), M_ext_z)))));
-    out->B[0] = B_xx;
-    out->B[1] = B_xy;
-    out->B[2] = B_xz;
-    out->B[3] = B_yx;
-    out->B[4] = B_yy;
-    out->B[5] = B_yz;
-    out->B[6] = B_zx;
-    out->B[7] = B_zy;
-    out->B[8] = B_zz;
-    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
-        N_x)));
-    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
-        N_y)));
-    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
-        N_z)));
-    out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
+    shared_terms->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x,
+        R_xx, N_x)));
+    shared_terms->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x,
+        R_yx, N_y)));
+    shared_terms->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x,
+        R_zx, N_z)));
+    shared_terms->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
         STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
-    out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
+    shared_terms->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
         STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
-    out->c_moment[2] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
+    shared_terms->c_moment[2] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
         STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
+    shared_terms->least_L = REAL(2.25)*STEWART_SHORT_SHARE*STEWART_LARGER(STEWART_FABS(t_z),
+        STEWART_LARGER(STEWART_FABS(t_y), STEWART_LARGER(STEWART_FABS(t_x), STEWART_LARGER(base_reach,
+        STEWART_SHORTEST/STEWART_ROUNDING))));
+    shared_terms->B[0] = B_xx;
+    shared_terms->B[1] = B_xy;
+    shared_terms->B[2] = B_xz;
+    shared_terms->B[3] = B_yx;
+    shared_terms->B[4] = B_yy;
+    shared_terms->B[5] = B_yz;
+    shared_terms->B[6] = B_zx;
+    shared_terms->B[7] = B_zy;
+    shared_terms->B[8] = B_zz;
 }
 
-/* Computes the legs of one pose in lanes: 265 (156 mul, 105 add, 2 div, 2 sqrt) operations each. */
-static void legs_of_pose(
+/* Computes a leg up to its square roots: 46 (22 mul, 20 add, 2 div, 2 sqrt). */
+STEWART_APART static void compute_leg_roots_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+    leg_roots_pose *STEWART_RESTRICT leg_roots)
 {
     int l;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
         R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
-    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
-    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
-        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
-        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
-        const stewart_real C_p = model->C_p[l];
-        const stewart_real C_s = model->C_s[l];
-        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
-        const stewart_real h2_x = model->h2_x[l];
-        const stewart_real h2_y = model->h2_y[l];
-        const stewart_real h2_z = model->h2_z[l];
-        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l], J_yz = model->J[4][l];
-        const stewart_real J2_xz = model->J2_xz[l];
-        const stewart_real dJ_zx = model->dJ_zx[l];
-        const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
-        const stewart_real C_us = model->C_us[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
@@ -459,12 +500,78 @@ static void legs_of_pose(
         /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
-        const stewart_real inv_L = REAL(1)/L;
+        leg_roots->inv_L[l] = REAL(1)/L;
+        leg_roots->inv_rho[l] = REAL(1)/rho;
+        leg_roots->q[0][l] = q_x;
+        leg_roots->q[1][l] = q_y;
+        leg_roots->q[2][l] = q_z;
+        leg_roots->S_x[l] = S_x;
+        leg_roots->S_y[l] = S_y;
+        leg_roots->S_z[l] = S_z;
+        leg_roots->zeta[l] = zeta;
+        leg_roots->k_cross_S_x[l] = k_cross_S_x;
+        leg_roots->k_cross_S_y[l] = k_cross_S_y;
+        leg_roots->k_cross_S_z[l] = k_cross_S_z;
+        leg_roots->L[l] = L;
+        leg_roots->rho[l] = rho;
+    }
+}
+
+/* Computes a leg: its D, its column of H, and its part of c: 219 (134 mul, 85 add, 0 div, 0 sqrt). */
+STEWART_APART static void compute_leg_terms_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const leg_roots_pose *STEWART_RESTRICT leg_roots,
+    const shared_terms_pose *STEWART_RESTRICT shared_terms, columns_pose *STEWART_RESTRICT columns,
+    leg_terms_pose *STEWART_RESTRICT leg_terms)
+{
+    int l;
+    const stewart_real v_x = at->v[0];
+    const stewart_real omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_y = at->v[1];
+    const stewart_real omega_x = at->omega[0];
+    const stewart_real v_z = at->v[2];
+    const stewart_real a_x = at->a[0];
+    const stewart_real B_xx = shared_terms->B[0], B_xy = shared_terms->B[1], B_xz = shared_terms->B[2];
+    const stewart_real a_y = at->a[1];
+    const stewart_real B_yx = shared_terms->B[3], B_yy = shared_terms->B[4], B_yz = shared_terms->B[5];
+    const stewart_real a_z = at->a[2];
+    const stewart_real B_zx = shared_terms->B[6], B_zy = shared_terms->B[7], B_zz = shared_terms->B[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real least_L = shared_terms->least_L;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real S_x = leg_roots->S_x[l];
+        const stewart_real inv_L = leg_roots->inv_L[l];
+        const stewart_real S_y = leg_roots->S_y[l];
+        const stewart_real S_z = leg_roots->S_z[l];
+        const stewart_real inv_rho = leg_roots->inv_rho[l];
+        const stewart_real k_cross_S_x = leg_roots->k_cross_S_x[l];
+        const stewart_real k_cross_S_y = leg_roots->k_cross_S_y[l];
+        const stewart_real k_cross_S_z = leg_roots->k_cross_S_z[l];
+        const stewart_real zeta = leg_roots->zeta[l];
+        const stewart_real rho = leg_roots->rho[l];
+        const stewart_real q_z = leg_roots->q[2][l], q_y = leg_roots->q[1][l], q_x = leg_roots->q[0][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real L = leg_roots->L[l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real J_xy = model->J[1][l];
+        const stewart_real h_y = model->h[1][l];
+        const stewart_real J_xx = model->J[0][l], J_yy = model->J[3][l], J_yz = model->J[4][l];
+        const stewart_real h_x = model->h[0][l], h_z = model->h[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
+        const stewart_real w_z = model->w[2][l], w_x = model->w[0][l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real w_y = model->w[1][l];
+        const stewart_real h2_y = model->h2_y[l];
+        const stewart_real C_p = model->C_p[l];
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;
@@ -549,356 +656,544 @@ static void legs_of_pose(
         const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
         /* (24) known part of the actuator force for this K */
-        const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z,
-            theta_ddot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot)))));
+        leg_terms->D[l] = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot)))));
         const stewart_real c1 = C_s*phi_dot;
         const stewart_real c2 = C_s*theta_dot;
-        out->D[l] = D;
-        out->A[0][l] = s_x;
-        out->A[1][l] = s_y;
-        out->A[2][l] = s_z;
-        out->c_force[0][l] = -K_x;
-        out->c_force[1][l] = -K_y;
-        out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = STEWART_FMA(c2, y_x, c1*k_x);
-        out->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
-        out->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
-        out->q[0][l] = q_x;
-        out->q[1][l] = q_y;
-        out->q[2][l] = q_z;
-        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->reach[l] = reach;
-        out->L[l] = L;
-        out->k3[l] = k3;
-        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
-        fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
-        out->bad[l] = fault;
+        leg_terms->c_force[0][l] = -K_x;
+        leg_terms->c_force[1][l] = -K_y;
+        leg_terms->c_force[2][l] = -K_z;
+        leg_terms->c_moment[0][l] = STEWART_FMA(c2, y_x, c1*k_x);
+        leg_terms->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
+        leg_terms->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
+        const stewart_real unfit = L > least_L ? REAL(0) : REAL(1);
+        leg_terms->unfit_2[l] = k3 > STEWART_NEAR_JOINT_SINGULAR ? unfit : REAL(1);
+        columns->H[0][l] = s_x;
+        columns->H[1][l] = s_y;
+        columns->H[2][l] = s_z;
+        leg_terms->k3[l] = k3;
     }
 }
 
-/* Computes the legs of a pose in which a leg is near its joint singularity: 289 (173 mul, 112 add, 2
- * div, 2 sqrt) operations each. */
-static void legs_near_singular(
+/* Marks a pose in which a leg must be examined. */
+static void compute_legs_fit_pose(
+    const leg_terms_pose *STEWART_RESTRICT leg_terms, legs_fit_pose *STEWART_RESTRICT legs_fit)
+{
+    legs_fit->any_unfit = STEWART_LARGER(STEWART_LARGER(STEWART_LARGER(STEWART_LARGER(STEWART_LARGER(STEWART_LARGER(REAL(0),
+        leg_terms->unfit_2[0]), leg_terms->unfit_2[1]), leg_terms->unfit_2[2]), leg_terms->unfit_2[3]),
+        leg_terms->unfit_2[4]), leg_terms->unfit_2[5]);
+    legs_fit->is_short = REAL(0);
+}
+
+/* Computes the largest component (m) of the vectors whose sum is a leg. */
+STEWART_APART static void compute_reach_of_legs_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+    const leg_roots_pose *STEWART_RESTRICT leg_roots, reach_of_legs_pose *STEWART_RESTRICT reach_of_legs)
+{
+    int l;
+    const stewart_real t_z = at->t[2], t_y = at->t[1], t_x = at->t[0];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_z = model->b[2][l], b_y = model->b[1][l], b_x = model->b[0][l];
+        const stewart_real q_z = leg_roots->q[2][l], q_y = leg_roots->q[1][l], q_x = leg_roots->q[0][l];
+        reach_of_legs->reach[l] = STEWART_LARGER(STEWART_FABS(b_z), STEWART_LARGER(STEWART_FABS(b_y),
+            STEWART_LARGER(STEWART_FABS(b_x), STEWART_LARGER(STEWART_FABS(t_z),
+            STEWART_LARGER(STEWART_FABS(t_y), STEWART_LARGER(STEWART_FABS(t_x),
+            STEWART_LARGER(STEWART_FABS(q_z), STEWART_LARGER(STEWART_FABS(q_y),
+            STEWART_LARGER(STEWART_FABS(q_x), STEWART_SHORTEST/STEWART_ROUNDING)))))))));
+    }
+}
+
+/* Marks a pose with a short leg or a leg near its joint singularity. */
+STEWART_APART static void compute_examination_pose(
+    const leg_roots_pose *STEWART_RESTRICT leg_roots,
+    const reach_of_legs_pose *STEWART_RESTRICT reach_of_legs,
+    const leg_terms_pose *STEWART_RESTRICT leg_terms, legs_fit_pose *STEWART_RESTRICT legs_fit,
+    examination_pose *STEWART_RESTRICT examination)
+{
+    const stewart_real leg_is_short = leg_roots->L[0] > STEWART_SHORT_SHARE*reach_of_legs->reach[0] ? REAL(0)
+        : REAL(1);
+    const stewart_real near = leg_terms->k3[0] > STEWART_NEAR_JOINT_SINGULAR ? REAL(0) : REAL(1);
+    const stewart_real leg_is_short_2 = leg_roots->L[1] > STEWART_SHORT_SHARE*reach_of_legs->reach[1] ? leg_is_short
+        : REAL(1);
+    const stewart_real near_2 = leg_terms->k3[1] > STEWART_NEAR_JOINT_SINGULAR ? near : REAL(1);
+    const stewart_real leg_is_short_3 = leg_roots->L[2] > STEWART_SHORT_SHARE*reach_of_legs->reach[2] ? leg_is_short_2
+        : REAL(1);
+    const stewart_real near_3 = leg_terms->k3[2] > STEWART_NEAR_JOINT_SINGULAR ? near_2 : REAL(1);
+    const stewart_real leg_is_short_4 = leg_roots->L[3] > STEWART_SHORT_SHARE*reach_of_legs->reach[3] ? leg_is_short_3
+        : REAL(1);
+    const stewart_real near_4 = leg_terms->k3[3] > STEWART_NEAR_JOINT_SINGULAR ? near_3 : REAL(1);
+    const stewart_real leg_is_short_5 = leg_roots->L[4] > STEWART_SHORT_SHARE*reach_of_legs->reach[4] ? leg_is_short_4
+        : REAL(1);
+    const stewart_real near_5 = leg_terms->k3[4] > STEWART_NEAR_JOINT_SINGULAR ? near_4 : REAL(1);
+    legs_fit->is_short = leg_roots->L[5] > STEWART_SHORT_SHARE*reach_of_legs->reach[5] ? leg_is_short_5 : REAL(1);
+    examination->near_6 = leg_terms->k3[5] > STEWART_NEAR_JOINT_SINGULAR ? near_5 : REAL(1);
+}
+
+/* Computes a leg near its joint singularity: 289 (173 mul, 112 add, 2 div, 2 sqrt). */
+STEWART_APART static void compute_leg_near_singular_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const shared_terms_pose *STEWART_RESTRICT shared_terms, leg_roots_pose *STEWART_RESTRICT leg_roots,
+    columns_pose *STEWART_RESTRICT columns, leg_terms_pose *STEWART_RESTRICT leg_terms)
 {
     int l;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
         R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
-    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
-    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
-        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real v_x = at->v[0];
+    const stewart_real omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_y = at->v[1];
+    const stewart_real omega_x = at->omega[0];
+    const stewart_real v_z = at->v[2];
+    const stewart_real a_x = at->a[0];
+    const stewart_real B_xx = shared_terms->B[0], B_xy = shared_terms->B[1], B_xz = shared_terms->B[2];
+    const stewart_real a_y = at->a[1];
+    const stewart_real B_yx = shared_terms->B[3], B_yy = shared_terms->B[4], B_yz = shared_terms->B[5];
+    const stewart_real a_z = at->a[2];
+    const stewart_real B_zx = shared_terms->B[6], B_zy = shared_terms->B[7], B_zz = shared_terms->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
-        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
-        const stewart_real C_p = model->C_p[l];
-        const stewart_real C_s = model->C_s[l];
-        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
         const stewart_real h2_x = model->h2_x[l];
-        const stewart_real h2_y = model->h2_y[l];
-        const stewart_real h2_z = model->h2_z[l];
-        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l], J_yz = model->J[4][l];
-        const stewart_real J2_xz = model->J2_xz[l];
         const stewart_real dJ_zx = model->dJ_zx[l];
-        const stewart_real g_k = model->g_k[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real J_xy = model->J[1][l];
+        const stewart_real h_y = model->h[1][l];
+        const stewart_real J_xx = model->J[0][l], J_yy = model->J[3][l], J_yz = model->J[4][l];
+        const stewart_real h_x = model->h[0][l], h_z = model->h[2][l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
+        const stewart_real w_z = model->w[2][l], w_x = model->w[0][l];
+        const stewart_real g_k = model->g_k[l];
         const stewart_real C_us = model->C_us[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real w_y = model->w[1][l];
+        const stewart_real h2_y = model->h2_y[l];
+        const stewart_real C_p = model->C_p[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
-        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
-        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        const stewart_real q_x_2 = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y_2 = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z_2 = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
-        const stewart_real t_b_x = t_x - b_x;
-        const stewart_real t_b_y = t_y - b_y;
-        const stewart_real t_b_z = t_z - b_z;
+        const stewart_real t_b_x_2 = t_x - b_x;
+        const stewart_real t_b_y_2 = t_y - b_y;
+        const stewart_real t_b_z_2 = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = t_b_x + q_x;
-        const stewart_real S_y = t_b_y + q_y;
-        const stewart_real S_z = t_b_z + q_z;
+        const stewart_real S_x_2 = t_b_x_2 + q_x_2;
+        const stewart_real S_y_2 = t_b_y_2 + q_y_2;
+        const stewart_real S_z_2 = t_b_z_2 + q_z_2;
         /* (10) component of the leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
-        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
-        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
-        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real zeta_2 = STEWART_FMA(S_z_2, k_z, STEWART_FMA(S_y_2, k_y, S_x_2*k_x));
+        const stewart_real k_cross_S_x_2 = STEWART_FMA(-S_y_2, k_z, S_z_2*k_y);
+        const stewart_real k_cross_S_y_2 = STEWART_FMA(-S_z_2, k_x, S_x_2*k_z);
+        const stewart_real k_cross_S_z_2 = STEWART_FMA(-S_x_2, k_y, S_y_2*k_x);
         /* (2) leg length, and distance of the tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
-        const stewart_real inv_L = REAL(1)/L;
+        const stewart_real L_2 = STEWART_SQRT(STEWART_FMA(S_z_2, S_z_2, STEWART_FMA(S_y_2, S_y_2,
+            S_x_2*S_x_2)));
+        const stewart_real inv_L_2 = REAL(1)/L_2;
         /* (3) unit vector along the leg */
-        const stewart_real s_x = S_x*inv_L;
-        const stewart_real s_y = S_y*inv_L;
-        const stewart_real s_z = S_z*inv_L;
+        const stewart_real s_x_2 = S_x_2*inv_L_2;
+        const stewart_real s_y_2 = S_y_2*inv_L_2;
+        const stewart_real s_z_2 = S_z_2*inv_L_2;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
-        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
-        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y_2, s_z_2, k_cross_S_z_2*s_y_2);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z_2, s_x_2, k_cross_S_x_2*s_z_2);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x_2, s_y_2, k_cross_S_y_2*s_x_2);
         /* (10) leg length, and distance of the tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+        const stewart_real rho_2 = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
             STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
-        const stewart_real inv_rho = REAL(1)/rho;
+        const stewart_real inv_rho_2 = REAL(1)/rho_2;
         /* (10) third axis of the leg frame */
-        const stewart_real z_x = inv_rho*s_cross_normal_x;
-        const stewart_real z_y = inv_rho*s_cross_normal_y;
-        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        const stewart_real z_x = inv_rho_2*s_cross_normal_x;
+        const stewart_real z_y = inv_rho_2*s_cross_normal_y;
+        const stewart_real z_z = inv_rho_2*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
-        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
-        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
+        const stewart_real y_x_2 = STEWART_FMA(-s_y_2, z_z, s_z_2*z_y);
+        const stewart_real y_y_2 = STEWART_FMA(-s_z_2, z_x, s_x_2*z_z);
+        const stewart_real y_z_2 = STEWART_FMA(-s_x_2, z_y, s_y_2*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
-        const stewart_real k1 = inv_L*zeta;
-        const stewart_real k3 = inv_L*rho;
+        const stewart_real k1_2 = inv_L_2*zeta_2;
+        const stewart_real k3_2 = inv_L_2*rho_2;
         /* (10) k1 / k3 */
-        const stewart_real kappa = inv_rho*zeta;
+        const stewart_real kappa_2 = inv_rho_2*zeta_2;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x_2 = STEWART_FMA(omega_z, -q_y_2, STEWART_FMA(omega_y, q_z_2, v_x));
+        const stewart_real S_dot_y_2 = STEWART_FMA(omega_x, -q_z_2, STEWART_FMA(omega_z, q_x_2, v_y));
+        const stewart_real S_dot_z_2 = STEWART_FMA(omega_y, -q_x_2, STEWART_FMA(omega_x, q_y_2, v_z));
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
-            a_x)));
-        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
-            a_y)));
-        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
-            a_z)));
+        const stewart_real S_ddot_x_2 = STEWART_FMA(B_xz, q_z_2, STEWART_FMA(B_xy, q_y_2, STEWART_FMA(B_xx,
+            q_x_2, a_x)));
+        const stewart_real S_ddot_y_2 = STEWART_FMA(B_yz, q_z_2, STEWART_FMA(B_yy, q_y_2, STEWART_FMA(B_yx,
+            q_x_2, a_y)));
+        const stewart_real S_ddot_z_2 = STEWART_FMA(B_zz, q_z_2, STEWART_FMA(B_zy, q_y_2, STEWART_FMA(B_zx,
+            q_x_2, a_z)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        const stewart_real L_dot_2 = STEWART_FMA(S_dot_z_2, s_z_2, STEWART_FMA(S_dot_y_2, s_y_2,
+            S_dot_x_2*s_x_2));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
-            S_dot_x*y_x));
-        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
-            S_dot_x*z_x));
+        const stewart_real phi_dot_2 = inv_rho_2*STEWART_FMA(S_dot_z_2, y_z_2, STEWART_FMA(S_dot_y_2, y_y_2,
+            S_dot_x_2*y_x_2));
+        const stewart_real theta_dot_2 = -inv_L_2*STEWART_FMA(S_dot_z_2, z_z, STEWART_FMA(S_dot_y_2, z_y,
+            S_dot_x_2*z_x));
         /* L_dot / L */
-        const stewart_real L_share = L_dot*inv_L;
-        const stewart_real lean = kappa*theta_dot;
-        const stewart_real theta_dot2 = theta_dot*theta_dot;
-        const stewart_real phi_dot2 = phi_dot*phi_dot;
-        const stewart_real two_phi_dot = REAL(2)*phi_dot;
-        const stewart_real k33 = k3*k3;
+        const stewart_real L_share_2 = L_dot_2*inv_L_2;
+        const stewart_real lean_2 = kappa_2*theta_dot_2;
+        const stewart_real theta_dot2_2 = theta_dot_2*theta_dot_2;
+        const stewart_real phi_dot2_2 = phi_dot_2*phi_dot_2;
+        const stewart_real two_phi_dot_2 = REAL(2)*phi_dot_2;
+        const stewart_real k33_2 = k3_2*k3_2;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
-            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
+        const stewart_real L_ddot_2 = STEWART_FMA(S_ddot_z_2, s_z_2, STEWART_FMA(S_ddot_y_2, s_y_2,
+            STEWART_FMA(S_ddot_x_2, s_x_2, L_2*STEWART_FMA(k33_2, phi_dot2_2, theta_dot2_2))));
         /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
-            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
-        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
-            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
-        const stewart_real c1 = k1*k3;
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share_2, -theta_dot_2,
+            -inv_L_2*STEWART_FMA(S_ddot_z_2, z_z, STEWART_FMA(S_ddot_y_2, z_y, S_ddot_x_2*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share_2, two_phi_dot_2,
+            inv_rho_2*STEWART_FMA(S_ddot_z_2, y_z_2, STEWART_FMA(S_ddot_y_2, y_y_2, S_ddot_x_2*y_x_2)));
+        const stewart_real c1_2 = k1_2*k3_2;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = STEWART_FMA(c1, phi_dot2, own_theta_ddot);
-        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
-        const stewart_real k13 = c1;
-        const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = dJ_zx + L_h2;
-        const stewart_real c2 = L*h2_z;
-        const stewart_real c3 = J2_xz - c2;
-        const stewart_real a2 = c3;
-        const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
+        const stewart_real theta_ddot_2 = STEWART_FMA(c1_2, phi_dot2_2, own_theta_ddot);
+        const stewart_real phi_ddot_2 = STEWART_FMA(-lean_2, two_phi_dot_2, own_phi_ddot);
+        const stewart_real k13_2 = c1_2;
+        const stewart_real L_h2_2 = L_2*h2_x;
+        const stewart_real a1_2 = dJ_zx + L_h2_2;
+        const stewart_real c2_2 = L_2*h2_z;
+        const stewart_real c3 = J2_xz - c2_2;
+        const stewart_real a2_2 = c3;
+        const stewart_real a3_2 = STEWART_FMA(-L_2, h_y, J_xy);
         /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
-        const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
-        const stewart_real k3_h = h_y*k3;
+        const stewart_real M_phi_2 = STEWART_FMA(a2_2, k13_2, STEWART_FMA(a1_2, k33_2, J_xx));
+        const stewart_real M_theta_2 = J_yy + L_h2_2;
+        const stewart_real M_mixed_2 = STEWART_FMA(a3_2, k1_2, J_yz*k3_2);
+        const stewart_real k3_h_2 = h_y*k3_2;
         /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
-        const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
-        const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
-        const stewart_real bend = L_dot*theta_dot;
+        const stewart_real M_phi_L_2 = STEWART_FMA(-h_z, k13_2, h_x*k33_2);
+        const stewart_real M_mixed_theta_2 = STEWART_FMA(-a3_2, k3_2, J_yz*k1_2);
+        const stewart_real bend_2 = L_dot_2*theta_dot_2;
         /* components of gravity along k x y and along y */
-        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
-        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        const stewart_real gamma_n_2 = STEWART_FMA(g_x_k_z, y_z_2, STEWART_FMA(g_x_k_y, y_y_2,
+            g_x_k_x*y_x_2));
+        const stewart_real gamma_y_2 = STEWART_FMA(g_z, y_z_2, STEWART_FMA(g_y, y_y_2, g_x*y_x_2));
         /* components of the first moment along k and along -k x y */
-        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
-        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
+        const stewart_real w_k_2 = STEWART_FMA(k1_2, w_x, k3_2*w_z);
+        const stewart_real w_n_2 = STEWART_FMA(-k1_2, w_z, k3_2*w_x);
         /* (20) generalized forces about y and about k */
-        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
-            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
-            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
-            STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
-            w_n, L_ddot*h_z))))))));
-        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
-            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
-            kappa, STEWART_FMA(STEWART_HALF, -c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
-            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
-            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
-            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
+        const stewart_real tau_y_2 = STEWART_FMA(M_mixed_2, phi_ddot_2, STEWART_FMA(M_theta_2,
+            own_theta_ddot, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z_2, STEWART_FMA(omega_y, y_y_2,
+            omega_x*y_x_2)), STEWART_FMA(gamma_n_2, w_k_2, STEWART_FMA(bend_2, h2_x, STEWART_FMA(C_us,
+            theta_dot_2, STEWART_FMA(phi_dot2_2, STEWART_FMA(-c3, STEWART_HALF - k33_2, k13_2*(J_yy - dJ_zx)),
+            STEWART_FMA(g_k, w_n_2, L_ddot_2*h_z))))))));
+        const stewart_real tau_k_2 = STEWART_FMA(M_phi_2, own_phi_ddot, STEWART_FMA(M_mixed_2, theta_ddot_2,
+            STEWART_FMA(bend_2*h2_y, -k1_2, STEWART_FMA(two_phi_dot_2, STEWART_FMA(-theta_dot_2,
+            STEWART_FMA(J_xx, kappa_2, STEWART_FMA(STEWART_HALF, -c2_2, STEWART_HALF*J2_xz)),
+            L_dot_2*M_phi_L_2), STEWART_FMA(-gamma_y_2, w_n_2, STEWART_FMA(-gamma_n_2, w_y,
+            STEWART_FMA(C_us, phi_dot_2, STEWART_FMA(-L_ddot_2, k3_h_2, STEWART_FMA(-C_s, STEWART_FMA(k_z,
+            omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), M_mixed_theta_2*theta_dot2_2)))))))));
         /* (21) K = Q_y y + Q_z z */
-        const stewart_real Q_y = inv_rho*tau_k;
-        const stewart_real Q_z = -inv_L*tau_y;
+        const stewart_real Q_y_2 = inv_rho_2*tau_k_2;
+        const stewart_real Q_z = -inv_L_2*tau_y_2;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
-        const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
-        const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
+        const stewart_real K_x_2 = STEWART_FMA(Q_z, z_x, Q_y_2*y_x_2);
+        const stewart_real K_y_2 = STEWART_FMA(Q_z, z_y, Q_y_2*y_y_2);
+        const stewart_real K_z_2 = STEWART_FMA(Q_z, z_z, Q_y_2*y_z_2);
         /* (24) known part of the actuator force for this K */
-        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
-            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
-        const stewart_real c4 = C_s*phi_dot;
-        const stewart_real c5 = C_s*theta_dot;
-        out->D[l] = D;
-        out->A[0][l] = s_x;
-        out->A[1][l] = s_y;
-        out->A[2][l] = s_z;
-        out->c_force[0][l] = -K_x;
-        out->c_force[1][l] = -K_y;
-        out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = STEWART_FMA(c5, y_x, c4*k_x);
-        out->c_moment[1][l] = STEWART_FMA(c5, y_y, c4*k_y);
-        out->c_moment[2][l] = STEWART_FMA(c5, y_z, c4*k_z);
-        out->q[0][l] = q_x;
-        out->q[1][l] = q_y;
-        out->q[2][l] = q_z;
-        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->reach[l] = reach;
-        out->L[l] = L;
-        out->k3[l] = k3;
-        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
-        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
-        out->bad[l] = fault;
+        leg_terms->D[l] = STEWART_FMA(-k3_h_2, phi_ddot_2, STEWART_FMA(h_z, theta_ddot_2,
+            STEWART_FMA(-M_phi_L_2, phi_dot2_2, STEWART_FMA(-h_x, theta_dot2_2, C_p*L_dot_2))));
+        const stewart_real c4 = C_s*phi_dot_2;
+        const stewart_real c5 = C_s*theta_dot_2;
+        leg_terms->c_force[0][l] = -K_x_2;
+        leg_terms->c_force[1][l] = -K_y_2;
+        leg_terms->c_force[2][l] = -K_z_2;
+        leg_terms->c_moment[0][l] = STEWART_FMA(c5, y_x_2, c4*k_x);
+        leg_terms->c_moment[1][l] = STEWART_FMA(c5, y_y_2, c4*k_y);
+        leg_terms->c_moment[2][l] = STEWART_FMA(c5, y_z_2, c4*k_z);
+        leg_roots->q[0][l] = q_x_2;
+        leg_roots->q[1][l] = q_y_2;
+        leg_roots->q[2][l] = q_z_2;
+        leg_roots->L[l] = L_2;
+        columns->H[0][l] = s_x_2;
+        columns->H[1][l] = s_y_2;
+        columns->H[2][l] = s_z_2;
+        leg_terms->k3[l] = k3_2;
+    }
+}
+
+/* Computes the platform's part of c about platform point 1: 12 (6 mul, 6 add, 0 div, 0 sqrt). */
+static void compute_tip_terms_pose(
+    const leg_roots_pose *STEWART_RESTRICT leg_roots,
+    const shared_terms_pose *STEWART_RESTRICT shared_terms, tip_terms_pose *STEWART_RESTRICT tip_terms)
+{
+    const stewart_real c_moment_x = shared_terms->c_moment[0];
+    const stewart_real c_force_y = shared_terms->c_force[1], c_force_z = shared_terms->c_force[2];
+    const stewart_real c_moment_y = shared_terms->c_moment[1];
+    const stewart_real c_force_x = shared_terms->c_force[0];
+    const stewart_real c_moment_z = shared_terms->c_moment[2];
+    const stewart_real q_1_x = leg_roots->q[0][0], q_1_y = leg_roots->q[1][0], q_1_z = leg_roots->q[2][0];
+    tip_terms->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    tip_terms->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    tip_terms->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
+    tip_terms->q_1_x = q_1_x;
+    tip_terms->q_1_y = q_1_y;
+    tip_terms->q_1_z = q_1_z;
+}
+
+/* Computes the moments of a leg about platform point 1: 21 (12 mul, 9 add, 0 div, 0 sqrt). */
+static void compute_moment_terms_pose(
+    const leg_roots_pose *STEWART_RESTRICT leg_roots, const tip_terms_pose *STEWART_RESTRICT tip_terms,
+    columns_pose *STEWART_RESTRICT columns, const leg_terms_pose *STEWART_RESTRICT leg_terms,
+    moment_terms_pose *STEWART_RESTRICT moment_terms)
+{
+    int l;
+    const stewart_real q_1_x = tip_terms->q_1_x;
+    const stewart_real q_1_y = tip_terms->q_1_y;
+    const stewart_real q_1_z = tip_terms->q_1_z;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real q_x = leg_roots->q[0][l], q_y = leg_roots->q[1][l], q_z = leg_roots->q[2][l];
+        const stewart_real s_z = columns->H[2][l], s_y = columns->H[1][l], s_x = columns->H[0][l];
+        const stewart_real c_force_z_2 = leg_terms->c_force[2][l], c_force_y_2 = leg_terms->c_force[1][l],
+            c_force_x_2 = leg_terms->c_force[0][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        columns->H[3][l] = STEWART_FMA(-s_y, arm_z, s_z*arm_y);
+        columns->H[4][l] = STEWART_FMA(-s_z, arm_x, s_x*arm_z);
+        columns->H[5][l] = STEWART_FMA(-s_x, arm_y, s_y*arm_x);
+        moment_terms->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y_2, arm_y*c_force_z_2);
+        moment_terms->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z_2, arm_z*c_force_x_2);
+        moment_terms->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x_2, arm_x*c_force_y_2);
+    }
+}
+
+/* Adds the parts of c of the platform and the legs. */
+static void compute_wrench_pose(
+    const shared_terms_pose *STEWART_RESTRICT shared_terms,
+    const leg_terms_pose *STEWART_RESTRICT leg_terms, const tip_terms_pose *STEWART_RESTRICT tip_terms,
+    const moment_terms_pose *STEWART_RESTRICT moment_terms, right_side_pose *STEWART_RESTRICT right_side)
+{
+    const stewart_real c_force_x = shared_terms->c_force[0], c_force_y = shared_terms->c_force[1], c_force_z = shared_terms->c_force[2];
+    const stewart_real c_tip_x = tip_terms->c_tip[0], c_tip_y = tip_terms->c_tip[1], c_tip_z = tip_terms->c_tip[2];
+    right_side->c[0] = c_force_x + leg_terms->c_force[0][0] + leg_terms->c_force[0][1] + leg_terms->c_force[0][2]
+        + leg_terms->c_force[0][3] + leg_terms->c_force[0][4] + leg_terms->c_force[0][5];
+    right_side->c[1] = c_force_y + leg_terms->c_force[1][0] + leg_terms->c_force[1][1] + leg_terms->c_force[1][2]
+        + leg_terms->c_force[1][3] + leg_terms->c_force[1][4] + leg_terms->c_force[1][5];
+    right_side->c[2] = c_force_z + leg_terms->c_force[2][0] + leg_terms->c_force[2][1] + leg_terms->c_force[2][2]
+        + leg_terms->c_force[2][3] + leg_terms->c_force[2][4] + leg_terms->c_force[2][5];
+    right_side->c[3] = c_tip_x + leg_terms->c_moment[0][0] + leg_terms->c_moment[0][1] + moment_terms->arm_c[0][1]
+        + leg_terms->c_moment[0][2] + moment_terms->arm_c[0][2] + leg_terms->c_moment[0][3] + moment_terms->arm_c[0][3]
+        + leg_terms->c_moment[0][4] + moment_terms->arm_c[0][4] + leg_terms->c_moment[0][5] + moment_terms->arm_c[0][5];
+    right_side->c[4] = c_tip_y + leg_terms->c_moment[1][0] + leg_terms->c_moment[1][1] + moment_terms->arm_c[1][1]
+        + leg_terms->c_moment[1][2] + moment_terms->arm_c[1][2] + leg_terms->c_moment[1][3] + moment_terms->arm_c[1][3]
+        + leg_terms->c_moment[1][4] + moment_terms->arm_c[1][4] + leg_terms->c_moment[1][5] + moment_terms->arm_c[1][5];
+    right_side->c[5] = c_tip_z + leg_terms->c_moment[2][0] + leg_terms->c_moment[2][1] + moment_terms->arm_c[2][1]
+        + leg_terms->c_moment[2][2] + moment_terms->arm_c[2][2] + leg_terms->c_moment[2][3] + moment_terms->arm_c[2][3]
+        + leg_terms->c_moment[2][4] + moment_terms->arm_c[2][4] + leg_terms->c_moment[2][5] + moment_terms->arm_c[2][5];
+}
+
+/* Multiplies the moments of a leg by `per_length`. */
+STEWART_APART static void compute_scaled_moments_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, columns_pose *STEWART_RESTRICT columns)
+{
+    int l;
+    const stewart_real per_length = model->per_length;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real H_moment_x = columns->H[3][l], H_moment_y = columns->H[4][l], H_moment_z = columns->H[5][l];
+        columns->H[3][l] = H_moment_x*per_length;
+        columns->H[4][l] = H_moment_y*per_length;
+        columns->H[5][l] = H_moment_z*per_length;
+    }
+}
+
+/* Multiplies the moments of c by `per_length`. */
+STEWART_APART static void compute_scaled_wrench_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, right_side_pose *STEWART_RESTRICT right_side)
+{
+    const stewart_real c_3 = right_side->c[3];
+    const stewart_real per_length = model->per_length;
+    const stewart_real c_4 = right_side->c[4], c_5 = right_side->c[5];
+    right_side->c[3] = c_3*per_length;
+    right_side->c[4] = c_4*per_length;
+    right_side->c[5] = c_5*per_length;
+}
+
+/* Computes F = D - x, (37). */
+static void compute_force_terms_pose(
+    const leg_terms_pose *STEWART_RESTRICT leg_terms, const solution_pose *STEWART_RESTRICT solution,
+    const legs_fit_pose *STEWART_RESTRICT legs_fit, forces_pose *STEWART_RESTRICT forces,
+    force_terms_pose *STEWART_RESTRICT force_terms)
+{
+    const stewart_real x_0 = solution->x[0], x_1 = solution->x[1], x_2 = solution->x[2], x_3 = solution->x[3],
+        x_4 = solution->x[4], x_5 = solution->x[5];
+    const stewart_real is_short = legs_fit->is_short;
+    const stewart_real suspect = solution->suspect;
+    forces->F[0] = leg_terms->D[0] - x_0;
+    forces->F[1] = leg_terms->D[1] - x_1;
+    forces->F[2] = leg_terms->D[2] - x_2;
+    forces->F[3] = leg_terms->D[3] - x_3;
+    forces->F[4] = leg_terms->D[4] - x_4;
+    forces->F[5] = leg_terms->D[5] - x_5;
+    force_terms->doubtful = is_short > REAL(0) ? REAL(1) : suspect;
+}
+
+/* Computes the largest component (m) of the vectors whose sum is a leg. */
+STEWART_APART static void compute_reach_of_rows_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const leg_roots_pose *STEWART_RESTRICT leg_roots, reach_of_rows_pose *STEWART_RESTRICT reach_of_rows)
+{
+    int l;
+    const stewart_real t_z = at->t[2], t_y = at->t[1], t_x = at->t[0];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_z = model->b[2][l], b_y = model->b[1][l], b_x = model->b[0][l];
+        const stewart_real q_z = leg_roots->q[2][l], q_y = leg_roots->q[1][l], q_x = leg_roots->q[0][l];
+        reach_of_rows->reach_2[l] = STEWART_LARGER(STEWART_FABS(b_z), STEWART_LARGER(STEWART_FABS(b_y),
+            STEWART_LARGER(STEWART_FABS(b_x), STEWART_LARGER(STEWART_FABS(t_z),
+            STEWART_LARGER(STEWART_FABS(t_y), STEWART_LARGER(STEWART_FABS(t_x),
+            STEWART_LARGER(STEWART_FABS(q_z), STEWART_LARGER(STEWART_FABS(q_y),
+            STEWART_LARGER(STEWART_FABS(q_x), STEWART_SHORTEST/STEWART_ROUNDING)))))))));
     }
 }
 
 int stewart_exact_forces(const stewart_exact_model *model, const stewart_motion *motion, stewart_real F[6])
 {
-    int i, j;
-    shared_terms shared;
-    leg_lanes legs;
-    stewart_real wrench[6];
-    stewart_real x[6];
-    stewart_real found[6];
-    int close = 0;
-    int near_singular = 0;
+    int i;
+    shared_terms_pose shared_terms;
+    leg_roots_pose leg_roots;
+    columns_pose columns;
+    leg_terms_pose leg_terms;
+    legs_fit_pose legs_fit;
+    reach_of_legs_pose reach_of_legs;
+    examination_pose examination;
+    tip_terms_pose tip_terms;
+    moment_terms_pose moment_terms;
+    right_side_pose right_side;
+    solution_pose solution;
+    forces_pose forces;
+    force_terms_pose force_terms;
+    reach_of_rows_pose reach_of_rows;
+    int status = STEWART_OK;
     if (model == NULL || motion == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    shared_of_pose(model, motion, &shared);
-    legs_of_pose(model, motion, &shared, &legs);
-    for (i = 0; i < 6; ++i) {
-        if (legs.bad[i] > REAL(0)) {
-            const int status = fault_of(legs.L[i], legs.k3[i], legs.reach[i]);
-            if (status != STEWART_OK) {
-                return status;
-            }
-            close = legs.L[i] > STEWART_SHORT_SHARE*legs.reach[i] ? close : 1;
-            near_singular = legs.k3[i] > STEWART_NEAR_JOINT_SINGULAR ? near_singular : 1;
+    compute_shared_terms_pose(model, motion, &shared_terms);
+    compute_leg_roots_pose(model, motion, &leg_roots);
+    compute_leg_terms_pose(model, motion, &leg_roots, &shared_terms, &columns, &leg_terms);
+    compute_legs_fit_pose(&leg_terms, &legs_fit);
+    if (legs_fit.any_unfit > REAL(0)) {
+        compute_reach_of_legs_pose(model, motion, &leg_roots, &reach_of_legs);
+        status = fault_of(leg_roots.L[0], leg_terms.k3[0], reach_of_legs.reach[0]);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        status = fault_of(leg_roots.L[1], leg_terms.k3[1], reach_of_legs.reach[1]);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        status = fault_of(leg_roots.L[2], leg_terms.k3[2], reach_of_legs.reach[2]);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        status = fault_of(leg_roots.L[3], leg_terms.k3[3], reach_of_legs.reach[3]);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        status = fault_of(leg_roots.L[4], leg_terms.k3[4], reach_of_legs.reach[4]);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        status = fault_of(leg_roots.L[5], leg_terms.k3[5], reach_of_legs.reach[5]);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        compute_examination_pose(&leg_roots, &reach_of_legs, &leg_terms, &legs_fit, &examination);
+        if (examination.near_6 > REAL(0)) {
+            compute_leg_near_singular_pose(model, motion, &shared_terms, &leg_roots, &columns, &leg_terms);
         }
     }
-    if (near_singular != 0) {
-        legs_near_singular(model, motion, &shared, &legs);
-    }
-    shift_of_pose(legs.q, shared.c_force, shared.c_moment, shared.c_tip);
-    moments_of_pose(legs.q, legs.A, legs.c_force, legs.arm_c);
-    for (j = 0; j < 3; ++j) {
-        stewart_real force = shared.c_force[j];
-        stewart_real turn = shared.c_tip[j];
-        STEWART_LOOP for (i = 0; i < 6; ++i) {
-            force = force + legs.c_force[j][i];
-            turn = turn + legs.c_moment[j][i];
-            turn = turn + legs.arm_c[j][i];
-        }
-        wrench[j] = force;
-        wrench[j + 3] = turn;
-    }
+    compute_tip_terms_pose(&leg_roots, &shared_terms, &tip_terms);
+    compute_moment_terms_pose(&leg_roots, &tip_terms, &columns, &leg_terms, &moment_terms);
+    compute_wrench_pose(&shared_terms, &leg_terms, &tip_terms, &moment_terms, &right_side);
     if (model->per_length != REAL(1)) {
-        scale_pose(legs.A, wrench, model->per_length);
+        compute_scaled_moments_pose(model, &columns);
+        compute_scaled_wrench_pose(model, &right_side);
     }
-    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
-    if (close != 0 || suspect != 0) {
-        const int status = rows_status(legs.A, legs.q, legs.L, legs.reach, model->per_length);
+    compute_two_blocks_pose(model->arm_cube, &columns, &right_side, &solution);
+    if (solution.weak > REAL(0)) {
+        compute_pivots_pose(&columns, &right_side, &solution);
+    }
+    compute_force_terms_pose(&leg_terms, &solution, &legs_fit, &forces, &force_terms);
+    if (force_terms.doubtful > REAL(0)) {
+        compute_reach_of_rows_pose(model, motion, &leg_roots, &reach_of_rows);
+        status = rows_status(columns.H, leg_roots.q, leg_roots.L, reach_of_rows.reach_2, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
     }
     for (i = 0; i < 6; ++i) {
-        found[i] = legs.D[i] - x[i];
-        if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {
+        if (!(STEWART_FABS(forces.F[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
     }
     for (i = 0; i < 6; ++i) {
-        F[i] = found[i];
+        F[i] = forces.F[i];
     }
     return STEWART_OK;
 }
 
-/* Intermediate results of a block of poses. */
 typedef struct {
-    stewart_real column[7][6][POSES]; /* [H | c], column by column */
-    stewart_real D[6][POSES];
-    stewart_real F[6][POSES];
-    stewart_real bad[POSES]; /* 1 if a leg, a pivot, or a force must be checked, else 0 */
-} STEWART_ALIGNED block;
-
-/* Terms of a leg that the moments require. */
-typedef struct {
-    stewart_real q[3][POSES];
+    stewart_real B[9][POSES];
     stewart_real c_force[3][POSES];
     stewart_real c_moment[3][POSES];
-} STEWART_ALIGNED leg_block;
+    stewart_real least_L[POSES];
+} STEWART_ALIGNED shared_terms_block;
 
-/* A leg of the poses of a block up to its square roots. */
 typedef struct {
-    stewart_real q_x[POSES];
-    stewart_real q_y[POSES];
-    stewart_real q_z[POSES];
+    stewart_real any_unfit[POSES];
+} STEWART_ALIGNED legs_fit_block;
+
+typedef struct {
+    stewart_real L[POSES];
     stewart_real S_x[POSES];
     stewart_real S_y[POSES];
     stewart_real S_z[POSES];
-    stewart_real zeta[POSES];
+    stewart_real inv_L[POSES];
+    stewart_real inv_rho[POSES];
     stewart_real k_cross_S_x[POSES];
     stewart_real k_cross_S_y[POSES];
     stewart_real k_cross_S_z[POSES];
-    stewart_real L[POSES];
+    stewart_real q[3][POSES];
     stewart_real rho[POSES];
-    stewart_real inv_L[POSES];
-    stewart_real inv_rho[POSES];
-} STEWART_ALIGNED leg_roots;
+    stewart_real zeta[POSES];
+} STEWART_ALIGNED leg_roots_block;
 
 typedef struct {
-    leg_roots leg[6];
-} STEWART_ALIGNED roots_of_legs;
+    stewart_real D[POSES];
+} STEWART_ALIGNED leg_terms_block;
 
-/* Computes the terms that are common to all legs, and the platform's part of c, of a block of poses. */
-static void shared_of_block(
+typedef struct {
+    stewart_real c_force[3][POSES];
+    stewart_real c_moment[3][POSES];
+} STEWART_ALIGNED leg_terms_now_block;
+
+typedef struct {
+    stewart_real q_1_x[POSES];
+    stewart_real q_1_y[POSES];
+    stewart_real q_1_z[POSES];
+} STEWART_ALIGNED tip_terms_block;
+
+typedef struct {
+    stewart_real F[6][POSES];
+    stewart_real unfinished[POSES];
+} STEWART_ALIGNED forces_block;
+
+/* Computes terms of a pose that are common to all legs: 180 (93 mul, 87 add, 0 div, 0 sqrt). */
+static void compute_shared_terms_block(
     const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
-    shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[POSES])
+    shared_terms_block *STEWART_RESTRICT shared_terms)
 {
     int l;
-    const stewart_real M_P = model->M_P;
-    const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
-    const stewart_real J_C_xx = model->J_C[0], J_C_xy = model->J_C[1], J_C_xz = model->J_C[2], J_C_yy = model->J_C[3],
-        J_C_yz = model->J_C[4], J_C_zz = model->J_C[5];
-    const stewart_real dJ_C_x = model->dJ_C[0], dJ_C_y = model->dJ_C[1], dJ_C_z = model->dJ_C[2];
-    const stewart_real C_P = model->C_P;
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < POSES; ++l) {
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real alpha_x = at->alpha[0][l], alpha_y = at->alpha[1][l], alpha_z = at->alpha[2][l];
-        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
-        const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         /* products of omega */
         const stewart_real omega_xx = omega_x*omega_x;
         const stewart_real omega_xy = omega_x*omega_y;
@@ -910,6 +1205,7 @@ static void shared_of_block(
         (void)(omega_yz);
         const stewart_real omega_zz = omega_z*omega_z;
         (void)(omega_zz);
+        const stewart_real alpha_z = at->alpha[2][l], alpha_y = at->alpha[1][l], alpha_x = at->alpha[0][l];
         /* (7) S_ddot = B q + a */
         const stewart_real B_xx = STEWART_FMA_OF(-omega_zz, -omega_z, omega_z, -omega_yy);
         const stewart_real B_xy = STEWART_FMA_OF(omega_xy, omega_x, omega_y, -alpha_z);
@@ -920,10 +1216,16 @@ static void shared_of_block(
         const stewart_real B_zx = STEWART_FMA_OF(omega_xz, omega_x, omega_z, -alpha_y);
         const stewart_real B_zy = STEWART_FMA_OF(omega_yz, omega_y, omega_z, alpha_x);
         const stewart_real B_zz = STEWART_FMA_OF(-omega_yy, -omega_y, omega_y, -omega_xx);
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
         /* (30) center of mass from the reference point, base frame */
         const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
         const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
         const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
+        const stewart_real M_P = model->M_P;
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
         /* (33) M_P (g - a_C) */
         const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
             R_C_x, g_x - a_x)));
@@ -945,6 +1247,14 @@ static void shared_of_block(
         const stewart_real P_xx = omega_P_x*omega_P_x;
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
+        const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
+        const stewart_real J_C_yz = model->J_C[4], J_C_xx = model->J_C[0], J_C_xy = model->J_C[1], J_C_xz = model->J_C[2],
+            J_C_yy = model->J_C[3], J_C_zz = model->J_C[5];
+        const stewart_real dJ_C_x = model->dJ_C[0], dJ_C_y = model->dJ_C[1], dJ_C_z = model->dJ_C[2];
+        const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
+        const stewart_real C_P = model->C_P;
+        const stewart_real t_z = at->t[2][l], t_y = at->t[1][l], t_x = at->t[0][l];
+        const stewart_real base_reach = model->base_reach;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
         const stewart_real M_P_load_x = STEWART_FMA(J_C_xz, -STEWART_FMA_OF(P_xy, omega_P_x, omega_P_y,
             alpha_P_z), STEWART_FMA(J_C_xy, STEWART_FMA_OF(P_xz, omega_P_x, omega_P_z, -alpha_P_y),
@@ -958,50 +1268,58 @@ static void shared_of_block(
             alpha_P_y), STEWART_FMA(J_C_xz, STEWART_FMA_OF(P_yz, omega_P_y, omega_P_z, -alpha_P_x),
             STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(J_C_zz, -alpha_P_z, STEWART_FMA(J_C_xy,
             -STEWART_FMA_OF(-P_yy, -omega_P_y, omega_P_y, P_xx), M_ext_z)))));
-        out->B[0][l] = B_xx;
-        out->B[1][l] = B_xy;
-        out->B[2][l] = B_xz;
-        out->B[3][l] = B_yx;
-        out->B[4][l] = B_yy;
-        out->B[5][l] = B_yz;
-        out->B[6][l] = B_zx;
-        out->B[7][l] = B_zy;
-        out->B[8][l] = B_zz;
-        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
-        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
-        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
-        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(C_P, -omega_x, STEWART_FMA(N_z, R_C_y,
-            STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
-        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(C_P, -omega_y, STEWART_FMA(N_x, R_C_z,
-            STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
-        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(C_P, -omega_z, STEWART_FMA(N_y, R_C_x,
-            STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
-        stewart_real far = STEWART_LARGER(model->base_reach, STEWART_SHORTEST/STEWART_ROUNDING);
-        far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), far);
-        far = STEWART_LARGER(STEWART_FABS(at->t[1][l]), far);
-        far = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
-        out->least_L[l] = REAL(2.25)*STEWART_SHORT_SHARE*far;
+        shared_terms->c_force[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy,
+            STEWART_FMA(F_ext_x, R_xx, N_x)));
+        shared_terms->c_force[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy,
+            STEWART_FMA(F_ext_x, R_yx, N_y)));
+        shared_terms->c_force[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy,
+            STEWART_FMA(F_ext_x, R_zx, N_z)));
+        shared_terms->c_moment[0][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(C_P, -omega_x, STEWART_FMA(N_z,
+            R_C_y, STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
+        shared_terms->c_moment[1][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(C_P, -omega_y, STEWART_FMA(N_x,
+            R_C_z, STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
+        shared_terms->c_moment[2][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(C_P, -omega_z, STEWART_FMA(N_y,
+            R_C_x, STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
+        shared_terms->least_L[l] = REAL(2.25)*STEWART_SHORT_SHARE*STEWART_LARGER(STEWART_FABS(t_z),
+            STEWART_LARGER(STEWART_FABS(t_y), STEWART_LARGER(STEWART_FABS(t_x), STEWART_LARGER(base_reach,
+            STEWART_SHORTEST/STEWART_ROUNDING))));
+        shared_terms->B[0][l] = B_xx;
+        shared_terms->B[1][l] = B_xy;
+        shared_terms->B[2][l] = B_xz;
+        shared_terms->B[3][l] = B_yx;
+        shared_terms->B[4][l] = B_yy;
+        shared_terms->B[5][l] = B_yz;
+        shared_terms->B[6][l] = B_zx;
+        shared_terms->B[7][l] = B_zy;
+        shared_terms->B[8][l] = B_zz;
     }
 }
 
-/* Computes a leg of the poses of a block up to its square roots, 46 (22 mul, 20 add, 2 div, 2 sqrt)
- * operations each. The roots of the next leg are computed before the other terms of a leg, so that no
- * leg waits for its roots. */
-static void roots_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT at,
-    leg_roots *STEWART_RESTRICT out)
+/* Marks a pose in which a leg must be examined. */
+static void compute_legs_fit_block(legs_fit_block *STEWART_RESTRICT legs_fit)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
-        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+        legs_fit->any_unfit[l] = REAL(0);
+    }
+}
+
+/* Computes a leg up to its square roots: 46 (22 mul, 20 add, 2 div, 2 sqrt). */
+STEWART_APART static void compute_leg_roots_block(
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int leg,
+    leg_roots_block *STEWART_RESTRICT leg_roots)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
         const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
-        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
         const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
@@ -1021,72 +1339,67 @@ static void roots_of_leg(
         /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
-        const stewart_real inv_L = REAL(1)/L;
-        const stewart_real inv_rho = REAL(1)/rho;
-        out->q_x[l] = q_x;
-        out->q_y[l] = q_y;
-        out->q_z[l] = q_z;
-        out->S_x[l] = S_x;
-        out->S_y[l] = S_y;
-        out->S_z[l] = S_z;
-        out->zeta[l] = zeta;
-        out->k_cross_S_x[l] = k_cross_S_x;
-        out->k_cross_S_y[l] = k_cross_S_y;
-        out->k_cross_S_z[l] = k_cross_S_z;
-        out->L[l] = L;
-        out->rho[l] = rho;
-        out->inv_L[l] = inv_L;
-        out->inv_rho[l] = inv_rho;
+        leg_roots->inv_L[l] = REAL(1)/L;
+        leg_roots->inv_rho[l] = REAL(1)/rho;
+        leg_roots->q[0][l] = q_x;
+        leg_roots->q[1][l] = q_y;
+        leg_roots->q[2][l] = q_z;
+        leg_roots->S_x[l] = S_x;
+        leg_roots->S_y[l] = S_y;
+        leg_roots->S_z[l] = S_z;
+        leg_roots->zeta[l] = zeta;
+        leg_roots->k_cross_S_x[l] = k_cross_S_x;
+        leg_roots->k_cross_S_y[l] = k_cross_S_y;
+        leg_roots->k_cross_S_z[l] = k_cross_S_z;
+        leg_roots->L[l] = L;
+        leg_roots->rho[l] = rho;
     }
 }
 
-/* Computes the rest of a leg, 219 (134 mul, 85 add, 0 div, 0 sqrt) operations each: its column of H, its
- * D, and its part of c. A leg is q + t - b, so a leg that is short compared with q is also short
- * compared with t or b. */
-static void leg_of_block(
-    const stewart_exact_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT at,
-    const shared_lanes *STEWART_RESTRICT shared, const leg_roots *STEWART_RESTRICT roots,
-    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
-    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
+/* Computes a leg: its D, its column of H, and its part of c: 219 (134 mul, 85 add, 0 div, 0 sqrt). */
+static void compute_leg_terms_block(
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int leg,
+    const leg_roots_block *STEWART_RESTRICT leg_roots,
+    const shared_terms_block *STEWART_RESTRICT shared_terms, legs_fit_block *STEWART_RESTRICT legs_fit,
+    columns_block *STEWART_RESTRICT columns, leg_terms_block *STEWART_RESTRICT leg_terms,
+    leg_terms_now_block *STEWART_RESTRICT leg_terms_now)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
-        const stewart_real S_x = roots->S_x[l];
-        const stewart_real S_y = roots->S_y[l];
-        const stewart_real S_z = roots->S_z[l];
-        const stewart_real inv_L = roots->inv_L[l];
+        const stewart_real S_x = leg_roots[leg].S_x[l];
+        const stewart_real inv_L = leg_roots[leg].inv_L[l];
+        const stewart_real S_y = leg_roots[leg].S_y[l];
+        const stewart_real S_z = leg_roots[leg].S_z[l];
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        const stewart_real k_cross_S_x = roots->k_cross_S_x[l];
-        const stewart_real k_cross_S_y = roots->k_cross_S_y[l];
-        const stewart_real k_cross_S_z = roots->k_cross_S_z[l];
-        const stewart_real inv_rho = roots->inv_rho[l];
+        const stewart_real inv_rho = leg_roots[leg].inv_rho[l];
+        const stewart_real k_cross_S_x = leg_roots[leg].k_cross_S_x[l];
+        const stewart_real k_cross_S_y = leg_roots[leg].k_cross_S_y[l];
+        const stewart_real k_cross_S_z = leg_roots[leg].k_cross_S_z[l];
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;
         const stewart_real y_z = inv_rho*k_cross_S_z;
-        const stewart_real zeta = roots->zeta[l];
-        const stewart_real rho = roots->rho[l];
+        const stewart_real zeta = leg_roots[leg].zeta[l];
+        const stewart_real rho = leg_roots[leg].rho[l];
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
-        const stewart_real q_x = roots->q_x[l];
-        const stewart_real q_y = roots->q_y[l];
-        const stewart_real q_z = roots->q_z[l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
+        const stewart_real omega_y = at->omega[1][l], omega_z = at->omega[2][l], omega_x = at->omega[0][l];
+        const stewart_real q_z = leg_roots[leg].q[2][l], q_y = leg_roots[leg].q[1][l], q_x = leg_roots[leg].q[0][l];
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
         const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
-            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
-            B_zz = shared->B[8][l];
+        const stewart_real B_xx = shared_terms->B[0][l], B_xy = shared_terms->B[1][l], B_xz = shared_terms->B[2][l],
+            B_yx = shared_terms->B[3][l], B_yy = shared_terms->B[4][l], B_yz = shared_terms->B[5][l], B_zx = shared_terms->B[6][l],
+            B_zy = shared_terms->B[7][l], B_zz = shared_terms->B[8][l];
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -1111,16 +1424,16 @@ static void leg_of_block(
         /* rho_dot / rho */
         const stewart_real rho_share = L_share + lean;
         const stewart_real k33 = k3*k3;
-        const stewart_real L = roots->L[l];
+        const stewart_real L = leg_roots[leg].L[l];
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
         const stewart_real h2_x = model->h2_x[leg];
-        const stewart_real h2_z = model->h2_z[leg];
-        const stewart_real J_xx = model->J[0][leg], J_xy = model->J[1][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg];
-        const stewart_real J2_xz = model->J2_xz[leg];
         const stewart_real dJ_zx = model->dJ_zx[leg];
+        const stewart_real J2_xz = model->J2_xz[leg];
+        const stewart_real h2_z = model->h2_z[leg];
+        const stewart_real J_xy = model->J[1][leg], J_xx = model->J[0][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg];
+        const stewart_real h_y = model->h[1][leg], h_x = model->h[0][leg], h_z = model->h[2][leg];
         /* (9) accelerations of the joint coordinates */
         const stewart_real theta_ddot = STEWART_FMA(-theta_dot, L_share + rho_share,
             inv_rho*STEWART_FMA(-S_ddot_z, k_z, STEWART_FMA(-S_ddot_y, k_y, STEWART_FMA(-S_ddot_x, k_x,
@@ -1147,14 +1460,14 @@ static void leg_of_block(
         /* components of gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
-        const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+        const stewart_real w_z = model->w[2][leg], w_x = model->w[0][leg], w_y = model->w[1][leg];
         /* components of the first moment along k and along -k x y */
         const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
-        const stewart_real C_s = model->C_s[leg];
-        const stewart_real h2_y = model->h2_y[leg];
         const stewart_real g_k = model->g_k[leg];
         const stewart_real C_us = model->C_us[leg];
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real h2_y = model->h2_y[leg];
         /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(M_mixed, phi_ddot,
             STEWART_FMA(bend, h2_x, STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(C_s,
@@ -1173,28 +1486,214 @@ static void leg_of_block(
         const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
         const stewart_real C_p = model->C_p[leg];
+        const stewart_real least_L = shared_terms->least_L[l];
         /* (24) known part of the actuator force for this K */
-        const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z,
+        leg_terms[leg].D[l] = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z,
             theta_ddot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_x, -theta_dot2, C_p*L_dot)))));
         const stewart_real c1 = C_s*phi_dot;
         const stewart_real c2 = C_s*theta_dot;
-        column[0][l] = s_x;
-        column[1][l] = s_y;
-        column[2][l] = s_z;
-        own->q[0][l] = q_x;
-        own->q[1][l] = q_y;
-        own->q[2][l] = q_z;
-        own->c_force[0][l] = -K_x;
-        own->c_force[1][l] = -K_y;
-        own->c_force[2][l] = -K_z;
-        own->c_moment[0][l] = STEWART_FMA(c2, y_x, c1*k_x);
-        own->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
-        own->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
-        known[l] = D;
-        stewart_real fault = L > shared->least_L[l] ? bad[l] : REAL(1);
-        fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
-        bad[l] = fault;
+        leg_terms_now->c_force[0][l] = -K_x;
+        leg_terms_now->c_force[1][l] = -K_y;
+        leg_terms_now->c_force[2][l] = -K_z;
+        leg_terms_now->c_moment[0][l] = STEWART_FMA(c2, y_x, c1*k_x);
+        leg_terms_now->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
+        leg_terms_now->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
+        const stewart_real unfit = L > least_L ? REAL(0) : REAL(1);
+        const stewart_real unfit_2 = k3 > STEWART_NEAR_JOINT_SINGULAR ? unfit : REAL(1);
+        legs_fit->any_unfit[l] = STEWART_LARGER(legs_fit->any_unfit[l], unfit_2);
+        columns[leg].H[0][l] = s_x;
+        columns[leg].H[1][l] = s_y;
+        columns[leg].H[2][l] = s_z;
     }
+}
+
+/* Computes the platform's part of c about platform point 1: 12 (6 mul, 6 add, 0 div, 0 sqrt). */
+static void compute_tip_terms_block(
+    const leg_roots_block *STEWART_RESTRICT leg_roots,
+    const shared_terms_block *STEWART_RESTRICT shared_terms, right_side_block *STEWART_RESTRICT right_side,
+    const leg_terms_now_block *STEWART_RESTRICT leg_terms_now, tip_terms_block *STEWART_RESTRICT tip_terms)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_x_leg1 = leg_roots[0].q[0][l], q_y_leg1 = leg_roots[0].q[1][l], q_z_leg1 = leg_roots[0].q[2][l];
+        const stewart_real c_moment_x = shared_terms->c_moment[0][l], c_moment_y = shared_terms->c_moment[1][l],
+            c_moment_z = shared_terms->c_moment[2][l];
+        const stewart_real c_force_y = shared_terms->c_force[1][l], c_force_z = shared_terms->c_force[2][l],
+            c_force_x = shared_terms->c_force[0][l];
+        const stewart_real c_force_x_2_leg1 = leg_terms_now->c_force[0][l], c_force_y_2_leg1 = leg_terms_now->c_force[1][l],
+            c_force_z_2_leg1 = leg_terms_now->c_force[2][l];
+        const stewart_real c_moment_x_2_leg1 = leg_terms_now->c_moment[0][l], c_moment_y_2_leg1 = leg_terms_now->c_moment[1][l],
+            c_moment_z_2_leg1 = leg_terms_now->c_moment[2][l];
+        const stewart_real q_1_x = q_x_leg1;
+        const stewart_real q_1_y = q_y_leg1;
+        const stewart_real q_1_z = q_z_leg1;
+        const stewart_real c_tip_x = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z,
+            c_moment_x));
+        const stewart_real c_tip_y = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x,
+            c_moment_y));
+        const stewart_real c_tip_z = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y,
+            c_moment_z));
+        right_side->c[0][l] = c_force_x + c_force_x_2_leg1;
+        right_side->c[1][l] = c_force_y + c_force_y_2_leg1;
+        right_side->c[2][l] = c_force_z + c_force_z_2_leg1;
+        right_side->c[3][l] = c_tip_x + c_moment_x_2_leg1;
+        right_side->c[4][l] = c_tip_y + c_moment_y_2_leg1;
+        right_side->c[5][l] = c_tip_z + c_moment_z_2_leg1;
+        tip_terms->q_1_x[l] = q_1_x;
+        tip_terms->q_1_y[l] = q_1_y;
+        tip_terms->q_1_z[l] = q_1_z;
+    }
+}
+
+/* Computes the moments of a leg about platform point 1: 21 (12 mul, 9 add, 0 div, 0 sqrt). */
+static void compute_moment_terms_block(
+    int leg, right_side_block *STEWART_RESTRICT right_side,
+    const leg_terms_now_block *STEWART_RESTRICT leg_terms_now,
+    const leg_roots_block *STEWART_RESTRICT leg_roots, const tip_terms_block *STEWART_RESTRICT tip_terms,
+    columns_block *STEWART_RESTRICT columns)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real c_force_x_2 = leg_terms_now->c_force[0][l], c_force_y_2 = leg_terms_now->c_force[1][l],
+            c_force_z_2 = leg_terms_now->c_force[2][l];
+        const stewart_real c_moment_x_2 = leg_terms_now->c_moment[0][l], c_moment_y_2 = leg_terms_now->c_moment[1][l],
+            c_moment_z_2 = leg_terms_now->c_moment[2][l];
+        const stewart_real q_x = leg_roots[leg].q[0][l], q_y = leg_roots[leg].q[1][l], q_z = leg_roots[leg].q[2][l];
+        const stewart_real q_1_x = tip_terms->q_1_x[l];
+        const stewart_real q_1_y = tip_terms->q_1_y[l];
+        const stewart_real q_1_z = tip_terms->q_1_z[l];
+        const stewart_real s_z = columns[leg].H[2][l], s_y = columns[leg].H[1][l], s_x = columns[leg].H[0][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        columns[leg].H[3][l] = STEWART_FMA(-s_y, arm_z, s_z*arm_y);
+        columns[leg].H[4][l] = STEWART_FMA(-s_z, arm_x, s_x*arm_z);
+        columns[leg].H[5][l] = STEWART_FMA(-s_x, arm_y, s_y*arm_x);
+        const stewart_real arm_c_x = STEWART_FMA(-arm_z, c_force_y_2, arm_y*c_force_z_2);
+        const stewart_real arm_c_y = STEWART_FMA(-arm_x, c_force_z_2, arm_z*c_force_x_2);
+        const stewart_real arm_c_z = STEWART_FMA(-arm_y, c_force_x_2, arm_x*c_force_y_2);
+        right_side->c[0][l] = right_side->c[0][l] + c_force_x_2;
+        right_side->c[1][l] = right_side->c[1][l] + c_force_y_2;
+        right_side->c[2][l] = right_side->c[2][l] + c_force_z_2;
+        right_side->c[3][l] = right_side->c[3][l] + c_moment_x_2 + arm_c_x;
+        right_side->c[4][l] = right_side->c[4][l] + c_moment_y_2 + arm_c_y;
+        right_side->c[5][l] = right_side->c[5][l] + c_moment_z_2 + arm_c_z;
+    }
+}
+
+/* Multiplies the moments of a leg by `per_length`. */
+STEWART_APART static void compute_scaled_moments_block(
+    const stewart_exact_model *STEWART_RESTRICT model, int leg, columns_block *STEWART_RESTRICT columns)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real H_moment_x = columns[leg].H[3][l], H_moment_y = columns[leg].H[4][l], H_moment_z = columns[leg].H[5][l];
+        const stewart_real per_length = model->per_length;
+        columns[leg].H[3][l] = H_moment_x*per_length;
+        columns[leg].H[4][l] = H_moment_y*per_length;
+        columns[leg].H[5][l] = H_moment_z*per_length;
+    }
+}
+
+/* Multiplies the moments of c by `per_length`. */
+STEWART_APART static void compute_scaled_wrench_block(
+    const stewart_exact_model *STEWART_RESTRICT model, right_side_block *STEWART_RESTRICT right_side)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real c_3 = right_side->c[3][l], c_4 = right_side->c[4][l], c_5 = right_side->c[5][l];
+        const stewart_real per_length = model->per_length;
+        right_side->c[3][l] = c_3*per_length;
+        right_side->c[4][l] = c_4*per_length;
+        right_side->c[5][l] = c_5*per_length;
+    }
+}
+
+/* Computes F = D - x, (37). */
+static void compute_force_terms_block(
+    const leg_terms_block *STEWART_RESTRICT leg_terms, const solution_block *STEWART_RESTRICT solution,
+    const legs_fit_block *STEWART_RESTRICT legs_fit, forces_block *STEWART_RESTRICT forces)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real D_leg1 = leg_terms[0].D[l];
+        const stewart_real x_0 = solution->x[0][l], x_1 = solution->x[1][l], x_2 = solution->x[2][l], x_3 = solution->x[3][l],
+            x_4 = solution->x[4][l], x_5 = solution->x[5][l];
+        const stewart_real D_leg2 = leg_terms[1].D[l];
+        const stewart_real D_leg3 = leg_terms[2].D[l];
+        const stewart_real D_leg4 = leg_terms[3].D[l];
+        const stewart_real D_leg5 = leg_terms[4].D[l];
+        const stewart_real D_leg6 = leg_terms[5].D[l];
+        const stewart_real suspect = solution->suspect[l];
+        const stewart_real any_unfit = legs_fit->any_unfit[l];
+        const stewart_real F_0 = D_leg1 - x_0;
+        const stewart_real F_1 = D_leg2 - x_1;
+        const stewart_real F_2 = D_leg3 - x_2;
+        const stewart_real F_3 = D_leg4 - x_3;
+        const stewart_real F_4 = D_leg5 - x_4;
+        const stewart_real F_5 = D_leg6 - x_5;
+        const stewart_real doubtful = suspect;
+        const stewart_real unfinished = STEWART_LARGER(any_unfit, doubtful);
+        const stewart_real unfinished_2 = STEWART_FABS(F_0) <= STEWART_MAX ? unfinished : REAL(1);
+        const stewart_real unfinished_3 = STEWART_FABS(F_1) <= STEWART_MAX ? unfinished_2 : REAL(1);
+        const stewart_real unfinished_4 = STEWART_FABS(F_2) <= STEWART_MAX ? unfinished_3 : REAL(1);
+        const stewart_real unfinished_5 = STEWART_FABS(F_3) <= STEWART_MAX ? unfinished_4 : REAL(1);
+        const stewart_real unfinished_6 = STEWART_FABS(F_4) <= STEWART_MAX ? unfinished_5 : REAL(1);
+        forces->unfinished[l] = STEWART_FABS(F_5) <= STEWART_MAX ? unfinished_6 : REAL(1);
+        forces->F[0][l] = F_0;
+        forces->F[1][l] = F_1;
+        forces->F[2][l] = F_2;
+        forces->F[3][l] = F_3;
+        forces->F[4][l] = F_4;
+        forces->F[5][l] = F_5;
+    }
+}
+
+/* Computes the forces of a block of poses, and marks the poses that must be examined. */
+static void forces_of_block(const stewart_exact_model *model, const motion_lanes *at, forces_block *forces)
+{
+    int l, leg;
+    shared_terms_block shared_terms;
+    legs_fit_block legs_fit;
+    leg_roots_block leg_roots[6];
+    columns_block columns[6];
+    leg_terms_block leg_terms[6];
+    leg_terms_now_block leg_terms_now;
+    tip_terms_block tip_terms;
+    right_side_block right_side;
+    solution_block solution;
+    compute_shared_terms_block(model, at, &shared_terms);
+    compute_legs_fit_block(&legs_fit);
+    compute_leg_roots_block(model, at, 0, &leg_roots[0]);
+    for (leg = 0; leg < 6; ++leg) {
+        if (leg < 5) {
+            compute_leg_roots_block(model, at, leg + 1, &leg_roots[leg + 1]);
+        }
+        compute_leg_terms_block(model, at, leg, leg_roots, &shared_terms, &legs_fit, columns, leg_terms,
+            &leg_terms_now);
+        if (leg == 0) {
+            compute_tip_terms_block(leg_roots, &shared_terms, &right_side, &leg_terms_now, &tip_terms);
+        }
+        if (leg > 0) {
+            compute_moment_terms_block(leg, &right_side, &leg_terms_now, leg_roots, &tip_terms, columns);
+        }
+    }
+    if (model->per_length != REAL(1)) {
+        for (leg = 1; leg < 6; ++leg) {
+            compute_scaled_moments_block(model, leg, columns);
+        }
+        compute_scaled_wrench_block(model, &right_side);
+    }
+    compute_two_blocks_block(model->arm_cube, columns, &right_side, &solution);
+    stewart_real most_weak = REAL(0);
+    for (l = 0; l < POSES; ++l) {
+        most_weak = STEWART_LARGER(solution.weak[l], most_weak);
+    }
+    if (most_weak > REAL(0)) {
+        compute_pivots_block(columns, &right_side, &solution);
+    }
+    compute_force_terms_block(leg_terms, &solution, &legs_fit, forces);
 }
 
 /* Loads the motions of a block of poses, component by component. */
@@ -1209,38 +1708,6 @@ STEWART_APART static void load_block(
     load_vector(motions->a, stride, first, count, at->a);
     load_vector(motions->F_ext, stride, first, count, at->F_ext);
     load_vector(motions->M_ext, stride, first, count, at->M_ext);
-}
-
-/* Computes the forces of a block of poses, and marks the poses that must be checked. */
-static void forces_of_block(const stewart_exact_model *model, const motion_lanes *at, block *out)
-{
-    int i, l;
-    shared_lanes shared;
-    roots_of_legs roots;
-    leg_block first;
-    leg_block other;
-    for (l = 0; l < POSES; ++l) {
-        out->bad[l] = REAL(0);
-    }
-    roots_of_leg(model, 0, at, &roots.leg[0]);
-    shared_of_block(model, at, &shared, out->column[6]);
-    for (i = 0; i < 6; ++i) {
-        if (i < 5) {
-            roots_of_leg(model, i + 1, at, &roots.leg[i + 1]);
-        }
-        leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
-            out->D[i], out->bad);
-        if (i == 0) {
-            moments_of_first(first.q, first.c_force, first.c_moment, out->column[6]);
-        } else {
-            moments_of_block(other.q, first.q, other.c_force, other.c_moment, out->column[i],
-                out->column[6]);
-        }
-    }
-    if (model->per_length != REAL(1)) {
-        scale_block(out->column, model->per_length);
-    }
-    solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }
 
 /* Computes the forces and the status of one pose of a block. */
@@ -1271,7 +1738,7 @@ static int forces_of_poses(
     size_t first;
     int i, l;
     motion_lanes at;
-    block done;
+    forces_block done;
     stewart_real found[6];
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)POSES) {
@@ -1283,10 +1750,10 @@ static int forces_of_poses(
             }
             const size_t pose = first + (size_t)l;
             int code = STEWART_OK;
-            if (done.bad[l] > REAL(0)) {
+            if (done.unfinished[l] > REAL(0)) {
                 code = forces_of(model, &at, l, found);
                 if (code == STEWART_OK) {
-                    done.bad[l] = REAL(0);
+                    done.unfinished[l] = REAL(0);
                     for (i = 0; i < 6; ++i) {
                         done.F[i][l] = found[i];
                     }
@@ -1297,7 +1764,7 @@ static int forces_of_poses(
             }
             result = result == STEWART_OK ? code : result;
         }
-        store_forces(done.F, done.bad, stride, first, count, F);
+        store_forces(done.F, done.unfinished, stride, first, count, F);
     }
     return result;
 }

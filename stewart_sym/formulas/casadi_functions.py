@@ -118,7 +118,7 @@ def _results(
     """Return the results of a function by name; ``F`` are the forces of forward dynamics."""
     import casadi
 
-    from ..derive.kernel.tree.interpret import Interpreter
+    from ..derive.trace.interpret import Interpreter
 
     instance(robot, Robot, "robot")
     on = Functions(casadi.sqrt, casadi.fabs, casadi.exp, casadi.if_else)
@@ -145,8 +145,8 @@ def _matrix(value: Any) -> Any:
 def _arithmetic(checked: bool) -> Any:
     import casadi
 
-    from ..derive.kernel.tree.constants import constants
-    from ..derive.kernel.tree.interpret import Arithmetic
+    from ..derive.trace.constants import constants
+    from ..derive.trace.interpret import Arithmetic
 
     def where(test: Any, yes: Any, no: Any) -> Any:
         if isinstance(test, bool):

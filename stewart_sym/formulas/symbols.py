@@ -245,8 +245,8 @@ def prepared(
 
     ``what`` is the name of the function in messages.
     """
-    from ..derive.kernel.tree.constants import constants
-    from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
+    from ..derive.trace.constants import constants
+    from ..derive.trace.interpret import Arithmetic, Interpreter
     from .trees import robot_structure
 
     instance(robot, Robot, "robot")

@@ -20,11 +20,11 @@ from ..derive.generated_files import reduced_axial, reduced_fidelity, reduced_ki
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from ..derive.kernel.outputs import FORCED, FORCES, program
 from ..derive.kernel.torque import axial_program, torque_program
-from ..derive.kernel.tree.constants import constants
-from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
-from ..derive.kernel.tree.nodes import Program
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE
+from ..derive.trace.constants import constants
+from ..derive.trace.interpret import Arithmetic, Interpreter
+from ..derive.trace.nodes import Program
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
 from ..io.array_types import Array

@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 from ..backend.kernel import kernel_name
 from ..backend.numpy_kernel import loaded
 from ..derive.kernel.outputs import FORCES, program
-from ..derive.kernel.tree.constants import unchecked
-from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.formulation import BY_KERNEL, EXACT, Formulation
 from ..derive.mechanics.legs.rotor import NONE
 from ..derive.mechanics.reduced_models import Fidelity, fidelity_kernel, level_of
+from ..derive.trace.constants import unchecked
+from ..derive.trace.interpret import Arithmetic, Interpreter
 from ..formulas.trees import robot_structure, structure
 from ..io.array_types import Array
 from ..motion.motion import Motion

@@ -8,10 +8,10 @@ import pytest
 import sympy as sp
 from command_line import rejects
 
-from stewart_sym.derive.kernel.tree.lower import expression
 from stewart_sym.derive.mechanics import platform
 from stewart_sym.derive.mechanics.legs.base_frame import Transverse, scalar_form, vector_form
 from stewart_sym.derive.program.block import Builder
+from stewart_sym.derive.trace.lower import expression
 
 A, B = sp.symbols("a b", real=True)
 

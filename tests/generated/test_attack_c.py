@@ -126,8 +126,8 @@ PADDED = "if (first + (size_t)POSES <= count) {\n        return block_at"
 NULL = "motions->t == NULL) {"
 BROKEN = {
     "past the end": (PADDED, PADDED.replace("(size_t)POSES <=", "1U <="), "heap-buffer-overflow"),
-    "not finite": ("if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {", "if (0) {", "attack_finite"),
-    "batch": ("if (done.bad[l] > REAL(0)) {", "if (done.bad[l] > REAL(1)) {", "attack_first"),
+    "not finite": ("if (!(STEWART_FABS(forces.F[i]) <= STEWART_MAX)) {", "if (0) {", "attack_finite"),
+    "batch": ("if (done.unfinished[l] > REAL(0)) {", "if (done.unfinished[l] > REAL(1)) {", "attack_first"),
     "null": (f"|| motions->R == NULL || {NULL}", f"|| {NULL}", "null pointer"),
     "undefined": ("int code = STEWART_OK;", "int code = 1 << (31 + (count > 8));", "left shift of 1"),
 }

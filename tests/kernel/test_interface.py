@@ -11,9 +11,9 @@ from stewart_sym.backend import native
 from stewart_sym.backend.kernel import defines_of
 from stewart_sym.backend.kernel_sources import generated_text
 from stewart_sym.derive.kernel.interface import CALLS
-from stewart_sym.derive.kernel.tree.constants import STATUS, STATUSES
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function
+from stewart_sym.derive.trace.constants import STATUS, STATUSES
 from stewart_sym.generated import interface
 from stewart_sym.kit.kit_options import STEMS
 

@@ -20,13 +20,13 @@ import stewart_sym as ss
 from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.generated_files import reduced_fidelity, reduced_forces
 from stewart_sym.derive.kernel.outputs import program
-from stewart_sym.derive.kernel.tree import read
-from stewart_sym.derive.kernel.tree.constants import constants
-from stewart_sym.derive.kernel.tree.interpret import Arithmetic, Interpreter
-from stewart_sym.derive.kernel.tree.nodes import Program
 from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
+from stewart_sym.derive.trace import read
+from stewart_sym.derive.trace.constants import constants
+from stewart_sym.derive.trace.interpret import Arithmetic, Interpreter
+from stewart_sym.derive.trace.nodes import Program
 from stewart_sym.formulas.trees import robot_structure
 from stewart_sym.kit import Choice, write_kit
 

@@ -16,8 +16,8 @@ from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive import generated_files as generation
 from stewart_sym.derive.kernel import interface, outputs
 from stewart_sym.derive.kernel.prepare import result
-from stewart_sym.derive.kernel.tree.nodes import Array, Field, Integer, Real, Type
 from stewart_sym.derive.mechanics.reduced_models import AXISYMMETRIC, FIDELITIES, Fidelity
+from stewart_sym.derive.trace.nodes import Array, Field, Integer, Real, Type
 
 
 def in_c(

@@ -1,7 +1,4 @@
-"""Actuator forces with a bound of their rounding error as a written function.
-
-Names in capitals are placeholders for the blocks: values, errors, and derivatives of a force.
-"""
+"""Actuator forces with a bound of their rounding error; names in capitals are placeholders for blocks."""
 
 
 def least(value: "Real", error: "Real") -> "Real":
@@ -290,25 +287,26 @@ def pose_status(of: "Equations", shared: "Shared", suspect: "Integer") -> "Integ
 def solution(of: "Equations", model: "Model", x: "array(6)", Y: "array(6, 6)") -> "Integer":
     """x, and the inverse Y of H, by the solve of the force kernel. Returns 1 for a small pivot, else
     0."""
-    A = blank(array(6, LANES))
-    wrench = blank(array(6))
-    found = blank(array(6))
-    suspect = 0
+    columns_of_H = blank(Columns)
+    right_side = blank(RightSide)
+    found = blank(Solution)
     for column in range(7):
         for i in range(6):
             unit = where(i < 3, 1.0, model.per_length)
             for j in range(6):
-                A[i][j] = unit * of.H[i][j]
-            A[i][6] = 0.0
-            A[i][7] = 0.0
-            wrench[i] = where(column < 6, where(i == column, unit, 0.0), unit * of.c[i])
-        suspect = solve_pose(A, wrench, model.arm_cube, found)
+                columns_of_H.H[i][j] = unit * of.H[i][j]
+            columns_of_H.H[i][6] = 0.0
+            columns_of_H.H[i][7] = 0.0
+            right_side.c[i] = where(column < 6, where(i == column, unit, 0.0), unit * of.c[i])
+        compute_two_blocks_pose(model.arm_cube, columns_of_H, right_side, found)
+        if found.weak > 0.0:
+            compute_pivots_pose(columns_of_H, right_side, found)
         for i in range(6):
             if column < 6:
-                Y[i][column] = found[i]
+                Y[i][column] = found.x[i]
             else:
-                x[i] = found[i]
-    return suspect
+                x[i] = found.x[i]
+    return where(found.suspect > 0.0, 1, 0)
 
 
 def bound_of_pose(

@@ -41,16 +41,6 @@ def by_entries(k) -> None:
             a[i, j] = a[i, j] - factor[i, k] * upper[k, j]
 
 
-def by_rows(k) -> None:
-    """Clear row by row as vectors; the next column is computed before its rows are stored."""
-    for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
-        factor[i, k] = a[i,] * inverse[k,]
-    for i in each(k + 1, 6):
-        a[i,] = A[i][k + 1] if k == 0 and i >= FIRST else A[i][k + 1] - factor[i, k] * A[k][k + 1]
-    for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
-        subtract_row(A[i], factor[i, k], A[k])
-
-
 def by_long_rows(k) -> None:
     """Rows with many right sides."""
     clear_below_WIDTH(A, k, inverse[k])
@@ -96,24 +86,6 @@ def exchange_selected(k, i) -> None:
         above = a[k, j]
         a[k, j] = where(larger_below, a[i, j], a[k, j])
         a[i, j] = where(larger_below, above, a[i, j])
-
-
-def exchange_in_lanes(k, i) -> None:
-    """Exchange rows in lanes; the test is a number, so that all vectors have the same width."""
-    below[i, k] = where(size(a[i, k]) > size(a[k, k]), 1.0, 0.0)
-    for j in each(k, 7):
-        above[k, j, i] = where(below[i, k] > 0.0, a[i, j], a[k, j])
-        a[i, j] = where(below[i, k] > 0.0, a[k, j], a[i, j])
-        a[k, j] = above[k, j, i]
-
-
-def exchange_whole(k, i) -> None:
-    """Exchange rows k and i of one pose if row i has the larger entry, in the same order as for a block."""
-    if size(a[i,]) > size(a[k,]):
-        moved = a[k,]
-        exchange_rows(A[k], A[i])
-        a[k,] = a[i,]
-        a[i,] = moved
 
 
 def largest_of_column(k) -> None:
@@ -162,11 +134,6 @@ def exchange_once(k) -> None:
 def suspicion(k) -> None:
     """Mark the pose if a pivot is small."""
     suspect = where(size(a[k, k]) > SUSPECT, suspect, 1)
-
-
-def fault_in_lanes(k) -> None:
-    """Mark the lanes in which a pivot is small."""
-    fault = where(size(a[k, k]) > SUSPECT, fault, 1.0)
 
 
 def product(k) -> None:
@@ -237,7 +204,12 @@ def two_blocks() -> None:
                 - a[(j + 2) % 3, 2 * ((i + 1) % 3) + 1] * a[(j + 1) % 3, 2 * ((i + 2) % 3) + 1]
             )
     det = a[0, 1] * r[0, 0] + a[1, 1] * r[0, 1] + a[2, 1] * r[0, 2]
-    eliminated()
+    for c in each(0, 7, 2):
+        for i in each(3):
+            e[i, c] = r[i, 0] * a[0, c] + r[i, 1] * a[1, c] + r[i, 2] * a[2, c]
+        for k in each(3):
+            own[k, c] = det * a[k + 3, c] - a[k + 3, 1] * e[0, c]
+            w[k, c] = own[k, c] - a[k + 3, 3] * e[1, c] - a[k + 3, 5] * e[2, c]
     for i in each(3):
         for j in each(3):
             u[i, j] = (
@@ -258,37 +230,3 @@ def two_blocks() -> None:
         x[2 * i,] = (u[i, 0] * w[0, 6] + u[i, 1] * w[1, 6] + u[i, 2] * w[2, 6]) * inverse_complement
     for i in each(3):
         x[2 * i + 1,] = (e[i, 6] - e[i, 0] * x[0,] - e[i, 2] * x[2,] - e[i, 4] * x[4,]) * inverse_det
-
-
-def entry_by_entry() -> None:
-    """Compute the forces of legs 2, 4, and 6, and the Schur complement, both times the determinant."""
-    for c in each(0, 7, 2):
-        for i in each(3):
-            e[i, c] = r[i, 0] * a[0, c] + r[i, 1] * a[1, c] + r[i, 2] * a[2, c]
-        for k in each(3):
-            own[k, c] = det * a[k + 3, c] - a[k + 3, 1] * e[0, c] if c >= OWN else -a[k + 3, 1] * e[0, c]
-            w[k, c] = own[k, c] - a[k + 3, 3] * e[1, c] - a[k + 3, 5] * e[2, c]
-
-
-def column_by_column() -> None:
-    """``entry_by_entry`` for one pose, where a row of eight is one vector."""
-    balanced = blank(array(3, LANES))
-    left = blank(array(3, LANES))
-    for l in range(LANES):
-        for i in each(3):
-            of[i,] = r[i, 0] * A[0][l] + r[i, 1] * A[1][l] + r[i, 2] * A[2][l]
-            balanced[i][l] = of[i,]
-        for k in each(3):
-            left[k][l] = (
-                det * A[k + 3][l] - A[k + 3][1] * of[0,] - A[k + 3][3] * of[1,] - A[k + 3][5] * of[2,]
-            )
-    for i in each(3):
-        for c in each(0, 6, 2):
-            e[i, c] = balanced[i][c]
-            w[i, c] = left[i][c]
-    # The column c alone, which the rows do not hold: it was just stored, number by number, and a processor
-    # would wait for all of it before it reads it as part of a vector.
-    for i in each(3):
-        e[i, 6] = r[i, 0] * wrench[0] + r[i, 1] * wrench[1] + r[i, 2] * wrench[2]
-    for k in each(3):
-        w[k, 6] = det * wrench[k + 3] - A[k + 3][1] * e[0, 6] - A[k + 3][3] * e[1, 6] - A[k + 3][5] * e[2, 6]

@@ -75,6 +75,24 @@ def singular_status(
     return status if CARRIED else OK
 
 
+def rows_status(
+    A: "array(6, LANES)", q: "array(3, LANES)", L: "array(LANES)", reach: "array(LANES)", per_length: "Real"
+) -> "Integer":
+    """Returns the status of a pose whose H may be singular to rounding."""
+    H = blank(array(6, 6))
+    arm = blank(array(6, 3))
+    tip = 0.0
+    if ABOUT_TIP:
+        for j in range(3):
+            tip = larger(size(q[j][0]), tip)
+    for i in range(6):
+        for j in range(3):
+            arm[i][j] = q[j][i] - q[j][0] if ABOUT_TIP else q[j][i]
+            H[j][i] = A[j][i]
+            H[j + 3][i] = A[j + 3][i] / per_length
+    return singular_status(H, arm, L, reach, tip)
+
+
 def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
     """Solves the rows [M | Y] for X, which replaces Y, by L D L^T.
 

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...kernel.tree.constants import INTEGERS, STATUS
-from ...kernel.tree.nodes import Array, Constant, Program, Record, Type, parts_of
+from ...trace.constants import INTEGERS, STATUS
+from ...trace.nodes import Array, Constant, Program, Record, Type, parts_of
 from ..functions import Vector
 from ..robot_source import Machine
 

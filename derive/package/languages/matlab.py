@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
-from ...kernel.tree.constants import constants
-from ...kernel.tree.decided_selections import of_one_pose
 from ...print.matlab import Matlab
+from ...trace.constants import constants
+from ...trace.decided_selections import of_one_pose
 from ..functions import Vector
 from ..text_format import template
 from .contents import Contents, Value

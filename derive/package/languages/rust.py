@@ -2,11 +2,11 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from ...kernel.tree.constants import constants
-from ...kernel.tree.decided_selections import of_one_pose
 from ...mechanics import quantities as n
 from ...print.rust import Rust
 from ...program.block import Quantity
+from ...trace.constants import constants
+from ...trace.decided_selections import of_one_pose
 from ..functions import Vector
 from ..text_format import Numbers, stored, template
 from .contents import Contents, Value, compared

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import total_ordering
 from typing import Any
 
-from ...program.block import Operations
+from ..program.block import Operations
 from .constants import constants
 from .interpret import Arithmetic, Interpreter, filled
 from .nodes import Integer, Program, Type

@@ -6,8 +6,8 @@ from functools import partial, reduce
 
 import sympy as sp
 
-from ...program.block import Step, common_factor
-from ...program.order import AS_DERIVED, NOTHING, Ready, ready_in, terms_in_order
+from ..program.block import Step, common_factor
+from ..program.order import AS_DERIVED, NOTHING, Ready, ready_in, terms_in_order
 from . import nodes as t
 
 

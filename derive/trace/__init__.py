@@ -1,0 +1,1 @@
+"""Traces of kernels, which are ordinary Python functions, and their schedules as functions of a tree."""
