@@ -602,7 +602,7 @@ static int search(
             const stewart_real allowed = STEWART_LARGER(REAL(0.7)*worst, STEWART_ROUNDING*legs->reach);
             status = legs_at(robot, pose, legs);
             worst = compare(L, legs);
-            legs->straight = ((going == 1) && (worst > allowed)) ? 0 : legs->straight;
+            legs->straight = (worst > allowed) ? 0 : legs->straight;
         } else {
             break;
         }
@@ -884,7 +884,7 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
                 const stewart_real basin = (flat*per_size*per_size)/legs.of_inverse;
                 apart(&pose, &nearest.guess, squares);
                 const stewart_real away = squares[0] + squares[1];
-                const int take = ((active == 1) && (found == 1) && (away < nearest.away)) ? 1 : 0;
+                const int take = ((active == 1) && (away < nearest.away)) ? found : 0;
                 nearest.away = (take == 1) ? away : nearest.away;
                 nearest.basin = (take == 1) ? basin : nearest.basin;
                 for (i = 0; i < 9; ++i) {

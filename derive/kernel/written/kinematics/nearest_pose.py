@@ -164,7 +164,7 @@ def pose_of(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
                 basin = flat * per_size * per_size / legs.of_inverse
                 apart(pose, nearest.guess, squares)
                 away = squares[0] + squares[1]
-                take = where((active == 1) & (found == 1) & (away < nearest.away), 1, 0)
+                take = where((active == 1) & (away < nearest.away), found, 0)
                 nearest.away = where(take == 1, away, nearest.away)
                 nearest.basin = where(take == 1, basin, nearest.basin)
                 for number in numbers(pose):

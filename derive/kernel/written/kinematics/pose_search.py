@@ -352,7 +352,7 @@ def search(
             allowed = larger(0.7 * worst, ROUNDING * legs.reach)
             status = legs_at(robot, pose, legs)
             worst = compare(L, legs)
-            legs.straight = where((going == 1) & (worst > allowed), 0, legs.straight)
+            legs.straight = where(worst > allowed, 0, legs.straight)
         else:
             break
     return where((status == OK) & (worst <= ROUNDING * legs.reach), 1, 0)
