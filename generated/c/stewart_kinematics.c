@@ -40,15 +40,21 @@ typedef struct {
 /* Six legs at a pose, and their equations. */
 typedef struct {
     stewart_real A[6][7]; /* 1: rows [s, q x s / size] of J, and a right side; then a triangle */
-    stewart_real q[6][3]; /* m: platform points from the reference point, base frame */
-    stewart_real S[6][3]; /* m: leg vectors, base frame */
-    stewart_real L[6]; /* m: lengths */
-    stewart_real reach; /* m: largest component of the terms of S = q + t - b */
+    leg_vectors leg[6]; /* the legs */
+    stewart_real extent; /* m: largest distance of a joint from the origin of its part */
+    stewart_real reach; /* m: size of the terms of S = q + t - b */
     stewart_real of_inverse; /* 1: square of the size of J^-1 */
-    stewart_real first; /* m^2: square of the first step of a search */
-    stewart_real last; /* m^2: square of its last step */
-    int straight; /* 1 if each step is at most half as long as the one before */
+    stewart_real last; /* m^2: square of the last step of a search */
+    int straight; /* 1 if each step reduced the largest length error by 30 % */
 } legs_at_pose;
+
+/* Nearest pose that the searches found. */
+typedef struct {
+    stewart_pose guess; /* the guess */
+    stewart_pose pose; /* the nearest pose to it */
+    stewart_real away; /* m^2 and rad^2: square of the distance between both */
+    stewart_real basin; /* rad^2: square of a distance from which steps lead to the pose */
+} nearest;
 
 /* Result of the search for a pose. */
 typedef struct {
@@ -237,21 +243,12 @@ static leg_rates rates_of(const stewart_robot *robot, const stewart_motion *moti
 static int legs_at(const stewart_robot *robot, const stewart_pose *pose, legs_at_pose *legs)
 {
     int i;
-    int j;
     int status = STEWART_OK;
-    legs->reach = REAL(0);
+    legs->reach = largest_component(pose->t, legs->extent);
     for (i = 0; i < 6; ++i) {
-        leg_vectors leg;
-        leg = vectors_of(&robot->leg[i], pose);
-        const stewart_real reach = reach_of(robot->leg[i].b, pose->t, leg.q);
-        const int fault = fault_of(leg.L, REAL(1), reach);
+        legs->leg[i] = vectors_of(&robot->leg[i], pose);
+        const int fault = fault_of(legs->leg[i].L, REAL(1), legs->reach);
         status = (status == STEWART_OK) ? fault : status;
-        for (j = 0; j < 3; ++j) {
-            legs->q[i][j] = leg.q[j];
-            legs->S[i][j] = leg.S[j];
-        }
-        legs->L[i] = leg.L;
-        legs->reach = STEWART_LARGER(reach, legs->reach);
     }
     return status;
 }
@@ -261,20 +258,32 @@ static void rows_at(legs_at_pose *legs, stewart_real per_size)
 {
     int i;
     int j;
-    leg_vectors leg = {{0, 0, 0}, {0, 0, 0}, 0};
     for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            leg.q[j] = legs->q[i][j];
-            leg.S[j] = legs->S[i][j];
-        }
-        leg.L = legs->L[i];
         leg_row row;
-        row = row_of(&leg);
+        row = row_of(&legs->leg[i]);
         for (j = 0; j < 3; ++j) {
             legs->A[i][j] = row.H_force[j];
             legs->A[i][j + 3] = row.H_moment[j]*per_size;
         }
     }
+}
+
+/* Return the square of a vector's length. */
+static stewart_real square_of(const stewart_real vector[3])
+{
+    return (vector[0]*vector[0]) + (vector[1]*vector[1]) + (vector[2]*vector[2]);
+}
+
+/* Return the largest distance of a joint from the origin of its part (m). */
+static stewart_real extent_of(const stewart_robot *robot)
+{
+    int i;
+    stewart_real square = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        square = STEWART_LARGER(square_of(robot->leg[i].b), square);
+        square = STEWART_LARGER(square_of(robot->leg[i].p), square);
+    }
+    return STEWART_SQRT(square);
 }
 
 /* Root mean square distance of the platform points from the reference point, by which moments are
@@ -425,19 +434,13 @@ static int make_rotation(stewart_real R[9])
     return near;
 }
 
-/* Return the square of a vector's length. */
-static stewart_real square_of(const stewart_real vector[3])
-{
-    return (vector[0]*vector[0]) + (vector[1]*vector[1]) + (vector[2]*vector[2]);
-}
-
 /* Stores the given lengths minus the lengths of a pose (m) next to J; returns the largest magnitude. */
 static stewart_real compare(const stewart_real L[6], legs_at_pose *legs)
 {
     int i;
     stewart_real worst = REAL(0);
     for (i = 0; i < 6; ++i) {
-        const stewart_real miss = L[i] - legs->L[i];
+        const stewart_real miss = L[i] - legs->leg[i].L;
         legs->A[i][6] = miss;
         worst = STEWART_LARGER(STEWART_FABS(miss), worst);
     }
@@ -458,12 +461,15 @@ static void damp(stewart_real A[6][7], stewart_real damping)
         }
     }
     for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 7; ++j) {
+        for (j = i; j < 7; ++j) {
             stewart_real total = (i == j) ? damping : REAL(0);
             for (k = 0; k < 6; ++k) {
                 total = total + (J[k][i]*J[k][j]);
             }
             A[i][j] = total;
+        }
+        for (j = 0; j < i; ++j) {
+            A[i][j] = A[j][i];
         }
     }
 }
@@ -479,9 +485,8 @@ static stewart_real per_longest_of(const stewart_real L[6])
     return REAL(1)/longest;
 }
 
-/* Split a step x into [along; turn], no longer than a quarter of a radian and of the longest leg. Beyond
- * it (2) is far from the straight line that it is taken for. With it, steps need no damping: taking back
- * those that lead away loses more poses. */
+/* Split a step x into [along; turn], no longer than 0.4 rad and 0.4 times the longest leg. Beyond this,
+ * (2) is far from linear. Such steps need no damping: a search that rejects steps loses more poses. */
 static void trusted(
     const stewart_real x[6], stewart_real per_size, stewart_real per_longest, stewart_real along[3],
     stewart_real turn[3])
@@ -491,8 +496,8 @@ static void trusted(
         along[i] = x[i];
         turn[i] = x[i + 3]*per_size;
     }
-    const stewart_real way = REAL(16)*per_longest*per_longest*square_of(along);
-    const stewart_real angle = REAL(16)*square_of(turn);
+    const stewart_real way = REAL(6.25)*per_longest*per_longest*square_of(along);
+    const stewart_real angle = REAL(6.25)*square_of(turn);
     const stewart_real excess = STEWART_LARGER(STEWART_LARGER(way, angle), REAL(1));
     if (excess > REAL(1)) {
         const stewart_real shorter = REAL(1)/STEWART_SQRT(excess);
@@ -503,8 +508,10 @@ static void trusted(
     }
 }
 
-/* Move a pose by a step if ``going`` is 1. */
-static void advance(stewart_pose *pose, const stewart_real along[3], const stewart_real turn[3], int going)
+/* Move a pose by a step if ``going`` is 1, and polish R by ``half``. */
+static void advance(
+    stewart_pose *pose, const stewart_real along[3], const stewart_real turn[3], stewart_real half,
+    int going)
 {
     int i;
     int j;
@@ -517,7 +524,9 @@ static void advance(stewart_pose *pose, const stewart_real along[3], const stewa
             R[(3*i) + j] = part + (turned.Q[(3*i) + 2]*pose->R[6 + j]);
         }
     }
-    (void)polish(R, STEWART_HALF);
+    if (half > REAL(0)) {
+        (void)polish(R, half);
+    }
     for (i = 0; i < 9; ++i) {
         pose->R[i] = (going == 1) ? R[i] : pose->R[i];
     }
@@ -526,23 +535,40 @@ static void advance(stewart_pose *pose, const stewart_real along[3], const stewa
     }
 }
 
-/* Record the square of a step if ``going`` is 1, and if it grew although the lengths are not exact. */
-static void record_step(
-    legs_at_pose *legs, stewart_real square, stewart_real last, int begins, int exact, int going)
+/* Compute the squares of the distance (m^2) and of the angle (rad^2) between poses. */
+static void apart(const stewart_pose *one, const stewart_pose *other, stewart_real squares[2])
 {
-    const stewart_real doubled = REAL(4)*square;
-    const int grew = ((doubled > legs->last) && (exact == 0)) ? 1 : 0;
-    legs->straight = ((going == 1) && (grew == 1)) ? 0 : legs->straight;
-    legs->first = ((going == 1) && (begins == 1)) ? square : legs->first;
-    legs->last = (going == 1) ? last : legs->last;
+    int i;
+    stewart_real way = REAL(0);
+    stewart_real chord = REAL(0);
+    for (i = 0; i < 9; ++i) {
+        const stewart_real gap = one->R[i] - other->R[i];
+        chord = chord + (gap*gap);
+    }
+    for (i = 0; i < 3; ++i) {
+        const stewart_real gap = one->t[i] - other->t[i];
+        way = way + (gap*gap);
+    }
+    chord = STEWART_HALF*chord;
+    squares[0] = way;
+    squares[1] = chord*(REAL(1) + (chord*(REAL(0.08333333333333333) + (REAL(0.011111111111111112)*chord))));
 }
 
-/* Step from a pose, with its legs, to lengths L. The first four steps are damped. Return 1 if a pose
- * with these lengths was found, else 0. ``legs`` keeps the triangle of J before the last step, and the
- * squares of the first and of the last step. */
+/* Return 1 if a search at a pose leads to the nearest pose found so far or is farther from the guess. */
+static int is_futile(const nearest *nearest, stewart_real per_size, const stewart_pose *pose)
+{
+    stewart_real squares[2] = {0, 0};
+    apart(pose, &nearest->pose, squares);
+    const int futile = (((per_size*per_size*squares[0]) + squares[1]) < nearest->basin) ? 1 : 0;
+    apart(pose, &nearest->guess, squares);
+    return ((REAL(0.8)*(squares[0] + squares[1])) > nearest->away) ? 1 : futile;
+}
+
+/* Step from a pose, with its legs, to lengths L. The first four steps of search 1 are damped. Return 1
+ * if a pose with these lengths was found, else 0. ``legs`` keeps the triangle of J before the last step. */
 static int search(
-    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, stewart_real damping,
-    stewart_pose *pose, legs_at_pose *legs)
+    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, int number,
+    const nearest *nearest, stewart_pose *pose, legs_at_pose *legs)
 {
     int step;
     stewart_real x[6] = {0, 0, 0, 0, 0, 0};
@@ -553,26 +579,30 @@ static int search(
     stewart_real worst = compare(L, legs);
     int going = 1;
     legs->straight = 1;
-    legs->first = REAL(1e+30);
     legs->last = REAL(1e+30);
     for (step = 0; step < STEWART_MAX_STEPS; ++step) {
         going = (status == STEWART_OK) ? going : 0;
         going = (worst > (REAL(4)*STEWART_EPSILON*legs->reach)) ? going : 0;
+        if (number > 0) {
+            going = (is_futile(nearest, per_size, pose) == 1) ? 0 : going;
+        }
         if (going == 1) {
             rows_at(legs, per_size);
-            const stewart_real part = (step < 4) ? damping : REAL(0);
-            if (part > REAL(0)) {
-                damp(legs->A, part);
+            const stewart_real damping = ((number == 1) && (step < 4)) ? REAL(0.001) : REAL(0);
+            if (damping > REAL(0)) {
+                damp(legs->A, damping);
             }
             reflect(legs->A);
-            const stewart_real square = substitute(legs->A, x);
+            stewart_real square = substitute(legs->A, x);
+            square = (damping > REAL(0)) ? REAL(1e+30) : square;
+            legs->last = square;
             trusted(x, per_size, per_longest, along, turn);
-            advance(pose, along, turn, going);
-            const int exact = (worst > (STEWART_ROUNDING*legs->reach)) ? 0 : 1;
-            const stewart_real last = (part > REAL(0)) ? REAL(1e+30) : square;
-            record_step(legs, square, last, (step == 0) ? 1 : 0, exact, going);
+            const stewart_real half = (worst > (REAL(0.0009765625)*legs->reach)) ? REAL(0) : STEWART_HALF;
+            advance(pose, along, turn, half, going);
+            const stewart_real allowed = STEWART_LARGER(REAL(0.7)*worst, STEWART_ROUNDING*legs->reach);
             status = legs_at(robot, pose, legs);
             worst = compare(L, legs);
+            legs->straight = (worst > allowed) ? 0 : legs->straight;
         } else {
             break;
         }
@@ -606,11 +636,12 @@ static twist twist_of(const stewart_robot *robot, const stewart_pose *pose, cons
     int i;
     twist out = {{0, 0, 0}, {0, 0, 0}, 0};
     legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
-        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0,
-        0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0,
-        0, 0, 0, 0, 0}, 0, 0, 0, 0, 0};
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {{{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0,
+        0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0,
+        0}, {0, 0, 0}, 0}}, 0, 0, 0, 0, 0};
     stewart_real x[6] = {0, 0, 0, 0, 0, 0};
     const stewart_real per_size = REAL(1)/platform_size(robot);
+    legs.extent = extent_of(robot);
     int status = legs_at(robot, pose, &legs);
     rows_at(&legs, per_size);
     for (i = 0; i < 6; ++i) {
@@ -673,7 +704,6 @@ static void step_beyond(const legs_at_pose *legs, stewart_real per_size, stewart
 {
     int i;
     int j;
-    stewart_real q[3] = {0, 0, 0};
     stewart_real v[3] = {0, 0, 0};
     stewart_real omega[3] = {0, 0, 0};
     stewart_real turning[3] = {0, 0, 0};
@@ -686,19 +716,16 @@ static void step_beyond(const legs_at_pose *legs, stewart_real per_size, stewart
     stewart_real square = REAL(0);
     stewart_real bent = REAL(0);
     for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            q[j] = legs->q[i][j];
-        }
-        cross(omega, q, turning);
+        cross(omega, legs->leg[i].q, turning);
         cross(omega, turning, bending);
         stewart_real rate = REAL(0);
         stewart_real second = REAL(0);
         for (j = 0; j < 3; ++j) {
             const stewart_real moving = v[j] + turning[j];
-            rate = rate + (legs->S[i][j]*moving);
-            second = second + (moving*moving) + (legs->S[i][j]*bending[j]);
+            rate = rate + (legs->leg[i].S[j]*moving);
+            second = second + (moving*moving) + (legs->leg[i].S[j]*bending[j]);
         }
-        const stewart_real per_L = REAL(1)/legs->L[i];
+        const stewart_real per_L = REAL(1)/legs->leg[i].L;
         rate = rate*per_L;
         second = (second - (rate*rate))*per_L;
         square = square + (rate*rate);
@@ -711,32 +738,13 @@ static void step_beyond(const legs_at_pose *legs, stewart_real per_size, stewart
     }
 }
 
-/* Compute the squares of the distance (m^2) and of the angle (rad^2) between poses. */
-static void apart(const stewart_pose *one, const stewart_pose *other, stewart_real squares[2])
-{
-    int i;
-    stewart_real way = REAL(0);
-    stewart_real chord = REAL(0);
-    for (i = 0; i < 9; ++i) {
-        const stewart_real gap = one->R[i] - other->R[i];
-        chord = chord + (gap*gap);
-    }
-    for (i = 0; i < 3; ++i) {
-        const stewart_real gap = one->t[i] - other->t[i];
-        way = way + (gap*gap);
-    }
-    chord = STEWART_HALF*chord;
-    squares[0] = way;
-    squares[1] = chord*(REAL(1) + (chord*(REAL(0.08333333333333333) + (REAL(0.011111111111111112)*chord))));
-}
-
 /* Estimate the rate of J at a pose (1/m), from the shortest leg and the size of the platform. */
 static stewart_real bend_of(stewart_real per_size, const legs_at_pose *legs)
 {
     int i;
-    stewart_real shortest = legs->L[0];
+    stewart_real shortest = legs->leg[0].L;
     for (i = 1; i < 6; ++i) {
-        shortest = (legs->L[i] < shortest) ? legs->L[i] : shortest;
+        shortest = (legs->leg[i].L < shortest) ? legs->leg[i].L : shortest;
     }
     return (REAL(2)/shortest) + per_size;
 }
@@ -755,37 +763,25 @@ static int settle(stewart_real per_size, stewart_real flat, legs_at_pose *legs)
     return unsettled;
 }
 
-/* Move a pose, with its triangle, behind the next singular pose. Return 1 if the pose there is estimated
- * to be less than sqrt(2) times as far from the guess as the nearest pose found, else 0. */
+/* Move a pose, with its triangle, behind the next singular pose. Return 1 if the step is shorter than
+ * sqrt(6) times the distance of the nearest pose found from the guess, else 0. */
 static int pass_over(
-    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, stewart_real best,
-    const stewart_pose *start, stewart_pose *pose, const legs_at_pose *legs)
+    const stewart_real L[6], stewart_real per_size, stewart_real away, stewart_pose *pose,
+    const legs_at_pose *legs)
 {
     int i;
-    (void)robot;
     stewart_real x[6] = {0, 0, 0, 0, 0, 0};
     stewart_real along[3] = {0, 0, 0};
     stewart_real turn[3] = {0, 0, 0};
-    stewart_real squares[2] = {0, 0};
-    stewart_pose there = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
     step_beyond(legs, per_size, x);
     for (i = 0; i < 3; ++i) {
         along[i] = x[i];
         turn[i] = x[i + 3]*per_size;
     }
-    int hopeful = ((square_of(along) + square_of(turn)) >= (REAL(6)*best)) ? 0 : 1;
+    const int hopeful = ((square_of(along) + square_of(turn)) >= (REAL(6)*away)) ? 0 : 1;
     if (hopeful == 1) {
-        for (i = 0; i < 9; ++i) {
-            there.R[i] = pose->R[i];
-        }
-        for (i = 0; i < 3; ++i) {
-            there.t[i] = pose->t[i];
-        }
-        advance(&there, along, turn, 1);
-        apart(&there, start, squares);
-        hopeful = ((squares[0] + squares[1]) >= (REAL(2)*best)) ? 0 : hopeful;
         trusted(x, per_size, per_longest_of(L), along, turn);
-        advance(pose, along, turn, 1);
+        advance(pose, along, turn, STEWART_HALF, 1);
     }
     return hopeful;
 }
@@ -800,31 +796,22 @@ static void measure(
     (void)is_open(legs, REAL(1));
 }
 
-/* Return 1 if the steps of a search shrank by halves, and the first one was 0.7 to 1.4 times as long as
- * the way to the result, else 0. ``away`` is the square of the way (m^2). */
-static int is_straight(stewart_real away, const legs_at_pose *legs)
-{
-    const stewart_real least = STEWART_HALF*away;
-    const stewart_real most = REAL(2)*away;
-    return ((legs->first >= least) && (legs->first <= most)) ? legs->straight : 0;
-}
-
 /* Replace ``pose``, the nearest found so far, by the first pose of a search. The third search starts
  * behind the next singular pose, the others at the guess. Return 1 if the search may find a nearer pose. */
 static int start_of(
-    const stewart_robot *robot, int number, const stewart_real L[6], stewart_real per_size,
-    stewart_real best, const stewart_pose *start, stewart_pose *pose, const legs_at_pose *legs)
+    int number, const stewart_real L[6], stewart_real per_size, const nearest *nearest, stewart_pose *pose,
+    const legs_at_pose *legs)
 {
     int i;
     int hopeful = 1;
     if (number == 2) {
-        hopeful = pass_over(robot, L, per_size, best, start, pose, legs);
+        hopeful = pass_over(L, per_size, nearest->away, pose, legs);
     } else {
         for (i = 0; i < 9; ++i) {
-            pose->R[i] = start->R[i];
+            pose->R[i] = nearest->guess.R[i];
         }
         for (i = 0; i < 3; ++i) {
-            pose->t[i] = start->t[i];
+            pose->t[i] = nearest->guess.t[i];
         }
     }
     return hopeful;
@@ -837,80 +824,91 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
     int turn;
     found_pose out = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, 0};
     legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
-        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0,
-        0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0,
-        0, 0, 0, 0, 0}, 0, 0, 0, 0, 0};
-    stewart_pose start = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {{{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0,
+        0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0,
+        0}, {0, 0, 0}, 0}}, 0, 0, 0, 0, 0};
+    nearest nearest = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}},
+        0, 0};
     stewart_pose pose = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
     stewart_real squares[2] = {0, 0};
-    const stewart_real length = platform_size(robot);
-    const stewart_real per_size = REAL(1)/length;
+    const stewart_real per_size = REAL(1)/platform_size(robot);
+    legs.extent = extent_of(robot);
     int status = first_fault(L, guess);
     for (i = 0; i < 9; ++i) {
-        start.R[i] = guess->R[i];
+        pose.R[i] = guess->R[i];
     }
     for (i = 0; i < 3; ++i) {
-        start.t[i] = guess->t[i];
+        pose.t[i] = guess->t[i];
     }
-    const int near = make_rotation(start.R);
+    const int near = make_rotation(pose.R);
     status = ((status != STEWART_OK) || (near == 1)) ? status : STEWART_NOT_CONVERGED;
     int going = (status == STEWART_OK) ? 1 : 0;
-    stewart_real best = STEWART_MAX;
+    nearest.away = STEWART_MAX;
     int straight = 0;
     int measured = 1;
     for (i = 0; i < 9; ++i) {
-        out.pose.R[i] = start.R[i];
+        nearest.guess.R[i] = pose.R[i];
+        nearest.pose.R[i] = pose.R[i];
     }
     for (i = 0; i < 3; ++i) {
-        out.pose.t[i] = start.t[i];
+        nearest.guess.t[i] = pose.t[i];
+        nearest.pose.t[i] = pose.t[i];
     }
     for (turn = 0; turn < STEWART_MAX_SEARCHES; ++turn) {
         int active = ((turn == 1) && (straight == 1)) ? 0 : going;
         if ((turn == 2) && (active == 1) && (measured == 0)) {
             for (i = 0; i < 9; ++i) {
-                pose.R[i] = out.pose.R[i];
+                pose.R[i] = nearest.pose.R[i];
             }
             for (i = 0; i < 3; ++i) {
-                pose.t[i] = out.pose.t[i];
+                pose.t[i] = nearest.pose.t[i];
             }
             measure(robot, per_size, &pose, &legs);
         }
         if (active == 1) {
-            const int hopeful = start_of(robot, turn, L, per_size, best, &start, &pose, &legs);
+            const int hopeful = start_of(turn, L, per_size, &nearest, &pose, &legs);
             active = (hopeful == 1) ? active : 0;
         }
         if (active == 1) {
             int fault = legs_at(robot, &pose, &legs);
             status = ((turn == 0) && (status == STEWART_OK)) ? fault : status;
             active = (status == STEWART_OK) ? active : 0;
-            const stewart_real damping = (turn == 1) ? REAL(0.001) : REAL(0);
-            const int found = search(robot, L, per_size, damping, &pose, &legs);
-            const stewart_real bend = bend_of(per_size, &legs);
-            const stewart_real flat = REAL(1)/(bend*bend);
-            const int unsettled = settle(per_size, flat, &legs);
-            fault = (unsettled == 1) ? STEWART_SINGULAR : STEWART_OK;
-            apart(&pose, &start, squares);
-            stewart_real away = squares[0] + squares[1];
-            const int take = ((active == 1) && (found == 1) && (away < best)) ? 1 : 0;
-            best = (take == 1) ? away : best;
-            status = (take == 1) ? fault : status;
-            for (i = 0; i < 9; ++i) {
-                out.pose.R[i] = (take == 1) ? pose.R[i] : out.pose.R[i];
-            }
-            for (i = 0; i < 3; ++i) {
-                out.pose.t[i] = (take == 1) ? pose.t[i] : out.pose.t[i];
-            }
-            measured = take;
-            away = squares[0] + (length*length*squares[1]);
-            straight = is_straight(away, &legs);
-            const stewart_real bound = away*legs.of_inverse;
-            const stewart_real farthest = REAL(512)*flat;
-            straight = ((found == 1) && (bound <= farthest)) ? straight : 0;
+            const int found = search(robot, L, per_size, turn, &nearest, &pose, &legs);
+            measured = 0;
+            straight = 0;
             going = (status == STEWART_OK) ? going : 0;
-            going = ((active == 1) && (found == 1) && (bound <= flat)) ? 0 : going;
+            if (found == 1) {
+                const stewart_real bend = bend_of(per_size, &legs);
+                const stewart_real flat = REAL(1)/(bend*bend);
+                const int unsettled = settle(per_size, flat, &legs);
+                const stewart_real basin = (flat*per_size*per_size)/legs.of_inverse;
+                apart(&pose, &nearest.guess, squares);
+                const stewart_real away = squares[0] + squares[1];
+                const int take = ((active == 1) && (away < nearest.away)) ? found : 0;
+                nearest.away = (take == 1) ? away : nearest.away;
+                nearest.basin = (take == 1) ? basin : nearest.basin;
+                for (i = 0; i < 9; ++i) {
+                    nearest.pose.R[i] = (take == 1) ? pose.R[i] : nearest.pose.R[i];
+                }
+                for (i = 0; i < 3; ++i) {
+                    nearest.pose.t[i] = (take == 1) ? pose.t[i] : nearest.pose.t[i];
+                }
+                fault = (unsettled == 1) ? STEWART_SINGULAR : STEWART_OK;
+                status = (take == 1) ? fault : status;
+                measured = take;
+                straight = legs.straight;
+                const int certain = (((per_size*per_size*squares[0]) + squares[1]) <= basin) ? found : 0;
+                going = (((active == 1) && (certain == 1)) || (status != STEWART_OK)) ? 0 : going;
+            }
         }
     }
-    status = ((status == STEWART_OK) && (best >= STEWART_MAX)) ? STEWART_NOT_CONVERGED : status;
+    for (i = 0; i < 9; ++i) {
+        out.pose.R[i] = nearest.pose.R[i];
+    }
+    for (i = 0; i < 3; ++i) {
+        out.pose.t[i] = nearest.pose.t[i];
+    }
+    status = ((status == STEWART_OK) && (nearest.away >= STEWART_MAX)) ? STEWART_NOT_CONVERGED : status;
     out.status = status;
     return out;
 }

@@ -11,15 +11,16 @@
  * Operations for six legs
  * lengths         162 (72 mul, 84 add, 0 div, 6 sqrt)
  * lengths, rates  270 (126 mul, 132 add, 6 div, 6 sqrt)
- * search          1240 (666 mul, 538 add, 23 div, 13 sqrt)
- * step            973 (523 mul, 423 add, 14 div, 13 sqrt)
- * velocity        967 (522 mul, 412 add, 20 div, 13 sqrt)
+ * search          380 (187 mul, 182 add, 3 div, 8 sqrt)
+ * step            878 (473 mul, 378 add, 14 div, 13 sqrt)
+ * velocity        1028 (558 mul, 436 add, 20 div, 14 sqrt)
  * Forward kinematics requires at most the operations of `search` once per search and of `step` once per step. For
  * guesses within 0.001, 0.05, and 0.3 rad and the same fractions of the longest leg, 99 of 100 poses of random robots
  * require at most 3, 4, and 6 steps. In float they require at most 2, 3, and 5 steps. A second search follows
- * if the steps did not shrink, or if the first step was not about as long as the way to the result. A third search
- * follows if another pose is estimated to be near, behind the next singular pose. Within 0.05 (m and rad) of a pose
- * that is not near a singular pose, one search usually suffices.
+ * if a step reduced the largest error of the lengths by less than 30 %. A third search follows if another pose is
+ * estimated to be near, behind the next singular pose. Both end as soon as they approach the pose that is already
+ * known, or get 1.12 times as far from the guess. Within 0.05 (m and rad) of a pose that is not near a singular
+ * pose, one search usually suffices.
  * STEWART_MAX_SEARCHES 1 omits these searches.
  */
 #ifndef STEWART_KINEMATICS_H
@@ -54,10 +55,10 @@ STEWART_NODISCARD int stewart_inverse_kinematics(
 
 /* Computes the pose for the leg lengths L (m), > 0, by up to three Newton searches on (2). On entry `pose` is the
  * guess. The searches begin at the guess; at the guess, with four damped steps; and beyond the singular pose next to
- * the result. No step is longer than a quarter of a radian and of the longest leg.
+ * the result. No step is longer than 0.4 rad and 0.4 times the longest leg.
  * Returns a status, and writes the pose only if it is STEWART_OK.
- * STEWART_OK: the error of the lengths is at most 16 rounding units of the largest component of the terms of
- *     S = q + t - b. R is a rotation to rounding. Six lengths belong to up to forty poses. The result is the
+ * STEWART_OK: the error of the lengths is at most 16 rounding units of the largest component of t, or of the
+ *     largest distance of a joint from the origin of its part. R is a rotation to rounding. Six lengths belong to up to forty poses. The result is the
  *     nearest one to the guess of the poses found, by the root of the sum of squares in m and rad. If the guess may
  *     be farther away than 0.05 (m and rad), compare the result with it.
  * STEWART_NOT_CONVERGED: no search found such a pose in STEWART_MAX_STEPS steps. Or R of the guess is not a

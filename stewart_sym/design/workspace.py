@@ -190,7 +190,8 @@ def workspace(
     )
     found = stratified_sampling.total(tallies, len(search), len(REASONS))
     if not found.codes[0]:
-        warn("workspace: no pose within the limits was found", WorkspaceWarning)
+        reason = "" if position_bounds is None else examined.out_of_reach(search)
+        warn(f"workspace: no pose within the limits was found{reason}", WorkspaceWarning)
     result = examined.workspace(grid, found, position_bounds is None)
     if found.codes[0] and not result.is_known:
         sizes = f"{result.error:.2g} and {result.volume:.2g} {result.unit}"
@@ -242,6 +243,18 @@ class Region(Frozen):
                 )
             parts.append(_with_pitch(given, np.sin))
         return np.concatenate(parts)
+
+    def out_of_reach(self, box: Array) -> str:
+        """Return a text about the first axis on which a box (m), (3, 2) or (6, 2), is beyond the reach."""
+        try:
+            reach = self._reach()
+        except ValueError:
+            return ""
+        for axis, (low, high), (least, most) in zip("xyz", box, reach, strict=False):
+            if low > most or high < least:
+                finding = f"t_{axis} from {low:.4g} to {high:.4g} m is beyond the reach of the legs"
+                return f"; position_bounds: {finding}, {least:.4g} to {most:.4g} m; state other bounds, in m"
+        return ""
 
     def _reach(self) -> Array:
         """Return a box around the positions that the longest legs can reach (m), shape (3, 2)."""

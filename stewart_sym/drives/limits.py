@@ -59,7 +59,7 @@ class Limit(NamedTuple):
     def most(self, robot: Robot, tolerance: float = USED_UP) -> Array:
         """Return the bound with a relative tolerance, by default for rounding, shape (6,)."""
         bound = self.bound(robot)
-        return np.asarray(bound + tolerance * np.abs(bound))
+        return np.asarray(bound * (1.0 + tolerance * np.sign(bound)))
 
     def sizes(self, values: Array) -> Array:
         """Return the values that are compared with the bound, shape (n, 6)."""

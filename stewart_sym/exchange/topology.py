@@ -92,6 +92,9 @@ def machine_of(model: Model) -> Machine:
             raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
     if not around.get(WORLD):
         free = [joint.child for joint in model.joints if joint.kind == "free"]
+        if hubs := [repr(name) for name, joints in around.items() if len(joints) >= LEGS]:
+            finding = "world: expected a fixed joint to the base, got none"
+            raise ValueError(f"{finding}; add a fixed joint from the world to {' or '.join(hubs)}")
         got = f"body {free[0]!r}, which is free" if free else "a model without moving joints"
         raise ValueError(f"expected legs on a base that is fixed to the world, got {got}")
     chains = [_chain(joint, members, around) for joint in around[WORLD]]
@@ -189,6 +192,9 @@ def _platform(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Jo
     others = [chain for chain, end in zip(chains, ends, strict=True) if end != platform]
     if others or platform == WORLD or len(chains) < 2:
         got = "; ".join(_way(chain, around) for chain in (others or chains)[:LEGS])
+        loose = [repr(end) for end in ends if len(around[end]) == 1]
+        if loose and len(chains) == LEGS:
+            got += f"; add a joint or a loop closure from body {', '.join(loose)} to the platform"
         raise ValueError(f"expected six legs from the base to one platform, got {len(chains)}: {got}")
     if len(chains) != LEGS or len(around[platform]) != LEGS:
         names = ", ".join(repr(joint.name) for joint in around[platform])

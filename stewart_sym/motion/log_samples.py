@@ -236,6 +236,12 @@ def warn_of(samples: LogSamples, text: str) -> None:
     warn(f"{samples.source}: {text}", TrajectoryWarning)
 
 
+def possible_units(log: LogSamples, vector: str) -> dict[str, float]:
+    """Return the units of a vector, the SI unit first, with their factors; empty if the header states one."""
+    kind = _QUANTITIES[vector][0]
+    return {} if kind in log.places else dict(_KNOWN_UNITS[kind])
+
+
 def components_of(name: str) -> tuple[str, ...]:
     """Return the names of the columns of a vector."""
     return tuple(f"{name}_{each}" for each in _SUFFIXES.get(name, "xyz"))

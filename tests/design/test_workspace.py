@@ -220,8 +220,10 @@ def test_a_cluster_of_workers_gives_the_same_bits() -> None:
 def test_where_nothing_is_in_reach_that_is_said() -> None:
     robot = limited(np.random.default_rng(1))
     far = [[5.0, 5.1], [5.0, 5.1], [5.0, 5.1]]
-    with pytest.warns(ss.WorkspaceWarning, match="no pose within the limits"):
+    said = "no pose within the limits was found; position_bounds: t_x from 500 to 510 m is beyond the reach"
+    with pytest.warns(ss.WorkspaceWarning, match=said) as caught:
         made = ss.workspace(robot, position_bounds=100.0 * np.array(far), samples=1000)
+    assert len(caught) == 1
     assert (made.volume, made.error, made.distance_to_limit) == (0.0, 0.0, made.distance_to_limit)
     assert np.isnan(made.extent).all()
 

@@ -91,6 +91,10 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         "to joint 'tip_3', which leads back to the base",
     ),
     "open loop": (to('"platform" pos="-0.0', '"platform" pos="0.1'), "joints 'tip_1', 'tip_2'"),
+    "five closures": (
+        without('<connect name="tip_6"', "/>"),
+        "to body 'upper_6', where it ends; add a joint or a loop closure from body 'upper_6' to the platform",
+    ),
     "no slide": (to('"leg_2" type="slide"', '"leg_2" type="hinge"'), "revolute 'leg_2'"),
     "oblique slide": (
         to('"leg_2" type="slide" axis="1.0 0.0', '"leg_2" type="slide" axis="1.0 0.1'),
@@ -128,6 +132,10 @@ OF_SDF: dict[str, tuple[Change, str]] = {
         for kind in ("screw", "gearbox", "revolute2")
     },
     "no frame": (to('expressed_in="__model__"', 'expressed_in="x"'), "joint 'base_1': xyz: frame 'x'"),
+    "no base": (
+        without('<joint name="fixed_base"', "</joint>"),
+        "world: expected a fixed joint to the base, got none; add a fixed joint from the world to 'base'",
+    ),
     "circle": (
         to('lower_1">\n    <pose>', 'lower_1"><pose relative_to="lower_1">'),
         "frame 'lower_1': expected poses that depend on no circle",

@@ -38,6 +38,7 @@ def motor_forces(robot: ss.Robot, motion: ss.Motion) -> np.ndarray:
     return ss.inverse_dynamics(robot, motion).F + drive
 
 
+@pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("name", ["torque_limit", "power_limit"])
 def test_excitation_keeps_within_the_limits_of_the_motors(robot: ss.Robot, name: str) -> None:
     driven = dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, torque_constant=0.5))

@@ -214,6 +214,25 @@ def test_rows_without_numbers_in_one_file_are_left_out_of_both(
     assert json.loads(told.out)["verdict"] == "consistent"
 
 
+@pytest.mark.parametrize(
+    ("unit", "code", "said"),
+    [
+        ("", 2, "state the unit in the header: [kN], or [N] if it is right"),
+        (" [N]", 0, "check that their unit"),
+    ],
+)
+def test_forces_in_kn_without_a_unit_are_an_error(
+    unit: str, code: int, said: str, simulated: Path, tmp_path: Path, run: Run
+) -> None:
+    rows = np.loadtxt(simulated / "forces.csv", delimiter=",", skiprows=1)
+    forces, head = tmp_path / "forces.csv", ",".join(["time", *(f"F_{leg}{unit}" for leg in range(1, 7))])
+    np.savetxt(forces, rows * [1.0, *6 * [1e-3]], delimiter=",", header=head, comments="")
+    inputs = simulated / "trajectory.csv", forces, "-o", tmp_path / "out"
+    told = run("identify", PAPERS, "--measured", *inputs, code=code)
+    assert said in told.err
+    assert (f"{forces}: forces: RMS of " in told.err) == (code == 2)
+
+
 def test_forces_with_dates_and_units_are_read_and_their_sign_is_checked(
     simulated: Path, tmp_path: Path, run: Run
 ) -> None:

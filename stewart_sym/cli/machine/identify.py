@@ -21,7 +21,7 @@ from ...identification.log_noise import noise_of_log
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...kinematics.robot_logs import log_of, samples_of
-from ...motion.log_samples import FORCES, components_of, read_samples
+from ...motion.log_samples import FORCES, components_of, possible_units, read_samples
 from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS
 from ...studies.common.report import Report
@@ -107,7 +107,8 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     harmonics = arguments.harmonics if arguments.period is not None else None
     noise = noise_of_log(robot, trajectory, std, arguments.period, harmonics) if noisy else None
     model = (not arguments.no_friction, arguments.enforce_physical, arguments.identical_legs)
-    options = (noise, *model, arguments.drive_terms, measured.lines.tolist())
+    units = possible_units(measured, kind)
+    options = (noise, *model, arguments.drive_terms, measured.lines.tolist(), units)
     found = from_measurement(robot, trajectory, time, F, sigma, str(forces), *options)
     return measured_report(robot, found, sigma, noise, kind == "current"), found
 

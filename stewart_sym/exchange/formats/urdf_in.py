@@ -114,7 +114,8 @@ def _tree(root: ET.Element, left_out: list[str]) -> tuple[list[Body], list[Joint
     roots = [name for name in links if name not in carried]
     if len(roots) != 1:
         got = ", ".join(map(repr, roots)) or "none"
-        raise ValueError(f"links without a parent joint: expected one, got {got}")
+        remedy = "; join them by fixed joints" if roots else ""
+        raise ValueError(f"links without a parent joint: expected one, got {got}{remedy}")
     body = _body(links[roots[0]], np.eye(3), np.zeros(3))
     bodies, found = {body.name: body}, {}
     waiting = list(carried.values())

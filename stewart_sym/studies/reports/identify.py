@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from math import inf, isnan, nan
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from ...identification.motion_basis import PoseNoise, smoothed
 from ...identification.parameters import inertial_parameters
 from ...io.array_types import Array, Indices
 from ...kinematics.trajectory_writer import trajectory_columns
+from ...motion.motion import Motion
 from ...motion.sample_times import time_text
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
@@ -44,6 +46,8 @@ _SHOWN = {
 _PAIRED = 0.9
 # Largest ratio of the measured forces to the forces of the robot file, or its inverse, in equal units.
 _MOST_TIMES = 100.0
+# Largest ratio of the RMS of forces in another unit to the RMS by the robot file, or its inverse.
+_MOST_OFF = 3.0
 # Correlation with the negative forces of the robot file from which the measured forces have the other sign.
 _OPPOSITE = 0.5
 
@@ -61,10 +65,13 @@ def from_measurement(
     identical_legs: bool = False,
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
+    units: Mapping[str, float] = MappingProxyType({}),
 ) -> IdentificationResult:
     """Identify the parameters that a trajectory excites from forces F (N), (n, 6), of the file ``source``.
 
-    ``lines`` are their line numbers, from 2 by default. Unused rows of the trajectory are left out.
+    Unused rows of the trajectory are left out. ``lines`` are the line numbers of the forces, from 2 by
+    default. ``units`` are the units that the forces may have, the assumed one first, with their factors.
+    Raises ValueError if another unit fits the robot.
     """
     poses, forces = _pairs(trajectory, time, source, lines)
     warnings = []
@@ -79,6 +86,7 @@ def from_measurement(
     poses, forces = poses[~bad], forces[~bad]
     motion, noise = trajectory.motion[poses], None if noise is None else noise.at(poses)
     smooth = motion if noise is None else smoothed(motion, noise)[0]
+    _need_unit(robot, smooth, F[forces], source, units)
     base = base_parameters(robot, smooth, friction, identical_legs)
     found = identify(robot, motion, F[forces], sigma, base, noise, physical, drive_terms=drive)
     if found.verdict in ("misfit", "rejected"):
@@ -117,6 +125,16 @@ def _pairs(
     line = i + 2 if lines is None else lines[i]
     remedy = "check the units of both files, a row below the header or --time-unit"
     raise ValueError(f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}; {remedy}")
+
+
+def _need_unit(robot: Robot, motion: Motion, F: Array, source: str, units: Mapping[str, float]) -> None:
+    """Raise ValueError if forces fit the robot file in another unit only."""
+    got, expected = (np.sqrt(np.mean(each**2)) for each in (F, inverse_dynamics(robot, motion).F))
+    for unit, factor in units.items():
+        if factor != 1.0 and expected / _MOST_OFF < factor * got < expected * _MOST_OFF:
+            finding = f"RMS of {got:.3g} N, but {expected:.3g} N by the robot file along this motion"
+            remedy = f"state the unit in the header: [{unit}], or [{next(iter(units))}] if it is right"
+            raise ValueError(f"{source}: forces: {finding}; {remedy}")
 
 
 def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> list[str]:

@@ -2,7 +2,7 @@
 
 The search applies Newton's method to (2). Each step solves J d = miss by Householder reflections. They do not
 change the singular values of J, so that the triangular factor also indicates the distance from a singular
-pose. If the steps do not shrink, or do not lead from the guess to the result, a damped search follows. If a
+pose. If a step reduces the largest error of the lengths by less than 30 %, a damped search follows. If a
 singular pose is near the way, another search starts beyond it. The result nearest to the guess is returned.
 """
 
@@ -70,32 +70,35 @@ def inverse_kinematics(robot: "Robot", motion: "Motion") -> "LegRates":
 def legs_at(robot: "Robot", pose: "Pose", legs: "LegsAtPose") -> "Integer":
     """Vectors and lengths of the legs at a pose; returns a status."""
     status = OK
-    legs.reach = 0.0
+    legs.reach = largest_component(pose.t, legs.extent)
     for i in range(6):
-        leg = vectors_of(robot.leg[i], pose)
-        reach = reach_of(robot.leg[i].b, pose.t, leg.q)
-        fault = fault_of(leg.L, 1.0, reach)
+        legs.leg[i] = vectors_of(robot.leg[i], pose)
+        fault = fault_of(legs.leg[i].L, 1.0, legs.reach)
         status = where(status == OK, fault, status)
-        for j in range(3):
-            legs.q[i][j] = leg.q[j]
-            legs.S[i][j] = leg.S[j]
-        legs.L[i] = leg.L
-        legs.reach = larger(reach, legs.reach)
     return status
 
 
 def rows_at(legs: "LegsAtPose", per_size: "Real") -> None:
     """Compute J of the legs at a pose."""
-    leg = LegVectors()
     for i in range(6):
-        for j in range(3):
-            leg.q[j] = legs.q[i][j]
-            leg.S[j] = legs.S[i][j]
-        leg.L = legs.L[i]
-        row = row_of(leg)
+        row = row_of(legs.leg[i])
         for j in range(3):
             legs.A[i][j] = row.H_force[j]
             legs.A[i][j + 3] = row.H_moment[j] * per_size
+
+
+def square_of(vector: "array(3)") -> "Real":
+    """Return the square of a vector's length."""
+    return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]
+
+
+def extent_of(robot: "Robot") -> "Real":
+    """Return the largest distance of a joint from the origin of its part (m)."""
+    square = 0.0
+    for i in range(6):
+        square = larger(square_of(robot.leg[i].b), square)
+        square = larger(square_of(robot.leg[i].p), square)
+    return sqrt(square)
 
 
 def platform_size(robot: "Robot") -> "Real":
@@ -212,16 +215,11 @@ def make_rotation(R: "array(9)") -> "Integer":
     return near
 
 
-def square_of(vector: "array(3)") -> "Real":
-    """Return the square of a vector's length."""
-    return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]
-
-
 def compare(L: "array(6)", legs: "LegsAtPose") -> "Real":
     """Stores the given lengths minus the lengths of a pose (m) next to J; returns the largest magnitude."""
     worst = 0.0
     for i in range(6):
-        miss = L[i] - legs.L[i]
+        miss = L[i] - legs.leg[i].L
         legs.A[i][6] = miss
         worst = larger(size(miss), worst)
     return worst
@@ -234,11 +232,13 @@ def damp(A: "array(6, 7)", damping: "Real") -> None:
         for j in range(7):
             J[i][j] = A[i][j]
     for i in range(6):
-        for j in range(7):
+        for j in range(i, 7):
             total = where(i == j, damping, 0.0)
             for k in range(6):
                 total = total + J[k][i] * J[k][j]
             A[i][j] = total
+        for j in range(i):
+            A[i][j] = A[j][i]
 
 
 def per_longest_of(L: "array(6)") -> "Real":
@@ -252,15 +252,14 @@ def per_longest_of(L: "array(6)") -> "Real":
 def trusted(
     x: "array(6)", per_size: "Real", per_longest: "Real", along: "array(3)", turn: "array(3)"
 ) -> None:
-    """Split a step x into [along; turn], no longer than a quarter of a radian and of the longest leg. Beyond
-    it (2) is far from the straight line that it is taken for. With it, steps need no damping: taking back
-    those that lead away loses more poses."""
+    """Split a step x into [along; turn], no longer than 0.4 rad and 0.4 times the longest leg. Beyond this,
+    (2) is far from linear. Such steps need no damping: a search that rejects steps loses more poses."""
     for i in range(3):
         along[i] = x[i]
         turn[i] = x[i + 3] * per_size
     # ``larger`` may evaluate its arguments twice.
-    way = 16.0 * per_longest * per_longest * square_of(along)
-    angle = 16.0 * square_of(turn)
+    way = 6.25 * per_longest * per_longest * square_of(along)
+    angle = 6.25 * square_of(turn)
     excess = larger(larger(way, angle), 1.0)
     if anywhere(excess > 1.0):
         shorter = 1.0 / sqrt(excess)
@@ -269,38 +268,58 @@ def trusted(
             turn[i] = turn[i] * shorter
 
 
-def advance(pose: "Pose", along: "array(3)", turn: "array(3)", going: "Integer") -> None:
-    """Move a pose by a step if ``going`` is 1."""
+def advance(pose: "Pose", along: "array(3)", turn: "array(3)", half: "Real", going: "Integer") -> None:
+    """Move a pose by a step if ``going`` is 1, and polish R by ``half``."""
     R = array(9)
     turned = turned_by(turn)
     for i in range(3):
         for j in range(3):
             part = turned.Q[3 * i] * pose.R[j] + turned.Q[3 * i + 1] * pose.R[3 + j]
             R[3 * i + j] = part + turned.Q[3 * i + 2] * pose.R[6 + j]
-    polish(R, 0.5)
+    if anywhere(half > 0.0):
+        polish(R, half)
     for i in range(9):
         pose.R[i] = where(going == 1, R[i], pose.R[i])
     for i in range(3):
         pose.t[i] = where(going == 1, pose.t[i] + along[i], pose.t[i])
 
 
-def record_step(
-    legs: "LegsAtPose", square: "Real", last: "Real", begins: "Integer", exact: "Integer", going: "Integer"
-) -> None:
-    """Record the square of a step if ``going`` is 1, and if it grew although the lengths are not exact."""
-    doubled = 4.0 * square
-    grew = where((doubled > legs.last) & (exact == 0), 1, 0)
-    legs.straight = where((going == 1) & (grew == 1), 0, legs.straight)
-    legs.first = where((going == 1) & (begins == 1), square, legs.first)
-    legs.last = where(going == 1, last, legs.last)
+def apart(one: "Pose", other: "Pose", squares: "array(2)") -> None:
+    """Compute the squares of the distance (m^2) and of the angle (rad^2) between poses."""
+    way = 0.0
+    chord = 0.0
+    for i in range(9):
+        gap = one.R[i] - other.R[i]
+        chord = chord + gap * gap
+    for i in range(3):
+        gap = one.t[i] - other.t[i]
+        way = way + gap * gap
+    # The angle follows from its chord, 2 sin(angle / 2), whose square is half of the sum, by a series.
+    chord = 0.5 * chord
+    squares[0] = way
+    squares[1] = chord * (1.0 + chord * (0.08333333333333333 + 0.011111111111111112 * chord))
+
+
+def is_futile(nearest: "Nearest", per_size: "Real", pose: "Pose") -> "Integer":
+    """Return 1 if a search at a pose leads to the nearest pose found so far or is farther from the guess."""
+    squares = array(2)
+    apart(pose, nearest.pose, squares)
+    futile = where(per_size * per_size * squares[0] + squares[1] < nearest.basin, 1, 0)
+    apart(pose, nearest.guess, squares)
+    return where(0.8 * (squares[0] + squares[1]) > nearest.away, 1, futile)
 
 
 def search(
-    robot: "Robot", L: "array(6)", per_size: "Real", damping: "Real", pose: "Pose", legs: "LegsAtPose"
+    robot: "Robot",
+    L: "array(6)",
+    per_size: "Real",
+    number: "Integer",
+    nearest: "Nearest",
+    pose: "Pose",
+    legs: "LegsAtPose",
 ) -> "Integer":
-    """Step from a pose, with its legs, to lengths L. The first four steps are damped. Return 1 if a pose
-    with these lengths was found, else 0. ``legs`` keeps the triangle of J before the last step, and the
-    squares of the first and of the last step."""
+    """Step from a pose, with its legs, to lengths L. The first four steps of search 1 are damped. Return 1 if
+    a pose with these lengths was found, else 0. ``legs`` keeps the triangle of J before the last step."""
     x = array(6)
     along = array(3)
     turn = array(3)
@@ -309,27 +328,31 @@ def search(
     worst = compare(L, legs)
     going = 1
     legs.straight = 1
-    legs.first = 1e30
     legs.last = 1e30
     for step in range(MAX_STEPS):
         going = where(status == OK, going, 0)
         going = where(worst > 4.0 * EPSILON * legs.reach, going, 0)
+        if number > 0:
+            going = where(is_futile(nearest, per_size, pose) == 1, 0, going)
         if anywhere(going == 1):
             rows_at(legs, per_size)
-            part = where(step < 4, damping, 0.0)
-            if anywhere(part > 0.0):
-                damp(legs.A, part)
+            damping = where((number == 1) & (step < 4), 1e-3, 0.0)
+            if anywhere(damping > 0.0):
+                damp(legs.A, damping)
             reflect(legs.A)
             square = substitute(legs.A, x)
-            trusted(x, per_size, per_longest, along, turn)
-            advance(pose, along, turn, going)
-            # At convergence, rounding errors of the lengths determine the size of a step.
-            exact = where(worst > ROUNDING * legs.reach, 0, 1)
             # A damped step has no triangle of J. With 1e30 m^2, ``settle`` computes the triangle.
-            last = where(part > 0.0, 1e30, square)
-            record_step(legs, square, last, where(step == 0, 1, 0), exact, going)
+            square = where(damping > 0.0, 1e30, square)
+            legs.last = where(going == 1, square, legs.last)
+            trusted(x, per_size, per_longest, along, turn)
+            # Far from the result, the rounding errors of R are of no effect.
+            half = where(worst > 0.0009765625 * legs.reach, 0.0, 0.5)
+            advance(pose, along, turn, half, going)
+            # At convergence, rounding errors determine the lengths.
+            allowed = larger(0.7 * worst, ROUNDING * legs.reach)
             status = legs_at(robot, pose, legs)
             worst = compare(L, legs)
+            legs.straight = where(worst > allowed, 0, legs.straight)
         else:
             break
     return where((status == OK) & (worst <= ROUNDING * legs.reach), 1, 0)
@@ -361,6 +384,7 @@ def twist_of(robot: "Robot", pose: "Pose", L_dot: "array(6)") -> "Twist":
     legs = LegsAtPose()
     x = array(6)
     per_size = 1.0 / platform_size(robot)
+    legs.extent = extent_of(robot)
     status = legs_at(robot, pose, legs)
     rows_at(legs, per_size)
     for i in range(6):
