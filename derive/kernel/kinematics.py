@@ -157,7 +157,7 @@ _SEARCHED = (
         ),
     ),
     t.Structure(
-        "Nearest",
+        "NearestPose",
         "Nearest pose that the searches found.",
         (
             t.Field("guess", t.Record("Pose"), "the guess"),

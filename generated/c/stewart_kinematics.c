@@ -54,7 +54,7 @@ typedef struct {
     stewart_pose pose; /* the nearest pose to it */
     stewart_real away; /* m^2 and rad^2: square of the distance between both */
     stewart_real basin; /* rad^2: square of a distance from which steps lead to the pose */
-} nearest;
+} nearest_pose;
 
 /* Result of the search for a pose. */
 typedef struct {
@@ -555,7 +555,7 @@ static void apart(const stewart_pose *one, const stewart_pose *other, stewart_re
 }
 
 /* Return 1 if a search at a pose leads to the nearest pose found so far or is farther from the guess. */
-static int is_futile(const nearest *nearest, stewart_real per_size, const stewart_pose *pose)
+static int is_futile(const nearest_pose *nearest, stewart_real per_size, const stewart_pose *pose)
 {
     stewart_real squares[2] = {0, 0};
     apart(pose, &nearest->pose, squares);
@@ -568,7 +568,7 @@ static int is_futile(const nearest *nearest, stewart_real per_size, const stewar
  * if a pose with these lengths was found, else 0. ``legs`` keeps the triangle of J before the last step. */
 static int search(
     const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, int number,
-    const nearest *nearest, stewart_pose *pose, legs_at_pose *legs)
+    const nearest_pose *nearest, stewart_pose *pose, legs_at_pose *legs)
 {
     int step;
     stewart_real x[6] = {0, 0, 0, 0, 0, 0};
@@ -799,8 +799,8 @@ static void measure(
 /* Replace ``pose``, the nearest found so far, by the first pose of a search. The third search starts
  * behind the next singular pose, the others at the guess. Return 1 if the search may find a nearer pose. */
 static int start_of(
-    int number, const stewart_real L[6], stewart_real per_size, const nearest *nearest, stewart_pose *pose,
-    const legs_at_pose *legs)
+    int number, const stewart_real L[6], stewart_real per_size, const nearest_pose *nearest,
+    stewart_pose *pose, const legs_at_pose *legs)
 {
     int i;
     int hopeful = 1;
@@ -827,8 +827,8 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
         0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {{{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0,
         0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0, 0}, {0, 0, 0}, 0}, {{0, 0,
         0}, {0, 0, 0}, 0}}, 0, 0, 0, 0, 0};
-    nearest nearest = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}},
-        0, 0};
+    nearest_pose nearest = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0,
+        0}}, 0, 0};
     stewart_pose pose = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
     stewart_real squares[2] = {0, 0};
     const stewart_real per_size = REAL(1)/platform_size(robot);

@@ -106,7 +106,7 @@ def measure(robot: "Robot", per_size: "Real", pose: "Pose", legs: "LegsAtPose") 
 
 
 def start_of(
-    number: "Integer", L: "array(6)", per_size: "Real", nearest: "Nearest", pose: "Pose", legs: "LegsAtPose"
+    number: "Integer", L: "array(6)", per_size: "Real", nearest: "NearestPose", pose: "Pose", legs: "LegsAtPose"
 ) -> "Integer":
     """Replace ``pose``, the nearest found so far, by the first pose of a search. The third search starts
     behind the next singular pose, the others at the guess. Return 1 if the search may find a nearer pose."""
@@ -123,7 +123,7 @@ def pose_of(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
     """Return the pose for lengths L that is nearest to a guess, and a status."""
     out = FoundPose()
     legs = LegsAtPose()
-    nearest = Nearest()
+    nearest = NearestPose()
     pose = Pose()
     squares = array(2)
     per_size = 1.0 / platform_size(robot)

@@ -300,7 +300,7 @@ def apart(one: "Pose", other: "Pose", squares: "array(2)") -> None:
     squares[1] = chord * (1.0 + chord * (0.08333333333333333 + 0.011111111111111112 * chord))
 
 
-def is_futile(nearest: "Nearest", per_size: "Real", pose: "Pose") -> "Integer":
+def is_futile(nearest: "NearestPose", per_size: "Real", pose: "Pose") -> "Integer":
     """Return 1 if a search at a pose leads to the nearest pose found so far or is farther from the guess."""
     squares = array(2)
     apart(pose, nearest.pose, squares)
@@ -314,7 +314,7 @@ def search(
     L: "array(6)",
     per_size: "Real",
     number: "Integer",
-    nearest: "Nearest",
+    nearest: "NearestPose",
     pose: "Pose",
     legs: "LegsAtPose",
 ) -> "Integer":
