@@ -106,7 +106,12 @@ def measure(robot: "Robot", per_size: "Real", pose: "Pose", legs: "LegsAtPose") 
 
 
 def start_of(
-    number: "Integer", L: "array(6)", per_size: "Real", nearest: "NearestPose", pose: "Pose", legs: "LegsAtPose"
+    number: "Integer",
+    L: "array(6)",
+    per_size: "Real",
+    nearest: "NearestPose",
+    pose: "Pose",
+    legs: "LegsAtPose",
 ) -> "Integer":
     """Replace ``pose``, the nearest found so far, by the first pose of a search. The third search starts
     behind the next singular pose, the others at the guess. Return 1 if the search may find a nearer pose."""
