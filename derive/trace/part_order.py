@@ -151,10 +151,10 @@ def _joined_once(loop: list[Part]) -> list[Part]:
     steps = [step for part in between if not part.skips_first for step in part.steps]
     if not all(step.joins for step in steps):
         return loop
-    of_first = [
-        replace(step, name=f"{step.name}_first", expr=t.at(step.expr.name, 0), per_leg=False)
-        for step in steps
-    ]
+    of_first = []
+    for step in steps:
+        ((name, _),) = reads(step.expr)
+        of_first.append(replace(step, name=f"{step.name}_first", expr=t.at(name, 0), per_leg=False))
     joined_parts = {
         id(first): replace(first, steps=[*first.steps, *of_first]),
         id(others): replace(others, steps=[*steps, *others.steps]),

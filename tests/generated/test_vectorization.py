@@ -29,6 +29,7 @@ def loops(text: str) -> list[tuple[str, range]]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiler", REPORTS)
 @pytest.mark.parametrize("kernel", ["exact_forces", "exact_massless_static_forces"])
 def test_every_loop_over_poses_is_vectorized(kernel: str, compiler: str, tmp_path: Path) -> None:
