@@ -212,7 +212,8 @@ class PoseExaminer(Frozen):
 
     def _conditions_kept(self, R: Array, t: Array, q: Array, S: Array, L: Array) -> Flags:
         rows, most = self._rows(R, t, q, S, L), self.limits.max_condition
-        kept = np.sign(np.linalg.det(rows)) == self.side
+        signs = np.sign(np.linalg.det(rows))
+        kept = (signs == self.side) & (signs != 0.0)
         rows = rows[kept]
         # The condition number in the Frobenius norm is between one and six times the exact value.
         norms = (np.sqrt(np.einsum("nij,nij->n", one, one)) for one in (rows, np.linalg.inv(rows)))

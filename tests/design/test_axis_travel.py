@@ -185,3 +185,14 @@ def test_check_and_workspace_print_the_table_in_the_units_of_the_file(folder: Pa
         assert data["yaw"]["travel_rad"] == found.travel[5].tolist()
         assert data["surge"]["speed_m_per_s"] is None
         assert data["heave"]["limits"] == ["leg_length", "leg_length"]
+
+
+def test_a_machine_that_is_singular_at_home_has_no_travel() -> None:
+    angles = np.deg2rad(np.arange(0.0, 360.0, 60.0))
+    hexagon = np.stack([np.cos(angles), np.sin(angles), np.zeros(6)], axis=1)
+    robot = dataclasses.replace(
+        machine(1), b=0.5 * hexagon, p=0.25 * hexagon, home_position=np.array([0.0, 0.0, 0.5])
+    )
+    found = ss.axis_travel(robot)
+    assert np.isnan(found.travel).all()
+    assert {cause for both in found.limits for cause in both} == {"singularity"}
