@@ -88,11 +88,14 @@ def _near_predictions(values: Array) -> Flags:
 
 
 def _equal_runs(values: Array) -> Flags:
-    """Return True for rows that repeat the row before in all columns, in runs of three or more rows."""
+    """Return True for rows that repeat the row before in all columns, in runs of three or more rows.
+
+    Equal rows at the beginning and the end of a log are rest.
+    """
     repeated = np.concatenate([[False], (np.diff(values, axis=0) == 0.0).all(axis=1)])
     starts, ends = flagged_spans(repeated)
     found = np.zeros(len(values) + 1, dtype=int)
-    long = ends - starts + 1 >= _FROZEN_ROWS
+    long = (ends - starts + 1 >= _FROZEN_ROWS) & (starts > 1) & (ends < len(values))
     found[starts[long]], found[ends[long]] = 1, -1
     return np.cumsum(found[:-1]) > 0
 

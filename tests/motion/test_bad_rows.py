@@ -110,6 +110,17 @@ def test_frozen_rows_are_named_and_not_used(frozen: int) -> None:
     assert np.mean(np.abs(off) > 4.0 * std) < 0.01
 
 
+@pytest.mark.parametrize("digits", [4, 6, 9])
+def test_rest_before_and_after_a_motion_is_not_frozen(digits: int) -> None:
+    time = np.arange(1201) / 200.0
+    s = np.clip(time - 0.5, 0.0, 5.0)
+    swing = np.sin(np.pi * s / 5.0) ** 4 * np.sin(4.0 * s)
+    values = np.round(0.02 * swing[:, None] * np.ones(6), digits)
+    found, said = read(time, values)
+    assert not any("frozen" in text for text in said)
+    assert np.abs(found.motion.a[0]).max() < 0.05
+
+
 def test_rest_is_not_frozen() -> None:
     time = np.arange(800) / 100.0
     s = np.clip(time - 3.0, 0.0, 1.0)[:, None]
