@@ -11,10 +11,12 @@ from sweeps import FULL, share
 
 import stewart_sym as ss
 from stewart_sym.drives.limits import MOTOR_LIMITS
+from stewart_sym.io.progress import silent
 from stewart_sym.planning.path_parameterization import TimedPath, parameterize_path
 from stewart_sym.planning.plan_certificate import certify_plan
 from stewart_sym.planning.timing.path_terms import PathLimits
 from stewart_sym.robot.drive import Drive
+from stewart_sym.studies.reports.force_report import ForceReport
 from stewart_sym.studies.reports.plan import Plan
 
 PEAKS = {"torque": "torque_limit", "current": "current_limit", "power": "power_limit"}
@@ -66,8 +68,14 @@ def heave(s: np.ndarray) -> ss.Motion:
 def test_a_heave_with_coulomb_friction_is_as_fast_as_its_limits_allow_and_certified() -> None:
     robot = ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml")
     drive = Drive(lead=0.005, efficiency=0.9, backdrive_efficiency=0.8, motor_coulomb=0.1, torque_limit=0.25)
-    plan = parameterize_path(dataclasses.replace(robot, drive=drive), heave, grid_size=20)
+    robot = dataclasses.replace(robot, drive=drive)
+    plan = parameterize_path(robot, heave, grid_size=20)
     proof = certify_plan(plan)
     assert proof.is_valid
     assert proof.active_fraction > 0.99
     assert plan.profile.ease is None
+    # Also in the report of the forces, where the last sample is at rest and still braking.
+    time = np.linspace(0.0, plan.duration, 50)
+    report = ForceReport(robot, ss.Trajectory(time, plan.sample(time)))
+    assert "".join(report.rows(silent)).count("\n") == len(time) + 1
+    assert report.doubts(1.0) == []

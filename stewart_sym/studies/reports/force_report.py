@@ -91,7 +91,8 @@ class ForceReport:
         status, more = found.status, Columns()
         values = {"F": found.F, "L": L, "L_dot": L_dot, **limits.limited_angles(robot, motion)}
         if robot.drive is not None:
-            effort = motor_states(robot, robot.drive, motion, found.F, L_dot)
+            sides = self._sides(where, L_dot) if robot.offsets is None else None
+            effort = motor_states(robot, robot.drive, motion, found.F, L_dot, sides)
             self.torque[where], self.speed[where] = effort.torque, effort.speed
             values |= effort._asdict()
             more |= drive_columns(effort, sd)
@@ -115,6 +116,19 @@ class ForceReport:
         columns: Columns = {"time": time} | of_legs("F", found.F)
         columns |= {} if sd is None else of_legs("F", sd["F"], "_std")
         return columns | of_legs("L", L) | {"condition_number": condition, "status": status} | more
+
+    def _sides(self, where: slice, L_dot: Array) -> Array:
+        """Return the signs of the rates (n, 6); at rest at an end of the motion, the signs next to this end.
+
+        Friction opposes the motion that begins, or the motion that ends.
+        """
+        signs = np.sign(L_dot)
+        if len(signs) > 1:
+            ends = {0: 1} if not where.start else {}
+            ends |= {-1: -2} if where.stop >= len(self.time) else {}
+            for end, beside in ends.items():
+                signs[end] = np.where(signs[end] == 0.0, signs[beside], signs[end])
+        return np.asarray(signs)
 
     def doubts(self, noise_share: float) -> list[str]:
         """Return a line for each exceeded or inconclusive limit, and for noise above a fraction of a peak."""
