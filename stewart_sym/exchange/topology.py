@@ -95,7 +95,8 @@ def machine_of(model: Model) -> Machine:
         if hubs := [repr(name) for name, joints in around.items() if len(joints) >= LEGS]:
             finding = "world: expected a fixed joint to the base, got none"
             raise ValueError(f"{finding}; add a fixed joint from the world to {' or '.join(hubs)}")
-        got = f"body {free[0]!r}, which is free" if free else "a model without moving joints"
+        got = "no joint to the world; fix the base to it" if model.joints else "no moving joints"
+        got = f"body {free[0]!r}, which is free" if free else got
         raise ValueError(f"expected legs on a base that is fixed to the world, got {got}")
     chains = [_chain(joint, members, around) for joint in around[WORLD]]
     platform = _platform(chains, around)

@@ -149,7 +149,7 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
         scale, unit = units.of_unit(unit)
         distance = f"{scale * found.distance_to_limit:.4g} {unit}"
         lines.append(f"distance   at most {distance} from the center pose to the nearest pose beyond a limit")
-    elif unit:
+    elif unit and found.volume > 0.0:
         lines.append("distance   no random pose is beyond a limit")
     rows = []
     for axis in range(6)[varying]:

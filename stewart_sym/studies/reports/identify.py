@@ -236,7 +236,7 @@ def _drive_lines(robot: Robot, found: DriveIdentificationResult) -> list[str]:
     """Format a table of the drive terms, and list the terms that are not identifiable."""
     rows = [row for row in _drive_rows(robot, found) if row["identifiable"]]
     unsure = [row["name"] for row in rows if abs(row["estimated"]) < _TOLD * row["std"] < inf]
-    text = f"within {_TOLD} sigma of zero, so that the motion does not tell them: {', '.join(unsure)}"
+    text = f"not distinguishable from zero within {_TOLD} sigma: {', '.join(unsure)}"
     table = _table("drives", rows, ("estimated", "std", "robot_file"))
     return ["", table, *([text] if unsure else []), *found.unidentifiable]
 

@@ -137,8 +137,8 @@ def _summary(plan: Plan) -> str:
     lines = [
         f"duration     {plan.timed.duration:.6g} s, from rest to rest",
         f"path         {longer:.4g} times as long as the straight one",
-        f"condition    {_condition_text(planned.condition_numbers)}",
-        f"straight     {_condition_text(planned.initial_condition_numbers)}",
+        f"condition    scaled number of H: {_condition_text(planned.condition_numbers)}",
+        f"             of the straight path: {_condition_text(planned.initial_condition_numbers)}",
         f"energy       {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
         f"length       {shortest / units.meters:.6g} to {longest / units.meters:.6g} {units.length}",
     ]
@@ -164,7 +164,7 @@ def _summary(plan: Plan) -> str:
 
 def _condition_text(found: Conditions) -> str:
     peak = "infinite, it crosses a singular pose" if np.isinf(found.peak) else f"{found.peak:.5g}"
-    return f"number of H: mean {found.mean:.5g}, peak {peak}"
+    return f"mean {found.mean:.5g}, peak {peak}"
 
 
 def _moved(planned: PlannedPath, units: Units) -> Iterator[str]:
