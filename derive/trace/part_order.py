@@ -61,7 +61,7 @@ def _sum(trace: Trace, step: Step, terms: list[str]) -> t.Expression:
 
 
 def in_loop_order(trace: Trace, body: list[Any]) -> list[Any]:
-    """Sort the parts into those before, in, and after the loop over the legs, each in order.
+    """Sort the parts: before the loop over the legs, in it, and after it, each in order.
 
     A part that reads leg 1 only is called in the loop, so that only this leg's results are stored.
     """
@@ -140,7 +140,7 @@ def _read(item: Any) -> set[tuple[str, int | None]]:
 
 
 def _joined_once(loop: list[Part]) -> list[Part]:
-    """Let each leg join an accumulator in one function: leg 1 in its own part, the others in theirs."""
+    """Move the sums of leg 1 into the part of leg 1, and the sums of the others into their part."""
     first = next((part for part in reversed(loop) if part.only_first), None)
     others = next(
         (part for part in loop if part.skips_first and any(each.joins for each in part.steps)), None

@@ -155,7 +155,7 @@ class Schedule:
         }
 
     def _lives_in_loop(self, name: str, readers: list[tuple[Part, int | None]]) -> bool:
-        """Return True if only the loop over the legs reads a result, and only that of the current leg."""
+        """Return True if only the loop over the legs reads a result, and never the result of another leg."""
         home = self.home[name]
         own = (reader.only_first if of == 0 else reader.per_leg and of is None for reader, of in readers)
         in_loop = (

@@ -111,7 +111,7 @@ def test_frozen_rows_are_named_and_not_used(frozen: int) -> None:
 
 
 @pytest.mark.parametrize("digits", [4, 6, 9])
-def test_rest_before_and_after_a_motion_is_not_frozen(digits: int) -> None:
+def test_rest_before_a_motion_is_not_frozen(digits: int) -> None:
     time = np.arange(1201) / 200.0
     s = np.clip(time - 0.5, 0.0, 5.0)
     swing = np.sin(np.pi * s / 5.0) ** 4 * np.sin(4.0 * s)
