@@ -104,6 +104,7 @@ class BoundedForces:
             "Columns": common["columns_pose"],
             "RightSide": common["right_side_pose"],
             "Solution": common["solution_pose"],
+            "TwoBlocks": common["two_blocks_pose"],
         }
         self.texts = Written(self.structures | solved, flags, shared().by_name)
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cache
 
-from ..kernels.solve import solver
+from ..kernels.solve import pivot_solver, solver
 from ..mechanics.lumped_constants import ADDED
 from ..mechanics.platform import platform
 from ..program.cse import share
@@ -131,10 +131,10 @@ def shared(about_tip: bool = True) -> Shared:
 
 @cache
 def common_parts(about_tip: bool = True) -> tuple[t.Structure | t.Function, ...]:
-    """Return the structures and functions that solve H x = c for one pose and for a block."""
+    """Return the structures and functions that solve H x = c for one pose, and by pivots for a block."""
     found: list[t.Structure | t.Function] = []
-    for poses_in_lanes in (False, True):
-        schedule = Lanes(solver(about_tip), "", poses_in_lanes)
+    for trace, poses_in_lanes in ((solver(about_tip), False), (pivot_solver(about_tip), True)):
+        schedule = Lanes(trace, "", poses_in_lanes)
         found += schedule.structures().values()
         found += (schedule.functions[part.name] for part in schedule.parts if part.common)
     return tuple(found)

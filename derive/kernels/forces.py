@@ -65,16 +65,20 @@ def forces(k: Trace, kernel: ForceKernel, scaled: bool | None = None) -> None:
     with k.rarely(any_unfit > 0.0, alone=True) as branch:
         examine_legs(k, kernel, leg, pose, branch, is_short)
     H, c = equations(k, kernel, leg, pose, scaled)
-    x, suspect = solution(k, H, c)
-    with k.part("force_terms", "Computes F = D - x, (37)."):
-        D = leg.get(n.D)
+    D = leg.get(n.D)
+
+    def results(x: list[Value], suspect: Value) -> list[Value]:
+        """Trace F = D - x, (37), and the marks of a doubtful and of an unfinished pose."""
         found = [D[0].at(i) - x[i] if D else -x[i] for i in range(LEGS)]
         F = [k.let(f"F_{i}", force, Slot(FORCES, "F", i)) for i, force in enumerate(found)]
         doubtful = k.let("doubtful", where(is_short > 0.0, 1.0, suspect))
-        unfinished = larger(any_unfit, doubtful)
+        unfinished = where(suspect > 0.0, 1.0, any_unfit)
         for force in F:
             unfinished = where(abs(force) <= constant("MAX"), unfinished, 1.0)
-        k.result, k.unfinished = F, [k.let("unfinished", unfinished, Slot(FORCES, "unfinished"))]
+        return [*F, doubtful, k.let("unfinished", unfinished, Slot(FORCES, "unfinished"))]
+
+    *k.result, doubtful, unfinished = solution(k, H, c, results)
+    k.unfinished = [unfinished]
     with k.rarely(doubtful > 0.0, alone=True):
         k.reject(
             "rows_status",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from ..program.block import Quantity
 from ..trace.recorder import MODEL, Slot, Trace, inputs_of
@@ -18,8 +19,12 @@ ARM_CUBE = Quantity(
 )
 
 
-def solution(k: Trace, H: list[Value], c: list[Value]) -> tuple[list[Value], Value]:
-    """Trace the solution of H x = c.
+Results = Callable[[list[Value], Value], list[Value]]
+"""Function that traces results of x and of the mark of a small pivot."""
+
+
+def solution(k: Trace, H: list[Value], c: list[Value], results: Results | None = None) -> list[Value]:
+    """Trace the solution of H x = c, and results of the solution.
 
     Parameters
     ----------
@@ -27,30 +32,46 @@ def solution(k: Trace, H: list[Value], c: list[Value]) -> tuple[list[Value], Val
         Rows of H, with one number for each leg.
     c : list of Value
         Right side.
+    results : callable, optional
+        Traces the results in the part of the solution, so that x stays in registers. Without it the results
+        are x and the mark.
 
     Returns
     -------
-    x : list of Value
-        Solution.
-    suspect : Value
-        1 if a pivot is small, else 0.
+    list of Value
+        Results of x and of a mark, which is 1 if a pivot is small, else 0.
     """
     meaning = (
         "Solves H x = c for x in two blocks of three legs, (36). Sets `weak` if the blocks are too "
         "inaccurate, so that pivots are required."
     )
-    with k.part("two_blocks", meaning, common=True):
+    with k.part("two_blocks" if results is None else "results", meaning, common=results is None):
         x, weak = by_blocks(k, H, c)
-        suspect = k.let("suspect", as_value(0.0), Slot(SOLUTION, "suspect"))
+        found = (results or partial(_stored, k))(x, as_value(0.0))
     with k.rarely(weak > 0.0) as branch:
-        meaning = (
-            "Solves H x = c for x by elimination with partial pivoting, (36). Sets `suspect` if a pivot is "
-            "small."
-        )
-        with k.part("pivots", meaning, common=True):
-            other, small = by_pivots(k, H, c)
-            for old, new in zip((*x, suspect), (*other, small), strict=True):
-                branch.update(old, new)
+        y, small = pivots(k, H, c)
+        other = [*y, small]
+        if results is not None:
+            with k.part("results_of_pivots", "Computes the results again."):
+                other = results(y, small)
+        for old, new in zip(found, other, strict=True):
+            branch.update(old, new)
+    return found
+
+
+def _stored(k: Trace, x: list[Value], suspect: Value) -> list[Value]:
+    """Record x and a mark with their locations."""
+    found = [k.let(f"x_{i}", value, Slot(SOLUTION, "x", i)) for i, value in enumerate(x)]
+    return [*found, k.let("suspect", suspect, Slot(SOLUTION, "suspect"))]
+
+
+def pivots(k: Trace, H: list[Value], c: list[Value]) -> tuple[list[Value], Value]:
+    """Trace the solution by pivots as a part; return x, and 1 if a pivot is small, else 0."""
+    meaning = (
+        "Solves H x = c for x by elimination with partial pivoting, (36). Sets `suspect` if a pivot is small."
+    )
+    with k.part("pivots", meaning, common=True):
+        *x, suspect = _stored(k, *by_pivots(k, H, c))
     return x, suspect
 
 
@@ -80,16 +101,16 @@ def by_blocks(k: Trace, H: list[Value], c: list[Value]) -> tuple[list[Value], Va
     least = k.let("least", larger(abs(det) * constant("BLOCK_LEAST"), constant("BLOCK_SINGULAR")) * scale)
     grown = where(square[0] + square[1] + square[2] > constant("BLOCK_GROWTH") * det2, 1.0, 0.0)
     grown = k.let("grown", grown)
-    weak = k.let("weak", where(abs(complement) <= least, 1.0, grown), Slot(SOLUTION, "weak"))
+    weak = k.let("weak", where(abs(complement) <= least, 1.0, grown))
     inverse_det = k.let("inverse_det", 1.0 / det)
     inverse_complement = k.let("inverse_complement", 1.0 / complement)
     x: dict[int, Value] = {}
     for i in range(3):
         of_leg = (u[i][0] * w_c[0] + u[i][1] * w_c[1] + u[i][2] * w_c[2]) * inverse_complement
-        x[2 * i] = k.let(f"x_{2 * i}", of_leg, Slot(SOLUTION, "x", 2 * i))
+        x[2 * i] = k.let(f"x_{2 * i}", of_leg)
     for i in range(3):
         rest = e_c[i] - e[i].at(0) * x[0] - e[i].at(2) * x[2] - e[i].at(4) * x[4]
-        x[2 * i + 1] = k.let(f"x_{2 * i + 1}", rest * inverse_det, Slot(SOLUTION, "x", 2 * i + 1))
+        x[2 * i + 1] = k.let(f"x_{2 * i + 1}", rest * inverse_det)
     return [x[i] for i in range(LEGS)], weak
 
 
@@ -138,6 +159,21 @@ def by_pivots(k: Trace, H: list[Value], c: list[Value]) -> tuple[list[Value], Va
 
 def solver(about_tip: bool) -> Trace:
     """Trace the solution alone, for equations that other functions store."""
+    k, H, c = _equations(about_tip)
+    k.result = solution(k, H, c)
+    return k
+
+
+def pivot_solver(about_tip: bool) -> Trace:
+    """Trace the solution by pivots alone."""
+    k, H, c = _equations(about_tip)
+    x, suspect = pivots(k, H, c)
+    k.result = [*x, suspect]
+    return k
+
+
+def _equations(about_tip: bool) -> tuple[Trace, list[Value], list[Value]]:
+    """Trace rows of H and c with their locations."""
     k = Trace(inputs_of(MODEL, (ARM_CUBE,)))
     with k.part("rows", per_leg=True):
         H = [k.let(f"H_{i}", as_value(0.0), Slot(COLUMNS, "H", i)) for i in range(LEGS)]
@@ -145,6 +181,4 @@ def solver(about_tip: bool) -> Trace:
         k.zero_at_first |= {value.name for value in H[3:]}
     with k.part("wrench"):
         c = [k.let(f"c_{i}", as_value(0.0), Slot(RIGHT_SIDE, "c", i)) for i in range(LEGS)]
-    x, suspect = solution(k, H, c)
-    k.result = [*x, suspect]
-    return k
+    return k, H, c

@@ -10,7 +10,7 @@ from functools import cache
 
 import sympy as sp
 
-from ..program.block import Block, Builder, Quantity, rebuilt
+from ..program.block import Block, Builder, Quantity, Step, rebuilt
 from ..program.cse import specialized
 from . import actuator_forces
 from . import lumped_constants as p
@@ -133,7 +133,7 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
     near = _leg(level, near_singular=True) if n.k in kernel.leg.inputs else None
     kernel = actuator_forces.about_tip(replace(kernel, leg_near_singular=near))
     if not level.moving:
-        kernel = kernel.changed(lambda block: _weighed(specialized(block, _AT_REST)))
+        kernel = kernel.changed(lambda block: _without_signs(_weighed(specialized(block, _AT_REST))))
     kernel = actuator_forces.without_zeros(kernel)
     final = actuator_forces.with_constants(form, level.friction, kernel.shared, kernel.leg, lumped)
     return replace(
@@ -156,6 +156,24 @@ def _weighed(block: Block) -> Block:
     steps = [replace(step, expr=step.expr.xreplace(weight)) for step in block.steps]
     outputs = [replace(out, exprs=tuple(e.xreplace(weight) for e in out.exprs)) for out in block.outputs]
     return rebuilt(block, steps, outputs, (*block.inputs, p.W_P))
+
+
+def _without_signs(block: Block) -> Block:
+    """Store the negative of each negative product whose readers all need the negative."""
+    results = [expr for out in block.outputs for expr in out.exprs]
+    negatives: dict[sp.Symbol, sp.Expr] = {}
+    steps: list[Step] = []
+    for step in block.steps:
+        expr = step.expr.xreplace(negatives)
+        readers = [*results, *(other.expr for other in block.steps)]
+        terms = [term for each in readers for term in sp.Add.make_args(each) if term.has(step.symbol)]
+        if expr.is_Mul and all(each.could_extract_minus_sign() for each in (expr, *terms)):
+            named = replace(step, name=f"minus_{step.name}", meaning=f"the negative of the {step.meaning}")
+            negatives[step.symbol] = -named.symbol
+            step, expr = named, -expr
+        steps.append(replace(step, expr=expr))
+    outputs = [replace(out, exprs=tuple(e.xreplace(negatives) for e in out.exprs)) for out in block.outputs]
+    return rebuilt(block, steps, outputs, block.inputs)
 
 
 def _platform(level: Fidelity) -> Block:

@@ -50,7 +50,9 @@ class Lanes(Schedule):
             kind = t.Record(f"{name}{self.end}") if part.ahead else self.type_of(name)
             arguments.append(t.Argument(name, kind, changed, alone=True))
         large = part.per_leg and not self.poses_in_lanes and len(part.steps) > INLINE_STEPS
-        apart = part.ahead or part.common or part.name in self.branch_of or large
+        legs = {leg for step in part.steps for _, leg in reads(step.expr) if leg is not None}
+        combines = self.poses_in_lanes and len(legs) > 1
+        apart = part.ahead or combines or part.name in self.branch_of or large
         name = f"compute_{part.name}{self.end}"
         return t.Function(name, part.meaning, tuple(arguments), None, body, apart=apart)
 

@@ -119,12 +119,23 @@ class Schedule:
         waiting: list[tuple[str, int | None]] = [(value.name, None) for value in self.trace.result]
         if self.poses_in_lanes:
             waiting += [(value.name, None) for value in self.trace.unfinished]
+        later: dict[str, str] = {}
         for branch in self.branches():
             waiting += reads(branch.test.expr)
-            waiting += [(new, None) for new in branch.updates.values()]
+            later |= branch.updates
         for reject in _rejects(self.body):
             waiting += [name for value in values_of(reject) for name in reads(value.expr)]
-        self.crossing = {name for name, _ in waiting}
+        self.crossing: set[str] = set()
+
+        def cross(name: str) -> None:
+            """Note that another part reads a name, and which value replaces it."""
+            self.crossing.add(name)
+            if name in later:
+                waiting.append((later[name], None))
+                self.crossing.add(later[name])
+
+        for name, _ in list(waiting):
+            cross(name)
         joining: dict[str, list[str]] = {}
         for step in self.steps.values():
             if step.joins:
@@ -138,14 +149,14 @@ class Schedule:
             self.needed.add((name, leg))
             if name in joining:
                 waiting += [(step, None) for step in joining[name]]
-                self.crossing.add(name)
+                cross(name)
             for other, of in reads(self.steps[name].expr):
                 if other in self.steps:
                     own = leg if of is None and other in self.trace.per_leg else of
                     if not (own == 0 and other in self.trace.zero_at_first):
                         waiting.append((other, own))
                     if self.home[other] is not self.home[name]:
-                        self.crossing.add(other)
+                        cross(other)
                         readers.setdefault(other, []).append((self.home[name], of))
         self._names_needed = {name for name, _ in self.needed}
         self.of_current_leg = {

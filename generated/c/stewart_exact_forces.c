@@ -333,12 +333,13 @@ typedef struct {
 } STEWART_ALIGNED moment_terms_pose;
 
 typedef struct {
-    stewart_real F[6];
-} STEWART_ALIGNED forces_pose;
+    stewart_real doubtful;
+    stewart_real weak;
+} STEWART_ALIGNED results_pose;
 
 typedef struct {
-    stewart_real doubtful;
-} STEWART_ALIGNED force_terms_pose;
+    stewart_real F[6];
+} STEWART_ALIGNED forces_pose;
 
 typedef struct {
     stewart_real reach_2[LANES];
@@ -1017,23 +1018,132 @@ STEWART_APART static void compute_scaled_wrench_pose(
     right_side->c[5] = c_5*per_length;
 }
 
-/* Computes F = D - x, (37). */
-static void compute_force_terms_pose(
-    const leg_terms_pose *STEWART_RESTRICT leg_terms, const solution_pose *STEWART_RESTRICT solution,
-    const legs_fit_pose *STEWART_RESTRICT legs_fit, forces_pose *STEWART_RESTRICT forces,
-    force_terms_pose *STEWART_RESTRICT force_terms)
+/* Solves H x = c for x in two blocks of three legs, (36). Sets `weak` if the blocks are too inaccurate,
+ * so that pivots are required. */
+static void compute_results_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const columns_pose *STEWART_RESTRICT columns,
+    const right_side_pose *STEWART_RESTRICT right_side, const leg_terms_pose *STEWART_RESTRICT leg_terms,
+    const legs_fit_pose *STEWART_RESTRICT legs_fit, results_pose *STEWART_RESTRICT results,
+    forces_pose *STEWART_RESTRICT forces)
 {
-    const stewart_real x_0 = solution->x[0], x_1 = solution->x[1], x_2 = solution->x[2], x_3 = solution->x[3],
-        x_4 = solution->x[4], x_5 = solution->x[5];
+    int l;
+    const stewart_real c_0 = right_side->c[0], c_1 = right_side->c[1], c_2 = right_side->c[2], c_3 = right_side->c[3],
+        c_4 = right_side->c[4], c_5 = right_side->c[5];
+    const stewart_real arm_cube = model->arm_cube;
     const stewart_real is_short = legs_fit->is_short;
-    const stewart_real suspect = solution->suspect;
+    const stewart_real r_0_0 = STEWART_FMA(columns->H[2][3], -columns->H[1][5],
+        columns->H[1][3]*columns->H[2][5]);
+    const stewart_real r_0_1 = STEWART_FMA(columns->H[0][3], -columns->H[2][5],
+        columns->H[2][3]*columns->H[0][5]);
+    const stewart_real r_0_2 = STEWART_FMA(columns->H[1][3], -columns->H[0][5],
+        columns->H[0][3]*columns->H[1][5]);
+    const stewart_real r_1_0 = STEWART_FMA(columns->H[2][5], -columns->H[1][1],
+        columns->H[1][5]*columns->H[2][1]);
+    const stewart_real r_1_1 = STEWART_FMA(columns->H[0][5], -columns->H[2][1],
+        columns->H[2][5]*columns->H[0][1]);
+    const stewart_real r_1_2 = STEWART_FMA(columns->H[1][5], -columns->H[0][1],
+        columns->H[0][5]*columns->H[1][1]);
+    const stewart_real r_2_0 = STEWART_FMA(columns->H[2][1], -columns->H[1][3],
+        columns->H[1][1]*columns->H[2][3]);
+    const stewart_real r_2_1 = STEWART_FMA(columns->H[0][1], -columns->H[2][3],
+        columns->H[2][1]*columns->H[0][3]);
+    const stewart_real r_2_2 = STEWART_FMA(columns->H[1][1], -columns->H[0][3],
+        columns->H[0][1]*columns->H[1][3]);
+    const stewart_real det = STEWART_FMA(columns->H[2][1], r_0_2, STEWART_FMA(columns->H[1][1], r_0_1,
+        columns->H[0][1]*r_0_0));
+    stewart_real e_0_of[LANES];
+    stewart_real e_1_of[LANES];
+    stewart_real e_2_of[LANES];
+    stewart_real w_0_of[LANES];
+    stewart_real w_1_of[LANES];
+    stewart_real w_2_of[LANES];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real s_x = columns->H[0][l], s_y = columns->H[1][l], s_z = columns->H[2][l],
+            H_moment_x = columns->H[3][l], H_moment_y = columns->H[4][l], H_moment_z = columns->H[5][l];
+        const stewart_real e_0 = STEWART_FMA(r_0_2, s_z, STEWART_FMA(r_0_1, s_y, r_0_0*s_x));
+        const stewart_real e_1 = STEWART_FMA(r_1_2, s_z, STEWART_FMA(r_1_1, s_y, r_1_0*s_x));
+        const stewart_real e_2 = STEWART_FMA(r_2_2, s_z, STEWART_FMA(r_2_1, s_y, r_2_0*s_x));
+        const stewart_real w_0 = STEWART_FMA(columns->H[3][5], -e_2, STEWART_FMA(columns->H[3][3], -e_1,
+            STEWART_FMA(columns->H[3][1], -e_0, det*H_moment_x)));
+        const stewart_real w_1 = STEWART_FMA(columns->H[4][5], -e_2, STEWART_FMA(columns->H[4][3], -e_1,
+            STEWART_FMA(columns->H[4][1], -e_0, det*H_moment_y)));
+        const stewart_real w_2 = STEWART_FMA(columns->H[5][5], -e_2, STEWART_FMA(columns->H[5][3], -e_1,
+            STEWART_FMA(columns->H[5][1], -e_0, det*H_moment_z)));
+        e_0_of[l] = e_0;
+        e_1_of[l] = e_1;
+        e_2_of[l] = e_2;
+        w_0_of[l] = w_0;
+        w_1_of[l] = w_1;
+        w_2_of[l] = w_2;
+    }
+    const stewart_real e_c_0 = STEWART_FMA(r_0_2, c_2, STEWART_FMA(r_0_1, c_1, r_0_0*c_0));
+    const stewart_real e_c_1 = STEWART_FMA(r_1_2, c_2, STEWART_FMA(r_1_1, c_1, r_1_0*c_0));
+    const stewart_real e_c_2 = STEWART_FMA(r_2_2, c_2, STEWART_FMA(r_2_1, c_1, r_2_0*c_0));
+    const stewart_real w_c_0 = STEWART_FMA(columns->H[3][5], -e_c_2, STEWART_FMA(columns->H[3][3], -e_c_1,
+        STEWART_FMA(columns->H[3][1], -e_c_0, det*c_3)));
+    const stewart_real w_c_1 = STEWART_FMA(columns->H[4][5], -e_c_2, STEWART_FMA(columns->H[4][3], -e_c_1,
+        STEWART_FMA(columns->H[4][1], -e_c_0, det*c_4)));
+    const stewart_real w_c_2 = STEWART_FMA(columns->H[5][5], -e_c_2, STEWART_FMA(columns->H[5][3], -e_c_1,
+        STEWART_FMA(columns->H[5][1], -e_c_0, det*c_5)));
+    const stewart_real u_0_0 = STEWART_FMA(w_2_of[2], -w_1_of[4], w_1_of[2]*w_2_of[4]);
+    const stewart_real u_0_1 = STEWART_FMA(w_0_of[2], -w_2_of[4], w_2_of[2]*w_0_of[4]);
+    const stewart_real u_0_2 = STEWART_FMA(w_1_of[2], -w_0_of[4], w_0_of[2]*w_1_of[4]);
+    const stewart_real u_1_0 = STEWART_FMA(w_2_of[4], -w_1_of[0], w_1_of[4]*w_2_of[0]);
+    const stewart_real u_1_1 = STEWART_FMA(w_0_of[4], -w_2_of[0], w_2_of[4]*w_0_of[0]);
+    const stewart_real u_1_2 = STEWART_FMA(w_1_of[4], -w_0_of[0], w_0_of[4]*w_1_of[0]);
+    const stewart_real u_2_0 = STEWART_FMA(w_2_of[0], -w_1_of[2], w_1_of[0]*w_2_of[2]);
+    const stewart_real u_2_1 = STEWART_FMA(w_0_of[0], -w_2_of[2], w_2_of[0]*w_0_of[2]);
+    const stewart_real u_2_2 = STEWART_FMA(w_1_of[0], -w_0_of[2], w_0_of[0]*w_1_of[2]);
+    const stewart_real complement = STEWART_FMA(w_2_of[0], u_0_2, STEWART_FMA(w_1_of[0], u_0_1,
+        w_0_of[0]*u_0_0));
+    const stewart_real det2 = det*det;
+    const stewart_real least = STEWART_LARGER(STEWART_FABS(det)*STEWART_BLOCK_LEAST,
+        STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
+    const stewart_real grown = STEWART_FMA(e_0_of[4], e_0_of[4], STEWART_FMA(e_0_of[2], e_0_of[2],
+        e_0_of[0]*e_0_of[0])) + STEWART_FMA(e_1_of[4], e_1_of[4], STEWART_FMA(e_1_of[2], e_1_of[2],
+        e_1_of[0]*e_1_of[0])) + STEWART_FMA(e_2_of[4], e_2_of[4], STEWART_FMA(e_2_of[2], e_2_of[2],
+        e_2_of[0]*e_2_of[0])) > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
+    results->weak = STEWART_FABS(complement) <= least ? REAL(1) : grown;
+    const stewart_real inverse_det = REAL(1)/det;
+    const stewart_real inverse_complement = REAL(1)/complement;
+    const stewart_real x_0 = STEWART_FMA(u_0_2, w_c_2, STEWART_FMA(u_0_1, w_c_1,
+        u_0_0*w_c_0))*inverse_complement;
+    const stewart_real x_2 = STEWART_FMA(u_1_2, w_c_2, STEWART_FMA(u_1_1, w_c_1,
+        u_1_0*w_c_0))*inverse_complement;
+    const stewart_real x_4 = STEWART_FMA(u_2_2, w_c_2, STEWART_FMA(u_2_1, w_c_1,
+        u_2_0*w_c_0))*inverse_complement;
+    const stewart_real x_1 = STEWART_FMA(e_0_of[4], -x_4, STEWART_FMA(e_0_of[2], -x_2,
+        STEWART_FMA(e_0_of[0], -x_0, e_c_0)))*inverse_det;
+    const stewart_real x_3 = STEWART_FMA(e_1_of[4], -x_4, STEWART_FMA(e_1_of[2], -x_2,
+        STEWART_FMA(e_1_of[0], -x_0, e_c_1)))*inverse_det;
+    const stewart_real x_5 = STEWART_FMA(e_2_of[4], -x_4, STEWART_FMA(e_2_of[2], -x_2,
+        STEWART_FMA(e_2_of[0], -x_0, e_c_2)))*inverse_det;
     forces->F[0] = leg_terms->D[0] - x_0;
     forces->F[1] = leg_terms->D[1] - x_1;
     forces->F[2] = leg_terms->D[2] - x_2;
     forces->F[3] = leg_terms->D[3] - x_3;
     forces->F[4] = leg_terms->D[4] - x_4;
     forces->F[5] = leg_terms->D[5] - x_5;
-    force_terms->doubtful = is_short > REAL(0) ? REAL(1) : suspect;
+    results->doubtful = is_short > REAL(0) ? REAL(1) : REAL(0);
+}
+
+/* Computes the results again. */
+STEWART_APART static void compute_results_of_pivots_pose(
+    const leg_terms_pose *STEWART_RESTRICT leg_terms, const solution_pose *STEWART_RESTRICT solution,
+    const legs_fit_pose *STEWART_RESTRICT legs_fit, forces_pose *STEWART_RESTRICT forces,
+    results_pose *STEWART_RESTRICT results)
+{
+    const stewart_real x_0_2 = solution->x[0], x_1_2 = solution->x[1], x_2_2 = solution->x[2], x_3_2 = solution->x[3],
+        x_4_2 = solution->x[4], x_5_2 = solution->x[5];
+    const stewart_real is_short = legs_fit->is_short;
+    const stewart_real suspect = solution->suspect;
+    forces->F[0] = leg_terms->D[0] - x_0_2;
+    forces->F[1] = leg_terms->D[1] - x_1_2;
+    forces->F[2] = leg_terms->D[2] - x_2_2;
+    forces->F[3] = leg_terms->D[3] - x_3_2;
+    forces->F[4] = leg_terms->D[4] - x_4_2;
+    forces->F[5] = leg_terms->D[5] - x_5_2;
+    results->doubtful = is_short > REAL(0) ? REAL(1) : suspect;
 }
 
 /* Computes the largest component (m) of the vectors whose sum is a leg. */
@@ -1067,9 +1177,9 @@ int stewart_exact_forces(const stewart_exact_model *model, const stewart_motion 
     tip_terms_pose tip_terms;
     moment_terms_pose moment_terms;
     right_side_pose right_side;
-    solution_pose solution;
+    results_pose results;
     forces_pose forces;
-    force_terms_pose force_terms;
+    solution_pose solution;
     reach_of_rows_pose reach_of_rows;
     int status = STEWART_OK;
     if (model == NULL || motion == NULL || F == NULL) {
@@ -1117,12 +1227,12 @@ int stewart_exact_forces(const stewart_exact_model *model, const stewart_motion 
         compute_scaled_moments_pose(model, &columns);
         compute_scaled_wrench_pose(model, &right_side);
     }
-    compute_two_blocks_pose(model->arm_cube, &columns, &right_side, &solution);
-    if (solution.weak > REAL(0)) {
+    compute_results_pose(model, &columns, &right_side, &leg_terms, &legs_fit, &results, &forces);
+    if (results.weak > REAL(0)) {
         compute_pivots_pose(&columns, &right_side, &solution);
+        compute_results_of_pivots_pose(&leg_terms, &solution, &legs_fit, &forces, &results);
     }
-    compute_force_terms_pose(&leg_terms, &solution, &legs_fit, &forces, &force_terms);
-    if (force_terms.doubtful > REAL(0)) {
+    if (results.doubtful > REAL(0)) {
         compute_reach_of_rows_pose(model, motion, &leg_roots, &reach_of_rows);
         status = rows_status(columns.H, leg_roots.q, leg_roots.L, reach_of_rows.reach_2, model->per_length);
         if (status != STEWART_OK) {
@@ -1180,6 +1290,10 @@ typedef struct {
     stewart_real q_1_y[POSES];
     stewart_real q_1_z[POSES];
 } STEWART_ALIGNED tip_terms_block;
+
+typedef struct {
+    stewart_real weak[POSES];
+} STEWART_ALIGNED results_block;
 
 typedef struct {
     stewart_real F[6][POSES];
@@ -1610,31 +1724,132 @@ STEWART_APART static void compute_scaled_wrench_block(
     }
 }
 
-/* Computes F = D - x, (37). */
-static void compute_force_terms_block(
-    const leg_terms_block *STEWART_RESTRICT leg_terms, const solution_block *STEWART_RESTRICT solution,
-    const legs_fit_block *STEWART_RESTRICT legs_fit, forces_block *STEWART_RESTRICT forces)
+/* Solves H x = c for x in two blocks of three legs, (36). Sets `weak` if the blocks are too inaccurate,
+ * so that pivots are required. */
+STEWART_APART static void compute_results_block(
+    const stewart_exact_model *STEWART_RESTRICT model, const columns_block *STEWART_RESTRICT columns,
+    const right_side_block *STEWART_RESTRICT right_side, const leg_terms_block *STEWART_RESTRICT leg_terms,
+    const legs_fit_block *STEWART_RESTRICT legs_fit, results_block *STEWART_RESTRICT results,
+    forces_block *STEWART_RESTRICT forces)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
+        const stewart_real s_y_leg4 = columns[3].H[1][l], s_z_leg4 = columns[3].H[2][l], s_x_leg4 = columns[3].H[0][l],
+            H_moment_x_leg4 = columns[3].H[3][l], H_moment_y_leg4 = columns[3].H[4][l], H_moment_z_leg4 = columns[3].H[5][l];
+        const stewart_real s_z_leg6 = columns[5].H[2][l], s_y_leg6 = columns[5].H[1][l], s_x_leg6 = columns[5].H[0][l],
+            H_moment_x_leg6 = columns[5].H[3][l], H_moment_y_leg6 = columns[5].H[4][l], H_moment_z_leg6 = columns[5].H[5][l];
+        const stewart_real s_z_leg2 = columns[1].H[2][l], s_y_leg2 = columns[1].H[1][l], s_x_leg2 = columns[1].H[0][l],
+            H_moment_x_leg2 = columns[1].H[3][l], H_moment_y_leg2 = columns[1].H[4][l], H_moment_z_leg2 = columns[1].H[5][l];
+        const stewart_real s_x_leg1 = columns[0].H[0][l], s_y_leg1 = columns[0].H[1][l], s_z_leg1 = columns[0].H[2][l];
+        const stewart_real s_x_leg3 = columns[2].H[0][l], s_y_leg3 = columns[2].H[1][l], s_z_leg3 = columns[2].H[2][l],
+            H_moment_x_leg3 = columns[2].H[3][l], H_moment_y_leg3 = columns[2].H[4][l], H_moment_z_leg3 = columns[2].H[5][l];
+        const stewart_real s_x_leg5 = columns[4].H[0][l], s_y_leg5 = columns[4].H[1][l], s_z_leg5 = columns[4].H[2][l],
+            H_moment_x_leg5 = columns[4].H[3][l], H_moment_y_leg5 = columns[4].H[4][l], H_moment_z_leg5 = columns[4].H[5][l];
+        const stewart_real c_0 = right_side->c[0][l], c_1 = right_side->c[1][l], c_2 = right_side->c[2][l],
+            c_3 = right_side->c[3][l], c_4 = right_side->c[4][l], c_5 = right_side->c[5][l];
+        const stewart_real arm_cube = model->arm_cube;
         const stewart_real D_leg1 = leg_terms[0].D[l];
-        const stewart_real x_0 = solution->x[0][l], x_1 = solution->x[1][l], x_2 = solution->x[2][l], x_3 = solution->x[3][l],
-            x_4 = solution->x[4][l], x_5 = solution->x[5][l];
         const stewart_real D_leg2 = leg_terms[1].D[l];
         const stewart_real D_leg3 = leg_terms[2].D[l];
         const stewart_real D_leg4 = leg_terms[3].D[l];
         const stewart_real D_leg5 = leg_terms[4].D[l];
         const stewart_real D_leg6 = leg_terms[5].D[l];
-        const stewart_real suspect = solution->suspect[l];
         const stewart_real any_unfit = legs_fit->any_unfit[l];
+        const stewart_real r_0_0 = STEWART_FMA(-s_z_leg4, s_y_leg6, s_y_leg4*s_z_leg6);
+        const stewart_real r_0_1 = STEWART_FMA(-s_x_leg4, s_z_leg6, s_z_leg4*s_x_leg6);
+        const stewart_real r_0_2 = STEWART_FMA(-s_y_leg4, s_x_leg6, s_x_leg4*s_y_leg6);
+        const stewart_real r_1_0 = STEWART_FMA(-s_z_leg6, s_y_leg2, s_y_leg6*s_z_leg2);
+        const stewart_real r_1_1 = STEWART_FMA(-s_x_leg6, s_z_leg2, s_z_leg6*s_x_leg2);
+        const stewart_real r_1_2 = STEWART_FMA(-s_y_leg6, s_x_leg2, s_x_leg6*s_y_leg2);
+        const stewart_real r_2_0 = STEWART_FMA(-s_z_leg2, s_y_leg4, s_y_leg2*s_z_leg4);
+        const stewart_real r_2_1 = STEWART_FMA(-s_x_leg2, s_z_leg4, s_z_leg2*s_x_leg4);
+        const stewart_real r_2_2 = STEWART_FMA(-s_y_leg2, s_x_leg4, s_x_leg2*s_y_leg4);
+        const stewart_real det = STEWART_FMA(s_z_leg2, r_0_2, STEWART_FMA(s_y_leg2, r_0_1, s_x_leg2*r_0_0));
+        const stewart_real e_0_leg1 = STEWART_FMA(r_0_2, s_z_leg1, STEWART_FMA(r_0_1, s_y_leg1,
+            r_0_0*s_x_leg1));
+        const stewart_real e_0_leg3 = STEWART_FMA(r_0_2, s_z_leg3, STEWART_FMA(r_0_1, s_y_leg3,
+            r_0_0*s_x_leg3));
+        const stewart_real e_0_leg5 = STEWART_FMA(r_0_2, s_z_leg5, STEWART_FMA(r_0_1, s_y_leg5,
+            r_0_0*s_x_leg5));
+        const stewart_real e_1_leg1 = STEWART_FMA(r_1_2, s_z_leg1, STEWART_FMA(r_1_1, s_y_leg1,
+            r_1_0*s_x_leg1));
+        const stewart_real e_1_leg3 = STEWART_FMA(r_1_2, s_z_leg3, STEWART_FMA(r_1_1, s_y_leg3,
+            r_1_0*s_x_leg3));
+        const stewart_real e_1_leg5 = STEWART_FMA(r_1_2, s_z_leg5, STEWART_FMA(r_1_1, s_y_leg5,
+            r_1_0*s_x_leg5));
+        const stewart_real e_2_leg1 = STEWART_FMA(r_2_2, s_z_leg1, STEWART_FMA(r_2_1, s_y_leg1,
+            r_2_0*s_x_leg1));
+        const stewart_real e_2_leg3 = STEWART_FMA(r_2_2, s_z_leg3, STEWART_FMA(r_2_1, s_y_leg3,
+            r_2_0*s_x_leg3));
+        const stewart_real e_2_leg5 = STEWART_FMA(r_2_2, s_z_leg5, STEWART_FMA(r_2_1, s_y_leg5,
+            r_2_0*s_x_leg5));
+        const stewart_real w_0_leg1 = STEWART_FMA(-H_moment_x_leg6, e_2_leg1, STEWART_FMA(-H_moment_x_leg4,
+            e_1_leg1, -H_moment_x_leg2*e_0_leg1));
+        const stewart_real w_0_leg3 = STEWART_FMA(-H_moment_x_leg6, e_2_leg3, STEWART_FMA(-H_moment_x_leg4,
+            e_1_leg3, STEWART_FMA(-H_moment_x_leg2, e_0_leg3, det*H_moment_x_leg3)));
+        const stewart_real w_0_leg5 = STEWART_FMA(-H_moment_x_leg6, e_2_leg5, STEWART_FMA(-H_moment_x_leg4,
+            e_1_leg5, STEWART_FMA(-H_moment_x_leg2, e_0_leg5, det*H_moment_x_leg5)));
+        const stewart_real w_1_leg1 = STEWART_FMA(-H_moment_y_leg6, e_2_leg1, STEWART_FMA(-H_moment_y_leg4,
+            e_1_leg1, -H_moment_y_leg2*e_0_leg1));
+        const stewart_real w_1_leg3 = STEWART_FMA(-H_moment_y_leg6, e_2_leg3, STEWART_FMA(-H_moment_y_leg4,
+            e_1_leg3, STEWART_FMA(-H_moment_y_leg2, e_0_leg3, det*H_moment_y_leg3)));
+        const stewart_real w_1_leg5 = STEWART_FMA(-H_moment_y_leg6, e_2_leg5, STEWART_FMA(-H_moment_y_leg4,
+            e_1_leg5, STEWART_FMA(-H_moment_y_leg2, e_0_leg5, det*H_moment_y_leg5)));
+        const stewart_real w_2_leg1 = STEWART_FMA(-H_moment_z_leg6, e_2_leg1, STEWART_FMA(-H_moment_z_leg4,
+            e_1_leg1, -H_moment_z_leg2*e_0_leg1));
+        const stewart_real w_2_leg3 = STEWART_FMA(-H_moment_z_leg6, e_2_leg3, STEWART_FMA(-H_moment_z_leg4,
+            e_1_leg3, STEWART_FMA(-H_moment_z_leg2, e_0_leg3, det*H_moment_z_leg3)));
+        const stewart_real w_2_leg5 = STEWART_FMA(-H_moment_z_leg6, e_2_leg5, STEWART_FMA(-H_moment_z_leg4,
+            e_1_leg5, STEWART_FMA(-H_moment_z_leg2, e_0_leg5, det*H_moment_z_leg5)));
+        const stewart_real e_c_0 = STEWART_FMA(r_0_2, c_2, STEWART_FMA(r_0_1, c_1, r_0_0*c_0));
+        const stewart_real e_c_1 = STEWART_FMA(r_1_2, c_2, STEWART_FMA(r_1_1, c_1, r_1_0*c_0));
+        const stewart_real e_c_2 = STEWART_FMA(r_2_2, c_2, STEWART_FMA(r_2_1, c_1, r_2_0*c_0));
+        const stewart_real w_c_0 = STEWART_FMA(-H_moment_x_leg6, e_c_2, STEWART_FMA(-H_moment_x_leg4, e_c_1,
+            STEWART_FMA(-H_moment_x_leg2, e_c_0, det*c_3)));
+        const stewart_real w_c_1 = STEWART_FMA(-H_moment_y_leg6, e_c_2, STEWART_FMA(-H_moment_y_leg4, e_c_1,
+            STEWART_FMA(-H_moment_y_leg2, e_c_0, det*c_4)));
+        const stewart_real w_c_2 = STEWART_FMA(-H_moment_z_leg6, e_c_2, STEWART_FMA(-H_moment_z_leg4, e_c_1,
+            STEWART_FMA(-H_moment_z_leg2, e_c_0, det*c_5)));
+        const stewart_real u_0_0 = STEWART_FMA(-w_2_leg3, w_1_leg5, w_1_leg3*w_2_leg5);
+        const stewart_real u_0_1 = STEWART_FMA(-w_0_leg3, w_2_leg5, w_2_leg3*w_0_leg5);
+        const stewart_real u_0_2 = STEWART_FMA(-w_1_leg3, w_0_leg5, w_0_leg3*w_1_leg5);
+        const stewart_real u_1_0 = STEWART_FMA(-w_2_leg5, w_1_leg1, w_1_leg5*w_2_leg1);
+        const stewart_real u_1_1 = STEWART_FMA(-w_0_leg5, w_2_leg1, w_2_leg5*w_0_leg1);
+        const stewart_real u_1_2 = STEWART_FMA(-w_1_leg5, w_0_leg1, w_0_leg5*w_1_leg1);
+        const stewart_real u_2_0 = STEWART_FMA(-w_2_leg1, w_1_leg3, w_1_leg1*w_2_leg3);
+        const stewart_real u_2_1 = STEWART_FMA(-w_0_leg1, w_2_leg3, w_2_leg1*w_0_leg3);
+        const stewart_real u_2_2 = STEWART_FMA(-w_1_leg1, w_0_leg3, w_0_leg1*w_1_leg3);
+        const stewart_real complement = STEWART_FMA(w_2_leg1, u_0_2, STEWART_FMA(w_1_leg1, u_0_1,
+            w_0_leg1*u_0_0));
+        const stewart_real det2 = det*det;
+        const stewart_real least = STEWART_LARGER(STEWART_FABS(det)*STEWART_BLOCK_LEAST,
+            STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
+        const stewart_real grown = STEWART_FMA(e_0_leg5, e_0_leg5, STEWART_FMA(e_0_leg3, e_0_leg3,
+            e_0_leg1*e_0_leg1)) + STEWART_FMA(e_1_leg5, e_1_leg5, STEWART_FMA(e_1_leg3, e_1_leg3,
+            e_1_leg1*e_1_leg1)) + STEWART_FMA(e_2_leg5, e_2_leg5, STEWART_FMA(e_2_leg3, e_2_leg3,
+            e_2_leg1*e_2_leg1)) > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
+        results->weak[l] = STEWART_FABS(complement) <= least ? REAL(1) : grown;
+        const stewart_real inverse_det = REAL(1)/det;
+        const stewart_real inverse_complement = REAL(1)/complement;
+        const stewart_real x_0 = STEWART_FMA(u_0_2, w_c_2, STEWART_FMA(u_0_1, w_c_1,
+            u_0_0*w_c_0))*inverse_complement;
+        const stewart_real x_2 = STEWART_FMA(u_1_2, w_c_2, STEWART_FMA(u_1_1, w_c_1,
+            u_1_0*w_c_0))*inverse_complement;
+        const stewart_real x_4 = STEWART_FMA(u_2_2, w_c_2, STEWART_FMA(u_2_1, w_c_1,
+            u_2_0*w_c_0))*inverse_complement;
+        const stewart_real x_1 = STEWART_FMA(-e_0_leg5, x_4, STEWART_FMA(-e_0_leg3, x_2,
+            STEWART_FMA(-e_0_leg1, x_0, e_c_0)))*inverse_det;
+        const stewart_real x_3 = STEWART_FMA(-e_1_leg5, x_4, STEWART_FMA(-e_1_leg3, x_2,
+            STEWART_FMA(-e_1_leg1, x_0, e_c_1)))*inverse_det;
+        const stewart_real x_5 = STEWART_FMA(-e_2_leg5, x_4, STEWART_FMA(-e_2_leg3, x_2,
+            STEWART_FMA(-e_2_leg1, x_0, e_c_2)))*inverse_det;
         const stewart_real F_0 = D_leg1 - x_0;
         const stewart_real F_1 = D_leg2 - x_1;
         const stewart_real F_2 = D_leg3 - x_2;
         const stewart_real F_3 = D_leg4 - x_3;
         const stewart_real F_4 = D_leg5 - x_4;
         const stewart_real F_5 = D_leg6 - x_5;
-        const stewart_real doubtful = suspect;
-        const stewart_real unfinished = STEWART_LARGER(any_unfit, doubtful);
+        const stewart_real unfinished = any_unfit;
         const stewart_real unfinished_2 = STEWART_FABS(F_0) <= STEWART_MAX ? unfinished : REAL(1);
         const stewart_real unfinished_3 = STEWART_FABS(F_1) <= STEWART_MAX ? unfinished_2 : REAL(1);
         const stewart_real unfinished_4 = STEWART_FABS(F_2) <= STEWART_MAX ? unfinished_3 : REAL(1);
@@ -1650,6 +1865,63 @@ static void compute_force_terms_block(
     }
 }
 
+/* Computes the results again. */
+STEWART_APART static void compute_results_of_pivots_block(
+    const leg_terms_block *STEWART_RESTRICT leg_terms, const solution_block *STEWART_RESTRICT solution,
+    const results_block *STEWART_RESTRICT results, const legs_fit_block *STEWART_RESTRICT legs_fit,
+    forces_block *STEWART_RESTRICT forces)
+{
+    int l;
+    stewart_real F_0_2_of[POSES];
+    stewart_real F_1_2_of[POSES];
+    stewart_real F_2_2_of[POSES];
+    stewart_real F_3_2_of[POSES];
+    stewart_real F_4_2_of[POSES];
+    stewart_real F_5_2_of[POSES];
+    stewart_real unfinished_14_of[POSES];
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real D_leg1 = leg_terms[0].D[l];
+        const stewart_real x_0_2 = solution->x[0][l], x_1_2 = solution->x[1][l], x_2_2 = solution->x[2][l],
+            x_3_2 = solution->x[3][l], x_4_2 = solution->x[4][l], x_5_2 = solution->x[5][l];
+        const stewart_real D_leg2 = leg_terms[1].D[l];
+        const stewart_real D_leg3 = leg_terms[2].D[l];
+        const stewart_real D_leg4 = leg_terms[3].D[l];
+        const stewart_real D_leg5 = leg_terms[4].D[l];
+        const stewart_real D_leg6 = leg_terms[5].D[l];
+        const stewart_real suspect = solution->suspect[l];
+        const stewart_real any_unfit = legs_fit->any_unfit[l];
+        const stewart_real F_0_2 = D_leg1 - x_0_2;
+        const stewart_real F_1_2 = D_leg2 - x_1_2;
+        const stewart_real F_2_2 = D_leg3 - x_2_2;
+        const stewart_real F_3_2 = D_leg4 - x_3_2;
+        const stewart_real F_4_2 = D_leg5 - x_4_2;
+        const stewart_real F_5_2 = D_leg6 - x_5_2;
+        const stewart_real unfinished_8 = suspect > REAL(0) ? REAL(1) : any_unfit;
+        const stewart_real unfinished_9 = STEWART_FABS(F_0_2) <= STEWART_MAX ? unfinished_8 : REAL(1);
+        const stewart_real unfinished_10 = STEWART_FABS(F_1_2) <= STEWART_MAX ? unfinished_9 : REAL(1);
+        const stewart_real unfinished_11 = STEWART_FABS(F_2_2) <= STEWART_MAX ? unfinished_10 : REAL(1);
+        const stewart_real unfinished_12 = STEWART_FABS(F_3_2) <= STEWART_MAX ? unfinished_11 : REAL(1);
+        const stewart_real unfinished_13 = STEWART_FABS(F_4_2) <= STEWART_MAX ? unfinished_12 : REAL(1);
+        const stewart_real unfinished_14 = STEWART_FABS(F_5_2) <= STEWART_MAX ? unfinished_13 : REAL(1);
+        F_0_2_of[l] = F_0_2;
+        F_1_2_of[l] = F_1_2;
+        F_2_2_of[l] = F_2_2;
+        F_3_2_of[l] = F_3_2;
+        F_4_2_of[l] = F_4_2;
+        F_5_2_of[l] = F_5_2;
+        unfinished_14_of[l] = unfinished_14;
+    }
+    for (l = 0; l < POSES; ++l) {
+        forces->F[0][l] = results->weak[l] > REAL(0) ? F_0_2_of[l] : forces->F[0][l];
+        forces->F[1][l] = results->weak[l] > REAL(0) ? F_1_2_of[l] : forces->F[1][l];
+        forces->F[2][l] = results->weak[l] > REAL(0) ? F_2_2_of[l] : forces->F[2][l];
+        forces->F[3][l] = results->weak[l] > REAL(0) ? F_3_2_of[l] : forces->F[3][l];
+        forces->F[4][l] = results->weak[l] > REAL(0) ? F_4_2_of[l] : forces->F[4][l];
+        forces->F[5][l] = results->weak[l] > REAL(0) ? F_5_2_of[l] : forces->F[5][l];
+        forces->unfinished[l] = results->weak[l] > REAL(0) ? unfinished_14_of[l] : forces->unfinished[l];
+    }
+}
+
 /* Computes the forces of a block of poses, and marks the poses that must be examined. */
 static void forces_of_block(const stewart_exact_model *model, const motion_lanes *at, forces_block *forces)
 {
@@ -1662,6 +1934,7 @@ static void forces_of_block(const stewart_exact_model *model, const motion_lanes
     leg_terms_now_block leg_terms_now;
     tip_terms_block tip_terms;
     right_side_block right_side;
+    results_block results;
     solution_block solution;
     compute_shared_terms_block(model, at, &shared_terms);
     compute_legs_fit_block(&legs_fit);
@@ -1685,15 +1958,15 @@ static void forces_of_block(const stewart_exact_model *model, const motion_lanes
         }
         compute_scaled_wrench_block(model, &right_side);
     }
-    compute_two_blocks_block(model->arm_cube, columns, &right_side, &solution);
+    compute_results_block(model, columns, &right_side, leg_terms, &legs_fit, &results, forces);
     stewart_real most_weak = REAL(0);
     for (l = 0; l < POSES; ++l) {
-        most_weak = STEWART_LARGER(solution.weak[l], most_weak);
+        most_weak = STEWART_LARGER(results.weak[l], most_weak);
     }
     if (most_weak > REAL(0)) {
         compute_pivots_block(columns, &right_side, &solution);
+        compute_results_of_pivots_block(leg_terms, &solution, &results, &legs_fit, forces);
     }
-    compute_force_terms_block(leg_terms, &solution, &legs_fit, forces);
 }
 
 /* Loads the motions of a block of poses, component by component. */

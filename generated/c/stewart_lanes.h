@@ -17,16 +17,20 @@ typedef struct {
 } STEWART_ALIGNED right_side_pose;
 
 typedef struct {
-    stewart_real suspect;
     stewart_real weak;
+} STEWART_ALIGNED two_blocks_pose;
+
+typedef struct {
+    stewart_real suspect;
     stewart_real x[6];
 } STEWART_ALIGNED solution_pose;
 
 /* Solves H x = c for x in two blocks of three legs, (36). Sets `weak` if the blocks are too inaccurate,
  * so that pivots are required. */
-STEWART_APART STEWART_SHARED void compute_two_blocks_pose(
+STEWART_SHARED void compute_two_blocks_pose(
     stewart_real arm_cube, const columns_pose *STEWART_RESTRICT columns,
-    const right_side_pose *STEWART_RESTRICT right_side, solution_pose *STEWART_RESTRICT solution)
+    const right_side_pose *STEWART_RESTRICT right_side, two_blocks_pose *STEWART_RESTRICT two_blocks,
+    solution_pose *STEWART_RESTRICT solution)
 {
     int l;
     const stewart_real c_0 = right_side->c[0], c_1 = right_side->c[1], c_2 = right_side->c[2], c_3 = right_side->c[3],
@@ -103,7 +107,7 @@ STEWART_APART STEWART_SHARED void compute_two_blocks_pose(
         e_0_of[0]*e_0_of[0])) + STEWART_FMA(e_1_of[4], e_1_of[4], STEWART_FMA(e_1_of[2], e_1_of[2],
         e_1_of[0]*e_1_of[0])) + STEWART_FMA(e_2_of[4], e_2_of[4], STEWART_FMA(e_2_of[2], e_2_of[2],
         e_2_of[0]*e_2_of[0])) > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
-    solution->weak = STEWART_FABS(complement) <= least ? REAL(1) : grown;
+    two_blocks->weak = STEWART_FABS(complement) <= least ? REAL(1) : grown;
     const stewart_real inverse_det = REAL(1)/det;
     const stewart_real inverse_complement = REAL(1)/complement;
     const stewart_real x_0 = STEWART_FMA(u_0_2, w_c_2, STEWART_FMA(u_0_1, w_c_1,
@@ -112,16 +116,19 @@ STEWART_APART STEWART_SHARED void compute_two_blocks_pose(
         u_1_0*w_c_0))*inverse_complement;
     const stewart_real x_4 = STEWART_FMA(u_2_2, w_c_2, STEWART_FMA(u_2_1, w_c_1,
         u_2_0*w_c_0))*inverse_complement;
-    solution->x[1] = STEWART_FMA(e_0_of[4], -x_4, STEWART_FMA(e_0_of[2], -x_2, STEWART_FMA(e_0_of[0], -x_0,
-        e_c_0)))*inverse_det;
-    solution->x[3] = STEWART_FMA(e_1_of[4], -x_4, STEWART_FMA(e_1_of[2], -x_2, STEWART_FMA(e_1_of[0], -x_0,
-        e_c_1)))*inverse_det;
-    solution->x[5] = STEWART_FMA(e_2_of[4], -x_4, STEWART_FMA(e_2_of[2], -x_2, STEWART_FMA(e_2_of[0], -x_0,
-        e_c_2)))*inverse_det;
-    solution->suspect = REAL(0);
+    const stewart_real x_1 = STEWART_FMA(e_0_of[4], -x_4, STEWART_FMA(e_0_of[2], -x_2,
+        STEWART_FMA(e_0_of[0], -x_0, e_c_0)))*inverse_det;
+    const stewart_real x_3 = STEWART_FMA(e_1_of[4], -x_4, STEWART_FMA(e_1_of[2], -x_2,
+        STEWART_FMA(e_1_of[0], -x_0, e_c_1)))*inverse_det;
+    const stewart_real x_5 = STEWART_FMA(e_2_of[4], -x_4, STEWART_FMA(e_2_of[2], -x_2,
+        STEWART_FMA(e_2_of[0], -x_0, e_c_2)))*inverse_det;
     solution->x[0] = x_0;
+    solution->x[1] = x_1;
     solution->x[2] = x_2;
+    solution->x[3] = x_3;
     solution->x[4] = x_4;
+    solution->x[5] = x_5;
+    solution->suspect = REAL(0);
 }
 
 /* Solves H x = c for x by elimination with partial pivoting, (36). Sets `suspect` if a pivot is small. */
@@ -409,7 +416,7 @@ STEWART_APART STEWART_SHARED void compute_pivots_pose(
         STEWART_FMA(row_2_7_of[3], -y_3, right_2_7)))*inverse_2;
     const stewart_real y_1 = STEWART_FMA(row_1_6_of[5], -y_5, STEWART_FMA(row_1_6_of[4], -y_4,
         STEWART_FMA(row_1_6_of[3], -y_3, STEWART_FMA(row_1_6_of[2], -y_2, right_1_6))))*inverse_1;
-    solution->x[0] = STEWART_FMA(row_0_2_of[5], -y_5, STEWART_FMA(row_0_2_of[4], -y_4,
+    const stewart_real y_0 = STEWART_FMA(row_0_2_of[5], -y_5, STEWART_FMA(row_0_2_of[4], -y_4,
         STEWART_FMA(row_0_2_of[3], -y_3, STEWART_FMA(row_0_2_of[2], -y_2, STEWART_FMA(row_0_2_of[1], -y_1,
         right_0_2)))))*inverse_0;
     const stewart_real small = STEWART_FABS(row_0_2_of[0]) > STEWART_SUSPECT ? REAL(0) : REAL(1);
@@ -417,12 +424,14 @@ STEWART_APART STEWART_SHARED void compute_pivots_pose(
     const stewart_real small_3 = STEWART_FABS(row_2_7_of[2]) > STEWART_SUSPECT ? small_2 : REAL(1);
     const stewart_real small_4 = STEWART_FABS(row_3_6_of[3]) > STEWART_SUSPECT ? small_3 : REAL(1);
     const stewart_real small_5 = STEWART_FABS(row_4_7_of[4]) > STEWART_SUSPECT ? small_4 : REAL(1);
-    solution->suspect = STEWART_FABS(row_5_8_of[5]) > STEWART_SUSPECT ? small_5 : REAL(1);
-    solution->x[5] = y_5;
-    solution->x[4] = y_4;
-    solution->x[3] = y_3;
-    solution->x[2] = y_2;
+    const stewart_real small_6 = STEWART_FABS(row_5_8_of[5]) > STEWART_SUSPECT ? small_5 : REAL(1);
+    solution->x[0] = y_0;
     solution->x[1] = y_1;
+    solution->x[2] = y_2;
+    solution->x[3] = y_3;
+    solution->x[4] = y_4;
+    solution->x[5] = y_5;
+    solution->suspect = small_6;
 }
 
 typedef struct {
@@ -435,125 +444,8 @@ typedef struct {
 
 typedef struct {
     stewart_real suspect[POSES];
-    stewart_real weak[POSES];
     stewart_real x[6][POSES];
 } STEWART_ALIGNED solution_block;
-
-/* Solves H x = c for x in two blocks of three legs, (36). Sets `weak` if the blocks are too inaccurate,
- * so that pivots are required. */
-STEWART_APART STEWART_SHARED void compute_two_blocks_block(
-    stewart_real arm_cube, const columns_block *STEWART_RESTRICT columns,
-    const right_side_block *STEWART_RESTRICT right_side, solution_block *STEWART_RESTRICT solution)
-{
-    int l;
-    for (l = 0; l < POSES; ++l) {
-        const stewart_real H_1_leg4 = columns[3].H[1][l], H_2_leg4 = columns[3].H[2][l], H_0_leg4 = columns[3].H[0][l],
-            H_3_leg4 = columns[3].H[3][l], H_4_leg4 = columns[3].H[4][l], H_5_leg4 = columns[3].H[5][l];
-        const stewart_real H_2_leg6 = columns[5].H[2][l], H_1_leg6 = columns[5].H[1][l], H_0_leg6 = columns[5].H[0][l],
-            H_3_leg6 = columns[5].H[3][l], H_4_leg6 = columns[5].H[4][l], H_5_leg6 = columns[5].H[5][l];
-        const stewart_real H_2_leg2 = columns[1].H[2][l], H_1_leg2 = columns[1].H[1][l], H_0_leg2 = columns[1].H[0][l],
-            H_3_leg2 = columns[1].H[3][l], H_4_leg2 = columns[1].H[4][l], H_5_leg2 = columns[1].H[5][l];
-        const stewart_real H_0_leg1 = columns[0].H[0][l], H_1_leg1 = columns[0].H[1][l], H_2_leg1 = columns[0].H[2][l];
-        const stewart_real H_0_leg3 = columns[2].H[0][l], H_1_leg3 = columns[2].H[1][l], H_2_leg3 = columns[2].H[2][l],
-            H_3_leg3 = columns[2].H[3][l], H_4_leg3 = columns[2].H[4][l], H_5_leg3 = columns[2].H[5][l];
-        const stewart_real H_0_leg5 = columns[4].H[0][l], H_1_leg5 = columns[4].H[1][l], H_2_leg5 = columns[4].H[2][l],
-            H_3_leg5 = columns[4].H[3][l], H_4_leg5 = columns[4].H[4][l], H_5_leg5 = columns[4].H[5][l];
-        const stewart_real c_0 = right_side->c[0][l], c_1 = right_side->c[1][l], c_2 = right_side->c[2][l],
-            c_3 = right_side->c[3][l], c_4 = right_side->c[4][l], c_5 = right_side->c[5][l];
-        const stewart_real r_0_0 = STEWART_FMA(-H_2_leg4, H_1_leg6, H_1_leg4*H_2_leg6);
-        const stewart_real r_0_1 = STEWART_FMA(-H_0_leg4, H_2_leg6, H_2_leg4*H_0_leg6);
-        const stewart_real r_0_2 = STEWART_FMA(-H_1_leg4, H_0_leg6, H_0_leg4*H_1_leg6);
-        const stewart_real r_1_0 = STEWART_FMA(-H_2_leg6, H_1_leg2, H_1_leg6*H_2_leg2);
-        const stewart_real r_1_1 = STEWART_FMA(-H_0_leg6, H_2_leg2, H_2_leg6*H_0_leg2);
-        const stewart_real r_1_2 = STEWART_FMA(-H_1_leg6, H_0_leg2, H_0_leg6*H_1_leg2);
-        const stewart_real r_2_0 = STEWART_FMA(-H_2_leg2, H_1_leg4, H_1_leg2*H_2_leg4);
-        const stewart_real r_2_1 = STEWART_FMA(-H_0_leg2, H_2_leg4, H_2_leg2*H_0_leg4);
-        const stewart_real r_2_2 = STEWART_FMA(-H_1_leg2, H_0_leg4, H_0_leg2*H_1_leg4);
-        const stewart_real det = STEWART_FMA(H_2_leg2, r_0_2, STEWART_FMA(H_1_leg2, r_0_1, H_0_leg2*r_0_0));
-        const stewart_real e_0_leg1 = STEWART_FMA(r_0_2, H_2_leg1, STEWART_FMA(r_0_1, H_1_leg1,
-            r_0_0*H_0_leg1));
-        const stewart_real e_0_leg3 = STEWART_FMA(r_0_2, H_2_leg3, STEWART_FMA(r_0_1, H_1_leg3,
-            r_0_0*H_0_leg3));
-        const stewart_real e_0_leg5 = STEWART_FMA(r_0_2, H_2_leg5, STEWART_FMA(r_0_1, H_1_leg5,
-            r_0_0*H_0_leg5));
-        const stewart_real e_1_leg1 = STEWART_FMA(r_1_2, H_2_leg1, STEWART_FMA(r_1_1, H_1_leg1,
-            r_1_0*H_0_leg1));
-        const stewart_real e_1_leg3 = STEWART_FMA(r_1_2, H_2_leg3, STEWART_FMA(r_1_1, H_1_leg3,
-            r_1_0*H_0_leg3));
-        const stewart_real e_1_leg5 = STEWART_FMA(r_1_2, H_2_leg5, STEWART_FMA(r_1_1, H_1_leg5,
-            r_1_0*H_0_leg5));
-        const stewart_real e_2_leg1 = STEWART_FMA(r_2_2, H_2_leg1, STEWART_FMA(r_2_1, H_1_leg1,
-            r_2_0*H_0_leg1));
-        const stewart_real e_2_leg3 = STEWART_FMA(r_2_2, H_2_leg3, STEWART_FMA(r_2_1, H_1_leg3,
-            r_2_0*H_0_leg3));
-        const stewart_real e_2_leg5 = STEWART_FMA(r_2_2, H_2_leg5, STEWART_FMA(r_2_1, H_1_leg5,
-            r_2_0*H_0_leg5));
-        const stewart_real w_0_leg1 = STEWART_FMA(-H_3_leg6, e_2_leg1, STEWART_FMA(-H_3_leg4, e_1_leg1,
-            -H_3_leg2*e_0_leg1));
-        const stewart_real w_0_leg3 = STEWART_FMA(-H_3_leg6, e_2_leg3, STEWART_FMA(-H_3_leg4, e_1_leg3,
-            STEWART_FMA(-H_3_leg2, e_0_leg3, det*H_3_leg3)));
-        const stewart_real w_0_leg5 = STEWART_FMA(-H_3_leg6, e_2_leg5, STEWART_FMA(-H_3_leg4, e_1_leg5,
-            STEWART_FMA(-H_3_leg2, e_0_leg5, det*H_3_leg5)));
-        const stewart_real w_1_leg1 = STEWART_FMA(-H_4_leg6, e_2_leg1, STEWART_FMA(-H_4_leg4, e_1_leg1,
-            -H_4_leg2*e_0_leg1));
-        const stewart_real w_1_leg3 = STEWART_FMA(-H_4_leg6, e_2_leg3, STEWART_FMA(-H_4_leg4, e_1_leg3,
-            STEWART_FMA(-H_4_leg2, e_0_leg3, det*H_4_leg3)));
-        const stewart_real w_1_leg5 = STEWART_FMA(-H_4_leg6, e_2_leg5, STEWART_FMA(-H_4_leg4, e_1_leg5,
-            STEWART_FMA(-H_4_leg2, e_0_leg5, det*H_4_leg5)));
-        const stewart_real w_2_leg1 = STEWART_FMA(-H_5_leg6, e_2_leg1, STEWART_FMA(-H_5_leg4, e_1_leg1,
-            -H_5_leg2*e_0_leg1));
-        const stewart_real w_2_leg3 = STEWART_FMA(-H_5_leg6, e_2_leg3, STEWART_FMA(-H_5_leg4, e_1_leg3,
-            STEWART_FMA(-H_5_leg2, e_0_leg3, det*H_5_leg3)));
-        const stewart_real w_2_leg5 = STEWART_FMA(-H_5_leg6, e_2_leg5, STEWART_FMA(-H_5_leg4, e_1_leg5,
-            STEWART_FMA(-H_5_leg2, e_0_leg5, det*H_5_leg5)));
-        const stewart_real e_c_0 = STEWART_FMA(r_0_2, c_2, STEWART_FMA(r_0_1, c_1, r_0_0*c_0));
-        const stewart_real e_c_1 = STEWART_FMA(r_1_2, c_2, STEWART_FMA(r_1_1, c_1, r_1_0*c_0));
-        const stewart_real e_c_2 = STEWART_FMA(r_2_2, c_2, STEWART_FMA(r_2_1, c_1, r_2_0*c_0));
-        const stewart_real w_c_0 = STEWART_FMA(-H_3_leg6, e_c_2, STEWART_FMA(-H_3_leg4, e_c_1,
-            STEWART_FMA(-H_3_leg2, e_c_0, det*c_3)));
-        const stewart_real w_c_1 = STEWART_FMA(-H_4_leg6, e_c_2, STEWART_FMA(-H_4_leg4, e_c_1,
-            STEWART_FMA(-H_4_leg2, e_c_0, det*c_4)));
-        const stewart_real w_c_2 = STEWART_FMA(-H_5_leg6, e_c_2, STEWART_FMA(-H_5_leg4, e_c_1,
-            STEWART_FMA(-H_5_leg2, e_c_0, det*c_5)));
-        const stewart_real u_0_0 = STEWART_FMA(-w_2_leg3, w_1_leg5, w_1_leg3*w_2_leg5);
-        const stewart_real u_0_1 = STEWART_FMA(-w_0_leg3, w_2_leg5, w_2_leg3*w_0_leg5);
-        const stewart_real u_0_2 = STEWART_FMA(-w_1_leg3, w_0_leg5, w_0_leg3*w_1_leg5);
-        const stewart_real u_1_0 = STEWART_FMA(-w_2_leg5, w_1_leg1, w_1_leg5*w_2_leg1);
-        const stewart_real u_1_1 = STEWART_FMA(-w_0_leg5, w_2_leg1, w_2_leg5*w_0_leg1);
-        const stewart_real u_1_2 = STEWART_FMA(-w_1_leg5, w_0_leg1, w_0_leg5*w_1_leg1);
-        const stewart_real u_2_0 = STEWART_FMA(-w_2_leg1, w_1_leg3, w_1_leg1*w_2_leg3);
-        const stewart_real u_2_1 = STEWART_FMA(-w_0_leg1, w_2_leg3, w_2_leg1*w_0_leg3);
-        const stewart_real u_2_2 = STEWART_FMA(-w_1_leg1, w_0_leg3, w_0_leg1*w_1_leg3);
-        const stewart_real complement = STEWART_FMA(w_2_leg1, u_0_2, STEWART_FMA(w_1_leg1, u_0_1,
-            w_0_leg1*u_0_0));
-        const stewart_real det2 = det*det;
-        const stewart_real least = STEWART_LARGER(STEWART_FABS(det)*STEWART_BLOCK_LEAST,
-            STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
-        const stewart_real grown = STEWART_FMA(e_0_leg5, e_0_leg5, STEWART_FMA(e_0_leg3, e_0_leg3,
-            e_0_leg1*e_0_leg1)) + STEWART_FMA(e_1_leg5, e_1_leg5, STEWART_FMA(e_1_leg3, e_1_leg3,
-            e_1_leg1*e_1_leg1)) + STEWART_FMA(e_2_leg5, e_2_leg5, STEWART_FMA(e_2_leg3, e_2_leg3,
-            e_2_leg1*e_2_leg1)) > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
-        solution->weak[l] = STEWART_FABS(complement) <= least ? REAL(1) : grown;
-        const stewart_real inverse_det = REAL(1)/det;
-        const stewart_real inverse_complement = REAL(1)/complement;
-        const stewart_real x_0 = STEWART_FMA(u_0_2, w_c_2, STEWART_FMA(u_0_1, w_c_1,
-            u_0_0*w_c_0))*inverse_complement;
-        const stewart_real x_2 = STEWART_FMA(u_1_2, w_c_2, STEWART_FMA(u_1_1, w_c_1,
-            u_1_0*w_c_0))*inverse_complement;
-        const stewart_real x_4 = STEWART_FMA(u_2_2, w_c_2, STEWART_FMA(u_2_1, w_c_1,
-            u_2_0*w_c_0))*inverse_complement;
-        solution->x[1][l] = STEWART_FMA(-e_0_leg5, x_4, STEWART_FMA(-e_0_leg3, x_2, STEWART_FMA(-e_0_leg1,
-            x_0, e_c_0)))*inverse_det;
-        solution->x[3][l] = STEWART_FMA(-e_1_leg5, x_4, STEWART_FMA(-e_1_leg3, x_2, STEWART_FMA(-e_1_leg1,
-            x_0, e_c_1)))*inverse_det;
-        solution->x[5][l] = STEWART_FMA(-e_2_leg5, x_4, STEWART_FMA(-e_2_leg3, x_2, STEWART_FMA(-e_2_leg1,
-            x_0, e_c_2)))*inverse_det;
-        solution->suspect[l] = REAL(0);
-        solution->x[0][l] = x_0;
-        solution->x[2][l] = x_2;
-        solution->x[4][l] = x_4;
-    }
-}
 
 /* Solves H x = c for x by elimination with partial pivoting, (36). Sets `suspect` if a pivot is small. */
 STEWART_APART STEWART_SHARED void compute_pivots_block(
@@ -561,13 +453,6 @@ STEWART_APART STEWART_SHARED void compute_pivots_block(
     solution_block *STEWART_RESTRICT solution)
 {
     int l;
-    stewart_real y_5_of[POSES];
-    stewart_real y_4_of[POSES];
-    stewart_real y_3_of[POSES];
-    stewart_real y_2_of[POSES];
-    stewart_real y_1_of[POSES];
-    stewart_real y_0_of[POSES];
-    stewart_real small_6_of[POSES];
     for (l = 0; l < POSES; ++l) {
         const stewart_real H_1_leg1 = columns[0].H[1][l], H_0_leg1 = columns[0].H[0][l], H_2_leg1 = columns[0].H[2][l];
         const stewart_real H_1_leg2 = columns[1].H[1][l], H_0_leg2 = columns[1].H[0][l], H_2_leg2 = columns[1].H[2][l],
@@ -808,22 +693,13 @@ STEWART_APART STEWART_SHARED void compute_pivots_block(
         const stewart_real small_4 = STEWART_FABS(row_3_6_leg4) > STEWART_SUSPECT ? small_3 : REAL(1);
         const stewart_real small_5 = STEWART_FABS(row_4_7_leg5) > STEWART_SUSPECT ? small_4 : REAL(1);
         const stewart_real small_6 = STEWART_FABS(row_5_8_leg6) > STEWART_SUSPECT ? small_5 : REAL(1);
-        y_5_of[l] = y_5;
-        y_4_of[l] = y_4;
-        y_3_of[l] = y_3;
-        y_2_of[l] = y_2;
-        y_1_of[l] = y_1;
-        y_0_of[l] = y_0;
-        small_6_of[l] = small_6;
-    }
-    for (l = 0; l < POSES; ++l) {
-        solution->x[5][l] = solution->weak[l] > REAL(0) ? y_5_of[l] : solution->x[5][l];
-        solution->x[4][l] = solution->weak[l] > REAL(0) ? y_4_of[l] : solution->x[4][l];
-        solution->x[3][l] = solution->weak[l] > REAL(0) ? y_3_of[l] : solution->x[3][l];
-        solution->x[2][l] = solution->weak[l] > REAL(0) ? y_2_of[l] : solution->x[2][l];
-        solution->x[1][l] = solution->weak[l] > REAL(0) ? y_1_of[l] : solution->x[1][l];
-        solution->x[0][l] = solution->weak[l] > REAL(0) ? y_0_of[l] : solution->x[0][l];
-        solution->suspect[l] = solution->weak[l] > REAL(0) ? small_6_of[l] : solution->suspect[l];
+        solution->x[0][l] = y_0;
+        solution->x[1][l] = y_1;
+        solution->x[2][l] = y_2;
+        solution->x[3][l] = y_3;
+        solution->x[4][l] = y_4;
+        solution->x[5][l] = y_5;
+        solution->suspect[l] = small_6;
     }
 }
 

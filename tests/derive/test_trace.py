@@ -74,4 +74,4 @@ def test_first_leg_has_no_moments_about_its_own_point() -> None:
 def test_common_functions_are_in_the_header_once() -> None:
     found = [each.name for each in common_parts()]
     assert len(found) == len(set(found))
-    assert {"compute_two_blocks_pose", "compute_two_blocks_block"} <= set(found)
+    assert {"compute_two_blocks_pose", "compute_pivots_pose", "compute_pivots_block"} <= set(found)

@@ -289,6 +289,7 @@ def solution(of: "Equations", model: "Model", x: "array(6)", Y: "array(6, 6)") -
     0."""
     columns_of_H = blank(Columns)
     right_side = blank(RightSide)
+    blocks = blank(TwoBlocks)
     found = blank(Solution)
     for column in range(7):
         for i in range(6):
@@ -298,8 +299,8 @@ def solution(of: "Equations", model: "Model", x: "array(6)", Y: "array(6, 6)") -
             columns_of_H.H[i][6] = 0.0
             columns_of_H.H[i][7] = 0.0
             right_side.c[i] = where(column < 6, where(i == column, unit, 0.0), unit * of.c[i])
-        compute_two_blocks_pose(model.arm_cube, columns_of_H, right_side, found)
-        if found.weak > 0.0:
+        compute_two_blocks_pose(model.arm_cube, columns_of_H, right_side, blocks, found)
+        if blocks.weak > 0.0:
             compute_pivots_pose(columns_of_H, right_side, found)
         for i in range(6):
             if column < 6:
