@@ -32,9 +32,10 @@ def forces(k: Trace, kernel: ForceKernel, scaled: bool | None = None) -> None:
     is None, the prepared model decides.
     """
     ready, (roots, rest) = ready_in(kernel.leg.steps), as_far_as_roots(kernel.leg)
-    with k.part(
-        "shared_terms", _says("terms of a pose that are common to all legs", kernel.shared), fuses_named=True
-    ):
+    ahead = rest.operations().total > ONE_LEG_AHEAD
+    says = _says("terms of a pose that are common to all legs", kernel.shared)
+    # Next to a short loop over the legs, gcc stores the constants of an inlined function once for each block.
+    with k.part("shared_terms", says, fuses_named=True, apart=not ahead):
         pose = k.run(kernel.shared, {})
         reach = larger(k.input(BASE_REACH.name), constant("SHORTEST") / constant("ROUNDING"))
         for component in k.inputs_named(n.t):
@@ -42,7 +43,7 @@ def forces(k: Trace, kernel: ForceKernel, scaled: bool | None = None) -> None:
         # A leg is q + t - b, so a leg that is short compared with q is also short compared with t or b.
         least_L = k.let("least_L", as_value(2.25) * constant("SHORT_SHARE") * reach)
     known: dict[str, Value] = {}
-    if rest.operations().total > ONE_LEG_AHEAD:
+    if ahead:
         with k.part("leg_roots", _says("a leg up to its square roots", roots), per_leg=True, ahead=True):
             k.run(roots, {}, known, ready)
             points = [known[name].name for name in n.q.names if name in known]

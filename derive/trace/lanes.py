@@ -44,17 +44,21 @@ class Lanes(Schedule):
             if name in used
         ]
         arguments += [t.Argument(name, t.Real()) for name in self._numbers(part)]
-        if self.poses_in_lanes and part.per_leg:
+        if LEG_INDEX.name in used:
             arguments.append(t.Argument(LEG_INDEX.name, t.Integer()))
         for name, changed in self._structures(part).items():
-            kind = t.Record(f"{name}{self.end}") if part.ahead else self.type_of(name)
+            kind = t.Record(f"{name}{self.end}") if self._computes_own_leg(part) else self.type_of(name)
             arguments.append(t.Argument(name, kind, changed, alone=True))
         large = part.per_leg and not self.poses_in_lanes and len(part.steps) > INLINE_STEPS
         legs = {leg for step in part.steps for _, leg in reads(step.expr) if leg is not None}
         combines = self.poses_in_lanes and len(legs) > 1
-        apart = part.ahead or combines or part.name in self.branch_of or large
+        apart = part.apart or part.ahead or combines or part.name in self.branch_of or large
         name = f"compute_{part.name}{self.end}"
         return t.Function(name, part.meaning, tuple(arguments), None, body, apart=apart)
+
+    def _computes_own_leg(self, part: Part) -> bool:
+        """Return True for a function that receives the structures of one leg."""
+        return self.poses_in_lanes and part.per_leg
 
     def _numbers(self, part: Part) -> list[str]:
         """Return the constants of the model that a common function receives as numbers."""
@@ -103,7 +107,8 @@ class Lanes(Schedule):
     def _store(self, step: Step, value: t.Expression) -> t.Assign:
         """Return the assignment of a result to its location."""
         leg = LEG_INDEX if self.poses_in_lanes else LANE
-        target = self.place(step.name, leg if step.per_leg else None, self.home[step.name].ahead)
+        own = self._computes_own_leg(self.home[step.name])
+        target = self.place(step.name, leg if step.per_leg else None, own)
         return t.Assign(target, value)
 
     def _is_selected(self, name: str) -> bool:
@@ -189,7 +194,7 @@ class Lanes(Schedule):
             if name in own and name not in self.fixed:
                 return t.Name(named)
             leg = t.Number(of) if of is not None else LEG_INDEX if self.is_per_leg(name) else None
-            found = t.Name(name) if name in numbers else self.place(name, leg)
+            found = t.Name(name) if name in numbers else self.place(name, leg, self._computes_own_leg(part))
             if isinstance(found, t.Number) or name in numbers:
                 return found
             loads.setdefault(named, found)
@@ -285,8 +290,8 @@ class Lanes(Schedule):
         given = {LEG_INDEX.name: leg, "at": motion} | {
             name: self.at(name, None) for name in self._numbers(part)
         }
-        if part.ahead and leg is not None:
-            given |= {name: t.Element(t.Name(name), (leg,)) for name in self._structures(part)}
+        if leg is not None and self._computes_own_leg(part):
+            given |= {name: t.Element(t.Name(name), (leg,)) for name in self.of_one_leg}
         arguments = (given.get(each.name) or t.Name(each.name) for each in function.arguments)
         return t.Do(t.Call(function.name, tuple(arguments)))
 

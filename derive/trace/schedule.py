@@ -249,10 +249,10 @@ class Schedule:
         """Return True if the numbers of all legs are stored."""
         return self.is_per_leg(name) and name not in self.of_current_leg
 
-    def place(self, name: str, leg: t.Expression | None, ahead: bool = False) -> t.Expression:
+    def place(self, name: str, leg: t.Expression | None, own_leg: bool = False) -> t.Expression:
         """Return the location of a number outside of its part.
 
-        A part that is ``ahead`` has only the structures of its own leg.
+        A function with ``own_leg`` has only the structures of its leg.
         """
         if name in self.fixed:
             return self.fixed[name]
@@ -273,7 +273,7 @@ class Schedule:
         index = (*of_leg, *own, LANE) if self.poses_in_lanes else (*own, *of_leg)
         array = t.of(slot.structure, slot.member)
         if of_leg and slot.structure in self.of_one_leg:
-            owner = t.Name(slot.structure) if ahead else t.Element(t.Name(slot.structure), of_leg)
+            owner = t.Name(slot.structure) if own_leg else t.Element(t.Name(slot.structure), of_leg)
             array, index = t.of(owner, slot.member), index[1:]
         return t.Element(array, index) if index else array
 

@@ -1480,24 +1480,24 @@ static void compute_leg_terms_block(
 {
     int l;
     for (l = 0; l < POSES; ++l) {
-        const stewart_real S_x = leg_roots[leg].S_x[l];
-        const stewart_real inv_L = leg_roots[leg].inv_L[l];
-        const stewart_real S_y = leg_roots[leg].S_y[l];
-        const stewart_real S_z = leg_roots[leg].S_z[l];
+        const stewart_real S_x = leg_roots->S_x[l];
+        const stewart_real inv_L = leg_roots->inv_L[l];
+        const stewart_real S_y = leg_roots->S_y[l];
+        const stewart_real S_z = leg_roots->S_z[l];
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        const stewart_real inv_rho = leg_roots[leg].inv_rho[l];
-        const stewart_real k_cross_S_x = leg_roots[leg].k_cross_S_x[l];
-        const stewart_real k_cross_S_y = leg_roots[leg].k_cross_S_y[l];
-        const stewart_real k_cross_S_z = leg_roots[leg].k_cross_S_z[l];
+        const stewart_real inv_rho = leg_roots->inv_rho[l];
+        const stewart_real k_cross_S_x = leg_roots->k_cross_S_x[l];
+        const stewart_real k_cross_S_y = leg_roots->k_cross_S_y[l];
+        const stewart_real k_cross_S_z = leg_roots->k_cross_S_z[l];
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;
         const stewart_real y_z = inv_rho*k_cross_S_z;
-        const stewart_real zeta = leg_roots[leg].zeta[l];
-        const stewart_real rho = leg_roots[leg].rho[l];
+        const stewart_real zeta = leg_roots->zeta[l];
+        const stewart_real rho = leg_roots->rho[l];
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
@@ -1505,7 +1505,7 @@ static void compute_leg_terms_block(
         const stewart_real kappa = inv_rho*zeta;
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         const stewart_real omega_y = at->omega[1][l], omega_z = at->omega[2][l], omega_x = at->omega[0][l];
-        const stewart_real q_z = leg_roots[leg].q[2][l], q_y = leg_roots[leg].q[1][l], q_x = leg_roots[leg].q[0][l];
+        const stewart_real q_z = leg_roots->q[2][l], q_y = leg_roots->q[1][l], q_x = leg_roots->q[0][l];
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
@@ -1538,7 +1538,7 @@ static void compute_leg_terms_block(
         /* rho_dot / rho */
         const stewart_real rho_share = L_share + lean;
         const stewart_real k33 = k3*k3;
-        const stewart_real L = leg_roots[leg].L[l];
+        const stewart_real L = leg_roots->L[l];
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
@@ -1602,8 +1602,8 @@ static void compute_leg_terms_block(
         const stewart_real C_p = model->C_p[leg];
         const stewart_real least_L = shared_terms->least_L[l];
         /* (24) known part of the actuator force for this K */
-        leg_terms[leg].D[l] = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z,
-            theta_ddot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_x, -theta_dot2, C_p*L_dot)))));
+        leg_terms->D[l] = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_x, -theta_dot2, C_p*L_dot)))));
         const stewart_real c1 = C_s*phi_dot;
         const stewart_real c2 = C_s*theta_dot;
         leg_terms_now->c_force[0][l] = -K_x;
@@ -1615,9 +1615,9 @@ static void compute_leg_terms_block(
         const stewart_real unfit = L > least_L ? REAL(0) : REAL(1);
         const stewart_real unfit_2 = k3 > STEWART_NEAR_JOINT_SINGULAR ? unfit : REAL(1);
         legs_fit->any_unfit[l] = STEWART_LARGER(legs_fit->any_unfit[l], unfit_2);
-        columns[leg].H[0][l] = s_x;
-        columns[leg].H[1][l] = s_y;
-        columns[leg].H[2][l] = s_z;
+        columns->H[0][l] = s_x;
+        columns->H[1][l] = s_y;
+        columns->H[2][l] = s_z;
     }
 }
 
@@ -1661,7 +1661,7 @@ static void compute_tip_terms_block(
 
 /* Computes the moments of a leg about platform point 1: 21 (12 mul, 9 add, 0 div, 0 sqrt). */
 static void compute_moment_terms_block(
-    int leg, right_side_block *STEWART_RESTRICT right_side,
+    right_side_block *STEWART_RESTRICT right_side,
     const leg_terms_now_block *STEWART_RESTRICT leg_terms_now,
     const leg_roots_block *STEWART_RESTRICT leg_roots, const tip_terms_block *STEWART_RESTRICT tip_terms,
     columns_block *STEWART_RESTRICT columns)
@@ -1672,18 +1672,18 @@ static void compute_moment_terms_block(
             c_force_z_2 = leg_terms_now->c_force[2][l];
         const stewart_real c_moment_x_2 = leg_terms_now->c_moment[0][l], c_moment_y_2 = leg_terms_now->c_moment[1][l],
             c_moment_z_2 = leg_terms_now->c_moment[2][l];
-        const stewart_real q_x = leg_roots[leg].q[0][l], q_y = leg_roots[leg].q[1][l], q_z = leg_roots[leg].q[2][l];
+        const stewart_real q_x = leg_roots->q[0][l], q_y = leg_roots->q[1][l], q_z = leg_roots->q[2][l];
         const stewart_real q_1_x = tip_terms->q_1_x[l];
         const stewart_real q_1_y = tip_terms->q_1_y[l];
         const stewart_real q_1_z = tip_terms->q_1_z[l];
-        const stewart_real s_z = columns[leg].H[2][l], s_y = columns[leg].H[1][l], s_x = columns[leg].H[0][l];
+        const stewart_real s_z = columns->H[2][l], s_y = columns->H[1][l], s_x = columns->H[0][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        columns[leg].H[3][l] = STEWART_FMA(-s_y, arm_z, s_z*arm_y);
-        columns[leg].H[4][l] = STEWART_FMA(-s_z, arm_x, s_x*arm_z);
-        columns[leg].H[5][l] = STEWART_FMA(-s_x, arm_y, s_y*arm_x);
+        columns->H[3][l] = STEWART_FMA(-s_y, arm_z, s_z*arm_y);
+        columns->H[4][l] = STEWART_FMA(-s_z, arm_x, s_x*arm_z);
+        columns->H[5][l] = STEWART_FMA(-s_x, arm_y, s_y*arm_x);
         const stewart_real arm_c_x = STEWART_FMA(-arm_z, c_force_y_2, arm_y*c_force_z_2);
         const stewart_real arm_c_y = STEWART_FMA(-arm_x, c_force_z_2, arm_z*c_force_x_2);
         const stewart_real arm_c_z = STEWART_FMA(-arm_y, c_force_x_2, arm_x*c_force_y_2);
@@ -1698,15 +1698,15 @@ static void compute_moment_terms_block(
 
 /* Multiplies the moments of a leg by `per_length`. */
 STEWART_APART static void compute_scaled_moments_block(
-    const stewart_exact_model *STEWART_RESTRICT model, int leg, columns_block *STEWART_RESTRICT columns)
+    const stewart_exact_model *STEWART_RESTRICT model, columns_block *STEWART_RESTRICT columns)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
-        const stewart_real H_moment_x = columns[leg].H[3][l], H_moment_y = columns[leg].H[4][l], H_moment_z = columns[leg].H[5][l];
+        const stewart_real H_moment_x = columns->H[3][l], H_moment_y = columns->H[4][l], H_moment_z = columns->H[5][l];
         const stewart_real per_length = model->per_length;
-        columns[leg].H[3][l] = H_moment_x*per_length;
-        columns[leg].H[4][l] = H_moment_y*per_length;
-        columns[leg].H[5][l] = H_moment_z*per_length;
+        columns->H[3][l] = H_moment_x*per_length;
+        columns->H[4][l] = H_moment_y*per_length;
+        columns->H[5][l] = H_moment_z*per_length;
     }
 }
 
@@ -1943,18 +1943,19 @@ static void forces_of_block(const stewart_exact_model *model, const motion_lanes
         if (leg < 5) {
             compute_leg_roots_block(model, at, leg + 1, &leg_roots[leg + 1]);
         }
-        compute_leg_terms_block(model, at, leg, leg_roots, &shared_terms, &legs_fit, columns, leg_terms,
-            &leg_terms_now);
+        compute_leg_terms_block(model, at, leg, &leg_roots[leg], &shared_terms, &legs_fit, &columns[leg],
+            &leg_terms[leg], &leg_terms_now);
         if (leg == 0) {
             compute_tip_terms_block(leg_roots, &shared_terms, &right_side, &leg_terms_now, &tip_terms);
         }
         if (leg > 0) {
-            compute_moment_terms_block(leg, &right_side, &leg_terms_now, leg_roots, &tip_terms, columns);
+            compute_moment_terms_block(&right_side, &leg_terms_now, &leg_roots[leg], &tip_terms,
+                &columns[leg]);
         }
     }
     if (model->per_length != REAL(1)) {
         for (leg = 1; leg < 6; ++leg) {
-            compute_scaled_moments_block(model, leg, columns);
+            compute_scaled_moments_block(model, &columns[leg]);
         }
         compute_scaled_wrench_block(model, &right_side);
     }
