@@ -9,7 +9,7 @@ from builds import needed, run, written
 
 FLAGS = ["-O3", "-march=x86-64-v3", "-std=c99", "-fno-math-errno", "-ffp-contract=off", "-c"]
 REPORTS = {
-    "gcc": ("-fopt-info-vec-optimized", "optimized: loop vectorized"),
+    "gcc": ("-fopt-info-vec-optimized", "optimized: (?:loop|basic block part) vectorized"),
     "clang": ("-Rpass=loop-vectorize|slp-vectorizer", "remark: (?:vectorized loop|Stores SLP vectorized)"),
 }
 LOOP = re.compile(r" *for \(l = 0; l < POSES; \+\+l\) \{")
