@@ -54,9 +54,6 @@ _ROUNDING = 100 * float(np.finfo(np.float64).eps)
 """Largest difference of two double-precision kernels of a model over force times condition number."""
 
 
-# --- figures ----------------------------------------------------------------------------------
-
-
 class Candidate(NamedTuple):
     """Kernel that a scene may use."""
 
@@ -86,9 +83,6 @@ _UNITS = {
     **dict.fromkeys(("operations", "ns"), "per pose"),
     "taken_by_others": "share of the cores' time",
 }
-
-
-# --- the study --------------------------------------------------------------------------------
 
 
 def cost(
@@ -161,9 +155,6 @@ def _cost(entry: Figures) -> tuple[int, int, int, int]:
     )
 
 
-# --- compiling --------------------------------------------------------------------------------
-
-
 def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
     """Compile every available fidelity level of every formulation in both precisions, in parallel."""
     levels = [(each, level) for each in FORMULATIONS for level in fidelity.available(robot, each)]
@@ -181,9 +172,6 @@ def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
             with contextlib.suppress(*unsuitable):
                 kernels[each] = future.result()
     return kernels
-
-
-# --- errors -----------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,9 +228,6 @@ class _Case:
 def _or_infinite(difference: NDArray[Any]) -> Array:
     """Return absolute differences, infinite for unsolvable poses."""
     return np.abs(np.nan_to_num(np.asarray(difference, dtype=np.float64), nan=np.inf))
-
-
-# --- time -------------------------------------------------------------------------------------
 
 
 def _tasks(

@@ -90,9 +90,6 @@ class Case:
         return {**named, "poses": self.task.units, **measured, "largest_difference": difference}
 
 
-# --- poses ------------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True, eq=False)
 class Poses:
     """Motions of one robot: contiguous ``arrays`` (n, ...) in the order of ``struct stewart_motions``."""
@@ -142,9 +139,6 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
     if newton_euler.inverse_dynamics(robot, poses.motion).status.any():
         raise ValueError(f"{robot.name}: no regular poses about the middle of its workspace")
     return poses
-
-
-# --- cases ------------------------------------------------------------------------------------
 
 
 def all_cases(poses: Poses, truth: Array, quick: bool, progress: Progress) -> list[Case]:

@@ -37,9 +37,6 @@ def distances() -> Array:
     return np.logspace(0.0, -16.0, POINTS)
 
 
-# --- near a failure -------------------------------------------------------------------------------
-
-
 def singular(rng: np.random.Generator, cases: Cases, way: Array) -> Array:
     """Move poses near singular poses. Distances are fractions of a random way; NaN if there is none."""
     R, t, n = cases.motion["R"], cases.motion["t"], len(way)
@@ -167,9 +164,6 @@ def _unit(vectors: Array) -> Array:
     return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
 
 
-# --- families at given distances ------------------------------------------------------------------
-
-
 @dataclass(frozen=True)
 class Family:
     """Cases that approach a failure, from the function ``make`` of a random generator with a ``seed``.
@@ -263,8 +257,6 @@ FAMILIES = (
 )
 """Families of cases that approach a failure, in the order of the report."""
 
-
-# --- random cases ---------------------------------------------------------------------------------
 
 KINDS: dict[str, Draw] = {
     "singular": singular,

@@ -147,9 +147,6 @@ def _named(kernel: str) -> str:
     return kernel.replace("_", " ")
 
 
-# --- report and plots -----------------------------------------------
-
-
 def full_report(found: Iterable[Course], swept: Figures) -> Report:
     """Create the report on the families and the random cases, with tables and plots of the families."""
     families, columns, figures = [], {}, {}
