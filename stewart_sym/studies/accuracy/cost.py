@@ -11,7 +11,6 @@ import itertools
 import statistics
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -78,13 +77,6 @@ def worst(entry: Figures, *parts: str) -> float:
     return float(max(sum(errors[part] for part in named) for errors in entry["errors"].values()))
 
 
-_UNITS = {
-    **dict.fromkeys(("errors", "rounding"), "share of the motion's peak force"),
-    **dict.fromkeys(("operations", "ns"), "per pose"),
-    "taken_by_others": "share of the cores' time",
-}
-
-
 def cost(
     robot: Robot,
     motions: Mapping[str, Motion],
@@ -100,7 +92,7 @@ def cost(
     """
     kernels = _compiled(robot, progress)
     paths = tracked(progress, motions.items(), lambda each: f"computing the forces of {each[0]}")
-    cases = {name: _Case.of(robot, motion, name) for name, motion in paths}
+    cases = {name: _Case(robot, motion, name) for name, motion in paths}
     progress("compiling the truth of 50 digits")
     backends = BACKENDS if implementations else {}
     ways = {name: prepared_kernel(robot, "exact", backend).forces for name, backend in backends.items()}
@@ -129,7 +121,10 @@ def cost(
         "robot": robot.name,
         "taken_by_others": taken,
         "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
-        "candidates": sorted(entries, key=_cost),
+        # Of equally cheap candidates the more complete model is first, because sorting keeps the order.
+        "candidates": sorted(
+            entries, key=lambda entry: (entry["operations"], PRECISIONS.index(entry["precision"]))
+        ),
         "implementations": [
             {
                 "name": way,
@@ -138,34 +133,22 @@ def cost(
             }
             for way, forces in ways.items()
         ],
-        "units": _UNITS,
+        "units": {
+            **dict.fromkeys(("errors", "rounding"), "share of the motion's peak force"),
+            **dict.fromkeys(("operations", "ns"), "per pose"),
+            "taken_by_others": "share of the cores' time",
+        },
     }
-
-
-_RICHEST_FIRST = tuple(dict.fromkeys((*fidelity.DRIVE_FIDELITIES, *fidelity.FIDELITIES)))
-
-
-def _cost(entry: Figures) -> tuple[int, int, int, int]:
-    """Return a sorting key: operations, precision, then the more complete model."""
-    return (
-        entry["operations"],
-        PRECISIONS.index(entry["precision"]),
-        FORMULATIONS.index(entry["formulation"]),
-        _RICHEST_FIRST.index(entry["fidelity"]),
-    )
 
 
 def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
     """Compile every available fidelity level of every formulation in both precisions, in parallel."""
     levels = [(each, level) for each in FORMULATIONS for level in fidelity.available(robot, each)]
     every = [Candidate(*level, precision) for level in levels for precision in PRECISIONS]
-
-    def made(candidate: Any) -> ForceKernel:
-        return ForceKernel(robot, candidate.formulation, candidate.precision, candidate.fidelity, warns=False)
-
     kernels = {}
     with ThreadPoolExecutor(CORES) as pool:
-        futures = [(each, pool.submit(made, each)) for each in every]
+        given: Any = [(each, (each.formulation, each.precision, each.fidelity)) for each in every]
+        futures = [(each, pool.submit(ForceKernel, robot, *kind, warns=False)) for each, kind in given]
         for each, future in tracked(progress, futures, lambda pair: f"compiling {pair[0].name}"):
             # A precision that cannot represent the constants of the robot is omitted.
             unsuitable = [ValueError] if each.precision == "float" else []
@@ -174,29 +157,19 @@ def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
     return kernels
 
 
-@dataclass(frozen=True, eq=False)
 class _Case:
     """Motion with its `exact` forces (N), their peak and accuracy (N), and poses for the rounding error."""
 
-    robot: Robot
-    motion: Motion
-    F: Array
-    peak: float
-    accuracy: Array
-    sample: Sequence[int]
-
-    @classmethod
-    def of(cls, robot: Robot, motion: Motion, name: str) -> "_Case":
-        F = ForceKernel(robot).forces(motion)
-        peak = float(np.abs(F).max())
-        if peak == 0.0:
+    def __init__(self, robot: Robot, motion: Motion, name: str) -> None:
+        self.robot, self.motion, self.F = robot, motion, ForceKernel(robot).forces(motion)
+        self.peak = float(np.abs(self.F).max())
+        if self.peak == 0.0:
             raise ValueError(f"{name}: all forces are zero; relative errors are undefined")
         condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
-        largest = np.abs(F).max(axis=-1)
-        spread = np.linspace(0, len(F) - 1, min(SAMPLED, len(F))).round().astype(int).tolist()
-        sample = {*spread, int(largest.argmax()), int(condition.argmax())}
-        accuracy = (_ROUNDING * condition * largest)[:, None]
-        return cls(robot, motion, F, peak, accuracy, sorted(sample))
+        largest, count = np.abs(self.F).max(axis=-1), len(self.F)
+        spread = np.linspace(0, count - 1, min(SAMPLED, count)).round().astype(int).tolist()
+        self.sample = sorted({*spread, int(largest.argmax()), int(condition.argmax())})
+        self.accuracy = (_ROUNDING * condition * largest)[:, None]
 
     def errors(self, kernels: Mapping[Candidate, ForceKernel]) -> dict[Candidate, Figures]:
         """Compute the errors of kernels with the same equations, one of them in double precision."""
@@ -220,7 +193,7 @@ class _Case:
 
     def rounding_of(self, forces: Callable[[Motion], Any]) -> float:
         """Compute the rounding error of another implementation of `exact` general."""
-        motion = self.motion[list(self.sample)]
+        motion = self.motion[self.sample]
         off = deviation(forces(motion).F, Truth(self.robot).forces(motion))
         return float(_or_infinite(off).max()) / self.peak
 

@@ -33,9 +33,9 @@ _DECADES = 2.0
 _MARGIN = 0.02
 """Free fraction of the figure width next to a legend."""
 _ALONG_Z = 0.5
+"""Smallest fraction of gravity along z for which the vertical is the z axis."""
 _FAR = 5.0
 """Ratio of a limit to the largest value of all legs above which the limit is not drawn."""
-"""Smallest fraction of gravity along z for which the vertical is the z axis."""
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -59,11 +59,11 @@ def curves(axes: Axes, x: NDArray[Any], values: NDArray[Any], names: Sequence[st
     axes.margins(x=0.0)
 
 
-def draw_limit(line: Any, limit: float, values: NDArray[Any], style: dict[str, Any]) -> None:
-    """Draw a limit on each side of zero on which values are, unless it is too far from them."""
+def draw_limits(line: Any, limits: NDArray[Any], values: NDArray[Any], style: dict[str, Any]) -> None:
+    """Draw limits on each side of zero on which values are, unless they are too far from them."""
     for side in (-1.0, 1.0):
         largest = float(np.nanmax(side * values, initial=0.0))
-        if 0.0 < largest and limit <= _FAR * largest:
+        for limit in np.unique(limits[limits <= _FAR * largest]) if largest > 0.0 else ():
             line(side * limit, **style)
 
 

@@ -28,13 +28,8 @@ def machine() -> dict[str, Any]:
         "vectors": next((name for name in _VECTORS if name in sets), ""),
         "cores": os.cpu_count(),
         "system": platform.platform(),
-        "load_average": load_average(),
+        "load_average": os.getloadavg() if hasattr(os, "getloadavg") else None,
     }
-
-
-def load_average() -> tuple[float, float, float] | None:
-    """Return the mean number of busy processes in the last 1, 5, and 15 minutes, if the system has it."""
-    return os.getloadavg() if hasattr(os, "getloadavg") else None
 
 
 def software(*packages: str) -> dict[str, Any]:

@@ -67,8 +67,8 @@ def _decimals(columns: Mapping[str, NDArray[Any]], digits: int) -> list[int] | N
     for name, values in columns.items():
         largest = float(np.abs(values).max(initial=0.0))
         if not largest < _MOST_EXACT:
-            decimals.append(None)
-        elif name == "time":
+            return None
+        if name == "time":
             places = [n for n in range(_MOST_DECIMALS) if largest * 10.0**n < _MOST_EXACT]
             decimals.append(next((n for n in places if np.array_equal(np.round(values, n), values)), None))
         else:

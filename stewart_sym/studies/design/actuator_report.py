@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
 from ...design.limit_margins import compared, states_limits
@@ -14,7 +13,7 @@ from ...io.array_types import Array
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ..common import drawing
-from ..common.drawing import LIMIT, Axes, Figure, as_written, draw_limit, legend_below, new_figure
+from ..common.drawing import LIMIT, Axes, Figure, as_written, draw_limits, legend_below, new_figure
 from ..common.report import SMALL, Picture, Report
 from ..common.text_tables import aligned, amounts
 
@@ -44,7 +43,6 @@ _RATED: dict[str, Any] = {"color": drawing.DARK, "linewidth": 1.0, "linestyle": 
 _DIGITS = 4
 """Number of digits in the table."""
 _LEGS = np.arange(1, LEGS + 1)
-Vector = NDArray[Any]
 _MOST = 4000
 """Largest number of drawn points per leg."""
 
@@ -153,8 +151,7 @@ def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
     if course.torque is not None and course.motor_speed is not None and drive is not None:
         rates, most = course.motor_speed / units.radians, drive.speed_limit / units.radians
         _plane(panels[3], rates, course.torque, most, drive.torque_limit)
-        for rated in np.unique(drive.rated_torque):
-            draw_limit(panels[3].axhline, float(rated), course.torque, _RATED)
+        draw_limits(panels[3].axhline, drive.rated_torque, course.torque, _RATED)
         if np.isfinite(drive.rated_torque).any():
             panels[3].set_title("dotted: rated torque, limit of the root mean square", fontsize=8.0)
         panels[3].set(xlabel=f"motor speed, {units.angle}/s", ylabel="motor torque, N m")
@@ -192,9 +189,7 @@ def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None
     axes.set_xticks(_LEGS)
 
 
-def _bars(
-    axes: Axes, x: Vector, bottom: Vector | float, height: Vector, *limits: Vector, **style: Any
-) -> None:
+def _bars(axes: Axes, x: Any, bottom: Array | float, height: Array, *limits: Array, **style: Any) -> None:
     """Draw a bar of each leg, and its limits across it, shape (6,) each, as far as they are given."""
     half = 0.6 * style["width"]
     axes.bar(x, height, bottom=bottom, color=drawing.LEG_COLORS, **style)
@@ -212,5 +207,4 @@ def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort
         style: Any = {"color": color, "label": f"leg {leg + 1}", "linewidth": 0.8, "alpha": 0.8}
         axes.plot(rate[::step, leg], effort[::step, leg], **style)
     for limits, values, line in ((most_rate, rate, axes.axvline), (most_effort, effort, axes.axhline)):
-        for limit in np.unique(limits):
-            draw_limit(line, float(limit), values, LIMIT)
+        draw_limits(line, limits, values, LIMIT)

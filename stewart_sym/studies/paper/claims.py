@@ -166,8 +166,6 @@ def _conclusions(found: Reproduction, form: str) -> Claims:
     text = "rank correlation of condition number and largest |F|: "
     text += ", ".join(f"{name} {value:+.2f}" for name, value in ranks.items())
     says = "the higher the condition number, the higher the forces"
-    rule, strong = (
-        "rank correlation above 0.5 on every path (partly: on one)",
-        np.array([*ranks.values()]) > 0.5,
-    )
+    rule = "rank correlation above 0.5 on every path (partly: on one)"
+    strong = np.array([*ranks.values()]) > 0.5
     yield "6", says, rule, text, strong.all(), strong.any()

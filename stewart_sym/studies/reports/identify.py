@@ -215,8 +215,11 @@ def measured_report(
     if seen is not robot:
         lines.append("C_p of the robot file: with the viscous friction of its drives")
     if drive is not None:
-        data["drive"] = _drive_rows(robot, drive)
-        lines += _drive_lines(robot, drive)
+        of_file = terms_of(robot, drive.names)
+        numbers = {"estimated": drive.values, "std": drive.std, "robot_file": of_file}
+        terms = {"name": drive.names, "unit": drive.units, **numbers, "identifiable": drive.identifiable}
+        data["drive"] = records(terms)
+        lines += _drive_lines(data["drive"], drive)
     tables: dict[str, Columns] = {}
     if (bodies := found.parameters) is not None:
         parts = {"name": bodies.names, "unit": bodies.units, "value": bodies.values}
@@ -226,15 +229,9 @@ def measured_report(
     return _report(lines, base, numbers, tables, data)
 
 
-def _drive_rows(robot: Robot, found: DriveIdentificationResult) -> list[dict[str, Any]]:
-    """Return the drive terms for the JSON data."""
-    numbers = {"estimated": found.values, "std": found.std, "robot_file": terms_of(robot, found.names)}
-    return records({"name": found.names, "unit": found.units, **numbers, "identifiable": found.identifiable})
-
-
-def _drive_lines(robot: Robot, found: DriveIdentificationResult) -> list[str]:
+def _drive_lines(terms: list[dict[str, Any]], found: DriveIdentificationResult) -> list[str]:
     """Format a table of the drive terms, and list the terms that are not identifiable."""
-    rows = [row for row in _drive_rows(robot, found) if row["identifiable"]]
+    rows = [row for row in terms if row["identifiable"]]
     unsure = [row["name"] for row in rows if abs(row["estimated"]) < _TOLD * row["std"] < inf]
     text = f"not distinguishable from zero within {_TOLD} sigma: {', '.join(unsure)}"
     table = _table("drives", rows, ("estimated", "std", "robot_file"))

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ...robot.robot import LEGS, Robot
 from ...robot.units import Units
 from ..common import drawing
-from ..common.drawing import LIMIT, Figure, as_written, draw_limit, legend_below, legend_line, new_figure
+from ..common.drawing import LIMIT, Figure, as_written, draw_limits, legend_below, legend_line, new_figure
 
 _CURVE: dict[str, Any] = {"color": drawing.BLUE, "linewidth": 1.0}
 _MOST = 4000
@@ -62,9 +62,9 @@ def _panels(
         axes.plot(x[:, leg], y[:, leg], rasterized=len(x) > _MOST, **_CURVE)
         title = f"{name} {leg + 1}"
         for text, unit, values, is_of_x, style in limits:
-            limit = float(values[leg])
-            draw_limit(axes.axvline if is_of_x else axes.axhline, limit, x if is_of_x else y, style)
-            title += f", {text} {limit:.6g} {unit}" if np.isfinite(limit) else ""
+            limit, line = values[leg : leg + 1], axes.axvline if is_of_x else axes.axhline
+            draw_limits(line, limit, x if is_of_x else y, style)
+            title += f", {text} {limit[0]:.6g} {unit}" if np.isfinite(limit[0]) else ""
         axes.set_title(title, fontsize=9.0 if len(limits) == 1 else 7.5)
         axes.locator_params("x", nbins=5)
         axes.set(xlabel=labels[0] if leg >= LEGS - 2 else "", ylabel="" if leg % 2 else labels[1])

@@ -33,27 +33,22 @@ def report(robot: Robot) -> Report:
     return Report(text, data=data, figures=figures)
 
 
-_HOME = {
-    "rule": "rule",
-    "position_m": "t",
-    "leg_lengths_m": "L",
-    "status": "status",
-    "holding_forces_N": "F",
-    "condition_number": "condition",
-    "scaled_condition_number": "scaled_condition",
-}
-"""Attributes of the home pose by key of the JSON data."""
-
-
 def _data(robot: Robot, home: HomePose) -> dict[str, Any]:
     """Return the keys of the robot file in SI units, and the home pose, for the JSON data."""
-    home_pose = {key: getattr(home, name) for key, name in _HOME.items()}
-    home_pose["above"] = home.side.direction
-    home_pose["characteristic_length_m"] = characteristic_length(robot)
     return {
         "robot": robot.to_dict(),
         "impossible_inertias": robot.find_invalid_inertias(),
-        "home_pose": home_pose,
+        "home_pose": {
+            "rule": home.rule,
+            "position_m": home.t,
+            "leg_lengths_m": home.L,
+            "status": home.status,
+            "holding_forces_N": home.F,
+            "condition_number": home.condition,
+            "scaled_condition_number": home.scaled_condition,
+            "above": home.side.direction,
+            "characteristic_length_m": characteristic_length(robot),
+        },
         "units": {"robot": "keys of a robot file in m, rad, and other SI units"},
     }
 
@@ -62,9 +57,10 @@ def _description(robot: Robot, home: HomePose, unit: Units) -> str:
     """Format the rows of the report without the axis travel."""
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
     sizes = [f"{radius(points) / unit.meters:.4g} {unit.length}" for points in (robot.b, robot.p)]
+    tips = "spherical" if robot.offsets is None else robot.offsets.platform_joint
     rows = [
         ("name", robot.name),
-        ("joints", f"{robot.base_joint} at the base, {_platform_joint(robot)} at the platform"),
+        ("joints", f"{robot.base_joint} at the base, {tips} at the platform"),
         *_offsets(robot, unit),
         ("gravity", f"{vector_text(robot.g)} m/s^2"),
         *_masses(robot, unit),
@@ -90,10 +86,6 @@ def _masses(robot: Robot, unit: Units) -> list[tuple[str, str]]:
         ("legs", f"{_range(masses)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})"),
         ("mass ratio", f"platform mass / leg mass {robot.M / np.mean(masses):.3g}"),
     ]
-
-
-def _platform_joint(robot: Robot) -> str:
-    return "spherical" if robot.offsets is None else robot.offsets.platform_joint
 
 
 _OFFSETS = {

@@ -15,7 +15,7 @@ from ...robot.units import Units
 from ...simulation.actuator_models import ForceLaw, LegSprings, Reference
 from ...simulation.state_history import SimulationResult, StateHistory, leg_states
 from ...simulation.tracking import TrackingError, tracking_error
-from ..common.drawing import DARK, LIMIT, Figure, curves, draw_limit, legend_beside, new_figure
+from ..common.drawing import DARK, LIMIT, Figure, curves, draw_limits, legend_beside, new_figure
 from ..common.report import Picture, Report
 from ..common.text_tables import Columns, aligned, by_leg, of_axes, of_legs
 from .leg_tables import motor_data, motor_table
@@ -166,8 +166,7 @@ def figure(robot: Robot, run: SimulationResult, law: ForceLaw) -> Figure:
         if planned is not None:
             grid.flat[i].plot(time, scale * planned[i], label=["planned", "_", "_"], **_PLANNED)
     curves(grid.flat[4], run.time, run.F, legs, "force, N")
-    for limit in np.unique(robot.force_limit):
-        draw_limit(grid.flat[4].axhline, float(limit), run.F, {**LIMIT, "label": "limit"})
+    draw_limits(grid.flat[4].axhline, robot.force_limit, run.F, {**LIMIT, "label": "limit"})
     moved = (run.L - run.L[0]) / units.meters
     curves(grid.flat[5], run.time, moved, legs, f"leg length since start, {units.length}")
     curves(grid.flat[6], run.time, run.kinetic_energy[:, None], ["kinetic"], "kinetic energy, J")

@@ -231,28 +231,17 @@ def _extreme(rng: np.random.Generator) -> Cases:
     return cases_of(robots, motions, sizes)
 
 
-_CROSSING = "Path III crosses a singular pose"
+_CROSSING, _TURNED = "Path III crosses a singular pose", "Similar hexagons turned by 90 degrees"
 _ANGLE = "angle between a leg and its fixed axis, rad"
+_LENGTH, _OVER = "A leg's length approaches zero", "length over the largest term of its sum"
 _AT_REST = "A leg's joint singularity, axisymmetric legs at rest: well conditioned"
 _OVERFLOW = "Machines of 1e-200 to 1e200 m: overflow and subnormal numbers"
 FAMILIES = (
     Family("singular_path_III", _CROSSING, "time from the crossing, s", _path_III, 6),
-    Family(
-        "singular_hexagons",
-        "Similar hexagons turned by 90 degrees",
-        "angle from 90 degrees, rad",
-        _hexagons,
-        6,
-    ),
+    Family("singular_hexagons", _TURNED, "angle from 90 degrees, rad", _hexagons, 6),
     Family("joint_singularity", "A leg's joint singularity, moving machine", _ANGLE, _walk(joint), 2),
     Family("joint_singularity_at_rest", _AT_REST, _ANGLE, _walk(joint, LEGS[1], rest=True), 2),
-    Family(
-        "zero_length",
-        "A leg's length approaches zero",
-        "length over the largest term of its sum",
-        _walk(short),
-        3,
-    ),
+    Family("zero_length", _LENGTH, _OVER, _walk(short), 3),
     Family("scale_extreme", _OVERFLOW, "radius of the base, m", _extreme, 7, in_range=False),
 )
 """Families of cases that approach a failure, in the order of the report."""

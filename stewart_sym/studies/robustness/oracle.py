@@ -289,9 +289,7 @@ def _scaled(cases: Cases, values: NDArray[Any]) -> Array:
     H = values[:, 36:72].reshape(-1, 6, 6).astype(np.float64)
     H = np.where(np.isfinite(H), H, 0.0)
     H[:, 3:] /= _length(cases)[:, None, None]
-    sigma = np.linalg.svd(H, compute_uv=False)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.nan_to_num(sigma[:, 0] / sigma[:, -1], nan=np.inf, posinf=np.inf))
+    return np.asarray(np.linalg.cond(H))
 
 
 def _frames(cases: Cases) -> Array:

@@ -4,7 +4,7 @@ import functools
 import os
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,12 +48,8 @@ _MARKERS = "os^vDP"
 _FLOOR, _CEILING = 1e-17, 1e4
 
 
-class Course(NamedTuple):
-    """Verdicts on all kernels, by name, over the distances of a family, shape (n,)."""
-
-    family: Family
-    distance: Array
-    verdicts: dict[str, Verdict]
+Course = tuple[Family, Array, dict[str, Verdict]]
+"""Family, its distances, shape (n,), and the verdicts on all kernels by name."""
 
 
 def courses(progress: Progress = silent) -> list[Course]:
@@ -61,7 +57,7 @@ def courses(progress: Progress = silent) -> list[Course]:
     found = []
     for family in tracked(progress, FAMILIES, lambda family: f"approaching {family.name}"):
         cases = family.make(np.random.default_rng(family.seed))
-        found.append(Course(family, cases.distance, check(cases, (*FORCES, *CLOSED), floor=True)))
+        found.append((family, cases.distance, check(cases, (*FORCES, *CLOSED), floor=True)))
     return found
 
 
@@ -151,18 +147,19 @@ def full_report(found: Iterable[Course], swept: Figures) -> Report:
     """Create the report on the families and the random cases, with tables and plots of the families."""
     families, columns, figures = [], {}, {}
     parts = ["Errors of every kernel along families of poses that approach a failure."]
-    for course in found:
-        table: dict[str, NDArray[Any]] = {"distance": course.distance}
-        family, counts = course.family, []
-        for kernel, each in course.verdicts.items():
+    for family, distance, verdicts in found:
+        table: dict[str, NDArray[Any]] = {"distance": distance}
+        counts = []
+        for kernel, each in verdicts.items():
             name = _named(kernel)
-            counts.append({"kernel": name, **summary(each, course.distance, in_range=family.in_range)})
+            counts.append({"kernel": name, **summary(each, distance, in_range=family.in_range)})
             table |= {f"{name}: error": each.error * EPSILON["double"], f"{name}: status": each.status}
             table |= {f"{name}: condition": each.condition}
         named = {name: getattr(family, name) for name in ("name", "title", "axis")}
         families.append({**named, "counts": counts})
         columns[family.name] = table
-        figures[family.name] = Picture(functools.partial(figure_of, course), SMALL, dpi=130)
+        draw = functools.partial(figure_of, family, distance, verdicts)
+        figures[family.name] = Picture(draw, SMALL, dpi=130)
         parts.append(f"{family.title}\n({family.axis})\n{_listed(counts)}")
     data = {"families": families, "sweep": swept, "units": _UNITS}
     return Report("\n\n".join([*parts, sweep_report(swept)]), columns, data, figures)
@@ -194,11 +191,10 @@ def _listed(counts: list[Figures]) -> str:
     return "\n".join([table, *(count["shown"] for count in counts if count["shown"])])
 
 
-def figure_of(course: Course) -> Figure:
+def figure_of(family: Family, distance: Array, verdicts: dict[str, Verdict]) -> Figure:
     """Plot the errors of all kernels over the distance, with marks at the distances with a status."""
     figure = new_figure(7.0, 5.6)
-    ax, distance, family = figure.subplots(), course.distance, course.family
-    curves = zip(course.verdicts.items(), LEG_COLORS, _MARKERS, strict=True)
+    ax, curves = figure.subplots(), zip(verdicts.items(), LEG_COLORS, _MARKERS, strict=True)
     for number, ((name, found), color, marker) in enumerate(curves):
         error = np.clip(found.error * EPSILON["double"], _FLOOR, _CEILING)
         # The markers of the curves are offset, so that overlapping curves are distinguishable.
