@@ -7,19 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...motion.straight_line import PAPER_PATHS
-from ..common import host
-from ..common.drawing import (
-    BLUE,
-    RED,
-    Axes,
-    Figure,
-    as_written,
-    legend_below,
-    legend_line,
-    log_numbers,
-    name_points,
-    new_figure,
-)
+from ..common import drawing, host
+from ..common.drawing import BLUE, RED, Axes, Figure, as_written, legend_line, name_points
 from ..common.report import SMALL, Picture, Report
 from ..common.text_tables import Figures, csv_text
 from .advice import table
@@ -116,7 +105,7 @@ def figure(found: Figures) -> Figure:
     """Draw two panels of the time per pose over the total error and over the rounding error."""
     every = points(found)
     marks = dict(zip(found["motions"], itertools.cycle(_MARKERS), strict=False))
-    picture = new_figure(12.4, 7.8)
+    picture = drawing.new_figure(12.4, 7.8)
     left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
     title, taken = f"Speed against accuracy: {as_written(found['robot'])}", found["taken_by_others"] or 0.0
     if taken > host.DISTURBED:
@@ -182,7 +171,7 @@ def _limits(axes: Axes, given: Sequence[Point], height: Height) -> None:
     axes.set_yticks([10.0**power for power in range(low, high + 1)], labels)
     axes.yaxis.set_minor_locator(NullLocator())
     axes.set_ylim(10.0 ** (low - 0.7), 10.0 ** (high + 2.3))
-    log_numbers(axes.xaxis)
+    drawing.log_numbers(axes.xaxis)
 
 
 def _legend(picture: Figure, marks: Mapping[str, str], drawn: Set[str]) -> None:
@@ -195,4 +184,4 @@ def _legend(picture: Figure, marks: Mapping[str, str], drawn: Set[str]) -> None:
         legend_line("the same in float", color=_FLOAT, linestyle=":", marker="o", **_HOLLOW),
         legend_line("Pareto front, worst motion", color=_FRONT, linewidth=4.0, alpha=0.35),
     ]
-    legend_below(picture, handles)
+    drawing.legend_below(picture, handles)

@@ -86,7 +86,7 @@ def from_measurement(
     poses, forces = poses[~bad], forces[~bad]
     motion, noise = trajectory.motion[poses], None if noise is None else noise.at(poses)
     smooth = motion if noise is None else smoothed(motion, noise)[0]
-    _need_unit(robot, smooth, F[forces], source, units)
+    unlike = _unlike_forces(robot, smooth, F[forces], source, units)
     base = base_parameters(robot, smooth, friction, identical_legs)
     found = identify(robot, motion, F[forces], sigma, base, noise, physical, drive_terms=drive)
     if found.verdict in ("misfit", "rejected"):
@@ -103,8 +103,7 @@ def from_measurement(
     if np.all(np.abs(found.values) < _TOLD * found.std) and np.isfinite(found.std).all():
         text = f"parameters: none is determined, all are within {_TOLD} standard deviations of zero"
         warnings.append(f"{text}; use a faster motion, more samples, or more accurate forces")
-    warnings += _unlike_forces(robot, found, F[forces])
-    return replace(found, warnings=(*found.warnings, *warnings))
+    return replace(found, warnings=(*found.warnings, *warnings, *unlike))
 
 
 def _pairs(
@@ -127,26 +126,22 @@ def _pairs(
     raise ValueError(f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}; {remedy}")
 
 
-def _need_unit(robot: Robot, motion: Motion, F: Array, source: str, units: Mapping[str, float]) -> None:
-    """Raise ValueError if forces fit the robot file in another unit only."""
-    got, expected = (np.sqrt(np.mean(each**2)) for each in (F, inverse_dynamics(robot, motion).F))
+def _unlike_forces(
+    robot: Robot, motion: Motion, F: Array, source: str, units: Mapping[str, float]
+) -> list[str]:
+    """Return a warning about forces of another magnitude or sign; reject forces that fit in another unit."""
+    model = inverse_dynamics(robot, motion).F
+    got, expected = (np.sqrt(np.mean(each**2)) for each in (F, model))
+    finding = f"forces: RMS of {got:.3g} N, but {expected:.3g} N by the robot file along this motion"
     for unit, factor in units.items():
         if factor != 1.0 and expected / _MOST_OFF < factor * got < expected * _MOST_OFF:
-            finding = f"RMS of {got:.3g} N, but {expected:.3g} N by the robot file along this motion"
             remedy = f"state the unit in the header: [{unit}], or [{next(iter(units))}] if it is right"
-            raise ValueError(f"{source}: forces: {finding}; {remedy}")
-
-
-def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> list[str]:
-    """Return a warning about forces of another magnitude or sign."""
-    model = inverse_dynamics(robot, found.motion).F
-    got, expected = (np.sqrt(np.mean(each**2)) for each in (F, model))
+            raise ValueError(f"{source}: {finding}; {remedy}")
     if np.mean(F * model) < -_OPPOSITE * got * expected:
         return ["forces: opposite to the forces by the robot file; change their sign: positive extends a leg"]
     if expected / _MOST_TIMES < got < expected * _MOST_TIMES:
         return []
-    finding = f"RMS of {got:.3g} N, but {expected:.3g} N by the robot file along this motion"
-    return [f"forces: {finding}; check that their unit is N"]
+    return [f"{finding}; check that their unit is N"]
 
 
 def doubts(found: IdentificationResult) -> list[str]:

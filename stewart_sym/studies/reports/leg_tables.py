@@ -15,8 +15,6 @@ from ...robot.robot import LEGS
 from ..common.text_tables import Columns, amounts, leg_table, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
-
-
 _LEGS = {
     limits.SHORTEST: ("min_length", "min_length_limit", "m"),
     limits.LONGEST: ("max_length", "max_length_limit", "m"),
