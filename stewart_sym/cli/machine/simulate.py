@@ -15,7 +15,7 @@ import stewart_sym as ss
 
 from ...io.error_policy import warn
 from ...simulation.scene import read_scene
-from ...studies.reports.scene_checks import start_doubts
+from ...simulation.scene_checks import start_doubts
 from ...studies.reports.simulation_report import report
 from ..command import Arguments, Parser, results
 from ..inputs import warn_of_doubts
