@@ -12,9 +12,9 @@ from sweeps import FULL
 
 import stewart_sym as ss
 from stewart_sym.identification.log_noise import noise_of_log
+from stewart_sym.identification.measured_forces import from_measurement
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.trajectory import Trajectory
-from stewart_sym.studies.reports.identify import from_measurement
 
 TOOL = np.array([0.1, -0.2, 0.6])
 

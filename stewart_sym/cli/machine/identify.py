@@ -18,6 +18,7 @@ import stewart_sym as ss
 
 from ...drives.noise import at_replaced
 from ...identification.log_noise import noise_of_log
+from ...identification.measured_forces import from_measurement
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...kinematics.robot_logs import log_of, samples_of
@@ -25,7 +26,7 @@ from ...motion.log_samples import FORCES, components_of, possible_units, read_sa
 from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS
 from ...studies.common.report import Report
-from ...studies.reports.identify import doubts, from_measurement, measured_report, simulated_report
+from ...studies.reports.identify import doubts, measured_report, simulated_report
 from ..command import Arguments, Parser, finite, positive, results, whole
 from ..inputs import log_format, poses_of, robot_of, stated_noise
 

@@ -1,35 +1,26 @@
 """Identification from measured forces, or from simulated forces with known true parameters."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from math import inf, isnan, nan
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...drives.noise import at_replaced
-from ...dynamics.inverse_dynamics import inverse_dynamics
-from ...identification.base_parameters import BaseParametersResult, base_parameters
+from ...identification.base_parameters import BaseParametersResult
 from ...identification.drive_terms import DriveIdentificationResult, seen_by_motors, terms_of
 from ...identification.estimates import IdentificationResult
-from ...identification.estimation import Experiment, identify
-from ...identification.motion_basis import PoseNoise, smoothed
+from ...identification.estimation import Experiment
+from ...identification.motion_basis import PoseNoise
 from ...identification.parameters import inertial_parameters
-from ...io.array_types import Array, Indices
+from ...io.array_types import Array
 from ...kinematics.trajectory_writer import trajectory_columns
-from ...motion.motion import Motion
-from ...motion.sample_times import time_text
-from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
 from ..common.report import Report
 from ..common.text_tables import Columns, aligned, of_legs, records
 
 # Fraction of a normal distribution within one, two, and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)
-# Largest difference of equal times, relative to the total time, in addition to their rounding.
-_SAME_TIME = 1e-6
 # The robot file disagrees if a parameter differs by this many standard deviations from the identified one, or
 # if the joint probability of all differences is below this level.
 _FAR, _FAR_LEVEL = 4.0, 1e-3
@@ -42,106 +33,6 @@ _SHOWN = {
     "departure": ("off/std", "+.2f"),
     "z_score": ("error/std", "+.2f"),
 }
-# Smallest fraction of samples at equal times in files with different numbers of rows.
-_PAIRED = 0.9
-# Largest ratio of the measured forces to the forces of the robot file, or its inverse, in equal units.
-_MOST_TIMES = 100.0
-# Largest ratio of the RMS of forces in another unit to the RMS by the robot file, or its inverse.
-_MOST_OFF = 3.0
-# Correlation with the negative forces of the robot file from which the measured forces have the other sign.
-_OPPOSITE = 0.5
-
-
-def from_measurement(
-    robot: Robot,
-    trajectory: Trajectory,
-    time: Array,
-    F: Array,
-    sigma: ArrayLike,
-    source: str,
-    noise: PoseNoise | None = None,
-    friction: bool = True,
-    physical: bool = False,
-    identical_legs: bool = False,
-    drive: Sequence[str] | None = None,
-    lines: Sequence[int] | None = None,
-    units: Mapping[str, float] = MappingProxyType({}),
-) -> IdentificationResult:
-    """Identify the parameters that a trajectory excites from forces F (N), (n, 6), of the file ``source``.
-
-    Unused rows of the trajectory are left out. ``lines`` are the line numbers of the forces, from 2 by
-    default. ``units`` are the units that the forces may have, the assumed one first, with their factors.
-    Raises ValueError if another unit fits the robot.
-    """
-    poses, forces = _pairs(trajectory, time, source, lines)
-    warnings = []
-    for name, each, used in ((trajectory.source, trajectory.time, poses), (source, time, forces)):
-        if len(alone := np.delete(each, used)):
-            count = f"{len(alone)} sample{'s' * (len(alone) > 1)}, the first at {time_text(alone[0])} s"
-            warnings.append(f"{name}: {count}, left out of the fit: no sample of the other file at the time")
-    bad = at_replaced(trajectory, trajectory.time[poses])
-    if bad.any():
-        text = f"{np.count_nonzero(bad)} of {len(bad)} samples at wrong rows are left out of the fit"
-        warnings.append(f"motion: {text}; check these rows")
-    poses, forces = poses[~bad], forces[~bad]
-    motion, noise = trajectory.motion[poses], None if noise is None else noise.at(poses)
-    smooth = motion if noise is None else smoothed(motion, noise)[0]
-    unlike = _unlike_forces(robot, smooth, F[forces], source, units)
-    base = base_parameters(robot, smooth, friction, identical_legs)
-    found = identify(robot, motion, F[forces], sigma, base, noise, physical, drive_terms=drive)
-    if found.verdict in ("misfit", "rejected"):
-        sample, leg, size = found.largest_residual
-        row = forces[sample]
-        place = f"leg {leg + 1} at {time_text(time[row])} s, line {row + 2 if lines is None else lines[row]}"
-        warnings.append(f"{source}: largest residual: {place}: {size:.3g} standard deviations; check it")
-        of_file = 0.0 if robot.drive is None else terms_of(robot, [f"coulomb{i}" for i in range(1, 7)]).max()
-        if of_file > 0.0 and "coulomb" not in (drive or ()):
-            text = (
-                f"drives: dry friction of up to {of_file:.4g} N in the robot file: forces of motors have it"
-            )
-            warnings.append(f"{text}, --drive-terms coulomb seeks it")
-    if np.all(np.abs(found.values) < _TOLD * found.std) and np.isfinite(found.std).all():
-        text = f"parameters: none is determined, all are within {_TOLD} standard deviations of zero"
-        warnings.append(f"{text}; use a faster motion, more samples, or more accurate forces")
-    return replace(found, warnings=(*found.warnings, *warnings, *unlike))
-
-
-def _pairs(
-    trajectory: Trajectory, time: Array, source: str, lines: Sequence[int] | None
-) -> tuple[Indices, Indices]:
-    """Return the indices of poses and of forces at equal times; reject forces at other times."""
-    largest, span = float(np.abs(trajectory.time).max()), float(np.ptp(trajectory.time))
-    tolerance = _SAME_TIME * span + 2.0 * np.spacing(largest)
-    count = len(trajectory.time)
-    nearest = np.minimum(np.searchsorted(trajectory.time, time - tolerance), count - 1)
-    same = np.abs(time - trajectory.time[nearest]) <= tolerance
-    if same.all() if len(time) == count else same.sum() >= _PAIRED * max(len(time), count):
-        return nearest[same], np.flatnonzero(same)
-    if len(time) != count:
-        raise ValueError(f"{source}: expected {count} rows, as many as {trajectory.source}, got {len(time)}")
-    i = int(np.argmin(same))
-    expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
-    line = i + 2 if lines is None else lines[i]
-    remedy = "check the units of both files, a row below the header or --time-unit"
-    raise ValueError(f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}; {remedy}")
-
-
-def _unlike_forces(
-    robot: Robot, motion: Motion, F: Array, source: str, units: Mapping[str, float]
-) -> list[str]:
-    """Return a warning about forces of another magnitude or sign; reject forces that fit in another unit."""
-    model = inverse_dynamics(robot, motion).F
-    got, expected = (np.sqrt(np.mean(each**2)) for each in (F, model))
-    finding = f"forces: RMS of {got:.3g} N, but {expected:.3g} N by the robot file along this motion"
-    for unit, factor in units.items():
-        if factor != 1.0 and expected / _MOST_OFF < factor * got < expected * _MOST_OFF:
-            remedy = f"state the unit in the header: [{unit}], or [{next(iter(units))}] if it is right"
-            raise ValueError(f"{source}: {finding}; {remedy}")
-    if np.mean(F * model) < -_OPPOSITE * got * expected:
-        return ["forces: opposite to the forces by the robot file; change their sign: positive extends a leg"]
-    if expected / _MOST_TIMES < got < expected * _MOST_TIMES:
-        return []
-    return [f"{finding}; check that their unit is N"]
 
 
 def doubts(found: IdentificationResult) -> list[str]:
