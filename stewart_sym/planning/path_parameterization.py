@@ -314,12 +314,8 @@ class _Task(NamedTuple):
         """Return the terms of the path with an eased parameter."""
         cells = min(self.cells, SMOOTH_CELLS)
         ease = Ease(*self.span, 1 if limits.jerk is None else 2)
-        path = eased(self.path, ease)
-
-        def source(x: Array) -> Terms:
-            return terms_along(self.robot, path, x, limits, self.formulation)
-
-        jerk = np.array(limits.jerk or [np.inf] * LEGS)
+        path, jerk = eased(self.path, ease), np.array(limits.jerk or [np.inf] * LEGS)
+        source = self._replace(path=path).source(limits)
         found = SmoothPath.of(source, lambda x: length_rates(self.robot, path, x), ease, cells, jerk)
         need_held(found.between, found.places)
         return found

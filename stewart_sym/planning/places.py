@@ -98,10 +98,8 @@ def _turning_points(plan: TimedPath, time: Array, sides: Array) -> list[Places]:
     for _ in range(_BISECTIONS):
         middle = 0.5 * (low + high)
         rate = _leg_rates(plan, plan.profile.at(middle).s)[np.arange(len(leg)), leg]
-        low, high = (
-            np.where((rate * before > 0.0) == (end == 0), middle, each)
-            for end, each in enumerate((low, high))
-        )
+        same = rate * before > 0.0
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
     return [places_at(plan, np.concatenate([low, high]))]
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, real_array, shown
-from ..io.array_types import Array
+from ..io.array_types import Array, Indices
 from ..io.frozen import Frozen
 from ..motion import rotation
 from ..motion.motion import Motion, pose_of
@@ -238,13 +238,9 @@ class Family:
         return cls(tuple(poses), via, knots, s, B, between, fine, metric, through, rest, rows)
 
     @property
-    def free(self) -> list[tuple[int, int]]:
-        """Indices (via pose, coordinate) of all coordinates with a tolerance."""
-        return [
-            (k, i)
-            for k, pose in enumerate(self.poses)
-            for i in np.flatnonzero(pose.tolerance_high > pose.tolerance_low).tolist()
-        ]
+    def free(self) -> Indices:
+        """Indices (via pose, coordinate) of all coordinates with a tolerance, shape (f, 2)."""
+        return np.argwhere([pose.tolerance_high > pose.tolerance_low for pose in self.poses])
 
     def box(self) -> list[tuple[float, float]]:
         """Return the bounds of the coordinates with a tolerance."""
@@ -256,8 +252,7 @@ class Family:
     def shifts(self, values: Array) -> Array:
         """Return the shifts of all via poses, shape (k, 6), from the shifts within the tolerances."""
         found = np.zeros((len(self.poses), 6))
-        for (k, i), value in zip(self.free, values, strict=True):
-            found[k, i] = value
+        found[tuple(self.free.T)] = values
         return found
 
     def coefficients(self, values: Array, w: Array) -> Array:
