@@ -226,7 +226,8 @@ class ArrayKernel(Frozen):
             joints are not universal joints without offsets.
         """
         given = {"R": R, "t": t, "omega": omega, "v": v, "F_ext": F_ext, "M_ext": M_ext}
-        return self._run("forward_dynamics", ArrayAccelerations, given, F)
+        given["F"] = np.zeros(6) if F is None else F
+        return self._run("forward_dynamics", ArrayAccelerations, given)
 
     def lengths(self, R: Any, t: Any) -> Any:
         """Compute the leg lengths, (2).
@@ -329,7 +330,7 @@ class ArrayKernel(Frozen):
         rows = [R[..., i, j] for i in range(3) for j in range(3)]
         return SimpleNamespace(R=rows, **parts), leading_shape(shapes)
 
-    def _run(self, function: str, kind: type[Result], fields: dict[str, Any], F: Any = None) -> Result:
+    def _run(self, function: str, kind: type[Result], fields: dict[str, Any]) -> Result:
         need_masses(self.robot)
         if not hasattr(self._source, function):
             raise ValueError(
@@ -338,13 +339,9 @@ class ArrayKernel(Frozen):
                 f"{'' if self.robot.offsets is None else ' with offsets'}"
             )
         given = {name: self._array(name, value) for name, value in fields.items() if value is not None}
-        if function == "forward_dynamics":
-            given["F"] = self._array("F", np.zeros(6) if F is None else F)
-        shape = leading_shape(
-            {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in given.items()}
-        )
-        F = given.pop("F", None)
-        more = [] if F is None else [[F[..., i] for i in range(6)]]
+        shapes = {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in given.items()}
+        shape, forces = leading_shape(shapes), [given.pop("F")] if "F" in given else []
+        more = [[F[..., i] for i in range(6)] for F in forces]
         motion = self._source.motion_of(self._on, **given)
         with np.errstate(all="ignore"):
             found = getattr(self._source, function)(self._on, self._model, motion, *more)

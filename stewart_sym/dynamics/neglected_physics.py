@@ -2,13 +2,11 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..backend import fidelity
-from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .inverse_dynamics import Formulation, inverse_dynamics
@@ -51,8 +49,8 @@ def effect(
     """
     try:
         motion = poses(replace(robot, offsets=None), formulation, _POSES)
-        F = _doubles((full or partial(_all_physics, robot, formulation))(motion))
-        error = float(np.abs(_doubles(reduced(motion)) - F).max())
+        F = full(motion) if full else inverse_dynamics(robot, motion, formulation, "numpy").F
+        error = float(np.abs(np.subtract(reduced(motion), F, dtype=np.float64)).max())
     except ValueError:
         return "no pose suits an estimate of the effect"
     largest = float(np.abs(F).max())
@@ -62,14 +60,6 @@ def effect(
         f"forces differ by up to {error:.3g} N, {100.0 * error / largest:.2g} % of the largest, "
         "in motions about the home pose"
     )
-
-
-def _all_physics(robot: Robot, formulation: Formulation, motion: Motion) -> Array:
-    return inverse_dynamics(robot, motion, formulation, "numpy").F
-
-
-def _doubles(F: NDArray[np.generic]) -> Array:
-    return F.astype(np.float64)
 
 
 def _named(robot: Robot, level: str) -> Iterator[str]:
