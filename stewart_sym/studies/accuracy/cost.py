@@ -121,7 +121,7 @@ def cost(
         "robot": robot.name,
         "taken_by_others": taken,
         "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
-        # Of equally cheap candidates the more complete model is first, because sorting keeps the order.
+        # Sorting keeps the order of equally cheap candidates, with the more complete model first.
         "candidates": sorted(
             entries, key=lambda entry: (entry["operations"], PRECISIONS.index(entry["precision"]))
         ),
