@@ -18,7 +18,7 @@ from ..mechanics.closed_form import terms
 from ..program.block import AXES, Quantity
 from ..trace.constants import constants
 from ..trace.interpret import Arithmetic, Interpreter
-from ..trace.nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
+from ..trace.nodes import Element, Expression, Member, Name, Program
 from .outputs import FORWARD
 from .prepare import PER_LENGTH
 
@@ -70,6 +70,8 @@ class Tracer(Interpreter):
     steps: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     legs: dict[int, tuple[Any, int]] = field(default_factory=dict)
     """Structures of one leg, by identity, with the leg's number."""
+    _called: list[int] = field(default_factory=list, init=False, repr=False, compare=False)
+    """Legs of the functions that run, or 0."""
 
     def traced(self, name: str, model: Any, *arguments: Any) -> Any:
         """Return the result of a public function of the program."""
@@ -79,41 +81,49 @@ class Tracer(Interpreter):
 
     def run(self, name: str, *arguments: Any) -> Any:
         """Return the result of a function; it belongs to a leg if the first argument does."""
-        function = self.program.function(name)
         _, leg = self.legs.get(id(arguments[0]), (None, 0))
-        result = self._call(function, self._known(function, arguments) | {_LEG: leg})
+        self._called.append(leg)
+        result = super().run(name, *arguments)
+        self._called.pop()
         if leg and isinstance(result, SimpleNamespace):
             self.legs[id(result)] = result, leg
         return result
 
-    def _kept(self, statement: Let | Variable | Assign, value: Any, known: dict[str, Any]) -> Any:
+    def _kept(self, target: Expression, value: str) -> str:
+        return f"_self._step({value}, {', '.join(self._label(target))})"
+
+    def _label(self, target: Expression) -> list[str]:
+        """Print the parts of the name of a step."""
+        match target:
+            case Element(Member(_, name) as array, (index,)):
+                counted = name not in _SYMMETRIC
+                return [f"{name!r}", f"_self._component({self._text(array)}, {self._text(index)}, {counted})"]
+            case Element(array, index):
+                return [*self._label(array), " + ".join(f"str({self._text(each)} + 1)" for each in index)]
+            case Member(_, name) | Name(name):
+                return [f"{name!r}"]
+        raise AssertionError(target)
+
+    @staticmethod
+    def _component(array: list[Any], index: int, counted: bool) -> str:
+        """Return the axes of a component, or its number if the six elements of the array are ``counted``."""
+        return str(index + 1) if counted and len(array) == 6 else _axes(len(array), index)
+
+    def _step(self, value: Any, *label: str) -> Any:
+        """Return the symbol of a step with this value, or the value if it needs none."""
         if not isinstance(value, sp.Expr) or value.is_number or value.is_Atom or (-value).is_Atom:
             return value
-        target = statement.target if isinstance(statement, Assign) else Name(statement.name)
-        label = _joined(*self._label(target, known), str(known[_LEG] or ""))
-        name, version = label, 1
+        name = whole = _joined(*label, str(self._called[-1] or ""))
+        version = 1
         while (symbol := sp.Symbol(name, real=True)) in self.steps:
             if self.steps[symbol] == value:
                 return symbol
             version += 1
-            name = f"{label}_v{version}"
+            name = f"{whole}_v{version}"
         self.steps[symbol] = value
         return symbol
 
-    def _label(self, target: Expression, known: dict[str, Any]) -> list[str]:
-        match target:
-            case Element(Member(_, name) as array, (index,)):
-                count, at = len(self._value(array)(known)), self._value(index)(known)
-                axes = count != 6 or name in _SYMMETRIC
-                return [name, _axes(count, at) if axes else str(at + 1)]
-            case Element(array, index):
-                return [*self._label(array, known), "".join(str(self._value(i)(known) + 1) for i in index)]
-            case Member(_, name) | Name(name):
-                return [name]
-        raise AssertionError(target)
 
-
-_LEG = "leg of the call"
 _QUANTITIES = [
     each
     for module in (n, terms, lumped_constants)

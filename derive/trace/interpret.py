@@ -1,7 +1,7 @@
 """Interpreter of kernel trees for values of any type: floats, arrays, multiprecision numbers, symbols."""
 
 import operator
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from types import SimpleNamespace
@@ -31,30 +31,7 @@ class Arithmetic:
     either: Callable[[Any, Any], Any] = operator.or_
 
 
-_OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-    "==": operator.eq,
-    "!=": operator.ne,
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "/": operator.truediv,
-}
-_BUILT_IN = ("sqrt", "size", "larger", "anywhere")
-
-Known = dict[str, Any]
-_Value = Callable[[Known], Any]
-_Action = Callable[[Known], Any]
-"""None where the next statement follows, else how the function or the loop ends."""
-_LEFT = object()
-
-
-@dataclass(frozen=True)
-class _Result:
-    value: Any
+_BUILT_IN = ("sqrt", "size", "larger", "anywhere", "both", "either", "number")
 
 
 @dataclass(frozen=True)
@@ -62,176 +39,129 @@ class Interpreter:
     """Interpreter of the functions of a program in one arithmetic.
 
     A structure is a ``SimpleNamespace``, and an array a list or a list of lists. ``instead`` are replacements
-    of functions by name.
+    of functions by name. A function is printed as Python code when it is called for the first time. All names
+    except variables have a leading underscore in this code.
     """
 
     program: t.Program
     arithmetic: Arithmetic
     instead: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
-    _bodies: dict[str, _Action] = field(default_factory=dict, init=False, repr=False, compare=False)
+    _names: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        functions = {name: getattr(self.arithmetic, name) for name in _BUILT_IN} | dict(self.instead)
+        self._names.update({f"_{name}": function for name, function in functions.items()})
+        self._names.update(_self=self, _zero=self.arithmetic.number(0), namespace=SimpleNamespace)
 
     def run(self, name: str, *arguments: Any) -> Any:
         """Run a function of the program and return its result; changed arguments are changed."""
-        function = self.program.function(name)
-        return self._call(function, self._known(function, arguments))
+        if name not in self._names:
+            self._define(self.program.function(name))
+        return self._names[name](*arguments)
 
-    @staticmethod
-    def _known(function: t.Function, arguments: tuple[Any, ...]) -> Known:
-        return dict(zip((each.name for each in function.arguments), arguments, strict=True))
+    def _define(self, function: t.Function) -> None:
+        """Compile a function; the functions that it calls are compiled when they are called."""
+        head = f"def {function.name}({', '.join(each.name for each in function.arguments)}):"
+        text = "\n".join([head, *self._body(function.body, " ")])
+        for each in t.calls_in(function.body):
+            self._names.setdefault(f"_{each.function}", partial(self.run, each.function))
+        exec(text, self._names)
 
-    def _call(self, function: t.Function, known: Known) -> Any:
-        body = self._bodies.get(function.name)
-        if body is None:
-            body = self._bodies[function.name] = self._run(function.body)
-        result = body(known)
-        return result.value if isinstance(result, _Result) else None
+    # ------------------------------------------------------------ statements
 
-    def zero(self, kind: t.Type) -> Any:
-        """Return a value of this type that contains zeros."""
-        return self._zeros(kind)()
+    def _body(self, body: Iterable[t.Statement], before: str) -> list[str]:
+        lines = [line for each in body for line in self._statement(each, before)]
+        return lines or [f"{before}pass"]
 
-    # ------------------------------------------------------------ statements, made into functions once
-
-    def _run(self, body: Sequence[t.Statement]) -> _Action:
-        actions = [self._action(each) for each in body if not isinstance(each, t.Comment)]
-
-        def run(known: Known) -> Any:
-            for action in actions:
-                if (end := action(known)) is not None:
-                    return end
-            return None
-
-        return run
-
-    def _action(self, statement: t.Statement) -> _Action:
+    def _statement(self, statement: t.Statement, before: str) -> list[str]:
+        text, more = self._text, f"{before} "
         match statement:
-            case t.Let() | t.Variable() | t.Assign():
-                return self._stored(statement)
-            case t.For():
-                return self._loop(statement)
+            case t.Comment():
+                return []
+            case t.Let(name, value):
+                return [f"{before}{name} = {self._kept(t.Name(name), text(value))}"]
+            case t.Variable(name, kind, value):
+                first = self._zeros(kind) if value is None else self._kept(t.Name(name), text(value))
+                return [f"{before}{name} = {first}"]
+            case t.Assign(t.Element(array, index) as target, value) if not self._plain(index):
+                kept = self._kept(target, text(value))
+                return [f"{before}_self._put({text(array)}, {self._list(index)}, {kept})"]
+            case t.Assign(target, value):
+                return [f"{before}{text(target)} = {self._kept(target, text(value))}"]
+            case t.For(index, first, last, body, down, _, step):
+                by = "-1" if down else text(step)
+                loop = f"{before}for {index} in range({text(first)}, {text(last)}, {by}):"
+                return [loop, *self._body(body, more)]
             case t.If(test, body, otherwise):
-                holds, yes, no = self._value(test), self._run(body), self._run(otherwise)
-                anywhere = self.arithmetic.anywhere
-                return lambda known: (yes if anywhere(holds(known)) else no)(known)
+                yes, no = self._body(body, more), self._body(otherwise, more)
+                return [f"{before}if _anywhere({text(test)}):", *yes, f"{before}else:", *no]
             case t.Do(call):
-                called = self._value(call)
-
-                def done(known: Known) -> None:
-                    called(known)
-
-                return done
+                return [f"{before}{text(call)}"]
             case t.Return(value):
-                result = self._value(value) if value is not None else lambda known: None
-                return lambda known: _Result(result(known))
+                return [f"{before}return {'' if value is None else text(value)}"]
             case t.Break():
-                return lambda known: _LEFT
+                return [f"{before}break"]
         raise ValueError(f"statement: expected one without macros, got {type(statement).__name__}")
 
-    def _stored(self, statement: t.Let | t.Variable | t.Assign) -> _Action:
-        target = statement.target if isinstance(statement, t.Assign) else t.Name(statement.name)
-        found, kept, store = self._first(statement), self._kept, self._store(target)
+    def _zeros(self, kind: t.Type) -> str:
+        # Python prints a SimpleNamespace as a call.
+        return str(filled(self.program, kind, lambda *_: "_zero")).replace("'", "")
 
-        def action(known: Known) -> None:
-            store(known, kept(statement, found(known), known))
-
-        return action
-
-    def _first(self, statement: t.Let | t.Variable | t.Assign) -> _Value:
-        if not isinstance(statement, t.Variable) or statement.value is not None:
-            assert statement.value is not None
-            return self._value(statement.value)
-        make = self._zeros(statement.type)
-        return lambda known: make()
-
-    def _zeros(self, kind: t.Type) -> Callable[[], Any]:
-        """Return a function that creates zeros of this type."""
-        zero = self.arithmetic.number(0)
-        return lambda: filled(self.program, kind, lambda *_: zero)
-
-    def _kept(self, statement: t.Let | t.Variable | t.Assign, value: Any, known: Known) -> Any:
-        """Return the value that a statement stores."""
+    def _kept(self, target: t.Expression, value: str) -> str:
+        """Print the value that a statement stores."""
         return value
-
-    def _loop(self, loop: t.For) -> _Action:
-        first, last, step = self._value(loop.first), self._value(loop.last), self._value(loop.step)
-        body, index = self._run(loop.body), loop.index
-
-        def action(known: Known) -> Any:
-            for at in range(first(known), last(known), -1 if loop.down else step(known)):
-                known[index] = at
-                if (end := body(known)) is not None:
-                    return None if end is _LEFT else end
-            return None
-
-        return action
-
-    def _store(self, target: t.Expression) -> Callable[[Known, Any], None]:
-        match target:
-            case t.Name(name):
-                return lambda known, value: known.__setitem__(name, value)
-            case t.Member(owner, name):
-                of = self._value(owner)
-                return lambda known, value: setattr(of(known), name, value)
-            case t.Element(array, index):
-                held, parts = self._value(array), [self._value(each) for each in index]
-                return lambda known, value: self._put(held(known), [part(known) for part in parts], value)
-        raise ValueError(f"target: expected a name, a member or an element, got {type(target).__name__}")
 
     # ------------------------------------------------------------ expressions
 
-    def _value(self, value: t.Expression) -> _Value:
-        of = self._value
+    def _text(self, value: t.Expression) -> str:
+        text = self._text
         match value:
             case t.Number(number):
-                constant = number if isinstance(number, int) else self.arithmetic.number(number)
-                return lambda known: constant
+                whole = isinstance(number, int)
+                return str(number) if whole else self._constant(self.arithmetic.number(number))
             case t.Constant(name):
                 known = self.arithmetic.constants
-                named = INTEGERS[name][0] if name in INTEGERS and name not in known else known[name]
-                return lambda known: named
+                return self._constant(known[name] if name in known else INTEGERS[name][0])
             case t.Name(name):
-                return operator.itemgetter(name)
+                return name
             case t.Member(owner, name):
-                held = of(owner)
-                return lambda known: getattr(held(known), name)
+                return f"{text(owner)}.{name}"
+            case t.Element(array, index) if self._plain(index):
+                return text(array) + "".join(f"[{text(each)}]" for each in index)
             case t.Element(array, index):
-                return self._element(of(array), [of(each) for each in index])
+                return f"_self._at({text(array)}, {self._list(index)})"
             case t.As(kind, inner):
-                plain, made = of(inner), self.arithmetic.number
-                return (lambda known: made(plain(known))) if kind == t.Real() else plain
+                return f"_number({text(inner)})" if kind == t.Real() else text(inner)
             case t.Not(inner):
-                holds = of(inner)
-                return lambda known: self._select(holds(known), lambda _: False, lambda _: True, known)
+                return self._selection(text(inner), "False", "True")
             case t.Negative(inner):
-                plain = of(inner)
-                return lambda known: -plain(known)
+                return f"(-{text(inner)})"
+            case t.Binary("&" | "|" as sign, left, right):
+                return f"{'_both' if sign == '&' else '_either'}({text(left)}, {text(right)})"
             case t.Binary(sign, left, right):
-                of_tests = {"&": self.arithmetic.both, "|": self.arithmetic.either}
-                operation, one, other = (_OPERATORS | of_tests)[sign], of(left), of(right)
-                return lambda known: operation(one(known), other(known))
+                return f"({text(left)} {sign} {text(right)})"
             case t.Select(test, yes, no):
-                holds, one, other = of(test), of(yes), of(no)
-                return lambda known: self._select(holds(known), one, other, known)
+                return self._selection(text(test), text(yes), text(no))
             case t.Call(name, arguments):
-                called, given = self._called(name), [of(each) for each in arguments]
-                return lambda known: called(*[each(known) for each in given])
+                return f"_{name}({', '.join(map(text, arguments))})"
         raise ValueError(f"expression: expected one without addresses, got {type(value).__name__}")
 
-    def _called(self, name: str) -> Callable[..., Any]:
-        if name in self.instead:
-            return self.instead[name]
-        return getattr(self.arithmetic, name) if name in _BUILT_IN else partial(self.run, name)
+    def _constant(self, value: Any) -> str:
+        name = f"_{len(self._names)}"
+        self._names[name] = value
+        return name
 
-    def _element(self, array: _Value, index: Sequence[_Value]) -> _Value:
-        if len(index) == 1:
-            (only,) = index
+    def _list(self, index: Sequence[t.Expression]) -> str:
+        return f"[{', '.join(map(self._text, index))}]"
 
-            def one(known: Known) -> Any:
-                held, at = array(known), only(known)
-                return held[at] if isinstance(at, int) else self._at(held, [at])
+    def _plain(self, index: Sequence[t.Expression]) -> bool:
+        """Return True if the poses have the same index."""
+        return self.arithmetic.where is None or all(isinstance(each, t.Number) for each in index)
 
-            return one
-        return lambda known: self._at(array(known), [each(known) for each in index])
+    def _selection(self, test: str, yes: str, no: str) -> str:
+        if self.arithmetic.where is None:
+            return f"({yes} if {test} else {no})"
+        return f"_self._select({test}, lambda: {yes}, lambda: {no})"
 
     def _at(self, array: Any, index: list[Any]) -> Any:
         """Return an element; if poses side by side have different indices, a selection."""
@@ -255,11 +185,11 @@ class Interpreter:
             for i, each in enumerate(array):
                 self._put(array, [i, *others], self._selected(first == i, value, self._at(each, others)))
 
-    def _select(self, test: Any, yes: _Value, no: _Value, known: Known) -> Any:
+    def _select(self, test: Any, yes: Callable[[], Any], no: Callable[[], Any]) -> Any:
         """Select one of two values; if the test is decided, the other one is not evaluated."""
-        if isinstance(test, bool) or self.arithmetic.where is None:
-            return (yes if test else no)(known)
-        return self._selected(test, yes(known), no(known))
+        if isinstance(test, bool):
+            return (yes if test else no)()
+        return self._selected(test, yes(), no())
 
     def _selected(self, test: Any, yes: Any, no: Any) -> Any:
         if isinstance(yes, SimpleNamespace):
@@ -268,7 +198,8 @@ class Interpreter:
         if isinstance(yes, list):
             return [self._selected(test, one, other) for one, other in zip(yes, no, strict=True)]
         where = self.arithmetic.where
-        return (yes if test else no) if where is None else where(test, yes, no)
+        assert where is not None
+        return where(test, yes, no)
 
 
 def filled(program: t.Program, kind: t.Type, number: Callable[[str, t.Type], Any], name: str = "") -> Any:
