@@ -19,7 +19,6 @@ from ..io.progress import Progress
 from ..motion.trajectory_format import ANGLE_UNITS, EULER_ORDERS, LENGTH_UNITS, MODES, TIME_UNITS
 from ..studies.common.report import Report, write
 from ..viewer.page import BEGINNING as HTML_BEGINNING
-from . import renamed
 from .terminal import PROGRAM, one_line, progress_line
 
 Arguments = argparse.Namespace
@@ -105,7 +104,7 @@ def hint(text: str, names: Iterable[str]) -> str:
 
 
 class Parser(argparse.ArgumentParser):
-    """Parser whose errors are one line that names the help, and a similar or the present name of a word."""
+    """Parser whose errors are one line that names the help, and a similar name of a word."""
 
     def __init__(self, **options: Any) -> None:
         """Read -1e-3 as a number, not as an option."""
@@ -113,13 +112,10 @@ class Parser(argparse.ArgumentParser):
         self._negative_number_matcher = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
-        """Reject former and unknown names of options first, because a required one may be misspelled."""
+        """Reject unknown names of options first, because a required one may be misspelled."""
         known = self._option_string_actions
         for word in itertools.takewhile("--".__ne__, args):
             name = word.partition("=")[0]
-            new = renamed.OPTIONS.get(name, "")
-            if name not in known and new.partition(" ")[0] in known:
-                self.error(f"{name}: renamed; use {new}")
             if name.startswith("--") and not any(each.startswith(name) for each in known):
                 self.error(f"unrecognized arguments: {name}{hint(name, known)}")
         return super().parse_known_args(args, namespace)

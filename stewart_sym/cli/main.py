@@ -18,7 +18,6 @@ from typing import NoReturn
 from ..backend.native import CompilerError
 from ..io.arguments import shown
 from ..io.extras import needed_for
-from . import renamed
 from .command import Parser, hint
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
@@ -109,7 +108,4 @@ def _summary(name: str) -> str:
 
 def _unknown(name: str) -> NoReturn:
     """Raise the error of an unknown subcommand."""
-    new = renamed.SUBCOMMANDS.get(name)
-    if new is not None:
-        raise argparse.ArgumentTypeError(f"{name}: renamed; use {new}")
     raise argparse.ArgumentTypeError(f"expected a subcommand, got {shown(name)}{hint(name, SUBCOMMANDS)}")

@@ -134,6 +134,14 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(fails: Fails) -> Non
     assert "no.toml" in fails("workspace", "no.toml", *load, "-o", "none")
 
 
+def test_the_help_lists_every_subcommand_once_in_its_group(run: Run) -> None:
+    lines = run("--help").out.splitlines()
+    for title, names in cli.GROUPS.items():
+        assert f"  {title}:" in lines
+        for name in names:
+            assert len([line for line in lines if line.startswith(f"    {name} ")]) == 1, name
+
+
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
