@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import chdtrc, fdtrc
 
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags, Indices
+from ..motion.bad_rows import LIMIT
 from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult
@@ -72,6 +73,9 @@ class IdentificationResult:
         One message for each value below zero that is not distinguishable from zero.
     motion : Motion
         Motion along which the parameters were estimated, shape (...).
+    excluded_samples : ndarray of int
+        Indices of samples that are not used: forces with a residual of more than 8 robust standard deviations
+        (median absolute deviation) of the leg, at most 1 % of the samples.
     parameters : ParameterVector, optional
         All 148 parameters of possible bodies, with ``enforce_physical``.
     unconstrained : IdentificationResult, optional
@@ -98,6 +102,7 @@ class IdentificationResult:
     nonphysical: tuple[str, ...]
     near_zero: tuple[str, ...]
     motion: Motion
+    excluded_samples: Indices
     parameters: ParameterVector | None = None
     unconstrained: IdentificationResult | None = None
     drive: DriveIdentificationResult | None = None
@@ -135,8 +140,8 @@ class IdentificationResult:
         return departure(off, self.covariance)
 
 
-def tested_estimate(data: Data, fit: Fit) -> IdentificationResult:
-    """Create the result of a fit with the tests of its residual."""
+def tested_estimate(data: Data, fit: Fit, outliers: Flags) -> IdentificationResult:
+    """Create the result of a fit with the tests of its residual; ``outliers`` are as in ``robust_fit``."""
     left_out = int(np.isinf(data.deviations).sum())
     spare = len(fit.residual) - left_out - fit.factors.unknowns
     misfit = math.sqrt(float(np.sum(fit.residual**2)) / spare) if spare > 0 else math.nan
@@ -148,6 +153,13 @@ def tested_estimate(data: Data, fit: Fit) -> IdentificationResult:
         doubts.append(
             "rotors: the forces are taken as motor forces with the rotor_inertia of the robot file; if it is "
             "uncertain, identify reflected_mass; for forces measured in the legs, remove rotor_inertia"
+        )
+    excluded = outliers & np.isinf(data.deviations).reshape(-1, LEGS).all(axis=1)
+    if outliers.any() and not excluded.any():
+        doubts.append(
+            f"forces: {outliers.sum()} of {len(outliers)} samples, more than 1 %, differ from the model by "
+            f"more than {LIMIT:g} robust standard deviations: the residuals do not fit the model; all "
+            "samples are used; check them and the model"
         )
     if lag is not None and lag.test.p < LEVEL and lag.test.doubt:
         doubts.insert(0, lag.test.doubt)
@@ -174,6 +186,7 @@ def tested_estimate(data: Data, fit: Fit) -> IdentificationResult:
         nonphysical=below.impossible,
         near_zero=below.near_zero,
         motion=fit.motion,
+        excluded_samples=np.flatnonzero(excluded),
         drive=None if terms is None else terms.estimate(fit.values[rank:], covariance[rank:, rank:]),
         force_lag=None if lag is None else (lag.time, lag.sigma),
         largest_residual=_largest(fit.parts[0]),

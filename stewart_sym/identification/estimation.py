@@ -29,7 +29,7 @@ from .drive_terms import drive_terms as terms_along
 from .drive_terms import need_terms, told_apart, turning_legs
 from .estimates import IdentificationResult, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
-from .fits import Data, exact_fit, joint_fit
+from .fits import Data, robust_fit
 from .motion_basis import PoseNoise, smoothed
 from .parameters import inertial_parameters
 from .possible_bodies import possible_estimate
@@ -181,8 +181,7 @@ def identify(
     )
     if drive_terms is not None:
         data = _with_terms(data, need_terms(drive_terms), pose_noise)
-    fit = exact_fit(data, motion) if pose_noise is None else joint_fit(data, pose_noise)
-    found = tested_estimate(data, fit)
+    found = tested_estimate(*robust_fit(data, pose_noise))
     return possible_estimate(robot, found) if enforce_physical and found.verdict != "rejected" else found
 
 

@@ -10,7 +10,8 @@ from scipy import sparse
 from scipy.interpolate import make_interp_spline
 
 from ..dynamics.inverse_dynamics import inverse_dynamics
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
+from ..motion.bad_rows import LIMIT
 from ..motion.motion import Motion
 from ..motion.sample_times import elapsed
 from ..robot.drive import Drive
@@ -36,6 +37,8 @@ from .parameters import inertial_parameters, with_parameters
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
 # Relative change of a coordinate in a finite difference.
 _CHANGE = 1e-5
+# Smallest number of samples per outlier, and largest number of fits without the outliers of the fit before.
+_FEWEST_PER_OUTLIER, _MOST_REFITS = 100, 4
 # Lead of a screw (m) so small that the rotor acts along the leg only.
 _FINE = 1e-6
 
@@ -92,6 +95,43 @@ class Fit(NamedTuple):
     def residual(self) -> Array:
         """Residual of all rows, shape (rows,)."""
         return np.concatenate([part.ravel() for part in self.parts])
+
+
+def robust_fit(data: Data, noise: PoseNoise | None) -> tuple[Data, Fit, Flags]:
+    """Fit without outliers of the forces; return the data without them, the fit, and the outliers, (n,).
+
+    An outlier is a sample with a force that differs from the model by more than ``LIMIT`` robust standard
+    deviations of its leg. An outlier that disturbs the fit has an effect on the residual of other samples.
+    Therefore each fit excludes at most one percent of the samples. If more samples differ from the last fit,
+    the model is wrong: all these samples are returned, with the first fit and the unchanged data.
+    """
+
+    def fitted(data: Data) -> Fit:
+        return exact_fit(data, data.motion) if noise is None else joint_fit(data, noise)
+
+    used, first = data, fitted(data)
+    fit, distance = first, _distances(data, first)
+    most, outliers = len(distance) // _FEWEST_PER_OUTLIER, np.zeros(len(distance), dtype=bool)
+    for _ in range(_MOST_REFITS):
+        found = distance > max(LIMIT, float(np.sort(distance)[-most - 1]))
+        if np.array_equal(found, outliers):
+            break
+        outliers = found
+        ignored = outliers.reshape(*data.motion.shape, 1)
+        used = data._replace(deviations=np.where(ignored, np.inf, data.deviations))
+        fit = fitted(used)
+        distance = _distances(data, fit)
+    differs = distance > LIMIT
+    return (data, first, differs) if differs.sum() > most else (used, fit, outliers)
+
+
+def _distances(data: Data, fit: Fit) -> Array:
+    """Return the largest residual of the forces of each sample, (n,), in robust standard deviations."""
+    off = np.abs(data.forces - _force_model(data, fit.values)(fit.motion)) / data.deviations
+    off = off.reshape(-1, LEGS)
+    median = np.ma.median(np.ma.masked_equal(off, 0.0), axis=0).filled(0.0)
+    # The median of normal deviations is 0.6745 standard deviations.
+    return np.asarray(np.max(off / np.maximum(median / 0.6745, 1.0), axis=1))
 
 
 def exact_fit(data: Data, motion: Motion) -> Fit:

@@ -10,6 +10,9 @@ from numpy.typing import ArrayLike
 from ..drives.noise import at_replaced
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array, Indices
+from ..motion.bad_rows import LIMIT
+from ..motion.csv_table import Lines
+from ..motion.log_samples import line_ranges
 from ..motion.motion import Motion
 from ..motion.sample_times import time_text
 from ..motion.trajectory import Trajectory
@@ -30,6 +33,8 @@ _MOST_TIMES = 100.0
 _MOST_OFF = 3.0
 # Correlation with the negative forces of the robot file from which the measured forces have the other sign.
 _OPPOSITE = 0.5
+# Fraction of the samples that determines the magnitude of the forces.
+_USUAL = 0.99
 # Number of standard deviations below which the distance of a parameter from zero is insignificant.
 _TOLD = 2
 
@@ -41,21 +46,20 @@ def from_measurement(
     F: Array,
     sigma: ArrayLike,
     source: str,
+    lines: Lines,
     noise: PoseNoise | None = None,
     friction: bool = True,
     physical: bool = False,
     identical_legs: bool = False,
     drive: Sequence[str] | None = None,
-    lines: Sequence[int] | None = None,
     units: Mapping[str, float] = MappingProxyType({}),
 ) -> IdentificationResult:
     """Identify the parameters that a trajectory excites from forces F (N), (n, 6), of the file ``source``.
 
-    Unused rows of the trajectory are left out. ``lines`` are the line numbers of the forces, from 2 by
-    default. ``units`` are the units that the forces may have, the assumed one first, with their factors.
-    Raises ValueError if another unit fits the robot.
+    Unused rows of the trajectory are left out. ``lines`` are the line numbers of the forces. ``units`` are
+    the units that the forces may have, the assumed one first, with their factors. Raises ValueError if
+    another unit fits the robot.
     """
-    lines = range(2, len(time) + 2) if lines is None else lines
     poses, forces = _pairs(trajectory, time, source, lines)
     warnings = []
     for name, each, used in ((trajectory.source, trajectory.time, poses), (source, time, forces)):
@@ -72,6 +76,10 @@ def from_measurement(
     unlike = _unlike_forces(robot, smooth, F[forces], source, units)
     base = base_parameters(robot, smooth, friction, identical_legs)
     found = identify(robot, motion, F[forces], sigma, base, noise, physical, drive_terms=drive)
+    if (excluded := forces[found.excluded_samples]).size:
+        finding = f"outliers ({line_ranges(lines[excluded])}): more than {LIMIT:g} robust standard "
+        text = f"{finding}deviations from the model; they are left out of the fit; check these lines"
+        warnings.append(f"{source}: {text}")
     if found.verdict in ("misfit", "rejected"):
         sample, leg, size = found.largest_residual
         row = forces[sample]
@@ -89,7 +97,7 @@ def from_measurement(
     return replace(found, warnings=(*found.warnings, *warnings, *unlike))
 
 
-def _pairs(trajectory: Trajectory, time: Array, source: str, lines: Sequence[int]) -> tuple[Indices, Indices]:
+def _pairs(trajectory: Trajectory, time: Array, source: str, lines: Lines) -> tuple[Indices, Indices]:
     """Return the indices of poses and of forces at equal times; reject forces at other times."""
     largest, span = float(np.abs(trajectory.time).max()), float(np.ptp(trajectory.time))
     tolerance = _SAME_TIME * span + 2.0 * np.spacing(largest)
@@ -99,7 +107,8 @@ def _pairs(trajectory: Trajectory, time: Array, source: str, lines: Sequence[int
     if same.all() if len(time) == count else same.sum() >= _PAIRED * max(len(time), count):
         return nearest[same], np.flatnonzero(same)
     if len(time) != count:
-        raise ValueError(f"{source}: expected {count} rows, as many as {trajectory.source}, got {len(time)}")
+        few = f"{same.sum()} of {len(time)} samples have the time of one of {count} in {trajectory.source}"
+        raise ValueError(f"{source}: {few}; log both files at the same times, or check the units of time")
     i = int(np.argmin(same))
     expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
     remedy = "check the units of both files, a row below the header or --time-unit"
@@ -111,7 +120,10 @@ def _unlike_forces(
     robot: Robot, motion: Motion, F: Array, source: str, units: Mapping[str, float]
 ) -> list[str]:
     """Return a warning about forces of another magnitude or sign; reject forces that fit in another unit."""
-    model = inverse_dynamics(robot, motion).F
+    largest = np.abs(F).max(axis=-1)
+    # Outliers do not count.
+    usual = largest <= np.quantile(largest, _USUAL)
+    F, model = F[usual], inverse_dynamics(robot, motion[usual]).F
     got, expected = (np.sqrt(np.mean(each**2)) for each in (F, model))
     finding = f"forces: RMS of {got:.3g} N, but {expected:.3g} N by the robot file along this motion"
     for unit, factor in units.items():

@@ -109,7 +109,7 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
     noise = noise_of_log(robot, trajectory, std, arguments.period, harmonics) if noisy else None
     model = (not arguments.no_friction, arguments.enforce_physical, arguments.identical_legs)
     units = possible_units(measured, kind)
-    options = (noise, *model, arguments.drive_terms, measured.lines.tolist(), units)
+    options = (measured.lines, noise, *model, arguments.drive_terms, units)
     found = from_measurement(robot, trajectory, time, F, sigma, str(forces), *options)
     return measured_report(robot, found, sigma, noise, kind == "current"), found
 

@@ -61,6 +61,7 @@ def _head(
         f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.rank_gap:.2g}"
         + ("; all legs have the same" if base.identical_legs else ""),
         *motion,
+        f"samples: {found.motion.shape[0]}, of which {len(found.excluded_samples)} are excluded as outliers",
         f"noise: {' to '.join(f'{size:.4g}' for size in sizes)} N on each force, {poses}",
         f"residual: {found.normalized_residual:.3f} of its expectation; probability of so large a one "
         f"{found.p_noise:.2g}, of so smooth a one {found.p_model:.2g}",
@@ -169,6 +170,8 @@ def _data(
         "force_noise_N": np.asarray(sigma).tolist(),
         "position_noise_m": 0.0 if noise is None else noise.position,
         "angle_noise_rad": 0.0 if noise is None else noise.angle,
+        "samples": found.motion.shape[0],
+        "excluded_samples": len(found.excluded_samples),
         "verdict": found.verdict,
         **{name: getattr(found, name) for name in attributes},
         "residual_probability": found.p_noise,
@@ -203,5 +206,5 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
         "forces": {"time": excited.time} | of_legs("F", found.F),
     }
     data = _data(robot, estimate, *noise) | {"period_s": period, "harmonics": harmonics}
-    data |= {"samples": samples, "condition_number": excited.condition}
+    data |= {"condition_number": excited.condition}
     return _report(lines, estimate.base, numbers | {"z_score": found.z_scores}, tables, data)
