@@ -50,7 +50,7 @@ def effect(
     try:
         motion = poses(replace(robot, offsets=None), formulation, _POSES)
         F = full(motion) if full else inverse_dynamics(robot, motion, formulation, "numpy").F
-        error = float(np.abs(np.subtract(reduced(motion), F, dtype=np.float64)).max())
+        error = float(np.abs(np.asarray(reduced(motion), dtype=np.float64) - F).max())
     except ValueError:
         return "no pose suits an estimate of the effect"
     largest = float(np.abs(F).max())
