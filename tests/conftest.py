@@ -21,7 +21,6 @@ from command_line import Fails, Run, fails_in_one_line, told
 from sweeps import FULL
 
 from stewart_sym.backend import c_kernel, native
-from stewart_sym.dynamics import closed_form
 
 # Derivations make much that stays: collecting garbage as often as usual takes a tenth of the time.
 gc.set_threshold(100_000, 50, 50)
@@ -54,10 +53,10 @@ def rare_kernels() -> Iterator[None]:
     """All kernels but the usual one at -O0, which gives the bits of what ships: ``test_attack_c``."""
     load = native.load
 
-    def quickly(name: str, sources: Any, flags: Any = (), defines: Any = None) -> Any:
+    def quickly(name: str, sources: Any, flags: Any = ()) -> Any:
         rare = name.startswith("stewart_") and name not in _USUAL
         # Not twice: a library of other flags is compiled anew.
-        return load(name, sources, (*flags, "-O0") if rare and "-O0" not in flags else flags, defines)
+        return load(name, sources, (*flags, "-O0") if rare and "-O0" not in flags else flags)
 
     with pytest.MonkeyPatch.context() as changed:
         if not FULL:
@@ -86,7 +85,7 @@ def fails(capsys: pytest.CaptureFixture[str]) -> Fails:
     return functools.partial(fails_in_one_line, capsys)
 
 
-_LOADED = (c_kernel.library, c_kernel.function, closed_form.library)
+_LOADED = (c_kernel.library, c_kernel.function)
 
 
 @pytest.fixture
@@ -97,9 +96,7 @@ def rounded_twice() -> Iterator[None]:
         changed.setattr(
             native,
             "load",
-            lambda name, sources, flags=(), defines=None: load(
-                name, sources, (*flags, "-O0"), {**(defines or {}), "STEWART_NO_FMA": 1}
-            ),
+            lambda name, sources, flags=(): load(name, sources, (*flags, "-O0", "-DSTEWART_NO_FMA")),
         )
         for each in _LOADED:
             each.cache_clear()

@@ -4,7 +4,7 @@ from typing import Any
 
 from ..generated.fidelities import DRIVE_FIDELITIES as _WITH_ROTORS
 from ..generated.fidelities import FIDELITIES as _TABLE
-from ..io.arguments import shown
+from ..io.arguments import option
 from ..robot.robot import Robot
 from .kernel import OFFSET_KERNEL, force_kernel, kernel_name, module
 
@@ -28,8 +28,6 @@ DRIVE_FIDELITIES: tuple[str, ...] = tuple(_DRIVE_TABLE)
 ``slender`` and ``massless`` legs. The other levels omit the rotors.
 """
 
-_GENERAL = "general"
-
 
 def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     """List the levels of a robot.
@@ -40,48 +38,40 @@ def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     """
     kernel_name(formulation, robot.base_joint)
     if robot.offsets is not None or formulation == "paper":
-        return () if robot.has_rotors and robot.offsets is None else (_GENERAL,)
+        return () if robot.has_rotors and robot.offsets is None else ("general",)
     table, any_joint = levels(robot), robot.base_joint == "universal"
-    return tuple(name for name in table if any_joint or name == _GENERAL or not table[name]["universal"])
+    return tuple(name for name in table if any_joint or name == "general" or not table[name]["universal"])
 
 
 def resolve_level(robot: Robot, formulation: str, fidelity: str) -> str:
     """Return a level; raise ValueError, which lists the available levels, for an unavailable one."""
     force_kernel(robot, formulation)
-    names = available(robot, formulation)
-    if not isinstance(fidelity, str) or fidelity not in names:
-        raise ValueError(f"fidelity: expected one of {', '.join(names)}, got {shown(fidelity)}")
-    return fidelity
+    return option(fidelity, available(robot, formulation), "fidelity")
 
 
 def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
     """Return the name in ``stewart_<name>_forces.c`` of a generated kernel; raises as ``resolve_level``."""
     level = resolve_level(robot, formulation, fidelity)
-    return force_kernel(robot, formulation) if level == _GENERAL else str(levels(robot)[level]["kernel"])
+    return force_kernel(robot, formulation) if level == "general" else str(levels(robot)[level]["kernel"])
 
 
-def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:
+def operations(robot: Robot, formulation: str = "exact", fidelity: str = "general") -> int:
     """Count the operations per pose: +, -, *, /, and sqrt count one each, including the linear solve."""
     level = resolve_level(robot, formulation, fidelity)
     if robot.offsets is not None:
         return int(module(f"{OFFSET_KERNEL}_operations").OPERATIONS["forces"])
-    if level == _GENERAL:
+    if level == "general":
         return sum(module(force_kernel(robot, formulation)).FORCE_OPERATIONS["friction"]["total"])
     return int(levels(robot)[level]["operations"]["total"])
-
-
-def meaning(fidelity: str, rotors: bool = False) -> str:
-    """Describe the physics of a level; ``rotors`` selects the level of robots with rotors."""
-    return str((_DRIVE_TABLE if rotors else _TABLE)[fidelity]["meaning"])
 
 
 def rotor_of(robot: Robot, fidelity: str) -> str:
     """Return the effects of the rotors in a level: "all", "mass" (reflected mass), or "none"."""
     if not robot.has_rotors or fidelity not in _WITH_ROTORS:
         return "none"
-    return "all" if fidelity == _GENERAL else "mass"
+    return "all" if fidelity == "general" else "mass"
 
 
 def levels(robot: Robot) -> dict[str, dict[str, Any]]:
-    """Return the table of the levels of a robot with universal base joints."""
+    """Return kernel, meaning, and operations of the levels of a robot with universal base joints."""
     return _DRIVE_TABLE if robot.has_rotors else _TABLE

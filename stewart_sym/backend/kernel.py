@@ -66,11 +66,6 @@ def takes_rotors(name: str) -> bool:
     return "_drive" in name
 
 
-def defines_of(name: str) -> tuple[str, ...]:
-    """Return the macros that the C code of a kernel requires."""
-    return ("STEWART_ROTORS",) if takes_rotors(name) else ()
-
-
 def module(name: str) -> ModuleType:
     """Import the generated NumPy module of one kernel."""
     return import_module(f"{PACKAGE}.{name}")

@@ -61,12 +61,8 @@ def _place(path: str) -> Path:
 @cache
 def _derived(kernel: str) -> dict[str, str]:
     """Derive the files of a kernel, text by path, and compare them with their digests."""
-    try:
-        from ..derive.on_demand import kernel_files
-    except ModuleNotFoundError as error:
-        missing = error.name or ""
-        remedy = f"install it with `pip install {missing}`"
-        raise ImportError(f"kernel {kernel}: the derivation needs {missing}; {remedy}") from error
+    from ..derive.on_demand import kernel_files
+
     with _ONE_DERIVATION:
         texts: dict[str, str] = kernel_files(kernel)
     for path, text in texts.items():

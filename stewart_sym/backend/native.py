@@ -16,6 +16,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+import platformdirs
+
 # Code on Windows is always position independent, and clang rejects the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
 _COMMON = ("-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off")
@@ -42,8 +44,6 @@ class Compiler(NamedTuple):
 
 def cache_folder() -> Path:
     """Return ``$STEWART_SYM_CACHE``, by default the cache folder of the user."""
-    import platformdirs
-
     named = os.environ.get("STEWART_SYM_CACHE")
     return Path(named or platformdirs.user_cache_dir("stewart-sym", appauthor=False)).absolute()
 
@@ -81,19 +81,13 @@ def find_compiler() -> Compiler | None:
     return None
 
 
-def load(
-    name: str,
-    sources: Mapping[str, str],
-    flags: Sequence[str] = (),
-    defines: Mapping[str, str | int] | None = None,
-) -> ctypes.CDLL:
+def load(name: str, sources: Mapping[str, str], flags: Sequence[str] = ()) -> ctypes.CDLL:
     """Load the shared library of C files, text by file name, and compile it if it is not in the cache.
 
-    ``flags`` follow FLAGS, and ``defines`` are values of macros. Raises CompilerError without a compiler, if
-    it fails, or if the cache folder cannot be written.
+    ``flags`` follow FLAGS. Raises CompilerError if there is no compiler, if it fails, or if the cache folder
+    cannot be written.
     """
-    macros = [f"-D{macro}={value}" for macro, value in sorted((defines or {}).items())]
-    flags = (*FLAGS, *macros, *flags)
+    flags = (*FLAGS, *flags)
     inputs = (name, sorted(sources.items()), _require_compiler(), flags, _processor())
     digest = hashlib.sha256(repr(inputs).encode()).hexdigest()[:32]
     library = cache_folder() / f"{name}-{digest}{_SUFFIX}"
@@ -164,8 +158,8 @@ def _require_compiler() -> Compiler:
 @functools.cache
 def _processor() -> str:
     """Describe the model and the instruction sets, because native code runs only on similar processors."""
-    lines: set[str] = set()
+    lines = {platform.machine(), platform.processor()}
     with contextlib.suppress(OSError):
-        lines.update(Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines())
-    known = sorted(line for line in lines if line.startswith(_PROCESSOR_LINES))
-    return "\n".join([platform.machine(), platform.processor(), *known])
+        text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
+        lines.update(line for line in text.splitlines() if line.startswith(_PROCESSOR_LINES))
+    return "\n".join(sorted(lines))

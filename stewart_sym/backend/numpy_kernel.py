@@ -2,14 +2,13 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
 from ..generated.interface import OUTPUTS
-from ..io.array_types import Array, Codes
+from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot.offsets import need_no_offsets
@@ -22,66 +21,58 @@ _AT_ONCE = 1024
 _INTERMEDIATE = 1 << 21
 
 
-@dataclass(frozen=True, eq=False)
 class NumpyKernel:
     """NumPy kernel of one formulation with one robot."""
 
-    name: str
-    robot: SimpleNamespace
-
-    @classmethod
-    def prepare(cls, robot: Robot, formulation: str) -> "NumpyKernel":
+    def __init__(self, robot: Robot, formulation: str) -> None:
         """Select the module, and convert the robot."""
-        return cls(robot_kernel(robot, formulation), legs_side_by_side(robot))
+        self._module: Any = module(robot_kernel(robot, formulation))
+        self._robot = legs_side_by_side(robot)
 
     def forces(self, motion: Motion) -> InverseDynamicsResult:
         """Compute the inverse dynamics of every pose; results are NaN if the status is not 0."""
-        found, status = self.terms(motion)
-        return InverseDynamicsResult(**_blanked(found, status), status=status)
+        return InverseDynamicsResult(**_blanked(self.terms(motion)))
 
-    def terms(self, motion: Motion) -> tuple[dict[str, Array], Codes]:
+    def terms(self, motion: Motion) -> dict[str, Any]:
         """Compute terms and status of every pose; D, K, H, and c are finite if H is singular."""
 
-        def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
-            found = module(self.name).inverse_dynamics(on, robot, part)
+        def run(on: Any, part: Any, _: slice) -> Any:
+            found = self._module.inverse_dynamics(on, self._robot, part)
             return {**vars(found.terms), **vars(found)}
 
-        return on_arrays(run, self.robot, motion, OUTPUTS["inverse_dynamics"])
+        return on_arrays(run, motion, OUTPUTS["inverse_dynamics"])
 
     def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
         """Compute joint reactions by name for axial forces ``x`` (N), (..., 6); ``bearing`` (m) is (6,)."""
         axial = np.broadcast_to(x, (*motion.shape, 6)).reshape(-1, 6)
 
-        def run(on: Any, robot: Any, part: Any, at: slice) -> Any:
-            reactions = module(self.name).leg_reactions
-            return vars(reactions(on, robot.leg, robot, part, axial[at].T, bearing[:, None]))
+        def run(on: Any, part: Any, at: slice) -> Any:
+            arguments = (self._robot.leg, self._robot, part, axial[at].T, bearing[:, None])
+            return vars(self._module.leg_reactions(on, *arguments))
 
         # The legs are on the last axis of the generated code.
         shapes = {name: shape[::-1] for name, shape in OUTPUTS["joint_reactions"].items()}
-        found, _ = on_arrays(run, self.robot, motion, shapes)
-        return {name: np.moveaxis(each, -1, len(motion.shape)) for name, each in found.items()}
+        found = on_arrays(run, motion, shapes)
+        return {name: np.moveaxis(found[name], -1, len(motion.shape)) for name in shapes}
 
     def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
         """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
         forces = self.forces(motion)
         found = self.reactions_of(motion, forces.x, bearing)
-        return JointReactionsResult(**_blanked(found, forces.status), status=forces.status)
+        return JointReactionsResult(**_blanked({**found, "status": forces.status}))
 
 
 def on_arrays(
-    run: Callable[[Any, Any, Any, slice], Any],
-    robot: SimpleNamespace,
-    motion: Motion,
-    shapes: Mapping[str, tuple[int, ...]],
-) -> tuple[dict[str, Array], Codes]:
-    """Evaluate a function of a generated module for every pose; return its results by name, and the status.
+    run: Callable[[Any, Any, slice], Any], motion: Motion, shapes: Mapping[str, tuple[int, ...]]
+) -> dict[str, Any]:
+    """Evaluate a function of a generated module for every pose; return its results by name with the status.
 
-    ``run`` takes the arithmetic, the robot, a motion, and the slice of its poses, and returns results by
-    name. ``shapes`` are the shapes of the results for one pose. Results of any status are returned.
+    ``run`` takes the arithmetic, a motion, and the slice of its poses, and returns results by name.
+    ``shapes`` are the shapes of the results for one pose. Results of any status are returned.
     """
     count = math.prod(motion.shape)
-    found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
-    status = np.zeros(count, dtype=np.int32)
+    found: dict[str, Any] = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
+    found["status"] = np.zeros(count, dtype=np.int32)
     given = {
         name: np.ascontiguousarray(value.reshape(count, math.prod(MOTION[name])).T)
         for name, value in vars(loaded(motion)).items()
@@ -94,18 +85,16 @@ def on_arrays(
         at = slice(first, first + _AT_ONCE)
         part = SimpleNamespace(**{name: list(rows[:, at]) for name, rows in given.items()})
         with np.errstate(all="ignore"):
-            made = run(arithmetic, robot, part, at)
+            made = {"status": OK, **run(arithmetic, part, at)}
         for name, target in found.items():
             _store(target[at], made[name])
-        status[at] = made.get("status", OK)
-    shaped = {name: each.reshape(*motion.shape, *shapes[name]) for name, each in found.items()}
-    return shaped, status.reshape(motion.shape)
+    return {name: each.reshape((*motion.shape, *each.shape[1:])) for name, each in found.items()}
 
 
-def _blanked(found: dict[str, Array], status: Codes) -> dict[str, Array]:
+def _blanked(found: dict[str, Any]) -> dict[str, Any]:
     """Set results to NaN if the status is not 0, and return them."""
-    for values in found.values():
-        values[status != OK] = np.nan
+    for name in found.keys() - {"status"}:
+        found[name][found["status"] != OK] = np.nan
     return found
 
 

@@ -3,16 +3,13 @@
 They accept checked robots and motions with universal base joints, in formulation `exact`.
 """
 
-import ctypes
-import functools
 from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 
-from ..backend import c_kernel, native
-from ..backend.c_kernel import address, contiguous, results_of
-from ..backend.kernel import defines_of, module, robot_kernel
+from ..backend.c_kernel import address, function, library, results_of
+from ..backend.kernel import module, robot_kernel
 from ..backend.numpy_kernel import loaded
 from ..generated.interface import OUTPUTS as _OUTPUTS
 from ..generated.interface import STRUCTS
@@ -37,26 +34,12 @@ OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {
 """Outputs that sweeps compare with higher precision, with the shape of each result at one pose."""
 
 
-def c_sources(name: str = "exact") -> dict[str, str]:
-    """Return the generated C of the closed form and of its force kernel, by file name.
-
-    ``name`` is the kernel, "exact" or "exact_drive".
-    """
-    return c_kernel.c_sources(f"{name}_forces") | c_kernel.c_sources(f"{name}_motion")
-
-
-@functools.cache
-def library(name: str = "exact") -> ctypes.CDLL:
-    """Load the compiled C. Raises native.CompilerError if there is no working compiler."""
-    return native.load(f"stewart_{name}_motion", c_sources(name), defines=dict.fromkeys(defines_of(name), 1))
-
-
 class CClosedForm:
     """C closed form with the prepared constants of one robot. Calls release the global interpreter lock."""
 
     def __init__(self, robot: Robot) -> None:
         self._name = robot_kernel(robot, "exact")
-        library(self._name)
+        library(f"{self._name}_motion")
         self._model = ForceKernel(robot, "exact").model
 
     def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
@@ -65,18 +48,15 @@ class CClosedForm:
         ``what`` is an output of ``derive.kernel.outputs.RESULTS`` except "forces". F (N) has the shape (...,
         6) with the shape of the motion.
         """
-        forces = [] if F is None else [contiguous(F)]
-        code, apart = self._function(f"{what}_batch"), what not in STRUCTS
+        forces = [] if F is None else [F]
+        code, apart = function(self._name, f"{what}_batch", "_motion"), what not in STRUCTS
         return results_of(code, self._model, motion, _OUTPUTS[what], forces, apart)
-
-    def _function(self, what: str) -> Any:
-        return getattr(library(self._name), f"stewart_{self._name}_{what}")
 
     def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
         """Return a function for the forward dynamics of single states; see ``ForwardDynamics.one_state``."""
         arrays = (self._model, np.zeros(30), np.zeros(6), np.empty(6))
         R, t, omega, v, _, _, F_ext, M_ext = np.split(arrays[1], np.arange(9, 30, 3))
-        nothing, code = np.zeros(3), self._function("forward_dynamics")
+        nothing, code = np.zeros(3), function(self._name, "forward_dynamics", "_motion")
         addresses = [address(array) for array in arrays]
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.c_kernel import function, prepared_model, results_of
-from ..backend.kernel import robot_kernel, takes_rotors
-from ..generated.interface import MODELS
+from ..backend.kernel import robot_kernel
 from ..io.arguments import option
 from ..motion.motion import Motion
 from ..results import ON_FAULT, OnFault
@@ -117,9 +116,9 @@ def force_error_bounds(
     need_universal(robot)
     need_motion(robot, motion)
     name = robot_kernel(robot, "exact")
-    prepare = function(name, "bounds", precision, "bounds_prepare")
-    model = prepared_model(prepare, robot, MODELS[f"{name}_bounds"], precision, takes_rotors(name))
-    code = function(name, "bounds", precision, "forces_bounded_batch")
+    prepare = function(name, "bounds_prepare", "_bounds", precision)
+    model = prepared_model(prepare, robot, f"{name}_bounds", precision)
+    code = function(name, "forces_bounded_batch", "_bounds", precision)
     shapes = {"F": (6,), "bound": (6,), "rcond": ()}
     found = ForceErrorBoundsResult(**results_of(code, model, motion, shapes, apart=True))
     report_faults(found.status, robot, motion, on_singular)

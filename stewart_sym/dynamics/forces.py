@@ -14,8 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
 from ..backend.fidelity import force_kernel_name
-from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
-from ..generated.interface import MODELS
+from ..backend.kernel import FORMULATIONS, MOTION
 from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import warn
 from ..io.frozen import Frozen
@@ -99,8 +98,7 @@ class ForceKernel(Frozen):
         instance(self.robot, Robot, "robot")
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
-        prepare, rotors = self.c_function("prepare"), takes_rotors(self.name)
-        model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors)
+        model = prepared_model(self.c_function("prepare"), self.robot, self.name, self.precision)
         # The memory layout is kept, because a copy would be slower.
         object.__setattr__(self, "model", model)
         if self.warns and self.fidelity != "general":
@@ -403,7 +401,7 @@ class ForceKernel(Frozen):
         callable
             Function of ``ctypes``.
         """
-        return function(self.name, "forces", self.precision, name)
+        return function(self.name, name, "_forces", self.precision)
 
 
 @dataclass(frozen=True, eq=False)

@@ -354,9 +354,9 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
     if robot.offsets is not None or backend == "reference":
         return _VectorKernel(robot, formulation)
     if backend == "numpy":
-        return NumpyKernel.prepare(robot, formulation)
+        return NumpyKernel(robot, formulation)
     found: DynamicsKernel = with_compiler(
-        lambda: CKernel.prepare(robot, formulation), lambda: NumpyKernel.prepare(robot, formulation)
+        lambda: CKernel(robot, formulation), lambda: NumpyKernel(robot, formulation)
     )
     return found
 
@@ -419,7 +419,8 @@ def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Ar
     if robot.offsets is not None:
         terms = offset_joints.terms(robot, motion)
     else:
-        terms = NumpyKernel.prepare(robot, formulation).terms(motion)[0]
+        terms = NumpyKernel(robot, formulation).terms(motion)
+        del terms["status"]
     with np.errstate(over="ignore", invalid="ignore"):
         x, error = damped_least_squares(terms["H"], terms["c"], characteristic_length(robot) or 1.0)
         F = terms["D"] - x
@@ -430,7 +431,7 @@ def _damped_reactions(robot: Robot, motion: Motion, formulation: str, bearing: A
     x = damped_terms(robot, motion, formulation)["x"]
     if robot.offsets is not None:
         return offset_joints.reactions_of(robot, motion, x, bearing)
-    return NumpyKernel.prepare(robot, formulation).reactions_of(motion, x, bearing)
+    return NumpyKernel(robot, formulation).reactions_of(motion, x, bearing)
 
 
 Result = TypeVar("Result", results.InverseDynamicsResult, results.JointReactionsResult)

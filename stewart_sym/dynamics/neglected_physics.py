@@ -32,9 +32,9 @@ def neglected_physics(robot: Robot, formulation: Formulation, level: str, reduce
     if not found:
         return ""
     own = fidelity.resolve_level(robot, formulation, level)
-    named = ", ".join(_named(robot, own))
+    named, meaning = ", ".join(_named(robot, own)), fidelity.levels(robot)[own]["meaning"]
     return (
-        f"fidelity {level} ({fidelity.meaning(own, robot.has_rotors)}) omits physics of the "
+        f"fidelity {level} ({meaning}) omits physics of the "
         f"robot file{f', such as {named}' if named else ''}; {found}"
     )
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..backend.c_kernel import address, call, library
+from ..backend.c_kernel import address, call, function
 from ..backend.kernel import robot_numbers
 from ..backend.numpy_kernel import legs_side_by_side, on_arrays
 from ..dynamics.inverse_dynamics import Backend, need_motion, need_universal, report_faults, with_compiler
@@ -158,11 +158,11 @@ def _compiled(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -
     """Compute Y and the status by the C kernel."""
 
     def run() -> tuple[Array, Codes]:
-        source, width = library("exact_regressor"), 0 if columns is None else len(columns)
+        width = 0 if columns is None else len(columns)
         Y = np.empty((*motion.shape, 6, _COLUMNS if columns is None else width))
         status = np.zeros(motion.shape, dtype=np.int32)
         chosen = (address(columns), ctypes.c_size_t(width))
-        code = source.stewart_exact_regressor_batch
+        code = function("exact", "regressor_batch", "_regressor")
         call(code, robot_numbers(robot), motion, *chosen, address(Y), address(status))
         return Y, status
 
@@ -173,16 +173,18 @@ def _compiled(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -
 def _on_arrays(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -> tuple[Array, Codes]:
     """Compute Y and the status by the NumPy kernel."""
     of_leg, of_platform = exact_regressor.LEG_PARAMETERS, exact_regressor.PLATFORM_PARAMETERS
+    structure = legs_side_by_side(robot)
 
-    def run(on: Any, structure: Any, part: Any, _: slice) -> Any:
+    def run(on: Any, part: Any, _: slice) -> Any:
         found = exact_regressor.regressor(on, structure, part)
         legs, platform = _columns(found.legs, of_leg), _columns(found.platform, of_platform)
         return {"legs": legs, "platform": platform, "status": found.status}
 
     shapes = {"legs": (len(of_leg), 6, LEGS), "platform": (len(of_platform), 6)}
-    found, status = on_arrays(run, legs_side_by_side(robot), motion, shapes)
+    found = on_arrays(run, motion, shapes)
     legs = np.moveaxis(found["legs"], -3, -1).reshape(*motion.shape, 6, LEGS * len(of_leg))
     Y = np.concatenate([legs, found["platform"].swapaxes(-1, -2)], axis=-1)
+    status = found["status"]
     status[(status == OK) & ~np.isfinite(Y).all(axis=(-1, -2))] = NOT_FINITE
     return Y if columns is None else Y[..., columns], status
 
@@ -253,11 +255,12 @@ def rotor_regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise"
     option(on_singular, ON_FAULT, "on_singular")
     _, status = evaluated(robot, motion, np.zeros(1, dtype=np.int32), "c")
     names = [f"{rows}_{name}" for name, _ in exact_rotors.PARAMETERS for rows in ("force", "moment")]
+    structure = legs_side_by_side(robot)
 
-    def run(on: Any, structure: Any, part: Any, _: slice) -> Any:
+    def run(on: Any, part: Any, _: slice) -> Any:
         return vars(exact_rotors.rotor_columns(on, structure.leg, structure, part))
 
-    found, _ = on_arrays(run, legs_side_by_side(robot), motion, dict.fromkeys(names, (3, LEGS)))
+    found = on_arrays(run, motion, dict.fromkeys(names, (3, LEGS)))
     columns = [
         np.concatenate([found[f"force_{name}"], found[f"moment_{name}"]], axis=-2)
         for name, _ in exact_rotors.PARAMETERS

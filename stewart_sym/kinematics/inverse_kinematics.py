@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..backend.c_kernel import call, library, pointers
+from ..backend.c_kernel import call, function, pointers
 from ..backend.kernel import robot_numbers
 from ..backend.native import CompilerError
 from ..generated.interface import STRUCTS
@@ -142,13 +142,13 @@ _SHAPES = STRUCTS["legs"]
 def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
     """Compute all leg quantities with the C code; None without a compiler or if a pose has an error."""
     try:
-        code = library("legs")
+        code = function("legs", "batch")
     except CompilerError:
         return None
     wanted = {name: shape for name, shape in _SHAPES.items() if name != "L_ddot" or motion.a is not None}
     found = {name: np.empty((*motion.shape, *shape)) for name, shape in wanted.items()}
     outputs = pointers(map(found.get, _SHAPES))
-    status = call(code.stewart_legs_batch, robot_numbers(robot), motion, outputs, None)
+    status = call(code, robot_numbers(robot), motion, outputs, None)
     return dict.fromkeys(_SHAPES) | found if status == OK else None
 
 

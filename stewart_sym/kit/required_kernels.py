@@ -155,7 +155,8 @@ def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
         return _derived(robot, choice, level)
     name = fidelity.force_kernel_name(robot, choice.formulation, level)
     count = fidelity.operations(robot, choice.formulation, level)
-    says = f"Actuator forces, kernel `{name}`, fidelity {level}: {fidelity.meaning(level, robot.has_rotors)}."
+    meaning = fidelity.levels(robot)[level]["meaning"]
+    says = f"Actuator forces, kernel `{name}`, fidelity {level}: {meaning}."
     return _force_part(f"stewart_{name}_forces", f"stewart_{name}", count, says), count, None
 
 
@@ -188,7 +189,7 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
         *(["one pose, legs in sequence"] if choice.scalar else []),
     ]
     form = plain.formulation.name
-    meaning = fidelity.meaning(level, robot.has_rotors)
+    meaning = fidelity.levels(robot)[level]["meaning"]
     says = f"Actuator forces, {form}, fidelity {level}: {meaning}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"

@@ -266,7 +266,7 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
     need_motion(robot, motion)
     option(formulation, FORMULATIONS, "formulation")
     length = characteristic_length(robot) or 1.0
-    terms = NumpyKernel.prepare(robot, formulation).terms(motion)[0]
+    terms = NumpyKernel(robot, formulation).terms(motion)
     u, _, v = last_directions(moments_over(terms["H"], length))
     rate = np.einsum("...i,...ij,...j->...", u, _scaled_rate(robot, motion, length), v)
     load = np.sum(u / np.repeat([1.0, length], 3) * terms["c"], axis=-1)

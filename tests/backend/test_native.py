@@ -113,7 +113,7 @@ def test_every_input_is_part_of_the_key(
     cache: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     libraries = [load_adder(), load_adder(sources=ADD | {"adder.h": ADD["adder.h"] + "\n"})]
-    libraries += [load_adder(flags=("-O1",)), native.load("adder", ADD, defines={"N": 1})]
+    libraries += [load_adder(flags=("-O1",)), load_adder(flags=("-DN=1",))]
     monkeypatch.setattr(native, "_processor", lambda: "another processor")
     libraries.append(load_adder())
     monkeypatch.setenv("CC", f"{compiler.path} -g")

@@ -23,7 +23,6 @@ from stewart_sym.backend import native
 from stewart_sym.backend.c_kernel import address, c_sources, library, prepared_model
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.dynamics import force_error_bounds
-from stewart_sym.generated.interface import MODELS
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR
 
 FAR = 1000.0
@@ -89,7 +88,7 @@ def test_forces_of_any_shape_are_those_of_the_prepared_kernel_to_the_last_bit(pr
 def test_bound_holds_where_products_are_fused_into_sums(monkeypatch: pytest.MonkeyPatch) -> None:
     """In float, whose bounds round as coarsely as the forces."""
     flags = ("-O1", "-ffp-contract=fast")
-    fused = native.load("fused", c_sources("exact_bounds"), flags, {"STEWART_FLOAT": 1})
+    fused = native.load("fused", c_sources("exact_bounds"), [*flags, "-DSTEWART_FLOAT"])
     monkeypatch.setattr(
         force_error_bounds, "function", lambda *names: getattr(fused, f"stewart_{names[0]}_{names[-1]}")
     )
@@ -157,8 +156,8 @@ def test_poses_without_an_answer_raise_or_are_nan() -> None:
 def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
     robot, motion = machine_in_motion(10)
     wanted = ss.force_error_bounds(robot, motion)
-    prepare = force_error_bounds.function("exact", "bounds", "double", "bounds_prepare")
-    model = prepared_model(prepare, robot, MODELS["exact_bounds"], "double")
+    prepare = force_error_bounds.function("exact", "bounds_prepare", "_bounds", "double")
+    model = prepared_model(prepare, robot, "exact_bounds", "double")
     call = library("exact_bounds").stewart_exact_forces_bounded
     numbers = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
     F, bound, rcond = np.zeros(6), np.zeros(6), np.zeros(1)

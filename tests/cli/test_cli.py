@@ -107,7 +107,7 @@ def test_derive_writes_one_kernel_for_reading(tmp_path: Path, run: Run, fails: F
 def test_generate_names_the_option_that_is_wrong(robot: Path, fails: Fails) -> None:
     asked = ("generate", robot, "-o", robot.parent / "kit")
     error = fails(*asked, "--fidelity", "rigid")
-    assert "error: fidelity: expected one of general, " in error
+    assert 'error: fidelity: expected "general", ' in error
     assert not (robot.parent / "kit").exists()
 
 

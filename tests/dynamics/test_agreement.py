@@ -88,10 +88,10 @@ def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once
     b, p = semiregular(BASE, scale), semiregular(PLATE, 0.5 * scale)
     for machine in (robot, replace(robot, b=b, p=p)):
         motion = doubtful(rng, machine)
-        expected = c_kernel.CKernel.prepare(machine, formulation).forces(motion)
+        expected = c_kernel.CKernel(machine, formulation).forces(motion)
         for at_once in (1024, 7):
             monkeypatch.setattr(numpy_kernel, "_AT_ONCE", at_once)
-            found = numpy_kernel.NumpyKernel.prepare(machine, formulation).forces(motion)
+            found = numpy_kernel.NumpyKernel(machine, formulation).forces(motion)
             for name in (*FORCES, "status"):
                 np.testing.assert_array_equal(getattr(found, name), getattr(expected, name), name)
     assert {1, 2, 4} <= set(expected.status)

@@ -184,7 +184,7 @@ def test_forces_of_sound_poses_keep_every_bit(
 @pytest.mark.parametrize("kind", [CKernel, NumpyKernel])
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 def test_every_output_of_sound_poses_keeps_every_bit(kind: Any, formulation: str) -> None:
-    kernel = kind.prepare(ROBOT, formulation)
+    kernel = kind(ROBOT, formulation)
     for compute in (kernel.forces, lambda motion: kernel.reactions(motion, np.full(6, 0.1))):
 
         def run(motion: ss.Motion, compute: Any = compute) -> tuple[dict[str, Any], NDArray[np.int32]]:

@@ -71,11 +71,11 @@ def test_spherical_base_joints_have_the_levels_that_know_no_universal_joint(name
 
 def test_what_there_is_not_is_rejected_in_one_line() -> None:
     rng = np.random.default_rng(0)
-    with pytest.raises(ValueError, match=r"^fidelity: expected one of general, .* got 'stiff'$"):
+    with pytest.raises(ValueError, match=r"^fidelity: expected \"general\", .* got 'stiff'$"):
         ss.ForceKernel(random_robot(rng), fidelity="stiff")
-    with pytest.raises(ValueError, match=r"^fidelity: expected one of general, got 'slender'$"):
+    with pytest.raises(ValueError, match=r"^fidelity: expected \"general\", got 'slender'$"):
         ss.ForceKernel(random_robot(rng), "paper", fidelity="slender")
-    with pytest.raises(ValueError, match=r"^fidelity: expected one of general, .* got 'axisymmetric'$"):
+    with pytest.raises(ValueError, match=r"^fidelity: expected \"general\", .* got 'axisymmetric'$"):
         ss.ForceKernel(random_robot(rng, "spherical"), fidelity="axisymmetric")
     with pytest.raises(ValueError, match=r"^fidelity: slender is a reduction of exact, not of paper$"):
         fidelity_kernel(PAPER, FIDELITIES["slender"])

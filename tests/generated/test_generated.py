@@ -13,7 +13,7 @@ from builds import run, written
 from kits import STRICT
 from sweeps import FULL, slow_but
 
-from stewart_sym.backend.kernel import defines_of
+from stewart_sym.backend.c_kernel import rotor_flags
 
 LANGUAGES = {"c99": ["-x", "c", "-std=c99"], "c++": ["-x", "c++", "-std=c++11"]}
 PRECISIONS: dict[str, list[str]] = {"double": [], "float": ["-DSTEWART_FLOAT"]}
@@ -34,7 +34,7 @@ WAYS = [
 def compiled_silently(
     folder: Path, compiler: str, precision: str, language: str, kernel: str, *flags: str
 ) -> None:
-    defines = [f"-D{name}" for name in defines_of(kernel)]
+    defines = rotor_flags(kernel)
     command = [compiler, *LANGUAGES[language], *STRICT, *PRECISIONS[precision], *defines, *flags]
     written(sources(f"stewart_{kernel}"), folder)
     assert run(*command, f"stewart_{kernel}.c", cwd=folder) == ""

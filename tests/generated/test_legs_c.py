@@ -18,11 +18,11 @@ ERROR = 64 * np.finfo(np.float64).eps
 
 @contextmanager
 def numpy_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    def nothing(name: str) -> ctypes.CDLL:
+    def nothing(name: str, suffix: str) -> ctypes.CDLL:
         raise native.CompilerError("none")
 
     with monkeypatch.context() as patch:
-        patch.setattr(inverse_kinematics, "library", nothing)
+        patch.setattr(inverse_kinematics, "function", nothing)
         yield
 
 

@@ -84,7 +84,7 @@ def test_error_is_a_few_times_the_sensitivity_near_joint_singularities(sine: flo
 
 def test_float_has_the_digits_of_float() -> None:
     """Beside the largest column of the same parameter, of any leg."""
-    single = library("exact_regressor", ("STEWART_FLOAT",)).stewart_exact_regressor
+    single = library("exact_regressor", "float").stewart_exact_regressor
     rng = np.random.default_rng(5)
     for _ in range(10):
         robot, motion = machine_in_motion(rng, scale=1.0)

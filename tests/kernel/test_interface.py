@@ -8,7 +8,7 @@ from builds import run
 
 from stewart_sym import results
 from stewart_sym.backend import native
-from stewart_sym.backend.kernel import defines_of
+from stewart_sym.backend.c_kernel import rotor_flags
 from stewart_sym.backend.kernel_sources import generated_text
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
@@ -68,6 +68,6 @@ def test_prepared_models_have_the_size_of_the_table(name: str, tmp_path: Path) -
     compiler = native.find_compiler()
     if compiler is None:
         pytest.skip("needs a C compiler")
-    command = [*compiler.command, "-std=c99", "-fsyntax-only", *(f"-D{each}" for each in defines_of(name))]
+    command = [*compiler.command, "-std=c99", "-fsyntax-only", *rotor_flags(name)]
     for precision in ((), ("-DSTEWART_FLOAT",)):
         run(*command, *precision, "size.c", cwd=tmp_path)

@@ -70,21 +70,6 @@ def test_without_a_cache_folder_a_kernel_is_derived(cache: Path) -> None:
     assert cache.is_file()
 
 
-def test_without_sympy_one_line_names_it(cache: Path) -> None:
-    code = f"""
-import sys
-sys.modules["sympy"] = None
-from stewart_sym.backend.kernel_sources import generated_text
-try:
-    generated_text({SOURCE!r})
-except ImportError as error:
-    print(error)
-"""
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    remedy = "install it with `pip install sympy`"
-    assert done.stdout == f"kernel {SHORT}: the derivation needs sympy; {remedy}\n"
-
-
 def test_without_a_compiler_one_line_names_it(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(native, "find_compiler", lambda: None)
     with pytest.raises(native.CompilerError, match=r"^no C compiler found; install gcc or clang, .*$"):

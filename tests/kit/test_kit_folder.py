@@ -103,7 +103,7 @@ def test_manifest_that_names_files_elsewhere_removes_none(tmp_path: Path) -> Non
         (Choice(("kinematics",), fmu="forces"), "random", "fmu: applies to the function forces, .*"),
         (Choice(fmu="motor"), "random", 'fmu: expected "forces", "forces-rpy" or "plant", got \'motor\''),
         (Choice(fmu="plant"), "spherical", "fmu: plant: expected exact with universal .* spherical .*"),
-        (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
+        (Choice(fidelity="rigid"), "random", 'fidelity: expected "general", .*'),
     ],
 )
 def test_wishes_that_do_not_go_together_are_rejected_in_one_line(

@@ -18,10 +18,8 @@ import stewart_sym as ss
 from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.cli.main import main
 from stewart_sym.derive.package.text_format import robot_symbol
-from stewart_sym.dynamics import closed_form
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.dynamics.sample_poses import poses, sample
-from stewart_sym.generated.interface import MODELS
 from stewart_sym.kit import Choice, put, write_kit
 from stewart_sym.motion.motion import Motion, at_rest
 
@@ -100,7 +98,7 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     robot = machines.dasgupta()
     at = sample(robot, "exact")
     motion = np.concatenate([np.ravel(getattr(at, name)) for name in kernel.MOTION])
-    compiled, whole = closed_form.library(), c_kernel.library("exact")
+    compiled, whole = c_kernel.library("exact_motion"), c_kernel.library("exact")
     constants = kernel.robot_numbers(robot)
     model = np.zeros(4096)
     assert compiled.stewart_exact_prepare(c_kernel.address(constants), c_kernel.address(model)) == 0
@@ -131,8 +129,8 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
 
 def oriented(function: str, *given: np.ndarray, precision: type = np.float64) -> tuple[int, np.ndarray]:
     """Status, and a motion that was all ones before."""
-    defines = {"STEWART_FLOAT": 1} if precision is np.float32 else {}
-    library = native.load("stewart_rotation", c_kernel.c_sources("rotation"), defines=defines)
+    flags = ["-DSTEWART_FLOAT"] if precision is np.float32 else []
+    library = native.load("stewart_rotation", c_kernel.c_sources("rotation"), flags)
     motion = np.ones(30, dtype=precision)
     arrays = [np.ascontiguousarray(each, dtype=precision) for each in given]
     return getattr(library, function)(*map(c_kernel.address, (*arrays, motion))), motion
@@ -247,7 +245,7 @@ def test_kits_without_fused_multiply_add_have_the_bits_of_numpy(flags: str, tmp_
         subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
     library, robot, count = ctypes.CDLL(str(tmp_path / "kit.so")), machines.dasgupta(), 500
     motion = machines.random_motion(np.random.default_rng(46), robot, (count,))
-    numbers = c_kernel.prepared_model(library.stewart_exact_prepare, robot, MODELS["exact"], "double")
+    numbers = c_kernel.prepared_model(library.stewart_exact_prepare, robot, "exact", "double")
     arrays = [np.ascontiguousarray(getattr(motion, name)) for name in kernel.MOTION]
     F = np.empty((count, 6))
     of_poses = ctypes.byref(c_kernel.pointers(arrays))

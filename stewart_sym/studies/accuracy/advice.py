@@ -89,7 +89,7 @@ def answer(found: Advice) -> str:
 
 
 def _named(found: Advice, entry: Figures) -> str:
-    physics = fidelity.meaning(entry["fidelity"], found.budget.robot.has_rotors)
+    physics = fidelity.levels(found.budget.robot)[entry["fidelity"]]["meaning"]
     physics = "as printed" if entry["formulation"] == "paper" else physics
     return f"{candidate_of(entry).name} ({physics}): {entry['operations']} operations"
 

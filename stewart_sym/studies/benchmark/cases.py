@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ...backend import c_kernel, kernel
-from ...dynamics import closed_form, equations
+from ...backend import kernel
+from ...backend.c_kernel import function
+from ...dynamics import equations
 from ...dynamics.forces import CORES, ForceKernel
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, prepared_kernel
 from ...exchange.model_from_robot import robot_of_bodies
@@ -157,13 +158,12 @@ def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
     module = kernel.module(NAME)
     counts = module.FORCE_OPERATIONS, module.OPERATIONS
     alone, every = (int(sum(each["friction"]["total"])) for each in counts)
-    function = getattr(c_kernel.library(f"{NAME}_forces"), f"stewart_{NAME}_forces")
-    outputs = getattr(c_kernel.library(NAME), f"stewart_{NAME}_inverse_dynamics")
+    forces, outputs = function(NAME, "forces", "_forces"), function(NAME, "inverse_dynamics")
     prepared = ForceKernel(robot, NAME)
     calls = {name: prepared_kernel(robot, NAME, name).forces for name in ("numpy", "reference")}
     # The structure of all outputs has 78 numbers and begins with F.
     rows: tuple[tuple[str, str, Timed, int | None], ...] = (
-        ("one pose", _ALONE, loop(few.rows, function, prepared.model), alone),
+        ("one pose", _ALONE, loop(few.rows, forces, prepared.model), alone),
         ("batch, one core", _ALONE, batch(large.arrays, prepared), alone),
         (f"batch, {CORES} cores", _ALONE, batch(large.arrays, prepared, CORES), alone),
         ("batch, float", _ALONE, batch(large.arrays, ForceKernel(robot, NAME, "float")), alone),
@@ -216,22 +216,21 @@ def _equations(poses: Poses) -> Iterator[Case]:
     columns = _flat(regressor(robot, motion)[0])
     # The solve multiplies rounding errors by the condition number of M. Row: name, library, function, numbers
     # of a result, expected results, and input forces.
-    forces, motions = c_kernel.library(f"{NAME}_forces"), closed_form.library(NAME)
-    rows: tuple[tuple[str, Any, str, int, Array, Array | None], ...] = (
-        ("inverse dynamics", forces, "forces", 6, F, None),
-        ("bias", motions, "bias_and_friction", 6, terms.bias_and_friction, None),
-        ("equations", motions, "equations", 168, _numbers(terms), None),
-        ("forward dynamics", motions, "forward_dynamics", 6, acceleration, F),
-        ("joint-space inertia", motions, "joint_inertia", 36, _flat(inertia), None),
-        ("derivatives", motions, "derivatives", 114, _numbers(slopes), None),
-        ("linearization", motions, "linearization", 222, _numbers(linear), F),
+    rows: tuple[tuple[str, str, str, int, Array, Array | None], ...] = (
+        ("inverse dynamics", "_forces", "forces", 6, F, None),
+        ("bias", "_motion", "bias_and_friction", 6, terms.bias_and_friction, None),
+        ("equations", "_motion", "equations", 168, _numbers(terms), None),
+        ("forward dynamics", "_motion", "forward_dynamics", 6, acceleration, F),
+        ("joint-space inertia", "_motion", "joint_inertia", 36, _flat(inertia), None),
+        ("derivatives", "_motion", "derivatives", 114, _numbers(slopes), None),
+        ("linearization", "_motion", "linearization", 222, _numbers(linear), F),
     )
-    for name, library, function, width, expected, given in rows:
-        what, tolerance = f"stewart_{NAME}_{function}", AGREEMENT if given is None else 1e-8
-        timed = loop(poses.rows, getattr(library, what), model, width, given)
+    for name, part, suffix, width, expected, given in rows:
+        what, tolerance = f"stewart_{NAME}_{suffix}", AGREEMENT if given is None else 1e-8
+        timed = loop(poses.rows, function(NAME, suffix, part), model, width, given)
         yield Case(EQUATIONS, name, what, *timed, expected, tolerance=tolerance)
     what = f"stewart_{NAME}_regressor"
-    compiled = getattr(c_kernel.library(f"{NAME}_regressor"), what)
+    compiled = function(NAME, "regressor", "_regressor")
     timed = loop(poses.rows, compiled, kernel.robot_numbers(robot), columns.shape[1], all_columns=True)
     yield Case(EQUATIONS, "regressor", what, *timed, columns)
 

@@ -41,12 +41,12 @@ _TRUTH = "every_output"
 _TYPES: dict[str, Any] = {"double": np.float64, "float": np.float32, "wide": np.longdouble}
 EPSILON = {"double": 2.0**-52, "float": 2.0**-23}
 _WIDE = {"SQRT": "sqrtl", "FABS": "fabsl", "EPSILON": "LDBL_EPSILON", "MAX": "LDBL_MAX"}
-_DEFINES: dict[str, dict[str, str | int]] = {
-    "double": {},
-    "float": {"STEWART_FLOAT": 1},
-    "wide": {"STEWART_REAL": "long double", **{f"STEWART_{name}": each for name, each in _WIDE.items()}},
+_MACROS = [f"-DSTEWART_{name}={value}" for name, value in {"REAL": "long double", **_WIDE}.items()]
+_FLAGS = {
+    "double": (),
+    "float": ("-DSTEWART_FLOAT",),
+    "wide": ("-O1", "-include", "float.h", "-include", "math.h", *_MACROS),
 }
-_FLAGS = {"double": (), "float": (), "wide": ("-O1", "-include", "float.h", "-include", "math.h")}
 _SHAPES = {name: {"F": (6,)} for name in FORCES[:2]} | {_TRUTH: STRUCTS["forces"], **closed_form.OUTPUTS}
 _POWERS = {
     **dict.fromkeys(("M", "C"), (-1, -1)),
@@ -310,7 +310,7 @@ def _frames(cases: Cases) -> Array:
 def sources() -> dict[str, str]:
     """Return the C sources of the kernels, text by file name."""
     own = (files(__package__) / "kernels.c").read_text(encoding="utf-8")
-    return c_sources("exact") | closed_form.c_sources() | {"kernels.c": own}
+    return c_sources("exact") | c_sources("exact_motion") | {"kernels.c": own}
 
 
 @functools.cache
@@ -318,5 +318,4 @@ def library(precision: str) -> ctypes.CDLL:
     """Load the kernels in one arithmetic."""
     if np.finfo(np.longdouble).nmant < 63:
         raise native.CompilerError("long double: expected at least 64 bits; use another platform")
-    name, flags = f"stewart_stability_{precision}", _FLAGS[precision]
-    return native.load(name, sources(), flags, _DEFINES[precision])
+    return native.load(f"stewart_stability_{precision}", sources(), _FLAGS[precision])

@@ -7,7 +7,8 @@ from string import Template
 
 import numpy as np
 
-from stewart_sym.backend.kernel import MOTION, defines_of, robot_numbers, takes_rotors
+from stewart_sym.backend.c_kernel import rotor_flags
+from stewart_sym.backend.kernel import MOTION, robot_numbers, takes_rotors
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
@@ -97,7 +98,7 @@ def counted(
     program = Template(COUNTING).substitute(given, INCLUDES=includes, CALL=calls)
     for name, text in {**texts, "count.cpp": program}.items():
         (folder / name).write_text(text)
-    flags = [f"-D{name}" for name in defines_of(kernel)]
+    flags = rotor_flags(kernel)
     subprocess.run(["g++", "-O0", "-w", *flags, "count.cpp", "-o", "count"], check=True, cwd=folder)
     lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout
     rows = [[int(word) for word in line.split()] for line in lines.splitlines()]

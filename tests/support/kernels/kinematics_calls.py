@@ -19,8 +19,8 @@ PRECISIONS = {"double": np.float64, "float": np.float32}
 
 @functools.cache
 def library(precision: str = "double") -> ctypes.CDLL:
-    defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
-    return native.load("kinematics", c_sources("kinematics"), ("-O0",), defines)
+    flags = ("-DSTEWART_FLOAT",) if precision == "float" else ()
+    return native.load("kinematics", c_sources("kinematics"), ("-O0", *flags))
 
 
 def called(function: str, robot: ss.Robot, precision: str, *rows: AnyArray) -> NDArray[np.int32]:

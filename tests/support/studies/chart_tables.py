@@ -2,7 +2,7 @@
 
 from markdown_text import paragraph, table
 
-from stewart_sym.backend import fidelity
+from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.studies.accuracy.budget import MARGIN
 from stewart_sym.studies.accuracy.cost import candidate_of
 from stewart_sym.studies.common.text_tables import Figures
@@ -41,7 +41,7 @@ def _readme(found: Figures) -> str:
 
 
 def _meaning(each: Figures) -> str:
-    found: str = "as printed" if each["formulation"] == "paper" else fidelity.meaning(each["fidelity"])
+    found: str = "as printed" if each["formulation"] == "paper" else FIDELITIES[each["fidelity"]]["meaning"]
     return found
 
 
