@@ -33,8 +33,8 @@ def solution(k: Trace, H: list[Value], c: list[Value], results: Results | None =
     c : list of Value
         Right side.
     results : callable, optional
-        Traces the results in the part of the solution, so that x stays in registers. Without it the results
-        are x and the mark.
+        Function that traces the results in the part of the solution, so that x stays in registers. By default
+        the results are x and the mark.
 
     Returns
     -------

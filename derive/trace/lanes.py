@@ -29,6 +29,7 @@ class Lanes(Schedule):
     def __init__(self, trace: Trace, model: str, poses_in_lanes: bool) -> None:
         super().__init__(trace, model, "_block" if poses_in_lanes else "_pose", poses_in_lanes)
         self.lanes = t.Constant("POSES" if poses_in_lanes else "LANES")
+        self._names_read: dict[str, set[str]] = {}
         self.functions = {part.name: self._function(part) for part in self.parts}
 
     # ------------------------------------------------------------ functions
@@ -89,19 +90,26 @@ class Lanes(Schedule):
 
     def _computed(self, part: Part, step: Step, name: str, value: t.Expression) -> list[t.Statement]:
         """Return a step as a constant, or as an assignment if only other parts read it."""
-        read_here = {found for each in self.steps_of(part) for found, _ in reads(each.expr)}
-        only_stored = step.name in self.crossing and step.name not in read_here
+        only_stored = step.name in self.crossing and step.name not in self._read_in(part)
         if only_stored and step.per_leg == part.per_leg and not self._is_selected(step.name):
             return [*_remark(step), self._store(step, value)]
         return [*_remark(step), t.Let(name, value)]
 
+    def _read_in(self, part: Part) -> set[str]:
+        """Return the names that a part reads, which are searched once."""
+        if part.name not in self._names_read:
+            read = (name for step in self.steps_of(part) for name, _ in reads(step.expr))
+            self._names_read[part.name] = set(read)
+        return self._names_read[part.name]
+
     def _to_store(self, part: Part) -> list[Step]:
         """Return the stored results that are also read in their own part."""
-        read_here = {found for each in self.steps_of(part) for found, _ in reads(each.expr)}
         return [
             step
             for step in self.stored(part)
-            if step.name in read_here or step.per_leg != part.per_leg or self._is_selected(step.name)
+            if step.name in self._read_in(part)
+            or step.per_leg != part.per_leg
+            or self._is_selected(step.name)
         ]
 
     def _store(self, step: Step, value: t.Expression) -> t.Assign:

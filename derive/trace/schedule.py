@@ -128,7 +128,7 @@ class Schedule:
         self.crossing: set[str] = set()
 
         def cross(name: str) -> None:
-            """Note that another part reads a name, and which value replaces it."""
+            """Note that another part reads a name, and require the value that replaces it."""
             self.crossing.add(name)
             if name in later:
                 waiting.append((later[name], None))
