@@ -78,7 +78,7 @@ def on_arrays(
         for name, value in vars(loaded(motion)).items()
     }
     arithmetic = module("arithmetic").Arithmetic(np)
-    # After this block is freed, glibc keeps the memory of intermediate results; otherwise each call returns
+    # After this block is freed, glibc keeps the memory of intermediate results. Otherwise each call returns
     # it to the system and receives it again page by page, which takes half of the time.
     np.empty(_INTERMEDIATE)
     for first in range(0, count, _AT_ONCE):

@@ -49,8 +49,10 @@ def effect(
     """
     try:
         motion = poses(replace(robot, offsets=None), formulation, _POSES)
-        F = full(motion) if full else inverse_dynamics(robot, motion, formulation, "numpy").F
-        error = float(np.abs(np.asarray(reduced(motion), dtype=np.float64) - F).max())
+        all_physics = full(motion) if full else inverse_dynamics(robot, motion, formulation, "numpy").F
+        # Forces in wider arithmetic become doubles.
+        F = all_physics.astype(np.float64)
+        error = float(np.abs(reduced(motion).astype(np.float64) - F).max())
     except ValueError:
         return "no pose suits an estimate of the effect"
     largest = float(np.abs(F).max())

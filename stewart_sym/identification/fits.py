@@ -129,7 +129,7 @@ def _distances(data: Data, fit: Fit) -> Array:
     """Return the largest residual of the forces of each sample, (n,), in robust standard deviations."""
     off = np.abs(data.forces - _force_model(data, fit.values)(fit.motion)) / data.deviations
     off = off.reshape(-1, LEGS)
-    median = np.ma.median(np.ma.masked_equal(off, 0.0), axis=0).filled(0.0)
+    median = np.array([np.median(leg[leg > 0.0]) if leg.any() else 0.0 for leg in off.T])
     # The median of normal deviations is 0.6745 standard deviations.
     return np.asarray(np.max(off / np.maximum(median / 0.6745, 1.0), axis=1))
 
