@@ -107,8 +107,9 @@ def _pairs(trajectory: Trajectory, time: Array, source: str, lines: Lines) -> tu
     if same.all() if len(time) == count else same.sum() >= _PAIRED * max(len(time), count):
         return nearest[same], np.flatnonzero(same)
     if len(time) != count:
-        few = f"{same.sum()} of {len(time)} samples have the time of one of {count} in {trajectory.source}"
-        raise ValueError(f"{source}: {few}; log both files at the same times, or check the units of time")
+        pairs = f"{same.sum()} of {len(time)} samples and {same.sum()} of {count} in {trajectory.source}"
+        remedy = "log both files at the same times, or check the units of time"
+        raise ValueError(f"{source}: {pairs} have equal times, expected {100.0 * _PAIRED:g} %; {remedy}")
     i = int(np.argmin(same))
     expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
     remedy = "check the units of both files, a row below the header or --time-unit"

@@ -182,7 +182,7 @@ def test_wrong_rows_of_a_log_are_left_out_of_the_fit(tmp_path: Path, run: Run, n
         (
             "\n0.0,",
             "\n" + "".join(f"{-9 + k}.5,1,1,1,1,1,1\n" for k in range(9)) + "0.0,",
-            "60 of 69 samples have the time",
+            "60 of 69 samples and 60 of ",
         ),
     ],
 )
