@@ -3,7 +3,6 @@
 import argparse
 import contextlib
 import dataclasses
-import difflib
 import itertools
 import math
 import re
@@ -11,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-from ..io.arguments import safe_text
+from ..io.arguments import hint, safe_text
 from ..io.atomic_write import ResultFolder, must_be_replaceable, write_file
 from ..io.extras import need
 from ..io.json_text import json_text
@@ -95,12 +94,6 @@ def _lines(text: str) -> tuple[int, ...]:
             raise argparse.ArgumentTypeError(f"expected line numbers such as 1498,1503-1510, got {text!r}")
         found += range(int(match[1]), int(match[2] or match[1]) + 1)
     return tuple(found)
-
-
-def hint(text: str, names: Iterable[str]) -> str:
-    """Return a hint with the name closest to an unknown one."""
-    near = difflib.get_close_matches(text, names, n=1)
-    return f", did you mean {near[0]}?" if near else ""
 
 
 class Parser(argparse.ArgumentParser):

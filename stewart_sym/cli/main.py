@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import NoReturn
 
 from ..backend.native import CompilerError
-from ..io.arguments import shown
+from ..io.arguments import hint, shown
 from ..io.extras import needed_for
-from .command import Parser, hint
+from .command import Parser
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
 GROUPS = {

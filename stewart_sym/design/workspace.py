@@ -34,6 +34,12 @@ UNITS = {"constant_orientation": "m^3", "orientation": "rad^3", "six_dof": "m^3 
 WHOLE_TURN = np.array([[-math.pi, math.pi], [-0.5 * math.pi, 0.5 * math.pi], [-math.pi, math.pi]])
 """Roll, pitch, and yaw of all rotations (rad), shape (3, 2)."""
 
+_ELSEWHERE = {
+    "constant_orientation": "other rpy (rad)",
+    "orientation": "another position (m)",
+    "six_dof": "other bounds",
+}
+"""Remedies if no pose is within the limits."""
 
 _MOST = 10**12
 
@@ -191,7 +197,8 @@ def workspace(
     found = stratified_sampling.total(tallies, len(search), len(REASONS))
     if not found.codes[0]:
         reason = "" if position_bounds is None else examined.out_of_reach(search)
-        warn(f"workspace: no pose within the limits was found{reason}", WorkspaceWarning)
+        remedy = reason or f"; state {_ELSEWHERE[kind]}, wider limits, or more samples"
+        warn(f"workspace: no pose within the limits was found{remedy}", WorkspaceWarning)
     result = examined.workspace(grid, found, position_bounds is None)
     if found.codes[0] and not result.is_known:
         sizes = f"{result.error:.2g} and {result.volume:.2g} {result.unit}"

@@ -1,6 +1,6 @@
 """Status of limits: one rule for every quantity, with the standard deviations caused by noise in a log."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -63,14 +63,17 @@ def _sides(sd: Array | Sides | None) -> Sides:
     return sd if isinstance(sd, tuple) else (sd, sd)
 
 
-def counts_text(verdicts: Sequence[Sequence[str]]) -> str:
-    """Count the limits that are not exceeded, exceeded, and inconclusive, from the status of each leg."""
-    worst = [max(legs, key=VERDICTS.index) for legs in verdicts]
-    if not worst:
+def counts_text(verdicts: Mapping[str, str]) -> str:
+    """Count and name the limits that are not exceeded, exceeded, and inconclusive, from name and status."""
+    if not verdicts:
         return "limits: none stated"
-    within, exceeded = worst.count(WITHIN), worst.count(EXCEEDED)
-    inconclusive = len(worst) - within - exceeded
-    return f"limits: {within} not exceeded, {exceeded} exceeded, {inconclusive} inconclusive"
+    groups: dict[str, list[str]] = {"not exceeded": [], "exceeded": [], "inconclusive": []}
+    for name, verdict in verdicts.items():
+        groups[{WITHIN: "not exceeded", EXCEEDED: "exceeded"}.get(verdict, "inconclusive")].append(name)
+    counts = [
+        f"{len(names)} {group}" + f" ({', '.join(names)})" * bool(names) for group, names in groups.items()
+    ]
+    return f"limits: {', '.join(counts)}"
 
 
 def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> NDArray[np.intp]:

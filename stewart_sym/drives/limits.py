@@ -20,6 +20,7 @@ from .limit_status import (
     INCONCLUSIVE_REPLACED_ROWS,
     SURE,
     USED_UP,
+    VERDICTS,
     Extremes,
     amount_text,
     sides,
@@ -226,9 +227,13 @@ class LimitTracker:
             text += f"; because of replaced rows ({replaced_names(self.replaced)})"
         return text
 
-    def all_verdicts(self) -> list[list[str]]:
-        """Return the status of each leg for all limits of the robot."""
-        return [self.verdicts(limit) for limit in self._extremes if limit.is_stated(self.robot)]
+    def all_verdicts(self) -> dict[str, str]:
+        """Return the worst status of the legs for each name of a stated limit of the robot."""
+        found: dict[str, list[str]] = {}
+        for limit in self._extremes:
+            if limit.is_stated(self.robot):
+                found.setdefault(limit.name, []).extend(self.verdicts(limit))
+        return {name: max(verdicts, key=VERDICTS.index) for name, verdicts in found.items()}
 
     def verdicts(self, limit: Limit, tolerance: float = USED_UP) -> list[str]:
         """Return the status of each leg."""

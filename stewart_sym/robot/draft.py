@@ -72,8 +72,9 @@ class Draft:
                 number_in(value, each.name, "a number > 0")
         longest = self.leg_length + 0.5 * self.stroke
         if self.stroke >= 0.5 * longest:
-            most = f"below {2.0 / 3.0 * self.leg_length:.4g}, since a leg is longer than its stroke"
-            raise ValueError(f"stroke: expected a number {most}, got {self.stroke:g}")
+            unit = self.length_unit
+            most = f"below {2.0 / 3.0 * self.leg_length:.4g} {unit}, since a leg is longer than its stroke"
+            raise ValueError(f"stroke: expected a number {most}, got {self.stroke:g} {unit}")
 
     @property
     def leg_length(self) -> float:

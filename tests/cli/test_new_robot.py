@@ -61,7 +61,7 @@ def test_z_may_point_down(tmp_path: Path, run: Run) -> None:
 def test_numbers_that_no_machine_has_are_named_by_their_option(tmp_path: Path, fails: Fails) -> None:
     path = tmp_path / "robot.toml"
     for name, value, told in (
-        ("--stroke", 1.0, "stroke: expected a number below 0.5433, since a leg is longer than its stroke"),
+        ("--stroke", 1.0, "stroke: expected a number below 0.5433 m, since a leg is longer than its stroke"),
         ("--base-angle", 130.0, "base_angle: expected 0 to 120 degrees, got 130.0"),
         ("--height", -1.0, "argument --height: expected a number > 0, got '-1.0'"),
     ):

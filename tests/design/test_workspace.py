@@ -226,6 +226,8 @@ def test_where_nothing_is_in_reach_that_is_said() -> None:
     assert len(caught) == 1
     assert (made.volume, made.error, made.distance_to_limit) == (0.0, 0.0, made.distance_to_limit)
     assert np.isnan(made.extent).all()
+    with pytest.warns(ss.WorkspaceWarning, match="no pose .*; state another position"):
+        ss.workspace(robot, "orientation", position=[5.0, 5.0, 5.0], samples=1000)
 
 
 @pytest.mark.parametrize(("reach", "clear"), [((-0.02, 0.02), np.inf), ((0.0, 0.3), 0.2)])
