@@ -18,7 +18,12 @@ def finding(name: str, text: str, cause: str) -> Finding:
     return Finding(name, f"{text}; likely cause: {cause}")
 
 
-def in_file(robot: Robot, value: float, unit: str = "m", digits: int = 3) -> str:
+def in_file(robot: Robot, value: float, unit: str = "m") -> str:
     """Format a quantity of an SI unit, such as m/s, in the units of the robot file."""
     factor, name = Units.of(robot).of_unit(unit)
-    return f"{float(f'{factor * value:.{digits}g}'):.10g} {name}"
+    return f"{float(f'{factor * value:.4g}'):.10g} {name}"
+
+
+def smaller_unit(robot: Robot) -> str:
+    """Return the probable unit of lengths that are too large."""
+    return "millimeters" if robot.length_unit == "m" else "a smaller unit"

@@ -9,7 +9,7 @@ from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
 from ..motion.motion import at_rest
 from ..robot.robot import Robot, legs_text
-from .finding import Finding, finding, in_file
+from .finding import Finding, finding, in_file, smaller_unit
 
 MOST_LEGS = 5.0
 """Largest plausible shortest leg over machine size; machines have 0.2 to 2, limits in inches at least 8."""
@@ -17,12 +17,8 @@ OUTSIDE = 0.9
 """Ratio of the mean leg to the nearest mean limit below which no pose is likely to be within the limits."""
 MOST_DISTANCE, BEYOND = 3.0, 0.05
 """Largest plausible distances of a center of mass from its joint, and beyond it, over the leg length."""
-LEAST_OFFSET = (1e-6, 1e-3)
-"""Range of the distance from the joint, over the leg length, of meters in a file of millimeters."""
 LEAST_STROKE = 1e-3
 """Smallest plausible stroke over the leg length; hexapods with piezo actuators have 2e-3."""
-LEAST_HOME = 2e-3
-"""Smallest plausible distance of the home position from the base frame over machine size, if not 0."""
 MOST_REFLECTED = 1e4
 """Largest plausible mass of a rotor reflected to its leg over the mass of the machine."""
 IN_METERS = 0.05
@@ -36,9 +32,7 @@ def of_home(robot: Robot, t: Array) -> Iterator[Finding]:
     yield from found
     if not found and not robot.missing_bodies:
         F = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan").F
-        yield from _of_forces(robot, F)
-        yield from _of_torques(robot, F)
-        yield from _of_rotors(robot)
+        yield from _of_actuators(robot, np.abs(F))
 
 
 def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
@@ -50,15 +44,10 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
     limits += f"legs {_range(robot, L.min(), L.max())} long at the home pose"
     in_meters = longest < IN_METERS * np.mean(L)
     unit = "limits given in m in a file of another unit of length" if in_meters else ""
-    away = 0.0 if robot.home_position is None else float(np.linalg.norm(robot.home_position))
-    if 0.0 < away < LEAST_HOME * size:
-        text = f"home_position {in_file(robot, away)} from the origin of the base frame, on a machine of "
-        cause = f"given in a larger unit, expected {robot.length_unit}"
-        yield finding("home", f"{text}{in_file(robot, size)}", cause)
-    elif robot.home_position is not None and beyond:
+    if robot.home_position is not None and beyond:
         of_home = "home of another point than the platform frame's origin, or a stroke without 0 in it"
         i = max(beyond, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
-        text = f"{legs_text(beyond)} beyond length_limits at the home pose: {in_file(robot, L[i], digits=4)}"
+        text = f"{legs_text(beyond)} beyond length_limits at the home pose: {in_file(robot, L[i])}"
         yield finding("home", f"{text}, limits {_range(robot, low[i], high[i])}", unit or of_home)
     elif OUTSIDE * np.mean(low) > min(np.mean(L), OUTSIDE * MOST_LEGS * size):
         cause = "limits in millimeters, centimeters, or inches, or points of another machine"
@@ -73,8 +62,8 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
 
 def _range(robot: Robot, low: float, high: float) -> str:
     """Format two lengths (m) in the unit of the file."""
-    first = in_file(robot, low, digits=4).partition(" ")[0]
-    return f"{first} to {in_file(robot, high, digits=4)}"
+    first = in_file(robot, low).partition(" ")[0]
+    return f"{first} to {in_file(robot, high)}"
 
 
 def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:
@@ -85,62 +74,46 @@ def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:
     ):
         away = np.linalg.norm(r, axis=-1)
         far, wrong = away > MOST_DISTANCE * L, r[:, 0] > BEYOND * L
-        near = (away > LEAST_OFFSET[0] * L) & (away < LEAST_OFFSET[1] * L)
-        legs = np.flatnonzero(far | near | wrong).tolist()
+        legs = np.flatnonzero(far | wrong).tolist()
         if legs:
             i = legs[0]
-            cause = f"wrong sign, expected a {sign} first component, or a motor behind the joint"
-            if far[i] or near[i]:
-                smaller = "millimeters" if robot.length_unit == "m" else "a smaller unit"
-                cause = f"given in {smaller if far[i] else 'meters in a file of millimeters'}"
+            behind = f"wrong sign, expected a {sign} first component, or a motor behind the joint"
+            cause = f"given in {smaller_unit(robot)}" if far[i] else behind
             beyond = f", {in_file(robot, r[i, 0])} beyond it" if r[i, 0] > 0.0 else ""
             text = f"{part} part of {legs_text(legs)}: center_of_mass {in_file(robot, away[i])} from the "
             text += f"{joint}{beyond}, in a leg {in_file(robot, L[i])} long"
             yield finding("center-of-mass", text, cause)
 
 
-def _of_forces(robot: Robot, F: Array) -> Iterator[Finding]:
-    """Yield a finding if force limits are below the forces F (N), (6,), that hold the machine at rest."""
+def _of_actuators(robot: Robot, F: Array) -> Iterator[Finding]:
+    """Yield findings about limits below the magnitudes F (N), (6,), at rest, and about heavy rotors."""
     cause = "force_limit in kN, masses in grams, or actuators too weak"
-    if text := _too_weak("force_limit of", np.abs(F), robot.force_limit, "N"):
-        yield finding("force-limit", text, cause)
-
-
-def _of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
-    """Yield a finding if motors with friction are too weak for the forces F (N), (6,), at rest."""
+    yield from _too_weak("force-limit", "force_limit", F, robot.force_limit, "N", cause)
     drive = robot.drive
     if drive is None:
         return
     turns = np.abs(drive.transmission_ratio)
     friction = drive.screw_coulomb + drive.stribeck_force + turns * drive.motor_coulomb
-    torque = (drive.backdrive_efficiency * np.abs(F) - friction) / turns
+    torque = (drive.backdrive_efficiency * F - friction) / turns
+    name = "rated_torque" if np.any(torque > drive.rated_torque) else "torque_limit"
     cause = "a missing gear ratio, lead in another unit, or motors too weak"
-    for name in ("torque_limit", "rated_torque"):
-        if text := _too_weak(f"{name} of the drives of", torque, getattr(drive, name), "N m"):
-            yield finding("drive-limit", text, cause)
-            return
-
-
-def _too_weak(owner: str, required: Array, limit: Array, unit: str) -> str:
-    """Return the text about limits below the values (6,) for the machine at rest, or an empty text."""
-    weak = np.flatnonzero(required > limit).tolist()
-    if not weak:
-        return ""
-    worst = max(weak, key=lambda i: float(required[i] / limit[i]))
-    text = f"{owner} {legs_text(weak)}: {limit[worst]:.4g} {unit}, but {required[worst]:.4g} {unit} hold the "
-    return f"{text}machine at rest at the home pose"
-
-
-def _of_rotors(robot: Robot) -> Iterator[Finding]:
-    """Yield a finding if rotors that are reflected to their legs are much heavier than the machine."""
-    if robot.drive is None:
-        return
-    inertia = robot.drive.rotor_inertia
-    reflected = inertia * robot.drive.transmission_ratio**2
+    yield from _too_weak("drive-limit", f"{name} of the drives", torque, getattr(drive, name), "N m", cause)
+    reflected = drive.rotor_inertia * turns**2
     heavy = np.flatnonzero(reflected > MOST_REFLECTED * (robot.M + np.sum(robot.m_d + robot.m_u))).tolist()
     if heavy:
-        i = heavy[0]
-        text = (
-            f"rotor_inertia of {legs_text(heavy)}: {inertia[i]:.4g} kg m^2, {reflected[i]:.3g} kg at the leg"
-        )
+        inertia, mass = drive.rotor_inertia[heavy[0]], reflected[heavy[0]]
+        text = f"rotor_inertia of {legs_text(heavy)}: {inertia:.4g} kg m^2, {mass:.3g} kg at the leg"
         yield finding("drive-inertia", text, "given in kg cm^2, kg mm^2, or g cm^2")
+
+
+def _too_weak(
+    name: str, owner: str, required: Array, limit: Array, unit: str, cause: str
+) -> Iterator[Finding]:
+    """Yield a finding about limits below the values (6,) for the machine at rest."""
+    weak = np.flatnonzero(required > limit).tolist()
+    if weak:
+        worst = max(weak, key=lambda i: float(required[i] / limit[i]))
+        text = (
+            f"{owner} of {legs_text(weak)}: {limit[worst]:.4g} {unit}, but {required[worst]:.4g} {unit} hold "
+        )
+        yield finding(name, f"{text}the machine at rest at the home pose", cause)

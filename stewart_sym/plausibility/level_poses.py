@@ -22,33 +22,25 @@ HEIGHTS = 50
 def level_home(robot: Robot) -> Array:
     """Return the position of the home pose of the robot, or of a better level pose if none is given.
 
-    Poses along the base normal are tried if ``home_pose`` does not suit the machine, for example on a wall.
-    Without length limits, the home pose is a guess; the result is then the best height at which the leg parts
-    do not overlap.
+    Poses along the base normal are tried too, because ``home_pose`` does not suit a machine on a wall, for
+    example. Without length limits, the result is the best height at which the leg parts do not overlap.
     """
     if robot.home_position is not None:
         return robot.home_position
     t = home_pose(robot).t
-    condition = float(level_conditions(robot.b, robot.p, t[None])[0])
-    limited = np.all(np.isfinite(robot.length_limits))
     toward = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    directions = [toward / np.linalg.norm(toward)]
-    if not condition <= GOOD_CONDITION:
-        normal = np.linalg.svd(robot.b - robot.b.mean(axis=0))[2][2]
-        directions += [normal, -normal]
-    others = np.concatenate([level_positions(robot, direction, HEIGHTS) for direction in directions])
-    found = level_conditions(robot.b, robot.p, others)
-    lengths = level_lengths(robot, others)
-    if limited:
-        score = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
-        score[found > max(GOOD_CONDITION, found.min())] = np.inf
+    normal = np.linalg.svd(robot.b - robot.b.mean(axis=0))[2][2]
+    directions = (toward / np.linalg.norm(toward), normal, -normal)
+    others = np.concatenate([t[None], *(level_positions(robot, axis, HEIGHTS) for axis in directions)])
+    found, lengths = level_conditions(robot.b, robot.p, others), level_lengths(robot, others)
+    if np.all(np.isfinite(robot.length_limits)):
+        away = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
+        away[0] = 0.0
+        score = np.where(found > max(GOOD_CONDITION, found.min()), np.inf, away)
     else:
         passing = np.all(lengths >= np.nan_to_num(robot.r_d0[:, 0] - robot.r_u0[:, 0]), axis=-1)
         score = np.where(passing | ~passing.any(), found, np.inf)
-    best = int(np.argmin(score))
-    if not limited or MISPAIRED * found[best] < condition:
-        return np.asarray(others[best])
-    return t
+    return np.asarray(others[int(np.argmin(score))])
 
 
 def level_conditions(b: Array, p: Array, t: Array) -> Array:

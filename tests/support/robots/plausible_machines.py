@@ -201,7 +201,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     # name of the doubt -> what is wrong: change of a sound machine, words of its cause
     "length-unit": {
         "millimeters": (scaled(b=1e3, p=1e3), "points in millimeters"),
-        "20 mm in millimeters": (scaled(b=20.0, p=20.0, M=1e-5), "points in millimeters"),
+        "100 mm in millimeters": (scaled(b=200.0, p=200.0), "points in millimeters"),
     },
     "proportion": {
         "platform in millimeters": (scaled(p=1e3), "platform points in millimeters"),
@@ -227,7 +227,10 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "center-of-mass": {
         "platform's in mm": (of(R_0=lambda R_0: 1e3 * (R_0 + 0.1)), "platform: center_of_mass"),
         "lower ones in mm": (scaled(r_d0=1e3), "lower part of all legs: center_of_mass"),
-        "lower one in m in a file of mm": (one_leg("r_d0", 1, 1e-3), "meters in a file of millimeters"),
+        "lower ones in m in a file of mm": (
+            of(length_unit="mm", r_d0=lambda r: 1e-3 * r),
+            "larger unit, expected mm",
+        ),
         "upper ones of the wrong sign": (scaled(r_u0=-1.0), "wrong sign, expected a negative"),
         "lower ones of the wrong sign": (scaled(r_d0=-0.5), "wrong sign, expected a positive"),
     },
@@ -253,7 +256,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     },
     "home": {
         "home in meters in a file of millimeters": (
-            of(home_position=np.array([0.0, 0.0, 7e-4])),
+            of(length_unit="mm", home_position=np.array([0.0, 0.0, 7e-4])),
             "in a larger unit",
         )
     }
