@@ -7,15 +7,14 @@ import numpy as np
 
 import stewart_sym as ss
 
+from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress
 from ..kinematics.robot_logs import log_of, samples_of
-from ..kinematics.trajectory_checks import side_doubt
 from ..motion.log_reader import trajectory_of as motion_log_of
 from ..motion.log_samples import read_samples
 from ..motion.rotation import rotation_from_rpy
 from ..motion.trajectory import Trajectory
-from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 from ..plausibility.plausibility import find_implausible
 from ..singularities.joint_space import on_platform
 from .command import LOG_FORM
@@ -50,14 +49,12 @@ def trajectory_of(
     if robot is None:
         samples = read_samples(str(source), log_format(arguments))
         log = motion_log_of(samples, _smoothing(arguments, samples.file_format), progress)
-        if arguments.pose_guess is not None:
-            raise ValueError("--pose-guess: needs the robot; add --robot")
-        if arguments.rate is not None and log.in_joints:
-            raise ValueError("--rate: resampling of leg lengths needs the robot; add --robot")
+        if arguments.pose_guess is not None or (arguments.rate is not None and log.in_joints):
+            raise ValueError("--pose-guess and --rate of leg lengths need the robot; add --robot")
     else:
         samples = samples_of(robot, source, log_format(arguments))
         log = log_of(robot, samples, _smoothing(arguments, samples.file_format), progress)
-        log = poses_of(robot, log, arguments, progress)
+        log = on_platform(robot, log, pose_guess(arguments), progress)
     if arguments.rate is None:
         return log
     few = ss.resample(log, arguments.rate)
@@ -73,18 +70,8 @@ def _smoothing(arguments: argparse.Namespace, form: ss.TrajectoryFormat) -> ss.S
     for name in () if arguments.smoothing else ("position_std", "angle_std", "cutoff"):
         if getattr(arguments, name) is not None:
             raise ValueError(f"--{name.replace('_', '-')} and --no-smoothing cannot be given together")
-    return ss.SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
-
-
-def stated_noise(
-    arguments: argparse.Namespace, form: ss.TrajectoryFormat
-) -> tuple[float | None, float | None]:
-    """Convert the noise options from units of the log to m and rad; return (position_std, angle_std)."""
-    position, angle = arguments.position_std, arguments.angle_std
-    return (
-        None if position is None else position * LENGTH_UNITS[form.length_unit or "m"],
-        None if angle is None else angle * ANGLE_UNITS[form.angle_unit or "rad"],
-    )
+    std = form.std_in_si(arguments.position_std, arguments.angle_std)
+    return ss.SmoothingOptions(*std, arguments.cutoff, arguments.smoothing)
 
 
 def log_format(arguments: argparse.Namespace) -> ss.TrajectoryFormat:
@@ -94,17 +81,9 @@ def log_format(arguments: argparse.Namespace) -> ss.TrajectoryFormat:
     return ss.TrajectoryFormat(**{name: value for name, value in stated.items() if value is not None})
 
 
-def poses_of(
-    robot: ss.Robot, log: Trajectory, arguments: argparse.Namespace, progress: Progress
-) -> Trajectory:
-    """Return the poses of a log, computed by forward kinematics if the log contains leg lengths."""
-    start = None if arguments.pose_guess is None else np.asarray(arguments.pose_guess)
-    if log.in_joints:
-        guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        poses = on_platform(robot, log, guess, progress)
-        if start is not None and (doubt := side_doubt(robot, poses.motion)) is not None:
-            warn(f"--pose-guess: {doubt}")
-        return poses
-    if start is not None:
-        raise ValueError("--pose-guess: the trajectory contains poses; omit the option")
-    return log
+def pose_guess(arguments: argparse.Namespace) -> tuple[Array, Array] | None:
+    """Return the pose (R, t) of ``--pose-guess``."""
+    if arguments.pose_guess is None:
+        return None
+    t, theta = np.reshape(arguments.pose_guess, (2, 3))
+    return rotation_from_rpy(theta), t

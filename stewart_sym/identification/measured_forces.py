@@ -2,10 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..drives.noise import at_replaced
 from ..dynamics.inverse_dynamics import inverse_dynamics
@@ -21,7 +19,8 @@ from .base_parameters import base_parameters
 from .drive_terms import terms_of
 from .estimates import IdentificationResult
 from .estimation import identify
-from .motion_basis import PoseNoise, smoothed
+from .measured_files import Measurement
+from .motion_basis import smoothed
 
 # Largest difference of equal times, relative to the total time, in addition to their rounding.
 _SAME_TIME = 1e-6
@@ -41,25 +40,18 @@ _TOLD = 2
 
 def from_measurement(
     robot: Robot,
-    trajectory: Trajectory,
-    time: Array,
-    F: Array,
-    sigma: ArrayLike,
-    source: str,
-    lines: Lines,
-    noise: PoseNoise | None = None,
+    measured: Measurement,
     friction: bool = True,
     physical: bool = False,
     identical_legs: bool = False,
     drive: Sequence[str] | None = None,
-    units: Mapping[str, float] = MappingProxyType({}),
 ) -> IdentificationResult:
-    """Identify the parameters that a trajectory excites from forces F (N), (n, 6), of the file ``source``.
+    """Identify the parameters that a measured trajectory excites from measured forces.
 
-    Unused rows of the trajectory are left out. ``lines`` are the line numbers of the forces. ``units`` are
-    the units that the forces may have, the assumed one first, with their factors. Raises ValueError if
-    another unit fits the robot.
+    Unused rows of the trajectory are left out. Raises ValueError if the forces fit the robot only in another
+    unit.
     """
+    trajectory, time, F, sigma, source, lines, noise, units, _ = measured
     poses, forces = _pairs(trajectory, time, source, lines)
     warnings = []
     for name, each, used in ((trajectory.source, trajectory.time, poses), (source, time, forces)):

@@ -94,6 +94,11 @@ class TrajectoryFormat:
         """Order of the rotations."""
         return self.euler_order or "zyx"
 
+    def std_in_si(self, position: float | None, angle: float | None) -> tuple[float | None, float | None]:
+        """Convert standard deviations from the units of the file to m and rad; None remains None."""
+        meters, radians = LENGTH_UNITS[self.length_unit or "m"], ANGLE_UNITS[self.angle_unit or "rad"]
+        return position and position * meters, angle and angle * radians
+
 
 def combined(form: TrajectoryFormat, defaults: TrajectoryFormat) -> TrajectoryFormat:
     """Return a format with the values of ``defaults`` for unspecified attributes and columns."""

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 
 from ..io.arguments import deviations, finite_array, instance, real_array
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..io.progress import Progress, silent
 from ..kinematics.forward_kinematics import (
     REASONS,
@@ -32,6 +33,7 @@ from ..kinematics.forward_kinematics import (
 )
 from ..kinematics.pose_search import newton
 from ..kinematics.robot_logs import read_log_of
+from ..kinematics.trajectory_checks import side_doubt
 from ..motion.interpolation import interpolate
 from ..motion.log_reader import AS_SHOWN
 from ..motion.motion import Motion
@@ -179,7 +181,11 @@ def motion_from_lengths(
 def on_platform(
     robot: Robot, joints: Trajectory, guess: Guess | None = None, progress: Progress = silent
 ) -> Trajectory:
-    """Convert a joint-space trajectory to a platform trajectory; errors contain its file and line."""
+    """Return a log with poses, computed if it contains leg lengths; errors contain its file and line."""
+    if not joints.in_joints:
+        if guess is not None:
+            raise ValueError(f"pose guess: {joints.source} contains poses; omit the guess")
+        return joints
     L, L_dot, L_ddot = joints.lengths
     std = None if joints.noise is None else np.sqrt(joints.noise.covariances(joints.time)[..., 0])
     given = (joints.F_ext, joints.M_ext, joints.time, std, progress)
@@ -190,6 +196,8 @@ def on_platform(
     except LostError as error:
         row = joints.rows[error.sample]
         raise ValueError(f"{joints.source}: line {row}: {error.reason}") from None
+    if guess is not None and (doubt := side_doubt(robot, motion)) is not None:
+        warn(f"pose guess: {doubt}")
     return replace(joints, given_motion=motion)
 
 
@@ -265,12 +273,7 @@ def read_trajectory(
     instance(smoothing, SmoothingOptions, "smoothing")
     file_format = PLAIN if file_format is None else file_format
     instance(file_format, TrajectoryFormat, "file_format")
-    log = read_log_of(robot, path, file_format, smoothing)
-    if log.in_joints:
-        return on_platform(robot, log, guess)
-    if guess is not None:
-        raise ValueError(f"guess: expected a log of leg lengths, {log.source} contains poses")
-    return log
+    return on_platform(robot, read_log_of(robot, path, file_format, smoothing), guess)
 
 
 def _in_parts(function: Callable[[slice], tuple[Array, Array]], count: int) -> tuple[Array, Array]:

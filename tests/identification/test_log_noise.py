@@ -12,6 +12,7 @@ from sweeps import FULL
 
 import stewart_sym as ss
 from stewart_sym.identification.log_noise import noise_of_log
+from stewart_sym.identification.measured_files import Measurement
 from stewart_sym.identification.measured_forces import from_measurement
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.trajectory import Trajectory
@@ -41,7 +42,8 @@ def test_noisy_poses_of_the_tool_are_taken_as_measured(robot: ss.Robot, excited:
     noise = noise_of_log(robot, trajectory, (position, angle), excited.path.period)
     assert noise is not None
     assert noise.position > position
-    found = from_measurement(robot, trajectory, excited.time, F, sigma, "F.csv", LINES, noise)
+    measurement = Measurement(trajectory, excited.time, F, np.array(sigma), "F.csv", LINES, noise)
+    found = from_measurement(robot, measurement)
     assert found.verdict == "consistent", found.warnings
     off = (found.values - found.base.matrix @ ss.inertial_parameters(robot).values) / found.std
     assert np.abs(off).max() < 4.5
@@ -57,7 +59,8 @@ def test_undetermined_parameters_and_a_wrong_force_are_named(robot: ss.Robot, ex
         (1e9, "parameters: none is determined"),
         (1.0, "F.csv: largest residual: leg 2 at "),
     ):
-        found = from_measurement(robot, trajectory, excited.time, F, sigma, "F.csv", LINES)
+        measurement = Measurement(trajectory, excited.time, F, np.array(sigma), "F.csv", LINES)
+        found = from_measurement(robot, measurement)
         (line,) = (line for line in found.warnings if line.startswith(words))
     assert " s, line 20: " in line
     assert any(" of 120 samples, more than 1 %, differ from the model" in line for line in found.warnings)

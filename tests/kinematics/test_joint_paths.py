@@ -120,7 +120,7 @@ def test_start_chooses_the_assembly_mode(tmp_path: Path, run: Run) -> None:
     start = ["0.1", "0", "-0.4", "0", "0", "-0.2"]
     output = tmp_path / "forces.csv"
     told = run("forces", PAPERS, trajectory, "-o", output, "--pose-guess", *start).err
-    assert "--pose-guess: the platform is below the base, in the direction of gravity" in told
+    assert "pose guess: the platform is below the base, in the direction of gravity" in told
     guess = rotation_from_rpy([0.0, 0.0, -0.2]), np.array([0.1, 0.0, -0.4])
     below = ss.motion_from_lengths(dasgupta(), legs.L, legs.L_dot, legs.L_ddot, guess)
     assert np.all(below.t[:, 2] < 0.0)

@@ -35,7 +35,7 @@ def run(arguments: Arguments) -> None:
         path: MotionPath
         if name in ss.PAPER_PATHS:
             if arguments.pose_guess is not None:
-                raise ValueError("--pose-guess: the trajectory contains poses; omit the option")
+                raise ValueError(f"pose guess: path {name} contains poses; omit the guess")
             line = path_for(robot, name).path
             path, times = line.sample, line.breakpoints()
         else:
