@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 from hashlib import sha256
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 
 from .emit.torque import axial_name
 from .generated_files import (
@@ -67,3 +67,22 @@ def committed(files: Mapping[str, str]) -> dict[str, str]:
     later = sorted(name for name in files if PurePosixPath(name).stem in ON_DEMAND)
     rows = (f"{sha256(files[name].encode()).hexdigest()}  {name}\n" for name in later)
     return {name: text for name, text in files.items() if name not in later} | {TABLE: "".join(rows)}
+
+
+def differences(folder: Path, files: Mapping[str, str]) -> dict[str, list[str]]:
+    """Return the names of files of a folder that differ from ``files``, are missing, or are not generated.
+
+    The table in the folder contains the digests of the files of ``ON_DEMAND``.
+    """
+    paths = [path for pattern in ("*.py", "c/*.[ch]") for path in folder.glob(pattern)]
+    present = {path.relative_to(folder).as_posix(): sha256(path.read_bytes()).hexdigest() for path in paths}
+    stray = present.keys() - committed(files).keys()
+    if (folder / TABLE).is_file():
+        rows = (folder / TABLE).read_text(encoding="utf-8").splitlines()
+        present |= {name: digest for digest, name in map(str.split, rows)}
+    expected = {name: sha256(text.encode()).hexdigest() for name, text in files.items()}
+    return {
+        "differ": sorted(name for name in expected.keys() & present if expected[name] != present[name]),
+        "missing": sorted(expected.keys() - present),
+        "not_generated": sorted((present.keys() - expected) | stray),
+    }

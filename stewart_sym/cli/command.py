@@ -40,11 +40,7 @@ LOG_FORM = {
     "time-unit": ("unit of time", _OF_FILE.format("s"), tuple(TIME_UNITS)),
     "delimiter": ("delimiter", "detected", ("comma", "semicolon", "tab")),
     "decimal": ("decimal mark", "detected", ("point", "comma")),
-    "euler-order": (
-        "order of the rotation product",
-        f"{_OF_ROBOT}, otherwise zyx (R = Rz Ry Rx)",
-        EULER_ORDERS,
-    ),
+    "euler-order": ("order of the rotations, zyx: R = Rz Ry Rx", f"{_OF_ROBOT} or zyx", EULER_ORDERS),
     "length-mode": (f"zero of the leg lengths, {_ZERO}", f"{_OF_ROBOT} or absolute", MODES),
     "pose-mode": (f"zero of the poses, {_ZERO}", f"{_OF_ROBOT} or absolute", MODES),
 }
@@ -55,6 +51,13 @@ def folder_name(text: str) -> Path:
     """Parse the name of a folder; reject ``-``, because several files cannot go to standard output."""
     if text == "-":
         raise argparse.ArgumentTypeError("expected a folder, got - for standard output")
+    return Path(text)
+
+
+def html_name(text: str) -> Path:
+    """Parse the name of an HTML file; reject other suffixes, which may be those of inputs."""
+    if Path(text).suffix.lower() not in ("", ".html", ".htm"):
+        raise argparse.ArgumentTypeError(f"expected a file name that ends in .html, got {text!r}")
     return Path(text)
 
 
@@ -167,7 +170,7 @@ class Parser(argparse.ArgumentParser):
         self.add_argument(
             *("-o", "--output"),
             metavar=metavar,
-            type=folder_name if metavar == "DIR" else Path,
+            type={"DIR": folder_name, "FILE.html": html_name}.get(metavar, Path),
             required=shown is None,
             default=default and Path(default),
             help=f"{text}; default: {shown}" if shown else text,
@@ -176,7 +179,7 @@ class Parser(argparse.ArgumentParser):
             text = "write tables and CSV files only, without Matplotlib"
             self.add_argument("--no-plots", dest="plots", action="store_false", help=text)
         if html:
-            self.valued("html", Path, "HTML file of text, tables, figures, and motions", metavar="FILE")
+            self.valued("html", html_name, "HTML file of text, tables, figures, and motions", metavar="FILE")
         self.json()
 
     def json(self) -> None:
@@ -189,7 +192,7 @@ class Parser(argparse.ArgumentParser):
         self.flag("force", "replace also files of other programs and edited files, except inputs")
 
     def log_form(self) -> Group:
-        """Add the options for columns and units of a trajectory file, and for the initial pose guess."""
+        """Add the options for columns, units, and noise of a trajectory file, and for the pose guess."""
         group = self.add_argument_group("trajectory file")
         names = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
         text = "pose near the first leg lengths (m and rad); default: above the base, nearly parallel to it"
@@ -202,28 +205,21 @@ class Parser(argparse.ArgumentParser):
         self.valued("row-rate", positive, text, metavar="HZ", group=group)
         text = "lines of the file that are not used, as in 1498,1503-1510"
         self.valued("drop-lines", _lines, text, None, "LINES", group)
+        noisy = {"position": "positions or leg lengths (--length-unit)", "angle": "angles (--angle-unit)"}
+        for name, what in noisy.items():
+            text = f"standard deviation of the measured {what}; default: estimated"
+            self.valued(f"{name}-std", positive, text, metavar="STD", group=group)
         return group
-
-    def noise(self, text: str, position: str, angle: str, group: Group | None = None) -> None:
-        """Add ``--position-std`` and ``--angle-std``; ``text`` has placeholders for quantity and unit."""
-        for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
-            self.valued(f"{name}-std", positive, text.format(what, kind), metavar="STD", group=group)
 
     def log(self) -> None:
         """Add the options for reading the file of a trajectory."""
         group = self.log_form()
         text = "sampling rate of the resampled log (Hz); default: no resampling"
         self.valued("rate", positive, text, metavar="HZ", group=group)
-        text = "standard deviation of the {} of the log (--{}-unit); default: estimated"
-        self.noise(text, "positions or leg lengths", "angles", group)
         text = "frequency at half amplitude of the smoothing filter (Hz); default: the most likely"
         self.valued("cutoff", positive, text, metavar="HZ", group=group)
         text = "interpolate the samples without smoothing"
         group.add_argument("--no-smoothing", dest="smoothing", action="store_false", help=text)
-
-
-Taker = Callable[..., None]
-"""Function that writes a report, and the content of a single file if there is one, to their destinations."""
 
 
 @contextlib.contextmanager
@@ -233,7 +229,7 @@ def results(
     *tables: str,
     read: Iterable[Path] = (),
     beginnings: Sequence[str] = (),
-) -> Iterator[tuple[Taker, Progress]]:
+) -> Iterator[tuple[Callable[..., None], Progress]]:
     """Return a function that writes the report of a subcommand and a function that displays its progress.
 
     A folder ``arguments.output`` contains ``stem.txt``, ``stem.json``, and the files ``tables``; a single
@@ -250,13 +246,11 @@ def results(
     folder = None
     if stem is not None and output is not None:
         if getattr(arguments, "plots", False):
-            need_drawing(", or use --no-plots")
+            need("matplotlib", "drawing", ", or use --no-plots")
         folder = ResultFolder(output, arguments.force, inputs, (f"{stem}.txt", f"{stem}.json", *tables))
     paths = [path for path in (output, page, arguments.json) if path is not None]
     if len({*paths}) < len(paths):
         raise ValueError("-o, --html, --json: two results have the same file; name another file")
-    if page is not None:
-        need_html("--html", page)
     json_beginning = json_text(made_by).removesuffix("\n}\n") + ","
     for path, texts in (output, beginnings), (page, [HTML_BEGINNING]), (arguments.json, [json_beginning]):
         if path is not None and texts:
@@ -298,15 +292,3 @@ def need_own_file(path: Path, beginnings: Sequence[str], force: bool, inputs: It
         found = path.read_bytes() if path.is_file() else b""
         is_ours = not found or found.startswith(tuple(map(str.encode, beginnings)))
         must_be_replaceable(path, is_ours, force, inputs)
-
-
-def need_html(option: str, target: Path) -> None:
-    """Raise ValueError if the file name has a suffix other than .html or .htm."""
-    if target.suffix.lower() not in ("", ".html", ".htm"):
-        raise ValueError(f"{option} {target}: the file name must end in .html")
-
-
-def need_drawing(otherwise: str = "") -> None:
-    """Raise ImportError if a plotting package is missing; ``otherwise`` is an alternative without it."""
-    for package in ("matplotlib", "textalloc"):
-        need(package, "drawing", otherwise)

@@ -46,14 +46,15 @@ def trajectory_of(
 ) -> Trajectory:
     """Read a CSV file as specified by the options; with a robot, leg lengths become poses."""
     progress(f"reading {source}")
+    form = log_format(arguments)
+    samples = read_samples(str(source), form) if robot is None else samples_of(robot, source, form)
+    smoothing = _smoothing(arguments, samples.file_format)
     if robot is None:
-        samples = read_samples(str(source), log_format(arguments))
-        log = motion_log_of(samples, _smoothing(arguments, samples.file_format), progress)
+        log = motion_log_of(samples, smoothing, progress)
         if arguments.pose_guess is not None or (arguments.rate is not None and log.in_joints):
             raise ValueError("--pose-guess and --rate of leg lengths need the robot; add --robot")
     else:
-        samples = samples_of(robot, source, log_format(arguments))
-        log = log_of(robot, samples, _smoothing(arguments, samples.file_format), progress)
+        log = log_of(robot, samples, smoothing, progress)
         log = on_platform(robot, log, pose_guess(arguments), progress)
     if arguments.rate is None:
         return log

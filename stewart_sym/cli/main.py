@@ -55,16 +55,14 @@ def main(argv: Sequence[str] | None = None) -> int:
             code: int = arguments.run(arguments) or 0
         sys.stdout.flush()
         return code
-    except BrokenPipeError:
-        give_up_stdout()
-        return 2
     except KeyboardInterrupt:
         return 130
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
         text, file = one_line(error), getattr(arguments, "robot", None)
         if isinstance(file, Path) and text.removeprefix(f"{file}: ").startswith("robot: "):
             text = text.removeprefix(f"{file}: ").replace("robot", str(file), 1)
-        print(f"{PROGRAM}: error: {text}", file=sys.stderr)
+        if not isinstance(error, BrokenPipeError):
+            print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()
         except OSError:

@@ -38,10 +38,8 @@ def progress_line() -> Iterator[Progress]:
 class _Line:
     """Progress line with the current step and, for known fractions, a bar and the remaining time."""
 
-    def __init__(self) -> None:
-        """Start without a task."""
-        self._share: float | None = None
-        self._began = self._shown = 0.0
+    _share: float | None = None
+    _began = _shown = 0.0
 
     def __call__(self, text: str, share: float | None = None) -> None:
         """Show a step; a missing fraction, the first one, or a lower one than before starts a new task."""

@@ -71,8 +71,8 @@ class PlanRequest:
     doubt: str = ""
 
     def of_poses(self, text: str) -> str:
-        """Add the file of the via poses to a message; in a TOML file their keys replace their numbers."""
-        return _of_poses(text, self.files)
+        """Add the file and the doubt of the via poses to a message; in a TOML file, keys replace numbers."""
+        return _of_poses(f"{text}; {self.doubt}" if self.doubt else text, self.files)
 
 
 @contextlib.contextmanager

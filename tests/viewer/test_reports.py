@@ -85,8 +85,8 @@ def test_the_run_that_simulate_wrote_is_shown_with_its_own_forces(folder: Path) 
 def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fails) -> None:
     forces = ("forces", "hexapod.toml", "trajectory.csv", "-o", "forces.csv")
     line = fails(*forces, "--html", "hexapod.toml")
-    assert "--html hexapod.toml: the file name must end in .html" in line
-    line = fails(*forces, "--html", "forces.csv")
+    assert "--html: expected a file name that ends in .html, got 'hexapod.toml'" in line
+    line = fails(*forces, "--html", "page.html", "--json", "page.html")
     assert "two results have the same file" in line
     (folder / "mine.html").write_text("<p>mine")
     line = fails(*forces, "--html", "mine.html")

@@ -7,14 +7,12 @@ Example: stewart-sym derive --check
 """
 
 import ast
-import hashlib
-from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 from ...io.arguments import hint, shown
-from ...io.atomic_write import ResultFolder, digest, write_file
+from ...io.atomic_write import ResultFolder, write_file
 from ...studies.common.report import Report
 from ..command import Arguments, Parser, results
 
@@ -30,7 +28,7 @@ def add_arguments(parser: Parser) -> None:
 
 def run(arguments: Arguments) -> int:
     from ...derive.generated_files import generated_files
-    from ...derive.on_demand import committed
+    from ...derive.on_demand import committed, differences
     from ...dynamics.forces import CORES
 
     installed = Path(str(files("stewart_sym.generated")))
@@ -59,7 +57,7 @@ def run(arguments: Arguments) -> int:
             lines.append(f"{kernel['name']:<16} {kernel['time_s']:6.1f} s{counts}")
         names: dict[str, list[str]] = {}
         if arguments.check:
-            names = _compared(directory, texts, stored)
+            names = differences(directory, texts)
             more = [f"{_LABELS[kind]}: {name}" for kind, each in names.items() for name in each]
             lines += more or [f"{directory}: all {len(texts)} files are as derived"]
         else:
@@ -80,8 +78,7 @@ def _one_kernel(name: str) -> dict[str, str]:
     if name not in ON_DEMAND:
         expected = f"the name of a file in {TABLE} without suffix"
         raise ValueError(f"--kernel: expected {expected}, got {shown(name)}{hint(name, ON_DEMAND)}")
-    texts: dict[str, str] = kernel_files(name)
-    return texts
+    return kernel_files(name)
 
 
 def _operations(module: str) -> int | None:
@@ -90,23 +87,3 @@ def _operations(module: str) -> int | None:
         if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "OPERATIONS" and node.value:
             return int(sum(ast.literal_eval(node.value)["friction"]["total"]))
     return None
-
-
-def _compared(directory: Path, texts: Mapping[str, str], stored: Mapping[str, str]) -> dict[str, list[str]]:
-    """Return the names of files that differ from ``texts``, are missing, or are not generated.
-
-    ``stored`` are the files of the folder, whose table contains the digests of the others.
-    """
-    from ...derive.on_demand import TABLE
-
-    paths = [path for pattern in ("*.py", "c/*.[ch]") for path in directory.glob(pattern)]
-    files = {path.relative_to(directory).as_posix(): digest(path) for path in paths}
-    table = directory / TABLE
-    rows = table.read_text(encoding="utf-8").splitlines() if table.is_file() else []
-    present = files | {name: code for code, name in map(str.split, rows)}
-    expected = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
-    return {
-        "differ": sorted(name for name in expected.keys() & present if expected[name] != present[name]),
-        "missing": sorted(expected.keys() - present),
-        "not_generated": sorted((present.keys() - expected) | (files.keys() - stored.keys())),
-    }

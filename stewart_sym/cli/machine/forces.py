@@ -15,7 +15,6 @@ import stewart_sym as ss
 from ...io.atomic_write import must_be_replaceable, write_file
 from ...io.error_policy import warn
 from ...io.extras import need
-from ...motion.trajectory import noise_text
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import SMALL, Picture, Report, draw, is_own_png
 from ...studies.reports.force_report import HEADERS, NOISE_THRESHOLD, ForceReport
@@ -56,10 +55,6 @@ def run(arguments: Arguments) -> None:
         if crossed is not None:
             warn(crossed, ss.SingularPoseWarning)
         lines = [found.summary()]
-        if trajectory.noise is not None and trajectory.noise.sigma.any():
-            units = robot.length_unit, robot.angle_unit
-            noise = noise_text(trajectory.noise.sigma, trajectory.has_lengths, *units)
-            lines.append(f"{noise}; F_std is the remaining standard deviation")
         figures = {} if arguments.plot is None else {"forces": Picture(found.figure, SMALL)}
         for picture in figures.values():
             draw(picture, arguments.plot.with_suffix(""))

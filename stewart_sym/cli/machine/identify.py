@@ -1,7 +1,7 @@
 """Identify inertial parameters from measured or simulated forces.
 
 Without --measured, the motion is the best of random Fourier series within the limits, and the table
-includes the true values.
+includes the true values; poses are exact unless --position-std and --angle-std are given.
 Output: report, trajectory.csv, and parameters. SI units.
 Exit code: 0, 1 if the fit is rejected, 2 for an error.
 
@@ -34,8 +34,6 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--measured", nargs=2, type=Path, metavar=files, help=text)
     text = "standard deviation of the measured forces (N) or currents (A)"
     parser.valued("force-std", positive, text, 1.0)
-    text = "standard deviation of the measured {} (--{}-unit); default: estimated, or exact in simulations"
-    parser.noise(text, "positions or leg lengths", "rotations about each axis")
     parser.seed()
     text = "period of the motion (s); default: from gravity, or none for measured poses with noise"
     parser.valued("period", finite, text)
@@ -78,12 +76,10 @@ def _measured(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Iden
 
 
 def _simulated(arguments: Arguments, progress: Progress) -> tuple[Report, ss.IdentificationResult]:
-    given = [name for name in ("no_friction", "enforce_physical", "drive_terms") if getattr(arguments, name)]
-    if given:
-        raise ValueError(f"{given[0]}: applies to measured forces; add --measured")
-    if log_format(arguments) != ss.TrajectoryFormat() or arguments.pose_guess is not None:
-        of_files = "--pose-guess and options of the trajectory file"
-        raise ValueError(f"{of_files}: apply to measured forces; add --measured")
+    measured = ("no_friction", "enforce_physical", "drive_terms", "pose_guess")
+    if any(getattr(arguments, name) for name in measured) or log_format(arguments) != ss.TrajectoryFormat():
+        text = "--no-friction, --enforce-physical, --drive-terms, and options of the trajectory file"
+        raise ValueError(f"{text}: apply to measured forces; add --measured")
     robot = robot_of(arguments.robot)
     if (arguments.position_std is None) != (arguments.angle_std is None):
         raise ValueError("--position-std and --angle-std must be given together")
@@ -91,7 +87,6 @@ def _simulated(arguments: Arguments, progress: Progress) -> tuple[Report, ss.Ide
     options: dict[str, Any] = {name: getattr(arguments, name) for name in names}
     options["harmonics"] = 5 if arguments.harmonics is None else arguments.harmonics
     excited = ss.choose_excitation(robot, progress=progress, **options)
-    progress("identifying")
     std = (arguments.position_std or 0.0, arguments.angle_std or 0.0)
     found = ss.simulate_experiment(robot, excited, arguments.force_std, arguments.seed, *std)
     return simulated_report(robot, found), found.estimate

@@ -21,13 +21,14 @@ from ..command import Arguments, Parser, finite, positive, results
 from ..inputs import warn_of_doubts
 
 _NUMBERS = {
-    "base_radius": "radius of the circle of the base joints",
-    "platform_radius": "radius of the circle of the platform joints",
-    "height": "height of the platform joints above the base joints at home",
+    "base_radius": "radius of the circle of the base joints ({})",
+    "platform_radius": "radius of the circle of the platform joints ({})",
+    "height": "height of the platform joints above the base joints at home ({})",
     "platform_mass": "mass of the platform with payload (kg)",
     "leg_mass": "mass of a leg (kg)",
-    "stroke": "stroke, longest minus shortest leg length",
+    "stroke": "stroke, longest minus shortest leg length ({})",
 }
+"""Meanings of the numbers, with a placeholder for the unit of length."""
 _ANGLES = {
     "base_angle": "angle between the base joints of a pair (deg)",
     "platform_angle": "angle between the platform joints of a pair (deg)",
@@ -38,8 +39,7 @@ def add_arguments(parser: Parser) -> None:
     parser.valued("name", str, "name of the machine", "robot")
     parser.chosen("length-unit", ("m", "cm", "mm", "in"), "unit of all lengths")
     for name, text in _NUMBERS.items():
-        unit = "" if text.endswith("(kg)") else " (unit: --length-unit)"
-        parser.valued(name.replace("_", "-"), positive, f"{text}{unit}", metavar="X")
+        parser.valued(name.replace("_", "-"), positive, text.format("--length-unit"), metavar="X")
     parser.flag("z-down", "let the z axis point down; default: up")
     for name, text in _ANGLES.items():
         parser.valued(name.replace("_", "-"), finite, text, 20.0, "DEG")
@@ -49,21 +49,19 @@ def add_arguments(parser: Parser) -> None:
 def run(arguments: Arguments) -> None:
     for name in _NUMBERS:
         if getattr(arguments, name) is None:
-            setattr(arguments, name, _asked(name, arguments.length_unit))
+            setattr(arguments, name, _asked(name, _NUMBERS[name].format(arguments.length_unit)))
     numbers = {name: getattr(arguments, name) for name in (*_NUMBERS, *_ANGLES)}
-    draft = Draft(arguments.name, arguments.length_unit, **numbers, z_down=arguments.z_down)
-    text = draft.text()
+    text = Draft(arguments.name, arguments.length_unit, **numbers, z_down=arguments.z_down).text()
     with results(arguments, beginnings=[text]) as (take, _):
         robot = ss.Robot.from_dict(tomllib.loads(text))
         warn_of_doubts(robot, arguments.output)
         take(Report("", data=report(robot).data), text)
 
 
-def _asked(name: str, unit: str) -> float:
+def _asked(name: str, question: str) -> float:
     """Read a number > 0 from the terminal."""
     if not sys.stdin.isatty():
         raise ValueError(f"{name}: missing; standard input is not a terminal")
-    question = _NUMBERS[name] + ("" if _NUMBERS[name].endswith("(kg)") else f" ({unit})")
     while True:
         print(f"{question}: ", end="", file=sys.stderr, flush=True)
         line = sys.stdin.readline()

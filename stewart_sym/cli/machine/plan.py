@@ -49,12 +49,11 @@ def _plan(arguments: Arguments, request: PlanRequest) -> int:
     if (doubt := meters_doubt(robot, leg_lengths(robot, R, t))) is not None:
         raise ValueError(request.of_poses(f"via poses: {doubt}"))
     with results(arguments, "report", "trajectory.csv", "path.csv", read=request.files) as (take, progress):
-        doubt = f"; {request.doubt}" if request.doubt else ""
         cost = (request.objective, request.smoothness_weight, request.load)
         try:
             planned = ss.plan_path(robot, request.poses, request.path_limits, *cost, progress)
         except ValueError as error:
-            raise ValueError(request.of_poses(f"{error}{doubt}")) from None
+            raise ValueError(request.of_poses(str(error))) from None
         options: dict[str, Any] = {"limits": request.limits, "formulation": request.formulation}
         options |= {"minimize": least, "duration": duration}
         timed = ss.parameterize_path(robot, planned.path, **options, progress=progress)

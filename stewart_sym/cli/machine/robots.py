@@ -22,8 +22,7 @@ def add_arguments(parser: Parser) -> None:
 def run(arguments: Arguments) -> None:
     name = arguments.show
     if name is not None:
-        option(name, ss.robots.NAMES, "--show")
-        copy = ss.robots.text(name)
+        copy = ss.robots.text(option(name, ss.robots.NAMES, "--show"))
         with results(arguments, beginnings=[copy]) as (take, _):
             take(Report("" if arguments.output else copy, data={"name": name, "text": copy}), copy)
         return

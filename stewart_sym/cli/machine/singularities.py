@@ -34,8 +34,6 @@ def run(arguments: Arguments) -> None:
     with results(arguments, "report", "path.csv", read=read) as (take, progress):
         path: MotionPath
         if name in ss.PAPER_PATHS:
-            if arguments.pose_guess is not None:
-                raise ValueError(f"pose guess: path {name} contains poses; omit the guess")
             line = path_for(robot, name).path
             path, times = line.sample, line.breakpoints()
         else:

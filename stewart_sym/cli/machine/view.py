@@ -22,7 +22,7 @@ from ...studies.reports.force_report import view_data
 from ...viewer import motion_history
 from ...viewer.motion_history import MotionHistory
 from ...viewer.page import BEGINNING
-from ..command import Arguments, Parser, need_html, results
+from ..command import Arguments, Parser, results
 from ..inputs import robot_of, trajectory_of
 
 _RUN = "run.csv"
@@ -43,7 +43,6 @@ def run(arguments: Arguments) -> None:
         raise ValueError("ROBOT.toml: expected either a robot file or --example, the robot of the paper")
     shown_at_once = arguments.output is None
     path = arguments.output = arguments.output or _DEFAULT
-    need_html("-o", path)
     read = [] if arguments.motion is None else [Path(arguments.motion)]
     with results(arguments, read=read, beginnings=[BEGINNING]) as (take, progress):
         robot = ss.robots.dasgupta1998() if arguments.example else robot_of(arguments.robot)

@@ -22,10 +22,7 @@ _IGNORED = ("lengths", "joint_angles", "forces")
 _VECTORS = {
     "position": ("X Y Z", "position of the tool in the center pose (m); default: the home pose"),
     "rpy": ("X Y Z", "roll, pitch, and yaw of the center pose (rad); default: 0 0 0"),
-    "position-bounds": (
-        "X X Y Y Z Z",
-        "lower and upper bounds of t_x, t_y, t_z (m); default: reach of the legs",
-    ),
+    "position-bounds": ("X X Y Y Z Z", "lower and upper bounds of t_x, t_y, t_z (m); default: leg reach"),
     "rpy-bounds": ("X X Y Y Z Z", "lower and upper bounds of roll, pitch, yaw (rad); default: all rotations"),
     "load": ("FX FY FZ MX MY MZ", "load on the tool at rest (N and N m, platform frame)"),
 }

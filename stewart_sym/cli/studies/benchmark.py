@@ -6,7 +6,8 @@ The study takes about two minutes on an idle machine.
 Example: stewart-sym benchmark -o bench
 """
 
-from ..command import Arguments, Parser, need_drawing, results
+from ...io.extras import need
+from ..command import Arguments, Parser, results
 from ..inputs import robot_of
 
 
@@ -19,7 +20,7 @@ def add_arguments(parser: Parser) -> None:
 def run(arguments: Arguments) -> None:
     from ...studies.benchmark.benchmark import benchmark, full_report
 
-    need_drawing()
+    need("matplotlib", "drawing")
     robot = None if arguments.robot is None else robot_of(arguments.robot)
     with results(arguments, "bench") as (take, progress):
         take(full_report(benchmark(robot, arguments.quick, progress)))

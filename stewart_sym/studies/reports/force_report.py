@@ -17,7 +17,7 @@ from ...io.progress import Progress
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.sample_times import least_step, time_text
-from ...motion.trajectory import Trajectory
+from ...motion.trajectory import Trajectory, noise_text
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult, SingularPoseWarning
 from ...robot.robot import LEGS, Robot
 from ...viewer.view import Viewer
@@ -174,7 +174,12 @@ class ForceReport:
             f"number of H up to {self.worst[1]:.4g} (at {when} s)\n"
             f"{leg_table('leg', columns)}"
         )
-        return text if self.robot.drive is None else f"{text}\n\n{motor_table(tracker)}"
+        text += "" if self.robot.drive is None else f"\n\n{motor_table(tracker)}"
+        noise = self.trajectory.noise
+        if noise is not None and noise.sigma.any():
+            std = noise_text(noise.sigma, self.trajectory.has_lengths, units.length, units.angle)
+            text += f"\n{std}; F_std is the remaining standard deviation"
+        return text
 
     def as_json(self) -> dict[str, Any]:
         """Return the numbers of the summary for the JSON data."""
