@@ -55,7 +55,7 @@ def folder_name(text: str) -> Path:
 
 
 def html_name(text: str) -> Path:
-    """Parse the name of an HTML file; reject other suffixes, which may be those of inputs."""
+    """Parse the name of an HTML file; reject other suffixes, because inputs have them."""
     if Path(text).suffix.lower() not in ("", ".html", ".htm"):
         raise argparse.ArgumentTypeError(f"expected a file name that ends in .html, got {text!r}")
     return Path(text)

@@ -228,7 +228,7 @@ class LimitTracker:
         return text
 
     def all_verdicts(self) -> dict[str, str]:
-        """Return the worst status of the legs for each name of a stated limit of the robot."""
+        """Return the worst status of the legs for each limit that the robot file states, by name."""
         found: dict[str, list[str]] = {}
         for limit in self._extremes:
             if limit.is_stated(self.robot):

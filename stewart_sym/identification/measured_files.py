@@ -65,7 +65,7 @@ def read_measurement(
     samples = samples_of(robot, poses, replace(form, columns=of_poses))
     std = samples.file_format.std_in_si(*std)
     log = log_of(robot, samples, SmoothingOptions(*std), progress)
-    # Rates of the file are used as they are, unless the noise of the poses is stated.
+    # Rates of the file are used unchanged unless the noise of the poses is stated.
     noisy = log.noise is not None and not {"v", "L_dot"} & set(samples.vectors)
     if noisy := noisy or std[0] is not None:
         # The fit smooths the values with its own model of the noise.

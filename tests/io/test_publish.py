@@ -74,7 +74,7 @@ def test_a_single_file_of_the_same_subcommand_or_an_empty_one_is_replaced(
     [
         ([*FORCES, "-o", "path.csv"], "path.csv"),
         ([*FORCES, "-o", "robot.toml"], "robot.toml"),
-        ([*FORCES, "-o", "forces.csv", "--html", "robot.toml"], "robot.toml"),
+        ([*FORCES, "-o", "forces.csv", "--json", "robot.toml"], "robot.toml"),
         (["simulate", "track.toml", "-o", "."], "run.csv"),
     ],
 )

@@ -39,7 +39,7 @@ def add_arguments(parser: Parser) -> None:
     parser.valued("name", str, "name of the machine", "robot")
     parser.chosen("length-unit", ("m", "cm", "mm", "in"), "unit of all lengths")
     for name, text in _NUMBERS.items():
-        parser.valued(name.replace("_", "-"), positive, text.format("--length-unit"), metavar="X")
+        parser.valued(name.replace("_", "-"), positive, text.format("unit: --length-unit"), metavar="X")
     parser.flag("z-down", "let the z axis point down; default: up")
     for name, text in _ANGLES.items():
         parser.valued(name.replace("_", "-"), finite, text, 20.0, "DEG")
