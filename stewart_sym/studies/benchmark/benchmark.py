@@ -116,7 +116,7 @@ def picture(results: Figures, group: str) -> Figure:
     rows = sorted(of_group(results, group), key=lambda row: float(row["median"]))
     canvas = new_figure(8.6, 0.36 * len(rows) + 1.4)
     axes: Any = canvas.subplots()
-    canvas.suptitle(f"{TITLES[group]}, ns per pose: {results['machine']['processor']}")
+    canvas.suptitle(f"{results['robot']}: {TITLES[group]}, {results['machine']['processor']}")
     # A time that is negative due to disturbances cannot be drawn on a logarithmic axis.
     low = 0.6 * min(row["quartiles"][0] for row in rows if row["quartiles"][0] > 0.0)
     high = max(row["quartiles"][1] for row in rows)
@@ -125,7 +125,8 @@ def picture(results: Figures, group: str) -> Figure:
         axes.plot([low, row["median"]], [place, place], color=color, linewidth=1.0, alpha=0.5)
         axes.plot(row["quartiles"], [place, place], color=color, linewidth=3.0, solid_capstyle="butt")
         axes.plot(row["median"], place, "o", color=color, markersize=7)
-        text = rf"{_number(row['median'])} ns   $\times${row['median'] / first['median']:#.3g}"
+        ratio = f"{row['median'] / first['median']:#.3g}".removesuffix(".")
+        text = rf"{_number(row['median'])} ns   $\times${ratio}"
         at = max(row["median"], row["quartiles"][1]), place
         axes.annotate(text, at, (9, 0), textcoords="offset points", va="center", color=color)
     axes.set_yticks(range(len(rows)), [row["name"] for row in rows])

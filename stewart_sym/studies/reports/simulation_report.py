@@ -179,7 +179,7 @@ def figure(robot: Robot, run: SimulationResult, law: ForceLaw) -> Figure:
     legend_beside(picture)
     for axes in grid[-1]:
         axes.set_xlabel("time, s")
-    picture.suptitle(run.stop.message, fontsize=10.0)
+    picture.suptitle(f"{robot.name}: {run.stop.message}", fontsize=10.0)
     return picture
 
 
@@ -219,4 +219,5 @@ def tracking_figure(robot: Robot, error: TrackingError) -> Figure:
     curves(below, error.time, error.rotation / units.radians, names[3:], f"rotation error, {units.angle}")
     below.set_xlabel("time, s")
     legend_beside(picture)
+    picture.suptitle(robot.name, fontsize=10.0)
     return picture
