@@ -47,7 +47,7 @@ def trajectory_of(
         rates = np.concatenate([samples.vectors[name] for name in names], axis=-1)
         found = np.stack([values, *np.hsplit(rates, 2)])
         rounding = [samples.steps[name] for name in names]
-        noise = as_given(samples, smoothing, found, [steps, *np.reshape(rounding, (2, 6))])
+        noise = as_given(samples, smoothing, [steps, *np.reshape(rounding, (2, 6))])
         _check_rates(samples, *rate_error(samples.time, found))
     else:
         found, noise = rates_of(samples, smoothing, values, steps)
