@@ -161,14 +161,15 @@ def _interpolated(since: Array, values: Array, at: Array | None = None) -> Array
 
 
 def _uncertainty(log: LogSamples, curves: SmoothCurves, used: Flags) -> Uncertainty:
-    """Return the uncertainty of smoothed columns at the finest knots."""
+    """Return the uncertainty of smoothed columns at every second one of the finest knots."""
     assert log.time is not None
     runs = [(max(a - 1, 0), min(b, len(used) - 1)) for a, b in zip(*flagged_spans(~used), strict=True)]
     replaced = tuple(
         Replaced(float(log.time[a]), float(log.time[b]), (f"lines {log.lines[a]} to {log.lines[b]}",))
         for a, b in runs
     )
-    grid = min(curves.columns, key=lambda curve: curve.step).knots
+    knots = min(curves.columns, key=lambda curve: curve.step).knots
+    grid = np.append(knots[:-1:2], knots[-1])
     return Uncertainty(log.time[0] + grid, curves.covariance(grid), curves.noise_std, replaced)
 
 
