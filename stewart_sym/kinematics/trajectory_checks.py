@@ -1,6 +1,7 @@
 """Plausibility checks of a robot's log: units of lengths and angles, and the side of the base."""
 
 import itertools
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -11,7 +12,7 @@ from ..io.error_policy import warn
 from ..motion.log_samples import LogSamples
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_about_axes
-from ..motion.trajectory import MOST_TURNS, Trajectory, angle_range
+from ..motion.trajectory import Trajectory
 from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS, TrajectoryWarning
 from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
@@ -31,6 +32,8 @@ _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL = (1.0 / 200.0, 20.0), (0.02, 5.0), (
 _FAR, _CLOSE = 0.5, 0.2
 LEAST_TURN = 0.5
 """Smallest range of an angle (rad) that is checked for degrees."""
+MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)
+"""Largest ranges of the tilts and of the turn of a platform (rad)."""
 
 
 def log_doubts(robot: Robot, log: Trajectory) -> list[str]:
@@ -181,7 +184,7 @@ def _angle_error(robot: Robot, log: LogSamples, few: LogSamples) -> tuple[str, s
     if not wrong and np.all(spans <= MOST_TURNS):
         return None
     axis = int(np.argmax(spans))
-    finding = f"{angle_range(theta, axis)}, which the legs allow only in degrees"
+    finding = f"{_angle_range(theta, axis)}, which the legs allow only in degrees"
     return "angle_unit", _other_unit(few, "angle_unit", finding, ["deg"])
 
 
@@ -266,3 +269,16 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
         f"the platform is {where} in every sample: does z of the log point the other way than in the robot "
         f"file? Then state scales = {{ t_z = -1 }} in its table [trajectory]{unless}"
     )
+
+
+def turn_doubt(theta: Array) -> str | None:
+    """Return the range of angles (n, 3), rad, that no platform has, as a text; None for a plausible range."""
+    spans = np.ptp(theta, axis=0)
+    axis = int(np.argmax(spans / MOST_TURNS))
+    return _angle_range(theta, axis) if spans[axis] > MOST_TURNS[axis] * (1.0 + 1e-9) else None
+
+
+def _angle_range(theta: Array, axis: int) -> str:
+    """Format the range of one of the angles (n, 3), rad, such as ``theta_x from -4 to 5 rad``."""
+    low, high = theta[:, axis].min(), theta[:, axis].max()
+    return f"theta_{'xyz'[axis]} from {low:.4g} to {high:.4g} rad"

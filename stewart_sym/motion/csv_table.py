@@ -2,12 +2,10 @@
 
 import contextlib
 import csv
-import itertools
 import re
-import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,11 +16,8 @@ from ..io.toml_reader import opened
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
 
-# Numbers of characters that are searched for the header, and that are converted together.
-_HEAD, _BLOCK = 1 << 20, 1 << 18
-# Largest integer, and largest power of ten, that a double represents without rounding error.
-_MOST_EXACT, _POWERS = 2**53, 10.0 ** np.arange(23)
-_DIGITS = b"0123456789+-"
+# Number of rows that are converted together, and that determine the decimal mark.
+_BLOCK, _SOME = 1 << 12, 1000
 # Number of digits of nanoseconds since 1970, which a double cannot represent.
 _LONG = 16
 _BETWEEN_NUMBERS = re.compile(r"[\s;]+|,(?=\s|[-+\d])")
@@ -41,7 +36,7 @@ Instants = NDArray[np.datetime64]
 
 @dataclass(frozen=True, eq=False)
 class CsvTable:
-    """Columns of a file as written, with the line of each row and of each line below the header that is none.
+    """Rows of a file as written, with their lines; rows with another number of cells are empty.
 
     Units come from brackets in the header, or from a row of units.
     """
@@ -50,27 +45,36 @@ class CsvTable:
     header: tuple[str, ...]
     units: dict[str, str]
     lines: Lines
-    dropped: Lines
-    _blocks: Sequence[Array | list[str]]
+    _rows: Sequence[str]
     _delimiter: str
     _decimal: str
 
     def numbers(self, names: Sequence[str]) -> Array:
         """Return the numbers of columns of ``header``, shape (n, len(names)), NaN for other cells."""
         places = [self.header.index(name) for name in names]
-        parts = [_numbers(block, places, self._delimiter, self._decimal) for block in self._blocks]
-        return np.concatenate([np.zeros((0, len(places))), *parts])
+        return np.concatenate(
+            [self._numbers(self._rows[i : i + _BLOCK], places) for i in range(0, len(self._rows), _BLOCK)]
+        )
 
-    def cells(self, name: str) -> list[str]:
-        """Return the texts of a column of ``header``, length n; blocks of plain numbers have no texts."""
+    def _numbers(self, rows: Sequence[str], places: list[int]) -> Array:
+        """Return columns of numbers of some rows, NaN for other cells."""
+        rows = rows if self._decimal == "." else [row.replace(self._decimal, ".") for row in rows]
+        parse = partial(
+            np.loadtxt, rows, delimiter=self._delimiter, comments=None, usecols=places, ndmin=2, quotechar='"'
+        )
+        try:
+            return np.asarray(parse())
+        except ValueError:
+            return np.asarray(parse(converters=_number_or_nan, encoding="utf-8"))
+
+    def cells(self, name: str) -> Iterator[str]:
+        """Yield the texts of a column of ``header``."""
         place = self.header.index(name)
-        rows = itertools.chain(*([""] * len(x) if isinstance(x, np.ndarray) else x for x in self._blocks))
-        return [_cells(row, self._delimiter)[place] if row else "" for row in rows]
+        return (_cells(row, self._delimiter)[place] for row in self._rows)
 
     def has_instants(self, name: str) -> bool:
         """Return True if a column begins with a date, a time of day, or nanoseconds since 1970."""
-        first = next((block for block in self._blocks if len(block)), "")
-        cell = _cells(first[0], self._delimiter)[self.header.index(name)] if isinstance(first, list) else ""
+        cell = next(filter(None, self.cells(name)), "")
         return not np.isnat(_instant(cell)) and (not cell.isdigit() or len(cell) > _LONG)
 
     def instants(self, name: str) -> Instants:
@@ -78,10 +82,9 @@ class CsvTable:
 
         Times of day after midnight follow the ones before.
         """
-        cells = self.cells(name)
-        found = np.array([_instant(cell) for cell in cells], "datetime64[ns]")
-        if cells[0][2:3] == ":":
-            known = ~np.isnat(found)
+        found = np.array([_instant(cell) for cell in self.cells(name)], "datetime64[ns]")
+        known = ~np.isnat(found)
+        if found[known][0] < np.datetime64("1970-01-02"):
             found[known] = np.unwrap(found[known].astype(np.int64), period=_DAY).astype("datetime64[ns]")
         return found
 
@@ -98,33 +101,33 @@ def read_table(
     header, the last comment above the numbers is used. A row of units may follow. By default, the delimiter
     is the mark that divides the header into most names, and the decimal mark is a comma if numbers contain
     commas, no points, and other delimiters. ``what`` is the kind of the file in messages. Raises ValueError
-    if the file cannot be read, or has no header or no rows.
+    if the file cannot be read, has no header or no rows, or if most rows have another number of cells.
     """
     with opened(source, what) as stream:
         text = _decoded(stream.read())
     if text.lstrip().startswith(("{", "[{", "[[")):
         raise ValueError(f"{source}: expected a CSV table, got JSON; write a header line and rows of numbers")
-    above = text[:_HEAD].split("\n")
-    place, header, mark = _header(above, source, None if delimiter is None else DELIMITERS[delimiter])
-    names, stated_units = zip(*map(split_unit, header), strict=True)
-    below = next((i for i in range(place + 1, len(above)) if _is_row(above[i])), None)
-    stated = dict(zip(names, stated_units, strict=True))
-    if below is not None and (row := _cells(above[below], mark)) and _is_unit_row(row, len(names)):
-        stated = {
-            name: unit or cell.strip("[]() ") for (name, unit), cell in zip(stated.items(), row, strict=True)
-        }
-        place = below
-    blocks = list(_blocks(text, place + 1))
-    comma = _has_decimal_comma(blocks, mark) if decimal is None else decimal == "comma"
-    point = "," if comma else "."
-    numbers = np.cumsum([place + 2, *(block.count("\n") + 1 for block in blocks)])
-    rows = [_rows(block, int(i), mark, point, len(names)) for i, block in zip(numbers, blocks, strict=False)]
-    lines = np.concatenate([np.zeros(0, int), *(row.lines for row in rows)])
-    dropped = np.concatenate([np.zeros(0, int), *(row.dropped for row in rows)])
-    if not len(lines) + len(dropped):
+    lines = text.split("\n")
+    place, header, mark = _header(lines, source, None if delimiter is None else DELIMITERS[delimiter])
+    names, stated = zip(*map(split_unit, header), strict=True)
+    numbers = [i for i in range(place + 1, len(lines)) if lines[i].strip() and lines[i][0] not in "#%"]
+    first = _cells(lines[numbers[0]], mark) if numbers else []
+    if len(first) == len(names) and _is_unit_row(first):
+        del numbers[0]
+        stated = tuple(unit or cell.strip("[]() ") for unit, cell in zip(stated, first, strict=True))
+    if not numbers:
         raise ValueError(f"{source}: no rows of numbers below the header; add rows")
-    units = {name: unit for name, unit in stated.items() if unit}
-    return CsvTable(source, names, units, lines, dropped, [row.cells for row in rows], mark, point)
+    rows = [lines[i] for i in numbers]
+    marks = [len(_cells(row, mark)) - 1 if '"' in row else row.count(mark) for row in rows]
+    wrong = np.flatnonzero(np.array(marks) != len(names) - 1)
+    if 2 * len(wrong) > len(rows):
+        finding = f"line {numbers[wrong[0]] + 1}: expected {len(names)} cells as in the header"
+        raise ValueError(f"{source}: {finding}; check delimiter and decimal")
+    for i in wrong:
+        rows[i] = mark * (len(names) - 1)
+    comma = _has_decimal_comma(rows, mark) if decimal is None else decimal == "comma"
+    units = {name: unit for name, unit in zip(names, stated, strict=True) if unit}
+    return CsvTable(source, names, units, np.array(numbers) + 1, rows, mark, "," if comma else ".")
 
 
 def split_unit(cell: str) -> tuple[str, str]:
@@ -153,7 +156,7 @@ def _header(lines: Sequence[str], source: str, given: str | None) -> tuple[int, 
     """Return the index of the last line above the rows, the cells of the header, and the delimiter."""
     comment, stated = "", given
     for i, line in enumerate(lines):
-        text = line.strip().strip('"')
+        text = line.strip(' "')
         if text.lower().startswith("sep=") and len(text) == 5:
             stated = stated or text[4]
         elif text.startswith(("#", "%")):
@@ -179,106 +182,20 @@ def _cells(line: str, delimiter: str) -> list[str]:
     return [cell.strip() for cell in cells]
 
 
-def _is_unit_row(cells: Sequence[str], width: int) -> bool:
+def _is_unit_row(cells: Sequence[str]) -> bool:
     """Return True for a row without numbers and dates whose cells are short."""
-    short = all(len(cell) < 12 and not re.search(r"\d{2}|^\d", cell) for cell in cells)
-    return len(cells) == width and any(cells) and short
+    return any(cells) and all(len(cell) < 12 and not re.search(r"\d{2}|^\d", cell) for cell in cells)
 
 
-def _is_row(line: str) -> bool:
-    """Return True for a line that is not blank and no comment."""
-    return bool(line.strip(' \t;,"')) and line[0] not in "#%"
-
-
-def _blocks(text: str, first: int) -> Iterator[str]:
-    """Yield lines from the line with index ``first``, in blocks without the last line feed."""
-    start = 0
-    for _ in range(first):
-        start = text.find("\n", start) + 1 or len(text)
-    while start < len(text):
-        end = text.find("\n", start + _BLOCK)
-        end = len(text) if end < 0 else end
-        yield text[start:end].rstrip("\n") if end == len(text) else text[start:end]
-        start = end + 1
-
-
-def _has_decimal_comma(blocks: Sequence[str], delimiter: str) -> bool:
+def _has_decimal_comma(rows: Sequence[str], delimiter: str) -> bool:
     """Return True if numbers contain commas and no points."""
-    if delimiter == ",":
-        return False
-    some = [line for block in blocks[:: max(1, len(blocks) // 16)] for line in block.split("\n")]
-    cells = [cell for line in some[:: max(1, len(some) // 1000)] for cell in _cells(line, delimiter)]
-    numbers = [cell for cell in cells if is_number(cell)]
+    some = [_cells(row, delimiter) for row in rows[:: max(1, len(rows) // _SOME)]]
+    numbers = [cell for cells in some for cell in cells if is_number(cell)]
     return any("," in cell for cell in numbers) and not any("." in cell for cell in numbers)
 
 
-class _Rows(NamedTuple):
-    """Rows of a block: numbers of their lines and of other lines, and numbers or texts of the rows."""
-
-    lines: Lines
-    dropped: Lines
-    cells: Array | list[str]
-
-
-def _rows(block: str, first: int, delimiter: str, decimal: str, width: int) -> _Rows:
-    """Return the rows of a block, whose first line has the number ``first``."""
-    numbers = _plain_numbers(block, delimiter, decimal, width)
-    if numbers is not None:
-        return _Rows(first + np.arange(len(numbers)), np.zeros(0, int), numbers)
-    texts = [(first + i, line) for i, line in enumerate(block.split("\n")) if _is_row(line)]
-    right = np.array([len(_cells(line, delimiter)) == width for _, line in texts], dtype=bool)
-    lines = np.array([number for number, _ in texts], dtype=int)
-    return _Rows(lines[right], lines[~right], [line for _, line in itertools.compress(texts, right)])
-
-
-def _plain_numbers(block: str, delimiter: str, decimal: str, width: int) -> Array | None:
-    """Convert decimal numbers in rows with the same marks, shape (n, width); None for other rows.
-
-    A number is an integer divided by a power of ten. Both are exact, so that the quotient is the nearest
-    double.
-    """
-    text, count = block.encode() + b"\n", block.count("\n") + 1
-    marks = text[: text.index(b"\n") + 1].translate(None, _DIGITS)
-    cells = marks.decode().rstrip("\n").split(delimiter)
-    known = len(cells) == width and set(cells) <= {"", decimal}
-    if not known or text.translate(None, _DIGITS) != marks * count:
-        return None
-    digits = text.translate(bytes.maketrans(f"{delimiter}\n".encode(), b",,"), decimal.encode())
-    if any(empty in b"," + digits for empty in (b",,", b"-,", b"+,")):
-        return None
-    with warnings.catch_warnings(action="error", category=DeprecationWarning):
-        try:
-            integers = np.fromstring(digits, np.int64, sep=",")
-        except (DeprecationWarning, ValueError):
-            return None
-    if integers.size != count * width or np.abs(integers).max() >= _MOST_EXACT:
-        return None
-    is_mark = np.frombuffer(text.translate(bytes(i in marks for i in range(256))), bool)
-    length = np.diff(np.flatnonzero(is_mark).reshape(count, -1), prepend=0)
-    ends = np.cumsum([len(cell) + 1 for cell in cells]) - 1
-    decimals = np.where([bool(cell) for cell in cells], length[:, ends] - 1, 0)
-    if decimals.max() >= len(_POWERS):
-        return None
-    return np.asarray(integers.reshape(count, width) / _POWERS[decimals])
-
-
-def _numbers(block: Array | list[str], places: list[int], delimiter: str, decimal: str) -> Array:
-    """Return columns of numbers of a block, NaN for other cells, shape (n, places)."""
-    if isinstance(block, np.ndarray):
-        return block[:, places]
-    if not block:
-        return np.zeros((0, len(places)))
-    lines = block if decimal == "." else [text.replace(decimal, ".") for text in block]
-    try:
-        return np.loadtxt(lines, delimiter=delimiter, comments=None, usecols=places, ndmin=2, quotechar='"')
-    except ValueError:
-        found = np.full((len(block), len(places)), np.nan)
-        for i, text in enumerate(block):
-            cells = _cells(text, delimiter)
-            numbers = [cells[place].replace(decimal, ".") for place in places]
-            plain = [is_number(each) and "," not in each for each in numbers]
-            found[i] = [float(x) if good else np.nan for x, good in zip(numbers, plain, strict=True)]
-        return found
+def _number_or_nan(cell: str) -> float:
+    return float(cell) if is_number(cell.strip()) and "," not in cell else np.nan
 
 
 def _instant(text: str) -> np.datetime64:

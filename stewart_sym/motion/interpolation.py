@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
+from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike
 
 from ..io.arguments import instance, real_array
@@ -126,18 +127,14 @@ def resample(trajectory: Trajectory, rate: float) -> Trajectory:
     if not count < MOST_STEPS:
         raise ValueError(f"rate: expected > 0 Hz and at most {MOST_STEPS:,} samples, got {rate:g}")
     when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
-    i, share = _steps(time, when)
-    # The other steps of a long log would take as much memory as the log.
-    used = np.union1d(i, i + 1)
-    path = interpolate(Trajectory(time[used], trajectory.at(used), trajectory.source))
-    coordinates = trajectory.coordinates
+    (i, share), coordinates = _steps(time, when), trajectory.coordinates
     if coordinates is not None:
         h = np.diff(since)[:, None]
         c = _quintics(h, coordinates[:, :-1], coordinates[:, 1:])
         coordinates = np.stack(_values(c[:, i], share, h[i]))
     rows = np.asarray(trajectory.rows)[i].tolist() if len(trajectory.rows) else ()
-    resampled = replace(trajectory, time=when, rows=rows, coordinates=coordinates)
-    return replace(resampled, given_motion=path(when), F_ext=None, M_ext=None)
+    changed = {"time": when, "rows": rows, "coordinates": coordinates, "F_ext": None, "M_ext": None}
+    return replace(trajectory, given_motion=interpolate(trajectory)(when), **changed)
 
 
 def _increasing(trajectory: Trajectory) -> Array:
@@ -170,7 +167,8 @@ def _quintics(h: Array, first: Array | Ends, last: Array | Ends) -> Array:
 
 def _values(c: Array, share: Array, h: Array) -> Ends:
     """Return values, rates, and second rates at fractions of steps h (s) with coefficients (6, ..., k)."""
-    x = c[0] + share * (c[1] + share * (c[2] + share * (c[3] + share * (c[4] + share * c[5]))))
-    rate = c[1] + share * (2.0 * c[2] + share * (3.0 * c[3] + share * (4.0 * c[4] + share * 5.0 * c[5])))
-    second = 2.0 * c[2] + share * (6.0 * c[3] + share * (12.0 * c[4] + share * 20.0 * c[5]))
+    x, rate, second = (
+        np.asarray(polynomial.polyval(share, polynomial.polyder(c, k), tensor=False), dtype=np.float64)
+        for k in range(3)
+    )
     return x, rate / h, second / h**2

@@ -9,7 +9,7 @@ from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from .log_samples import LENGTH_RATES, LOADS, RATES, LogSamples, warn_of
 from .rotation import rotation_about_axes
-from .trajectory import SmoothingOptions, Trajectory, turn_doubt
+from .trajectory import SmoothingOptions, Trajectory
 from .trajectory_format import TIME_UNITS
 
 AS_SHOWN = SmoothingOptions()
@@ -47,8 +47,12 @@ def trajectory_of(
         rates = np.concatenate([samples.vectors[name] for name in names], axis=-1)
         found = np.stack([values, *np.hsplit(rates, 2)])
         rounding = [samples.steps[name] for name in names]
-        noise = as_given(samples, smoothing, found, [steps, *np.reshape(rounding, (2, 6))])
-        _check_rates(samples, *rate_error(samples.time, found))
+        noise = as_given(samples, smoothing, [steps, *np.reshape(rounding, (2, 6))])
+        error, unit = rate_error(samples.time, found)
+        if unit is not None and "time_unit" not in samples.places:
+            raise ValueError(f"{samples.source}: {error}; state time_unit={unit}")
+        if error:
+            warn_of(samples, f"{error}; forces are wrong; correct the rates, or remove their columns")
     else:
         found, noise = rates_of(samples, smoothing, values, steps)
     time = np.arange(float(len(values))) if samples.time is None else samples.time
@@ -72,10 +76,6 @@ def _coordinates(samples: LogSamples) -> tuple[Array, Array, str]:
     if "L" in vectors:
         return vectors["L"], samples.steps["L"], "zyx"
     theta, step, order = samples.angles()
-    doubt = turn_doubt(theta)
-    if doubt is not None:
-        unit = "deg" if samples.file_format.angle_unit == "rad" else "rad"
-        warn_of(samples, f"{doubt}; no platform turns so far; check angle_unit ({unit}?)")
     return np.hstack([vectors["t"], theta]), np.concatenate([samples.steps["t"], step]), order
 
 
@@ -112,11 +112,3 @@ def _check_time_unit(samples: LogSamples, values: Array) -> None:
         return
     remedy += f", or time_unit={unit} if it is right" if slow else ""
     raise ValueError(f"{samples.source}: {finding}; {remedy}")
-
-
-def _check_rates(samples: LogSamples, text: str, unit: str | None) -> None:
-    """Raise ValueError, or warn, if the integrals of the rates differ from the positions."""
-    if unit is not None and "time_unit" not in samples.places:
-        raise ValueError(f"{samples.source}: {text}; state time_unit={unit}")
-    if text:
-        warn_of(samples, f"{text}; forces are wrong; correct the rates, or remove their columns")

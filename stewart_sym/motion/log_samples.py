@@ -22,8 +22,8 @@ LENGTH_RATES = ("L_dot", "L_ddot")
 LOADS = ("F_ext", "M_ext")
 FORCES = ("F", "current")
 """Forces of the legs, or currents of their motors."""
-_SUFFIXES = {"q": "wxyz", **dict.fromkeys(("L", *LENGTH_RATES, *FORCES), "123456")}
 _VECTORS = (*POSE, "q", "L", *RATES, *LENGTH_RATES, *LOADS)
+_SUFFIXES = {"q": "wxyz", **dict.fromkeys(("L", *LENGTH_RATES, *FORCES), "123456")}
 # Other names of columns, in lower case and without separators.
 _ALIASES = {
     **dict.fromkeys(("time", "timestamp", "stamp", "t", "elapsed"), "time"),
@@ -118,7 +118,7 @@ def read_samples(
     found = _columns(table, form, FORCES if forces else _VECTORS)
     if stated.row_rate is not None and "time" in found:
         raise ValueError(f"{source}: row_rate: the file has times; omit row_rate")
-    vectors = _force_vectors(table, found) if forces else _needed(table, found)
+    vectors = _needed(table, found, forces)
     units, places = _units(table, found, stated, defaults)
     components = [each for name in vectors for each in components_of(name)]
     cells = [found[each] for each in (*components, "time") if each in found]
@@ -170,15 +170,11 @@ def _good_rows(table: CsvTable, cells: Sequence[str], numbers: Array, drop_lines
     source = table.source
     finite = np.isfinite(numbers)
     good = np.asarray(finite.all(axis=1))
-    dropped = np.sort(np.concatenate([table.dropped, table.lines[~good]]))
-    most = _MOST_DROPPED * (len(good) + len(table.dropped))
-    if len(table.dropped) > most:
-        finding = f"line {dropped[0]}: expected {len(table.header)} cells as in the header"
-        raise ValueError(f"{source}: {finding}; check delimiter and decimal")
-    if len(dropped) > most:
+    dropped = table.lines[~good]
+    if len(dropped) > _MOST_DROPPED * len(good):
         worst = int(np.argmin(np.count_nonzero(finite, axis=0)))
         row = int(np.argmin(finite[:, worst]))
-        text = safe_text(table.cells(cells[worst])[row][:40])
+        text = safe_text(list(table.cells(cells[worst]))[row][:40])
         if not finite[:, worst].any() and text.lower() in ("", "nan"):
             raise ValueError(f"{source}: column {cells[worst]}: no cell is a number; name another in columns")
         place = f"{source}: line {table.lines[row]}: column {cells[worst]}"
@@ -218,8 +214,7 @@ def _times_of_rows(
     Raises ValueError if an unnamed column contains times.
     """
     if row_rate is not None:
-        every = np.sort(np.concatenate([table.lines, table.dropped]))
-        return np.searchsorted(every, lines) / row_rate
+        return np.searchsorted(table.lines, lines) / row_rate
     for cell in [cell for cell in table.header if cell not in found.values()]:
         unit = plain_unit(table.units.get(cell) or cell.rpartition("_")[2], "time")
         if unit is not None or table.has_instants(cell):
@@ -294,15 +289,28 @@ def _known_name(cell: str) -> str | None:
     return None
 
 
-def _needed(table: CsvTable, found: Mapping[str, str]) -> list[str]:
-    """Return the vectors of a trajectory that are read."""
-    lengths = any(each in found for each in components_of("L"))
-    position = ("L",) if lengths else ("t", "q") if "q_w" in found else POSE
-    if lengths and any(each in found for name in (*POSE, "q") for each in components_of(name)):
+def _needed(table: CsvTable, found: Mapping[str, str], forces: bool) -> list[str]:
+    """Return the vectors that are read; raise ValueError unless the file has all their columns."""
+    present = [name for name in (*FORCES, *_VECTORS) if not set(components_of(name)).isdisjoint(found)]
+    if forces:
+        vectors = present[:1] or [FORCES[0]]
+    else:
+        _reject_other_files(table, found, present)
+        position = ("L",) if "L" in present else ("t", "q") if "q" in present else POSE
+        rates = LENGTH_RATES if "L" in present else () if "q" in present else RATES
+        rates = rates if set(rates) <= set(present) else ()
+        vectors = [*position, *rates, *(name for name in LOADS if name in present)]
+    for each in [each for name in vectors for each in components_of(name) if each not in found]:
+        others = _few([cell for cell in table.header if cell not in found.values()]) or "none"
+        remedy = f"name it with columns {each}=HEADER; other columns: {others}"
+        raise ValueError(f"{table.source}: no column {each}; {remedy}")
+    return vectors
+
+
+def _reject_other_files(table: CsvTable, found: Mapping[str, str], present: list[str]) -> None:
+    """Raise ValueError for a file that contains no trajectory, or two."""
+    if "L" in present and {"q", *POSE} & set(present):
         raise ValueError(f"{table.source}: columns of poses and of leg lengths; select one kind with columns")
-    rates = LENGTH_RATES if lengths else () if "q_w" in found else RATES
-    if not all(components_of(name)[0] in found for name in rates):
-        rates = ()
     if {"omega_x", "kinetic_energy"} <= set(table.header):
         raise ValueError(
             f"{table.source}: a run of simulate (reference point; roll, pitch, yaw); display it with view, "
@@ -314,23 +322,6 @@ def _needed(table: CsvTable, found: Mapping[str, str]) -> list[str]:
             "time, t_x, t_y, t_z, theta_x, theta_y, theta_z, or time and L_1 to L_6; name others with "
             "columns t_x=HEADER"
         )
-    loads = [name for name in LOADS if any(each in found for each in components_of(name))]
-    return _complete(table, found, [*position, *rates, *loads])
-
-
-def _force_vectors(table: CsvTable, found: Mapping[str, str]) -> list[str]:
-    """Return the vector that is read from a file of forces or currents."""
-    name = next((name for name in FORCES if components_of(name)[0] in found), FORCES[0])
-    return _complete(table, found, [name])
-
-
-def _complete(table: CsvTable, found: Mapping[str, str], vectors: list[str]) -> list[str]:
-    """Return vectors whose columns are all in the file; raise ValueError for another one."""
-    for each in [each for name in vectors for each in components_of(name) if each not in found]:
-        others = _few([cell for cell in table.header if cell not in found.values()]) or "none"
-        remedy = f"name it with columns {each}=HEADER; other columns: {others}"
-        raise ValueError(f"{table.source}: no column {each}; {remedy}")
-    return vectors
 
 
 def _units(
@@ -345,18 +336,14 @@ def _units(
         if unit is not None and header.setdefault(kind, unit) != unit:
             finding = f"{unit} and {header[kind]} in one file"
             raise ValueError(f"{table.source}: column {cell}: {finding}; use one {kind}")
-    for kind in UNITS:
-        unit = getattr(stated, kind) or header.get(kind)
-        if header.get(kind, unit) != unit:
-            finding = f"{table.source}: the header unit {header[kind]} contradicts {kind}={unit}"
+    for kind, unit in header.items():
+        if (getattr(stated, kind, None) or unit) != unit:
+            finding = f"{table.source}: the header unit {unit} contradicts {kind}={getattr(stated, kind)}"
             warn(f"{finding}, which is used; correct one of them", TrajectoryWarning)
     units: dict[str, Any] = {}
     places: dict[str, str] = {}
-    for place, given in (
-        ("the robot file", vars(defaults)),
-        ("the header", header),
-        ("the options", vars(stated)),
-    ):
+    origins = {"the robot file": vars(defaults), "the header": header, "the options": vars(stated)}
+    for place, given in origins.items():
         present = {name: given[name] for name in (*_KNOWN_UNITS, *_MODES) if given.get(name)}
         units |= present
         places |= dict.fromkeys(present, place)

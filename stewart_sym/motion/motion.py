@@ -75,22 +75,14 @@ class Motion(Frozen):
         if (self.alpha is None) != (self.a is None):
             missing = "alpha" if self.alpha is None else "a"
             raise ValueError(f"{missing}: expected both accelerations, alpha and a, or neither")
-        self._spread(_checked({field.name: getattr(self, field.name) for field in fields(self)}))
+        self._store(_checked(vars(self)))
 
-    def _spread(self, arrays: dict[str, Array]) -> None:
-        """Store checked arrays without other owners, broadcast to one leading shape."""
-        order = [field.name for field in fields(self) if field.name in arrays]
-        shape = _leading_shape({name: arrays[name] for name in order})
-        for name in order:
-            core = arrays[name].shape[-2:] if name == "R" else arrays[name].shape[-1:]
-            object.__setattr__(self, name, np.broadcast_to(read_only(arrays[name]), (*shape, *core)))
-
-    @classmethod
-    def _sound(cls, arrays: dict[str, Array]) -> Motion:
-        """Create a motion from checked arrays without other owners."""
-        motion = cls._unchecked(*(np.empty(0),) * 4)
-        motion._spread(arrays)
-        return motion
+    def _store(self, arrays: dict[str, Array]) -> None:
+        """Store checked arrays, broadcast to one leading shape."""
+        shape = _leading_shape(arrays)
+        for name, array in arrays.items():
+            core = array.shape[-2:] if name == "R" else array.shape[-1:]
+            object.__setattr__(self, name, np.broadcast_to(read_only(array), (*shape, *core)))
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -174,7 +166,7 @@ class Motion(Frozen):
             moved |= {"F_ext": self.F_ext, "M_ext": rotation.cross(self.F_ext, p)}
         if self.M_ext is not None:
             moved["M_ext"] = self.M_ext + moved.get("M_ext", 0.0)
-        return Motion._sound(moved)
+        return Motion._unchecked(**moved)
 
     def __iter__(self) -> Iterator[Motion]:
         if not self.shape:
@@ -292,7 +284,7 @@ class Motion(Frozen):
         cls,
         convert: Callable[..., tuple[Array, Array, Array]],
         turns: dict[str, ArrayLike | None],
-        given: dict[str, ArrayLike | None],
+        given: dict[str, Any],
     ) -> Motion:
         """Create a motion from an orientation and its derivatives, which a function converts."""
         second = list(turns)[-1]
@@ -304,11 +296,10 @@ class Motion(Frozen):
         shape = (*_leading_shape(arrays), *core)
         orientation = [np.broadcast_to(array, shape) for array in arrays.values()]
         R, omega, alpha = convert(*orientation, *[np.zeros(shape)] * (3 - len(orientation)))
-        found = {"R": R, "omega": omega} | ({} if given["a"] is None else {"alpha": alpha})
-        for name, array in found.items():
-            if not np.isfinite(array).all():
-                finite_array(array, array.shape, name)
-        return cls._sound(found | _checked(given))
+        motion = cls._unchecked(*(np.empty(0),) * 4)
+        given |= {"omega": omega, "alpha": None if given["a"] is None else alpha}
+        motion._store({"R": R} | _checked(given))
+        return motion
 
     @classmethod
     def from_quaternion(

@@ -38,10 +38,10 @@ def rate_error(time: Array, found: Array) -> tuple[str, str | None]:
         (found[0], found[1], ("positions", "rates"), _CONTRADICTS),
         (found[1], found[2], ("rates", "second rates"), _CONTRADICTS_RATES),
     ):
-        change, integral = value - value[0], make_interp_spline(since, rate).antiderivative()(since)
-        trapezoids = 0.5 * np.diff(since)[:, None] * (rate[1:] + rate[:-1])
-        coarse = _rms(integral - np.cumsum(np.vstack([np.zeros_like(rate[:1]), trapezoids]), axis=0))
-        noise = _SURE * (_noise(value) + _noise(rate) * spread) + coarse
+        change = value - value[0]
+        trapezoids, integral = (make_interp_spline(since, rate, k).antiderivative()(since) for k in (1, 3))
+        coarse = _rms(integral - trapezoids)
+        noise = _SURE * (_rms(scatter(value)) + _rms(scatter(rate)) * spread) + coarse
         size, expected = _rms(change), _rms(integral)
         if max(size, expected) <= noise:
             continue
@@ -61,12 +61,12 @@ def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def _noise(values: Array) -> float:
-    """Return the noise of samples, whose differences of high order contain little of a motion."""
+def scatter(values: Array) -> Array:
+    """Return the noise of samples (n, c) by their differences of high order, (c,); 0 for few samples."""
     if len(values) <= 2 * _ORDER:
-        return 0.0
-    scatter = np.median(np.abs(np.diff(values, _ORDER, axis=0)), axis=0)
-    return _rms(scatter) / (_MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER)))
+        return np.zeros(values.shape[1])
+    usual = np.median(np.abs(np.diff(values, _ORDER, axis=0)), axis=0)
+    return np.asarray(usual / (_MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER))))
 
 
 def _without_drift(values: Array, most: float) -> Array:

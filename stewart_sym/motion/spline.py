@@ -24,7 +24,7 @@ from scipy.optimize import minimize_scalar
 from scipy.special import gammaln
 
 from ..io.arguments import deviations, real_array, shown
-from ..io.array_types import Array, Indices
+from ..io.array_types import Array
 from ..io.toml_reader import positive
 from .sample_times import elapsed
 
@@ -57,7 +57,6 @@ _CELLS_PER_PERIOD = 8.0
 # Largest number of rows for each independent error of rounding, and smallest number of such errors.
 _MOST_ROWS, _FEWEST_ERRORS = 64, 64
 _FEWEST = 8
-_CHUNK = 1 << 14
 _BLOCK = 64
 # Parts of the largest diagonal element and of the samples per cell that keep a matrix definite in gaps.
 _ROUNDING, _RIDGE = 4e-16, 1e-11
@@ -82,14 +81,13 @@ class SmoothCurve:
 
     ``band`` contains the covariance of each coefficient with itself and the five next ones, (p, 6), and
     ``factors`` the ratio of actual to posterior standard deviations of values, rates, and second rates,
-    (3, p). ``period`` is the period (s) of the fastest motion that the curve follows.
+    (3, p).
     """
 
     start: float
     step: float
     coefficients: Array
     noise_std: float
-    period: float
     band: Array
     factors: Array
 
@@ -100,24 +98,19 @@ class SmoothCurve:
 
     def covariance(self, time: Array) -> Array:
         """Return the covariances ``PAIRS`` of value, rate, and second rate at n times, shape (n, 6)."""
-        found = np.empty((len(time), len(PAIRS)))
-        offsets = np.arange(DEGREE + 1)
-        low, distance = np.minimum.outer(offsets, offsets), np.abs(np.subtract.outer(offsets, offsets))
-        size = len(self.coefficients)
+        offsets, size, since = np.arange(DEGREE + 1), len(self.coefficients), self.since(time)
+        cells = np.minimum((since / self.step).astype(int), size - DEGREE - 1)
+        first = cells[:, None, None] + np.minimum.outer(offsets, offsets)
+        C = self.band[first, np.abs(np.subtract.outer(offsets, offsets))]
         centers = self.step * (np.arange(size) - DEGREE // 2)
-        for part in (slice(i, i + _CHUNK) for i in range(0, len(time), _CHUNK)):
-            since = self.since(time[part])
-            cells = _cells(since, self.step, size)
-            C = self.band[cells[:, None, None] + low, distance]
-            rows = [
-                _SPLINES(since / self.step - cells, order)
-                / self.step**order
-                * np.interp(since, centers, factors)[:, None]
-                for order, factors in enumerate(self.factors)
-            ]
-            for k, (i, j) in enumerate(PAIRS):
-                found[part, k] = np.einsum("np,npq,nq->n", rows[i], C, rows[j], optimize=True)
-        return found
+        rows = [
+            _SPLINES(since / self.step - cells, order)
+            / self.step**order
+            * np.interp(since, centers, factors)[:, None]
+            for order, factors in enumerate(self.factors)
+        ]
+        products = [np.einsum("np,npq,nq->n", rows[i], C, rows[k], optimize=True) for i, k in PAIRS]
+        return np.stack(products, axis=-1)
 
     def since(self, time: Array) -> Array:
         """Return times since the first knot (s), limited to the range of the samples."""
@@ -140,11 +133,11 @@ class SmoothCurves:
         """Return values, rates, and second rates, or fewer orders, at n times, shape (orders, n, c)."""
         found = np.empty((orders, len(time), len(self.columns)))
         steps = np.array([curve.step for curve in self.columns])
-        for step in np.unique(steps):
+        # Columns with the same knots are evaluated together, which is faster.
+        for step in np.unique(steps).tolist():
             columns = np.flatnonzero(steps == step)
-            since = self.columns[columns[0]].since(time)
-            c = np.stack([self.columns[column].coefficients for column in columns], axis=-1)
-            spline = BSpline(_all_knots(float(step), len(c)), c, DEGREE)
+            c = np.stack([self.columns[i].coefficients for i in columns], axis=-1)
+            spline, since = BSpline(_all_knots(step, len(c)), c, DEGREE), self.columns[columns[0]].since(time)
             for order in range(orders):
                 found[order][:, columns] = spline(since, order)
         return found
@@ -246,11 +239,6 @@ def inverse_band(factor: Array) -> Array:
     return found
 
 
-def _cells(since: Array, step: float, size: int) -> Indices:
-    """Return the indices of the cells between knots that contain times (s) since the first knot."""
-    return np.asarray(np.minimum((since / step).astype(int), size - DEGREE - 1))
-
-
 def _all_knots(step: float, size: int) -> Array:
     """Return the times (s) of all knots of ``size`` B-splines, also outside of the samples."""
     return np.asarray(step * np.arange(-DEGREE, size + 1.0))
@@ -274,11 +262,8 @@ class _Grid:
 
     def factor(self, order: int, log_weight: float) -> tuple[Array, float]:
         """Return the Cholesky factor of the matrix of least squares, and the cost of its determinant."""
-        if (order, log_weight) not in self._factors:
-            self._factors[order, log_weight] = self._factor(order, log_weight)
-        return self._factors[order, log_weight]
-
-    def _factor(self, order: int, log_weight: float) -> tuple[Array, float]:
+        if (order, log_weight) in self._factors:
+            return self._factors[order, log_weight]
         width, count = max(DEGREE, order), self.size - order
         difference, penalty = np.diff(np.pad([1.0], order), order), np.zeros((width + 1, self.size))
         for i, k in itertools.combinations_with_replacement(range(order + 1), 2):
@@ -290,11 +275,9 @@ class _Grid:
         j = np.arange(order)
         determinant = np.sum(gammaln(j + 1) + gammaln(count + order + j + 1))
         determinant -= np.sum(gammaln(order + j + 1) + gammaln(count + j + 1))
-        return factor, float(2.0 * np.sum(np.log(factor[-1])) - count * log_weight - determinant)
-
-    def tried_weights(self, order: int) -> Array:
-        """Return logarithms of weights of a penalty."""
-        return self.density + np.linspace(_LIGHTEST, _CONDITION - order * math.log(4.0), _TRIED_WEIGHTS)
+        cost = float(2.0 * np.sum(np.log(factor[-1])) - count * log_weight - determinant)
+        self._factors[order, log_weight] = factor, cost
+        return factor, cost
 
 
 class _Column:
@@ -332,7 +315,9 @@ class _Column:
 
     def likeliest(self) -> Smoothness | None:
         """Return the likeliest smoothness; None if it requires finer knots."""
-        grid, tried = self.grid, {order: self.grid.tried_weights(order) for order in ORDERS}
+        grid, heaviest = self.grid, _CONDITION - np.array(ORDERS) * math.log(4.0)
+        weights = grid.density + np.linspace(_LIGHTEST, heaviest, _TRIED_WEIGHTS)
+        tried = dict(zip(ORDERS, weights.T, strict=True))
         best = {order: min((self.cost(order, x), x) for x in tried[order].tolist()) for order in ORDERS}
         order = min(ORDERS, key=lambda order: best[order])
         if 2 * grid.cells <= grid.count and not self._has_fine_knots(order, best[order][1]):
@@ -360,18 +345,19 @@ class _Column:
         c, _, squares = self.solve(order, log_weight)
         variance = self.variance(order, squares)
         band = rows * variance * inverse_band(self.grid.factor(order, log_weight)[0])
-        period = 2.0 * math.pi * math.exp((log_weight - self.grid.density) / (2 * order))
-        factors = self._factors(c, order, period)
-        return SmoothCurve(start, step, c + mean, math.sqrt(variance), step * period, band, factors)
+        factors = self._factors(c, order, log_weight)
+        return SmoothCurve(start, step, c + mean, math.sqrt(variance), band, factors)
 
-    def _factors(self, c: Array, order: int, period: float) -> Array:
+    def _factors(self, c: Array, order: int, log_weight: float) -> Array:
         """Return the ratios of actual to posterior standard deviations, shape (3, p).
 
         The posterior variance is the noise that passes the filter, plus the expected bias. The bias increases
-        with the penalized differences, for example at a jump of the jerk. The period is in cells.
+        with the penalized differences, for example at a jump of the jerk.
         """
         left = order // 2
         squares = np.pad(np.diff(c, order) ** 2, (left, order - left), mode="edge")
+        # Cells per period of the fastest motion that the curve follows.
+        period = 2.0 * math.pi * math.exp((log_weight - self.grid.density) / (2 * order))
         size = min(max(3, round(period)), len(squares))
         local = uniform_filter1d(squares, size, mode="nearest")
         bias = _BIAS[order] * local / max(float(np.mean(squares)), 1e-300)

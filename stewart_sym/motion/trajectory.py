@@ -1,6 +1,5 @@
 """Trajectories: poses or leg lengths over time, with their uncertainty and the line of each sample."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple, Self
@@ -217,20 +216,3 @@ def noise_text(
     sizes = LENGTH_UNITS | ANGLE_UNITS
     texts = [f"{noise / sizes[unit]:.2g} {unit}" for noise, unit in largest if noise > LEAST_NOISE]
     return f"noise of {' and '.join(texts)} in the log"
-
-
-MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)
-"""Largest ranges of the tilts and of the turn of a platform (rad)."""
-
-
-def turn_doubt(theta: Array) -> str | None:
-    """Return the range of angles (n, 3), rad, that no platform has, as a text; None for a plausible range."""
-    spans = np.ptp(theta, axis=0)
-    axis = int(np.argmax(spans / MOST_TURNS))
-    return angle_range(theta, axis) if spans[axis] > MOST_TURNS[axis] * (1.0 + 1e-9) else None
-
-
-def angle_range(theta: Array, axis: int) -> str:
-    """Format the range of one of the angles (n, 3), rad, such as ``theta_x from -4 to 5 rad``."""
-    low, high = theta[:, axis].min(), theta[:, axis].max()
-    return f"theta_{'xyz'[axis]} from {low:.4g} to {high:.4g} rad"

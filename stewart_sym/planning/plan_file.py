@@ -17,8 +17,8 @@ from ..io.arguments import option
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.robot_logs import read_poses_of
+from ..kinematics.trajectory_checks import turn_doubt
 from ..motion.rotation import rotation_about_axes
-from ..motion.trajectory import turn_doubt
 from ..motion.trajectory_format import TrajectoryWarning
 from ..robot.robot import Robot
 from .path_parameterization import MINIMIZE, Minimize

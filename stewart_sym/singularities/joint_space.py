@@ -10,7 +10,6 @@ its sign. It also fails if the side of the pose is undecided because of the nois
 from __future__ import annotations
 
 import itertools
-import math
 import os
 from collections.abc import Callable
 from dataclasses import replace
@@ -37,7 +36,7 @@ from ..kinematics.trajectory_checks import side_doubt
 from ..motion.interpolation import interpolate
 from ..motion.log_reader import AS_SHOWN
 from ..motion.motion import Motion
-from ..motion.rate_checks import rate_error
+from ..motion.rate_checks import rate_error, scatter
 from ..motion.sample_times import elapsed
 from ..motion.trajectory import SmoothingOptions, Trajectory
 from ..motion.trajectory_format import PLAIN, TrajectoryFormat
@@ -48,7 +47,7 @@ from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, 
 from .path_singularities import singularity_crossings
 
 # Estimates of noise: number of samples, order of differences, and median of a standard normal distribution.
-_FEWEST_OF_NOISE, _ORDER, _MEDIAN_OF_NORMAL = 40, 6, 0.6745
+_FEWEST_OF_NOISE = 40
 JUMPED = "the lengths jump here: no motion with the accelerations of the neighboring samples makes this step"
 OFF_RATES = "the step in lengths from the previous sample contradicts the rates at both samples"
 
@@ -364,13 +363,7 @@ def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | Non
 
 def _noise(L: Array) -> Array:
     """Return the standard deviation of each length (m), shape (n, 6), estimated from the lengths."""
-    if len(L) < _FEWEST_OF_NOISE:
-        return np.zeros(L.shape)
-    # Differences of high order contain noise alone.
-    differences = np.diff(L, _ORDER, axis=0)
-    gain = _MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER))
-    scatter = np.median(np.abs(differences), axis=0) / gain
-    return np.broadcast_to(scatter, L.shape)
+    return np.broadcast_to(scatter(L) if len(L) >= _FEWEST_OF_NOISE else np.zeros(6), L.shape)
 
 
 def _reject_crossings(robot: Robot, time: Array, R: Array, t: Array, twist: Array, rate: Array) -> None:

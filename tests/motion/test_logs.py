@@ -51,7 +51,9 @@ def same_poses(path: Path, form: Form = PLAIN, table: Array = TABLE) -> None:
     ("delimiter", "decimal"), [(",", "."), (";", "."), (";", ","), ("\t", "."), ("\t", ",")]
 )
 def test_delimiters_and_decimal_marks_are_detected(tmp_path: Path, delimiter: str, decimal: str) -> None:
-    same_poses(log(tmp_path, text_of(NAMES, TABLE, delimiter, decimal)))
+    content = text_of(NAMES, TABLE, delimiter, decimal)
+    same_poses(log(tmp_path, content))
+    same_poses(log(tmp_path, f"sep={delimiter}\n{content}"))
 
 
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "cp1252"])
