@@ -17,7 +17,7 @@ from typing import NoReturn
 
 from ..backend.native import CompilerError
 from ..io.arguments import shown
-from ..io.extras import needed_for
+from ..io.error_policy import needed_for
 from .command import Parser, hint
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, TypeVar
 
 from ..io.arguments import shown
-from ..io.extras import needed_for
+from ..io.error_policy import needed_for
 from ..io.progress import Progress, tracked
 
 Job = TypeVar("Job")

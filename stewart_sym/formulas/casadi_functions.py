@@ -10,7 +10,7 @@ from ..backend.kernel import MOTION
 from ..dynamics.inverse_dynamics import Formulation
 from ..dynamics.leg_formulas import Functions, leg_motions, motor_torques
 from ..io.arguments import instance, option, truth
-from ..io.extras import needed_for
+from ..io.error_policy import needed_for
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_drive
 from .symbols import prepared

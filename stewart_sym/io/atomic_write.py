@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from importlib.metadata import version
 from pathlib import Path
 
-from .json_text import json_text
+from .text_formats import json_text
 
 RECORD = ".stewart-sym.json"
 """Record of the names and SHA-256 digests of the files that this program wrote into a folder."""

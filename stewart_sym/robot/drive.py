@@ -16,8 +16,7 @@ import numpy as np
 
 from ..io import toml_reader
 from ..io.arguments import shown
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen
 from .fields import LEGS, Check, LegTables, legs_text
 
 _ONE_TURN = 2.0 * math.pi

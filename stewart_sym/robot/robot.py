@@ -12,9 +12,8 @@ import numpy as np
 
 from ..io import toml_reader
 from ..io.arguments import instance, safe_text, shown
-from ..io.array_types import Array
+from ..io.array_types import Array, Frozen
 from ..io.error_policy import warn
-from ..io.frozen import Frozen
 from ..motion.trajectory_format import TrajectoryFormat
 from . import fields, schema_2
 from .bodies import inertias_of_parts, low_densities

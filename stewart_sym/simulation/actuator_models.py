@@ -19,8 +19,7 @@ from ..backend.kernel import MOTION
 from ..dynamics.forces import ForceKernel
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
 from ..io.arguments import instance, number_in, real_array, shown
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen
 from ..kinematics.inverse_kinematics import inverse_kinematics, leg_vectors, tip_velocities
 from ..motion.interpolation import with_rest
 from ..motion.motion import Motion, at_rest

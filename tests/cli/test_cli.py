@@ -12,7 +12,7 @@ from command_line import Fails, Run, folder_state, read
 from kits import few_vectors
 
 from stewart_sym.cli import main as cli
-from stewart_sym.io.extras import install
+from stewart_sym.io.error_policy import install
 
 # reproduce
 

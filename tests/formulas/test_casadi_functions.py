@@ -22,7 +22,7 @@ from motion_fields import FIELDS
 from sweeps import FULL, slow_but
 
 import stewart_sym as ss
-from stewart_sym.io.extras import install
+from stewart_sym.io.error_policy import install
 
 OF_MACHINES = pytest.mark.parametrize(
     ("machine", "checked"),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ...io.array_types import Array
-from ...io.extras import needed_for
+from ...io.error_policy import needed_for
 from ...motion.rotation import rotation_from_quaternion, vector_from_rotation
 from ..model import BETWEEN, WORLD, Body, Joint, Model
 from ..notes import json_table

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...io.extras import needed_for
+from ...io.error_policy import needed_for
 from ...robot.robot import Robot
 
 if TYPE_CHECKING:
