@@ -10,7 +10,7 @@ from ..backend.kernel import MOTION
 from ..dynamics.inverse_dynamics import Formulation
 from ..dynamics.leg_formulas import Functions, leg_motions, motor_torques
 from ..io.arguments import instance, option, truth
-from ..io.error_policy import needed_for
+from ..io.error_policy import need
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_drive
 from .symbols import prepared
@@ -92,8 +92,9 @@ def casadi_function(
     """
     option(quantity, tuple(ARGUMENTS), "quantity")
     truth(checked, "checked")
-    with needed_for("a CasADi function"):
-        import casadi
+    need("casadi", "a CasADi function")
+    import casadi
+
     given = {name: casadi.SX.sym(name, 3, 3 if name == "R" else 1) for name in MOTION}
     # CasADi stores columns, but the kernels read components row by row.
     parts = {name: casadi.vertsplit(casadi.vec(value.T)) for name, value in given.items()}

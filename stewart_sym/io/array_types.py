@@ -28,7 +28,6 @@ class Frozen:
             object.__setattr__(self, name, read_only(value) if isinstance(value, np.ndarray) else value)
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Set the state of a copy or a pickle; copy writeable arrays, which may have other references."""
-        for name, value in state.items():
-            writeable = isinstance(value, np.ndarray) and value.flags.writeable
-            self._set({name: value.copy() if writeable else value})
+        """Set the state of a copy or a pickle; copy arrays, which may have other references."""
+        arrays = {name: value.copy() for name, value in state.items() if isinstance(value, np.ndarray)}
+        self._set({**state, **arrays})

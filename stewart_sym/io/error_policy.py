@@ -34,28 +34,8 @@ def warn(text: str, category: type[Warning] = UserWarning) -> None:
     warnings.warn(text, category, stacklevel=level + 1)
 
 
-def absent(*packages: str) -> tuple[str, ...]:
-    """Return the import names of optional packages that are not installed."""
-    return tuple(package for package in packages if importlib.util.find_spec(package) is None)
-
-
-def install(extra: str) -> str:
-    """Return the command that adds an extra to this installation."""
-    return f'pip install "stewart-sym[{extra}]"'
-
-
 def need(package: str, what: str, otherwise: str = "") -> None:
     """Raise ImportError if a package of the task ``what`` is missing; ``otherwise`` is an alternative."""
-    if package in EXTRAS and absent(package):
+    if importlib.util.find_spec(package) is None:
         name, extra = EXTRAS[package]
-        raise ImportError(f"{what} needs {name}: {install(extra)}{otherwise}")
-
-
-@contextlib.contextmanager
-def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
-    """Import optional packages in this block; a missing one raises the error of ``need``."""
-    try:
-        yield
-    except ModuleNotFoundError as error:
-        need((error.name or "").partition(".")[0], what, otherwise)
-        raise
+        raise ImportError(f'{what} needs {name}: pip install "stewart-sym[{extra}]"{otherwise}')
