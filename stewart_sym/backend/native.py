@@ -128,14 +128,15 @@ def run_compiler(command: Sequence[str], folder: Path) -> str:
     # Errors are recognized in English.
     environment = {**os.environ, "LC_ALL": "C"}
     try:
-        output = subprocess.check_output(command, cwd=folder, env=environment, stderr=subprocess.STDOUT)
+        return subprocess.check_output(
+            command, cwd=folder, env=environment, stderr=subprocess.STDOUT, text=True, errors="replace"
+        )
     except OSError as error:
         raise CompilerError(f"{command[0]} does not run: {error}") from error
     except subprocess.CalledProcessError as error:
-        log = error.output.decode(errors="replace")
-        first = next((line for line in log.splitlines() if "error:" in line), log.partition("\n")[0])
+        lines = error.output.splitlines() or [""]
+        first = next((line for line in lines if "error:" in line), lines[0])
         raise CompilerError(f"{command[0]} fails: {first}") from error
-    return output.decode(errors="replace")
 
 
 @functools.cache

@@ -15,10 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import results
-from ..backend.c_kernel import CKernel
+from ..backend.calls import CKernel, NumpyKernel
 from ..backend.kernel import FORMULATIONS, need_exact, robot_kernel
 from ..backend.native import CompilerError
-from ..backend.numpy_kernel import NumpyKernel
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Codes
 from ..io.error_policy import warn

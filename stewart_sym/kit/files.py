@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..backend import fidelity
+from ..backend.kernel import resolve_level
 from ..derive.generated_files import generator_version
 from ..derive.package import build, cpp, fmu, kit_license
 from ..derive.package.example import example
@@ -105,7 +105,7 @@ def _left_out(robot: Robot, choice: Choice) -> str:
     """Return a clause about the physics that the forces of a kit omit, or an empty text."""
     if "forces" not in choice.functions:
         return ""
-    level = fidelity.resolve_level(robot, choice.formulation, choice.level)
+    level = resolve_level(robot, choice.formulation, choice.level)
     # The reference in 50-digit arithmetic requires no compiler.
     reduced = Truth(robot, choice.formulation, level).forces
     return neglected_physics(robot, cast("Formulation", choice.formulation), choice.level, reduced)

@@ -46,7 +46,7 @@ class Choice:
     formulation : str
         "exact" or "paper".
     fidelity : str or None
-        Fidelity level of the forces, one of ``fidelity.FIDELITIES``; None means ``general``.
+        Fidelity level of the forces, one of ``backend.kernel.levels``; None means ``general``.
     bake : bool
         True inserts the constants of the robot into the kernel of the forces.
     scalar : bool

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..backend.c_kernel import CKernel
+from ..backend.calls import CKernel
 from ..backend.kernel import MOTION
 from ..dynamics.forces import ForceKernel
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel

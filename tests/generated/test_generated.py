@@ -13,7 +13,7 @@ from builds import run, written
 from kits import STRICT
 from sweeps import FULL, slow_but
 
-from stewart_sym.backend.c_kernel import rotor_flags
+from stewart_sym.backend.calls import rotor_flags
 
 LANGUAGES = {"c99": ["-x", "c", "-std=c99"], "c++": ["-x", "c++", "-std=c++11"]}
 PRECISIONS: dict[str, list[str]] = {"double": [], "float": ["-DSTEWART_FLOAT"]}

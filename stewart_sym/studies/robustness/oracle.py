@@ -16,9 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import native
-from ...backend.c_kernel import address, c_sources
+from ...backend.calls import address, c_sources, loaded
 from ...backend.kernel import robot_numbers
-from ...backend.numpy_kernel import loaded
 from ...dynamics import closed_form
 from ...generated.interface import STRUCTS
 from ...io.array_types import Array, Codes

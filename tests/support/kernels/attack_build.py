@@ -11,7 +11,7 @@ from pathlib import Path
 from builds import written
 from sweeps import FULL
 
-from stewart_sym.backend.kernel_sources import digests, generated_text
+from stewart_sym.backend.kernel import digests, generated_text
 from stewart_sym.generated.interface import HEADERS
 
 ATTACK = Path(__file__).parents[1] / "c"
