@@ -15,17 +15,7 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot.robot import Robot
-from . import native
-from .kernel import (
-    MOTION,
-    generated_text,
-    legs_side_by_side,
-    module,
-    overflows,
-    robot_kernel,
-    robot_numbers,
-    takes_rotors,
-)
+from . import kernel, native
 
 # Number of poses in one call of a NumPy kernel, because larger arrays do not fit into the cache.
 _AT_ONCE = 1024
@@ -51,9 +41,9 @@ class CKernel(Kernel):
 
     def __init__(self, robot: Robot, formulation: str) -> None:
         """Compile the kernel or load it from the cache, and store the constants of the robot."""
-        self._name = robot_kernel(robot, formulation)
+        self._name = kernel.robot_kernel(robot, formulation)
         library(self._name)
-        self._numbers = robot_numbers(robot, self._name)
+        self._numbers = kernel.robot_numbers(robot, self._name)
 
     def _run(self, name: str, motion: Motion, *given: Array) -> dict[str, Any]:
         return results_of(self._name, "", name, self._numbers, motion, *given)
@@ -64,8 +54,8 @@ class NumpyKernel(Kernel):
 
     def __init__(self, robot: Robot, formulation: str) -> None:
         """Select the module, and convert the robot."""
-        self._module: Any = module(robot_kernel(robot, formulation))
-        self._robot = legs_side_by_side(robot)
+        self._module: Any = kernel.module(kernel.robot_kernel(robot, formulation))
+        self._robot = kernel.legs_side_by_side(robot)
 
     def _run(self, name: str, motion: Motion, *bearing: Array) -> dict[str, Any]:
         found = self.terms(motion)
@@ -102,7 +92,7 @@ def c_sources(name: str) -> dict[str, str]:
     """Return the generated C sources of one kernel, text by file name; motion kernels contain the forces."""
     stems = dict.fromkeys((name.replace("_motion", "_forces"), name))
     names = (*HEADERS, *(f"stewart_{stem}.{kind}" for stem in stems for kind in "hc"))
-    return {file: generated_text(f"c/{file}") for file in names}
+    return {file: kernel.generated_text(f"c/{file}") for file in names}
 
 
 @functools.cache
@@ -120,7 +110,7 @@ def function(name: str, suffix: str, part: str = "", precision: str = "double") 
 
 def rotor_flags(name: str) -> list[str]:
     """Return the compiler flags that the C code of a kernel requires."""
-    return ["-DSTEWART_ROTORS"] if takes_rotors(name) else []
+    return ["-DSTEWART_ROTORS"] if kernel.takes_rotors(name) else []
 
 
 def results_of(
@@ -144,7 +134,7 @@ def results_of(
 def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
     """Call a C function for many poses, and return its value; the motion gets the type of the constants."""
     with np.errstate(over="ignore"):
-        arrays = (getattr(motion, name) for name in MOTION)
+        arrays = (getattr(motion, name) for name in kernel.MOTION)
         inputs = [None if each is None else np.ascontiguousarray(each, model.dtype) for each in arrays]
     return function(address(model), ctypes.c_size_t(math.prod(motion.shape)), pointers(inputs), *arguments)
 
@@ -156,13 +146,13 @@ def prepared_model(prepare: Any, robot: Robot, name: str, precision: str) -> NDA
     """
     dtype, count = np.dtype(np.float64 if precision == "double" else np.float32), MODELS[name]
     with np.errstate(over="ignore"):
-        numbers = robot_numbers(robot, name).astype(dtype)
+        numbers = kernel.robot_numbers(robot, name).astype(dtype)
     # The constants are aligned to a cache line, so that no vector register load crosses a line.
     room = np.zeros(count + 64 // dtype.itemsize, dtype)
     first = -room.ctypes.data % 64 // dtype.itemsize
     model = room[first : first + count]
     if prepare(address(numbers), address(model)) != OK:
-        raise overflows(precision)
+        raise kernel.overflows(precision)
     for each in (room, model):
         each.setflags(write=False)
     return model
@@ -197,14 +187,12 @@ def on_arrays(
     count = math.prod(motion.shape)
     found: dict[str, Any] = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
     found["status"] = np.zeros(count, dtype=np.int32)
-    given = {
-        name: np.ascontiguousarray(value.reshape(count, math.prod(MOTION[name])).T)
-        for name, value in vars(loaded(motion)).items()
-    }
-    arithmetic = module("arithmetic").Arithmetic(np)
+    given = loaded(motion)
+    rows = {name: given[name].reshape(count, math.prod(shape)) for name, shape in kernel.MOTION.items()}
+    arithmetic = kernel.module("arithmetic").Arithmetic(np)
     for first in range(0, count, _AT_ONCE):
         at = slice(first, first + _AT_ONCE)
-        part = SimpleNamespace(**{name: list(rows[:, at]) for name, rows in given.items()})
+        part = SimpleNamespace(**{name: np.ascontiguousarray(each[at].T) for name, each in rows.items()})
         with np.errstate(all="ignore"):
             made = {"status": OK, **run(arithmetic, part, at)}
         for name, target in found.items():
@@ -221,7 +209,7 @@ def _store(target: Array, value: Any) -> None:
         target[...] = np.transpose(value)
 
 
-def loaded(motion: Motion) -> SimpleNamespace:
+def loaded(motion: Motion) -> dict[str, Array]:
     """Return the arrays of a motion by name, with zeros for a missing load."""
-    given, zero = {name: getattr(motion, name) for name in MOTION}, np.zeros((*motion.shape, 3))
-    return SimpleNamespace(**{name: zero if value is None else value for name, value in given.items()})
+    given, zero = {name: getattr(motion, name) for name in kernel.MOTION}, np.zeros((*motion.shape, 3))
+    return {name: zero if value is None else value for name, value in given.items()}

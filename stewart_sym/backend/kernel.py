@@ -49,8 +49,7 @@ OFFSETS = ("cross", "along", "across", "cross_mass", "cross_center", "cross_iner
 def digests() -> dict[str, str]:
     """Return the SHA-256 digests of the files that are derived at first use, by path in ``generated/``."""
     table = (files(PACKAGE) / "on_demand.sha256").read_text(encoding="utf-8")
-    rows = (line.split() for line in table.splitlines())
-    return {path: digest for digest, path in rows}
+    return {path: digest for digest, path in map(str.split, table.splitlines())}
 
 
 def generated_text(path: str) -> str:
@@ -203,14 +202,12 @@ def rotor_of(robot: Robot, fidelity: str) -> str:
 
 def robot_numbers(robot: Robot, kernel: str = "exact") -> Array:
     """Return the constants of a robot in the order of ``stewart_robot`` or ``stewart_offset_robot``."""
-    symbols: list[tuple[Any, str]] = [(robot, name) for name in LEG]
-    if kernel == OFFSET_KERNEL or takes_rotors(kernel):
-        symbols += [(robot, name) for name in ROTOR]
-    if kernel == OFFSET_KERNEL:
-        symbols += [(robot.offsets, name) for name in OFFSETS]
-    else:
+    has_offsets = kernel == OFFSET_KERNEL
+    if not has_offsets:
         need_no_offsets(robot)
-    legs = [stored(of_symbol(owner, name)).reshape(6, -1) for owner, name in symbols]
+    symbols = (*LEG, *(ROTOR if has_offsets or takes_rotors(kernel) else ()))
+    legs = [stored(of_symbol(robot, name)).reshape(6, -1) for name in symbols]
+    legs += [stored(of_symbol(robot.offsets, name)).reshape(6, -1) for name in OFFSETS if has_offsets]
     platform = [np.ravel(stored(of_symbol(robot, name))) for name in PLATFORM]
     return np.concatenate([np.concatenate(legs, axis=1).ravel(), *platform])
 
@@ -218,11 +215,9 @@ def robot_numbers(robot: Robot, kernel: str = "exact") -> Array:
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:
     """Convert a robot to a structure of a generated module; constants of the legs have shape (6, 1)."""
     need_no_offsets(robot)
-    legs = {name: stored(of_symbol(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
-    leg = {name: list(each) if each.ndim > 2 else each for name, each in legs.items()}
+    leg = {name: stored(of_symbol(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
     platform = {name: stored(of_symbol(robot, name)) for name in PLATFORM}
-    parts = {name: list(each) if each.ndim else each for name, each in platform.items()}
-    return SimpleNamespace(leg=SimpleNamespace(**leg), **parts)
+    return SimpleNamespace(leg=SimpleNamespace(**leg), **platform)
 
 
 def stored(value: Any) -> Array:

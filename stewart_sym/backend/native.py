@@ -88,7 +88,7 @@ def load(name: str, sources: Mapping[str, str], flags: Sequence[str] = ()) -> ct
     cannot be written.
     """
     flags = (*FLAGS, *flags)
-    inputs = (name, sorted(sources.items()), _require_compiler(), flags, _processor())
+    inputs = (name, sorted(sources.items()), require_compiler(), flags, _processor())
     digest = hashlib.sha256(repr(inputs).encode()).hexdigest()[:32]
     library = cache_folder() / f"{name}-{digest}{_SUFFIX}"
 
@@ -113,7 +113,7 @@ def compile_library(folder: Path, name: str, sources: Mapping[str, str], flags: 
     files = sorted(file for file in sources if file.endswith(".c"))
     libraries = () if sys.platform == "win32" else ("-lm",)
     try:
-        command = (*_require_compiler().command, *flags, *files, "-o", library.name, *libraries)
+        command = (*require_compiler().command, *flags, *files, "-o", library.name, *libraries)
         run_compiler(command, folder)
     except CompilerError as error:
         if _NATIVE not in flags:
@@ -149,7 +149,8 @@ def _check_compiler(*words: str) -> Compiler:
     return Compiler(command, run_compiler((*command, "--version"), Path()).strip().partition("\n")[0])
 
 
-def _require_compiler() -> Compiler:
+def require_compiler() -> Compiler:
+    """Return the compiler of ``find_compiler``; raise CompilerError if there is none."""
     compiler = find_compiler()
     if compiler is None:
         raise CompilerError("no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`")

@@ -80,7 +80,7 @@ class NumpyClosedForm:
 
     def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """Return the results by name, as in ``CClosedForm.run``."""
-        given = self._source.motion_of(self._on, **vars(loaded(motion)))
+        given = self._source.motion_of(self._on, **loaded(motion))
         forces = [] if F is None else [[F[..., i] for i in range(6)]]
         with np.errstate(all="ignore"):
             result = getattr(self._source, what)(self._on, self._model, given, *forces)

@@ -59,7 +59,7 @@ class Truth:
 
     def forces(self, motion: Motion) -> NDArray[np.object_]:
         """Compute the actuator forces (N) of every pose, (..., 6), as numbers of 50 digits, (35)-(37)."""
-        poses = vars(loaded(motion))
+        poses = loaded(motion)
         F = np.empty((*motion.shape, 6), dtype=object)
         for where in np.ndindex(motion.shape):
             F[where] = self.of_pose({name: value[where] for name, value in poses.items()})

@@ -42,7 +42,7 @@ ON_ARRAYS = Arithmetic(
 
 
 def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.ndarray, np.ndarray]:
-    run, stored = Interpreter(tree, ON_ARRAYS), vars(loaded(motion))
+    run, stored = Interpreter(tree, ON_ARRAYS), loaded(motion)
     # Components first and poses last.
     at = SimpleNamespace(**{q.name: [stored[q.name][(..., *key)] for key in q.keys] for q in n.MOTION})
     with np.errstate(all="ignore"):

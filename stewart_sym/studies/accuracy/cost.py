@@ -223,7 +223,7 @@ def _tasks(
 def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
     """Return the fields of a motion, shape (count, ...), with poses of all motions, repeated if necessary."""
     parts = [loaded(motion) for motion in motions]
-    arrays = [np.concatenate([getattr(part, name) for part in parts]) for name in MOTION]
+    arrays = [np.concatenate([part[name] for part in parts]) for name in MOTION]
     # If fewer poses are required, they are spread evenly along the motions.
     every = np.linspace(0, len(arrays[0]) - 1, min(count, len(arrays[0]))).round().astype(int)
     return [np.resize(array[every], (count, *array.shape[1:])) for array in arrays]

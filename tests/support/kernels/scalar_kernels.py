@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from stewart_sym.backend import native
 from stewart_sym.backend.calls import loaded
-from stewart_sym.backend.kernel import MOTION, resolve_level, robot_numbers
+from stewart_sym.backend.kernel import resolve_level, robot_numbers
 from stewart_sym.kit import Choice
 from stewart_sym.kit.required_kernels import parts
 from stewart_sym.motion.motion import Motion
@@ -54,8 +54,7 @@ class Kernel:
 
 
 def numbers(motion: Motion) -> Array:
-    poses = loaded(motion)
-    return np.concatenate([np.ravel(getattr(poses, name)) for name in MOTION])
+    return np.concatenate([*map(np.ravel, loaded(motion).values())])
 
 
 def compiled(robot: Robot, precision: str, **choice: Any) -> tuple[ctypes.CDLL, str]:

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import casadi_forces
@@ -176,7 +177,8 @@ def base_frames(robot: Robot) -> Array:
 
 def joint_tree(robot: Robot, motion: Motion) -> JointTree:
     """Compute the joint motion at poses (n,); base joints must be universal."""
-    given, leg, k = loaded(motion), newton_euler.legs(robot, motion), np.broadcast_to(robot.k, (6, 3))
+    given = SimpleNamespace(**loaded(motion))
+    leg, k = newton_euler.legs(robot, motion), np.broadcast_to(robot.k, (6, 3))
     R, to_platform = given.R, np.swapaxes(given.R, -1, -2)
     _, second, third = np.moveaxis(np.einsum("kji,nkj->nki", base_frames(robot), leg.y), -1, 0)
     tilt = np.arccos(np.einsum("ki,nki->nk", k, leg.s))
