@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..generated.interface import HEADERS, MODELS, OUTPUTS, STRUCTS
+from ..generated.interface import HEADERS, MODELS, OUTPUTS, STRUCTS, Shape
 from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..results import OK, InverseDynamicsResult, JointReactionsResult
@@ -23,7 +23,7 @@ _SHAPES = {**OUTPUTS, "forces_bounded": {"F": (6,), "bound": (6,), "rcond": ()}}
 
 
 class Kernel:
-    """Kernel of one formulation for one robot."""
+    """Kernel of one formulation for one robot; ``_run`` returns the fields of a result."""
 
     _run: Callable[..., dict[str, Any]]
 
@@ -98,19 +98,14 @@ def c_sources(name: str) -> dict[str, str]:
 @functools.cache
 def library(name: str, precision: str = "double") -> ctypes.CDLL:
     """Compile and load the C code of one kernel for "double" or "float"; raises as ``native.load``."""
-    flags = [*rotor_flags(name), *(["-DSTEWART_FLOAT"] if precision == "float" else [])]
-    return native.load(f"stewart_{name}", c_sources(name), flags)
+    flags = {"-DSTEWART_ROTORS": "_drive" in name, "-DSTEWART_FLOAT": precision == "float"}
+    return native.load(f"stewart_{name}", c_sources(name), [flag for flag in flags if flags[flag]])
 
 
 @functools.cache
 def function(name: str, suffix: str, part: str = "", precision: str = "double") -> Any:
     """Return the C function ``stewart_<name>_<suffix>`` of a kernel, or of a part such as "_forces"."""
     return getattr(library(f"{name}{part}", precision), f"stewart_{name}_{suffix}")
-
-
-def rotor_flags(name: str) -> list[str]:
-    """Return the compiler flags that the C code of a kernel requires."""
-    return ["-DSTEWART_ROTORS"] if kernel.takes_rotors(name) else []
 
 
 def results_of(
@@ -140,10 +135,7 @@ def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
 
 
 def prepared_model(prepare: Any, robot: Robot, name: str, precision: str) -> NDArray[Any]:
-    """Prepare the constants of a robot with the function ``prepare`` of a kernel in MODELS, read-only.
-
-    Raises ValueError if a constant overflows.
-    """
+    """Prepare the constants of a robot by ``prepare`` of a kernel in MODELS; raise ValueError on overflow."""
     dtype, count = np.dtype(np.float64 if precision == "double" else np.float32), MODELS[name]
     with np.errstate(over="ignore"):
         numbers = kernel.robot_numbers(robot, name).astype(dtype)
@@ -176,9 +168,7 @@ def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:
     return ctypes.c_void_p(start + entries * array.itemsize)
 
 
-def on_arrays(
-    run: Callable[[Any, Any, slice], Any], motion: Motion, shapes: Mapping[str, tuple[int, ...]]
-) -> dict[str, Any]:
+def on_arrays(run: Callable[..., Any], motion: Motion, shapes: Mapping[str, Shape]) -> dict[str, Any]:
     """Evaluate a function of a generated module for every pose; return its results by name with the status.
 
     ``run`` takes the arithmetic, a motion, and the slice of its poses, and returns results by name.

@@ -137,11 +137,6 @@ def need_exact(formulation: str, whose: str) -> None:
         raise ValueError(f'formulation: expected "exact" for a robot {whose}, got "{formulation}"')
 
 
-def takes_rotors(name: str) -> bool:
-    """Return True if the legs of the kernel with this name have rotors."""
-    return "_drive" in name
-
-
 _DRIVE_LEVELS = {
     **DRIVE_FIDELITIES,
     "no_rotor": {**FIDELITIES["general"], "meaning": "everything but the rotors"},
@@ -205,7 +200,7 @@ def robot_numbers(robot: Robot, kernel: str = "exact") -> Array:
     has_offsets = kernel == OFFSET_KERNEL
     if not has_offsets:
         need_no_offsets(robot)
-    symbols = (*LEG, *(ROTOR if has_offsets or takes_rotors(kernel) else ()))
+    symbols = (*LEG, *(ROTOR if has_offsets or "_drive" in kernel else ()))
     legs = [stored(of_symbol(robot, name)).reshape(6, -1) for name in symbols]
     legs += [stored(of_symbol(robot.offsets, name)).reshape(6, -1) for name in OFFSETS if has_offsets]
     platform = [np.ravel(stored(of_symbol(robot, name))) for name in PLATFORM]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import results
-from ..backend.calls import CKernel, NumpyKernel
+from ..backend.calls import CKernel, Kernel, NumpyKernel
 from ..backend.kernel import FORMULATIONS, need_exact, robot_kernel
 from ..backend.native import CompilerError
 from ..io.arguments import instance, option, real_array
@@ -38,11 +38,8 @@ def faults_of(formulation: str) -> frozenset[int]:
     return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
 
 
-class _VectorKernel:
-    """Vector implementation with the interface of a kernel.
-
-    Robots with offset joints use it for every backend.
-    """
+class _VectorKernel(Kernel):
+    """Vector implementation, which robots with offset joints use for every backend."""
 
     def __init__(self, robot: Robot, formulation: str) -> None:
         """Raise ValueError for a formulation that the robot does not have."""
@@ -52,20 +49,12 @@ class _VectorKernel:
             need_exact(formulation, "with offset joints")
         self.robot, self.faults = robot, faults_of(formulation)
 
-    def forces(self, motion: Motion) -> results.InverseDynamicsResult:
-        """Compute the inverse dynamics of every pose; values are NaN if the status is not 0."""
+    def _run(self, name: str, motion: Motion, *bearing: Array) -> dict[str, Any]:
         if self.robot.offsets is not None:
-            return offset_joints.inverse_dynamics(self.robot, motion)
-        return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
-
-    def reactions(self, motion: Motion, bearing: Array) -> results.JointReactionsResult:
-        """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
-        if self.robot.offsets is not None:
-            return offset_joints.joint_reactions(self.robot, motion, bearing)
-        return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
-
-
-DynamicsKernel = CKernel | NumpyKernel | _VectorKernel
+            found = getattr(offset_joints, name)(self.robot, motion, *bearing)
+        else:
+            found = getattr(newton_euler, name)(self.robot, motion, self.faults, *bearing)
+        return {**vars(found)}
 
 
 def inverse_dynamics(
@@ -337,15 +326,13 @@ def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
         return (forces - F0) / forces
 
 
-def _prepared(
-    robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str
-) -> DynamicsKernel:
+def _prepared(robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str) -> Kernel:
     need_motion(robot, motion)
     option(on_singular, ON_SINGULAR, "on_singular")
     return prepared_kernel(robot, formulation, backend)
 
 
-def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKernel:
+def prepared_kernel(robot: Robot, formulation: str, backend: str) -> Kernel:
     """Return the kernel of a formulation and a backend for a robot; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
     option(backend, ("c", "numpy", "reference"), "backend")
@@ -354,7 +341,7 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
         return _VectorKernel(robot, formulation)
     if backend == "numpy":
         return NumpyKernel(robot, formulation)
-    found: DynamicsKernel = with_compiler(
+    found: Kernel = with_compiler(
         lambda: CKernel(robot, formulation), lambda: NumpyKernel(robot, formulation)
     )
     return found

@@ -19,6 +19,11 @@ ATTACK = Path(__file__).parents[1] / "c"
 STRICT = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-g" if FULL else "-g0")
 
 
+def rotor_flags(kernel: str) -> list[str]:
+    """The compiler flags that the C code of a kernel requires."""
+    return ["-DSTEWART_ROTORS"] if "_drive" in kernel else []
+
+
 def stems() -> list[str]:
     """Sources of the generated C without suffix, committed or derived at first use."""
     names = [*digests(), *(path.name for path in (files("stewart_sym.generated") / "c").iterdir())]

@@ -6,8 +6,8 @@ from pathlib import Path
 from string import Template
 
 import numpy as np
+from attack_build import rotor_flags
 
-from stewart_sym.backend.calls import rotor_flags
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
