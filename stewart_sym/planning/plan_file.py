@@ -24,7 +24,7 @@ from ..robot.robot import Robot
 from .path_parameterization import MINIMIZE, Minimize
 from .plan_path import OBJECTIVES, PRICE, Objective, need_poses
 from .pose_path import COORDINATES, ViaPose
-from .timing.path_terms import PathLimits, six_positive
+from .timing.path_terms import PathLimits, leg_limits
 
 SCHEMA = 1
 RATE = 100.0
@@ -164,7 +164,7 @@ def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:
     table = toml_reader.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
-        check = six_positive if key in _LEG_LIMITS else toml_reader.positive
+        check = leg_limits if key in _LEG_LIMITS else toml_reader.positive
         found[key] = check(given, prefix + key)
     own = {key: found.pop(key) for key in _POSE_LIMITS if key in found}
     with errors_of(prefix):
