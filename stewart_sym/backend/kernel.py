@@ -24,7 +24,7 @@ from ..generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
 from ..generated.interface import STRUCTS
 from ..io.arguments import option
 from ..io.array_types import Array
-from ..io.atomic_write import write_file
+from ..io.output import write_file
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_masses, of_symbol
 from .native import cache_folder, create_once

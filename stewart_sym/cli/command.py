@@ -12,10 +12,9 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from ..io.arguments import safe_text
-from ..io.atomic_write import ResultFolder, must_be_replaceable, write_file
 from ..io.error_policy import need
+from ..io.output import ResultFolder, json_text, must_be_replaceable, write_file
 from ..io.progress import Progress
-from ..io.text_formats import json_text
 from ..motion.trajectory_format import ANGLE_UNITS, EULER_ORDERS, LENGTH_UNITS, MODES, TIME_UNITS
 from ..studies.common.report import Report, write
 from ..viewer.page import BEGINNING as HTML_BEGINNING

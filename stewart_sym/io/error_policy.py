@@ -8,7 +8,6 @@ from collections.abc import Iterator
 
 EXTRAS = {
     "casadi": ("CasADi", "casadi"),
-    "dask": ("Dask", "cluster"),
     "distributed": ("Dask", "cluster"),
     "matplotlib": ("Matplotlib", "plot"),
     "mujoco": ("MuJoCo", "exchange"),

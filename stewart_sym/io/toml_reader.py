@@ -160,12 +160,6 @@ def one_line(value: object, where: str) -> str:
     return value
 
 
-def need_schema(value: object, known: int, where: str) -> None:
-    """Raise ValueError unless a value is the number of the supported schema."""
-    if isinstance(value, bool) or value != known:
-        raise ValueError(f"{where}: expected {known}, got {shown(value)}")
-
-
 def number(value: Any, where: str, rule: str = "", allowed: Callable[[float], bool] = math.isfinite) -> float:
     """Return a finite number; reject Booleans, and numbers that are not allowed by the ``rule``."""
     found = number_in(value, where, "a finite number", -math.inf)

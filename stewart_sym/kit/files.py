@@ -28,8 +28,8 @@ from ..dynamics.neglected_physics import neglected_physics
 from ..dynamics.sample_poses import sample
 from ..io.array_types import Array
 from ..io.error_policy import warn
+from ..io.output import json_text
 from ..io.progress import Progress, silent
-from ..io.text_formats import json_text
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rpy_from_rotation
 from ..precision.exact_forces import Truth

@@ -9,7 +9,7 @@ from ..derive.kernel.outputs import FORCES, OUTPUTS
 from ..derive.package.fmu import KINDS, PLANT
 from ..derive.package.text_format import template
 from ..io.arguments import option, shown
-from ..io.text_formats import toml_text
+from ..io.output import toml_text
 from ..robot.robot import Robot
 
 TORQUE = "torque"

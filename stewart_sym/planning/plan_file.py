@@ -13,7 +13,7 @@ from ..backend.kernel import FORMULATIONS
 from ..design.pose_limits import PoseLimits, need_clearance
 from ..dynamics.inverse_dynamics import Formulation
 from ..io import toml_reader
-from ..io.arguments import option
+from ..io.arguments import option, whole_number
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.robot_logs import read_poses_of
@@ -104,7 +104,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     """Convert the tables of a plan file to a plan."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot"))
-    toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    whole_number(top["schema"], f"{file}schema", SCHEMA, str(SCHEMA), SCHEMA)
     if ("via" in top) == ("via_file" in top):
         raise ValueError(f"{file}via: expected either via poses or via_file")
     options: dict[str, Any] = {

@@ -12,7 +12,7 @@ import numpy as np
 from ..backend.kernel import FORMULATIONS
 from ..dynamics.inverse_dynamics import Formulation
 from ..io import toml_reader
-from ..io.arguments import option
+from ..io.arguments import option, whole_number
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.mounting_side import path_for
@@ -113,7 +113,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     """Convert the tables of a scene file to a scene."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "actuation"))
-    toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    whole_number(top["schema"], f"{file}schema", SCHEMA, str(SCHEMA), SCHEMA)
     # Errors in this file are reported before errors in other files.
     legs = _actuation(top["actuation"], f"{file}actuation.")
     options: dict[str, Any] = {

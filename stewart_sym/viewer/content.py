@@ -16,7 +16,7 @@ from ..drives.limit_status import EXCEEDED, VERDICTS, shows
 from ..drives.limits import PEAKS, RATED
 from ..io.arguments import safe_text
 from ..io.array_types import Array
-from ..io.text_formats import plain
+from ..io.output import plain
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.mounting_side import platform_side, radius
 from ..motion.rotation import quaternion_from_rotation

@@ -11,7 +11,7 @@ from typing import Any, cast
 
 from ..dynamics.home_pose import home_pose
 from ..io.arguments import instance, safe_text
-from ..io.atomic_write import write_file
+from ..io.output import write_file
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..motion.straight_line import StraightLinePath

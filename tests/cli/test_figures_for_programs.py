@@ -9,8 +9,8 @@ import pytest
 from command_line import Run
 
 from stewart_sym.cli import terminal
+from stewart_sym.io.output import json_text
 from stewart_sym.io.progress import tracked
-from stewart_sym.io.text_formats import json_text
 
 
 def strict(text: str) -> object:

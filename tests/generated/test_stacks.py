@@ -22,8 +22,8 @@ from toolchain import CORES, Core
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import levels
 from stewart_sym.backend.native import CompilerError
+from stewart_sym.io.output import json_text
 from stewart_sym.io.progress import Progress, silent
-from stewart_sym.io.text_formats import json_text
 from stewart_sym.kit import Choice
 from stewart_sym.kit.files import stack_key
 from stewart_sym.kit.kit_options import check

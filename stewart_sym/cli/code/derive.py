@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ...io.arguments import shown
-from ...io.atomic_write import ResultFolder, digest, write_file
+from ...io.output import ResultFolder, digest, write_file
 from ...studies.common.report import Report
 from ..command import Arguments, Parser, hint, results
 

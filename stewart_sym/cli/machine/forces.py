@@ -12,8 +12,8 @@ from pathlib import Path
 
 import stewart_sym as ss
 
-from ...io.atomic_write import must_be_replaceable, write_file
 from ...io.error_policy import need, warn
+from ...io.output import must_be_replaceable, write_file
 from ...motion.trajectory import noise_text
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import SMALL, Picture, Report, draw, is_own_png

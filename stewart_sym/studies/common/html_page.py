@@ -10,8 +10,8 @@ from typing import Any, TypeGuard
 import numpy as np
 
 from ...io.arguments import safe_text
+from ...io.output import plain
 from ...io.progress import Progress, silent
-from ...io.text_formats import plain
 from ...viewer.page import document, filled, generator
 from ...viewer.view import frame
 from .report import Report, drawn

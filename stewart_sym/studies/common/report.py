@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from ...io.atomic_write import ResultFolder, write_file
+from ...io.output import ResultFolder, json_text, write_file
 from ...io.progress import Progress, silent
-from ...io.text_formats import json_text
 from .text_tables import csv_lines
 
 if TYPE_CHECKING:

@@ -34,8 +34,7 @@ from stewart_sym.backend.calls import loaded
 from stewart_sym.derive.passes import passes
 from stewart_sym.exchange.model_from_robot import robot_of_bodies
 from stewart_sym.io.array_types import Array
-from stewart_sym.io.atomic_write import write_file
-from stewart_sym.io.text_formats import json_text
+from stewart_sym.io.output import json_text, write_file
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import cross_matrix, quaternion_from_rotation
 from stewart_sym.reference import newton_euler
