@@ -23,8 +23,7 @@ from ..motion.rotation import quaternion_from_rotation
 from ..motion.sample_times import least_step, time_text
 from ..robot.offset_chains import chains
 from ..robot.robot import Robot
-from .limit_report import LimitReport
-from .motion_history import Event, MotionHistory
+from .motion_history import Event, LimitReport, MotionHistory
 
 # Drawn radius of a lower part and length of the axes, relative to the machine size; amplitude of a twist,
 # relative to the characteristic length.
