@@ -20,7 +20,7 @@ os.environ.update({f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLA
 from command_line import Fails, Run, fails_in_one_line, told
 from sweeps import FULL
 
-from stewart_sym.backend import c_kernel, native
+from stewart_sym.backend import calls, native
 
 # Derivations make much that stays: collecting garbage as often as usual takes a tenth of the time.
 gc.set_threshold(100_000, 50, 50)
@@ -85,7 +85,7 @@ def fails(capsys: pytest.CaptureFixture[str]) -> Fails:
     return functools.partial(fails_in_one_line, capsys)
 
 
-_LOADED = (c_kernel.library, c_kernel.function)
+_LOADED = (calls.library, calls.function)
 
 
 @pytest.fixture

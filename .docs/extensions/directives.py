@@ -21,7 +21,7 @@ from sphinx.pycode import ModuleAnalyzer
 from sphinx.util.docutils import SphinxDirective
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel_sources import generated_text
+from stewart_sym.backend.kernel import generated_text
 from stewart_sym.cli import main
 from stewart_sym.derive.kernel.interface import STRUCTS
 from stewart_sym.derive.trace.constants import STATUSES

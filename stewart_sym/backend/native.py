@@ -88,7 +88,7 @@ def load(name: str, sources: Mapping[str, str], flags: Sequence[str] = ()) -> ct
     cannot be written.
     """
     flags = (*FLAGS, *flags)
-    inputs = (name, sorted(sources.items()), _require_compiler(), flags, _processor())
+    inputs = (name, sorted(sources.items()), require_compiler(), flags, _processor())
     digest = hashlib.sha256(repr(inputs).encode()).hexdigest()[:32]
     library = cache_folder() / f"{name}-{digest}{_SUFFIX}"
 
@@ -113,7 +113,7 @@ def compile_library(folder: Path, name: str, sources: Mapping[str, str], flags: 
     files = sorted(file for file in sources if file.endswith(".c"))
     libraries = () if sys.platform == "win32" else ("-lm",)
     try:
-        command = (*_require_compiler().command, *flags, *files, "-o", library.name, *libraries)
+        command = (*require_compiler().command, *flags, *files, "-o", library.name, *libraries)
         run_compiler(command, folder)
     except CompilerError as error:
         if _NATIVE not in flags:
@@ -128,14 +128,15 @@ def run_compiler(command: Sequence[str], folder: Path) -> str:
     # Errors are recognized in English.
     environment = {**os.environ, "LC_ALL": "C"}
     try:
-        output = subprocess.check_output(command, cwd=folder, env=environment, stderr=subprocess.STDOUT)
+        return subprocess.check_output(
+            command, cwd=folder, env=environment, stderr=subprocess.STDOUT, text=True, errors="replace"
+        )
     except OSError as error:
         raise CompilerError(f"{command[0]} does not run: {error}") from error
     except subprocess.CalledProcessError as error:
-        log = error.output.decode(errors="replace")
-        first = next((line for line in log.splitlines() if "error:" in line), log.partition("\n")[0])
+        lines = error.output.splitlines() or [""]
+        first = next((line for line in lines if "error:" in line), lines[0])
         raise CompilerError(f"{command[0]} fails: {first}") from error
-    return output.decode(errors="replace")
 
 
 @functools.cache
@@ -148,7 +149,8 @@ def _check_compiler(*words: str) -> Compiler:
     return Compiler(command, run_compiler((*command, "--version"), Path()).strip().partition("\n")[0])
 
 
-def _require_compiler() -> Compiler:
+def require_compiler() -> Compiler:
+    """Return the compiler of ``find_compiler``; raise CompilerError if there is none."""
     compiler = find_compiler()
     if compiler is None:
         raise CompilerError("no C compiler found; install gcc or clang, set CC, or run `pip install ziglang`")

@@ -11,9 +11,8 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from ..io.arguments import hint, safe_text
-from ..io.atomic_write import ResultFolder, must_be_replaceable, write_file
-from ..io.extras import need
-from ..io.json_text import json_text
+from ..io.error_policy import need
+from ..io.output import ResultFolder, json_text, must_be_replaceable, write_file
 from ..io.progress import Progress
 from ..motion.trajectory_format import ANGLE_UNITS, EULER_ORDERS, LENGTH_UNITS, MODES, TIME_UNITS
 from ..studies.common.report import Report, write

@@ -17,7 +17,6 @@ from typing import NoReturn
 
 from ..backend.native import CompilerError
 from ..io.arguments import hint, shown
-from ..io.extras import needed_for
 from .command import Parser
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
@@ -51,7 +50,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     else:
         arguments = _overview().parse_args(words[:1])
     try:
-        with warnings_in_lines(), needed_for(arguments.subcommand):
+        with warnings_in_lines():
             code: int = arguments.run(arguments) or 0
         sys.stdout.flush()
         return code

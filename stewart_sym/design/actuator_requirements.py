@@ -15,9 +15,8 @@ from ..drives.motor_states import motor_states
 from ..drives.noise import all_deviations, at_replaced
 from ..dynamics.inverse_dynamics import Formulation, inverse_dynamics, need_motion
 from ..io.arguments import instance, number_in, real_array, shown
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array, Flags, Frozen, read_only
 from ..io.error_policy import warn
-from ..io.frozen import Frozen, read_only
 from ..io.progress import Progress, silent
 from ..kinematics.clearance import angles_between, neutral_directions
 from ..kinematics.inverse_kinematics import inverse_kinematics

@@ -16,8 +16,7 @@ from ..drives.motor_states import motor_rates, rotor_force
 from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import instance
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector

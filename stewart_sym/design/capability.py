@@ -17,8 +17,7 @@ from numpy.typing import ArrayLike
 from ..dynamics.equations import equations_of_motion
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import finite_array, instance, option
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen
 from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
 from ..results import OK

@@ -9,7 +9,6 @@ import numpy as np
 
 from ..drives.limit_status import EXCEEDED, WITHIN, Sides, amount_text, farthest, limit_status, sides
 from ..drives.limits import LONGEST, RATED, limits_of
-from ..io.arguments import status_text
 from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
 from ..robot.units import Units
@@ -40,7 +39,7 @@ class LimitMargins(NamedTuple):
         if verdict == EXCEEDED:
             sure.append(line)
         elif verdict != WITHIN:
-            possible.append(f"{margin}{status_text(verdict)}: {line}")
+            possible.append(f"{margin}{verdict.replace('_', ' ')}: {line}")
 
 
 def compared(robot: Robot, needs: ActuatorRequirementsResult) -> LimitMargins:

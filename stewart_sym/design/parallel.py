@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, TypeVar
 
 from ..io.arguments import shown
-from ..io.extras import needed_for
+from ..io.error_policy import need
 from ..io.progress import Progress, tracked
 
 Job = TypeVar("Job")
@@ -41,9 +41,10 @@ def run(
 @contextlib.contextmanager
 def _client(scheduler: str) -> Iterator[Any]:
     """Yield a client of the scheduler; close a local scheduler at the end."""
-    with needed_for("a scheduler"):
-        import dask
-        from distributed import Client, LocalCluster
+    need("distributed", "a scheduler")
+    import dask
+    from distributed import Client, LocalCluster
+
     if not isinstance(scheduler, str) or not scheduler.strip():
         raise ValueError(f'scheduler: expected "{LOCAL}" or an address, got {shown(scheduler)}')
     with contextlib.ExitStack() as stack:

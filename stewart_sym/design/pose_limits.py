@@ -13,8 +13,7 @@ from ..dynamics.forces import ForceKernel
 from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse_dynamics import inverse_dynamics, with_compiler
 from ..io.arguments import finite_array, instance, number_in, truth
-from ..io.array_types import Array, Flags
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Flags, Frozen
 from ..kinematics.clearance import PAIRS, distances_of, joined, neutral_directions
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import leg_vectors, length_rows

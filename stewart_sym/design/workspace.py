@@ -13,9 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.home_pose import home_pose
 from ..io.arguments import finite_array, instance, option, whole_number
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array, Flags, Frozen
 from ..io.error_policy import warn
-from ..io.frozen import Frozen
 from ..io.progress import Progress, silent
 from ..kinematics.conditioning import characteristic_length
 from ..motion.rotation import rotation_from_rpy

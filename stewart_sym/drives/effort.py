@@ -11,9 +11,8 @@ from numpy.typing import ArrayLike
 
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics
 from ..io.arguments import finite_array, instance, real_array
-from ..io.array_types import Array
+from ..io.array_types import Array, Frozen, read_only
 from ..io.error_policy import warn
-from ..io.frozen import Frozen, read_only
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.trajectory_checks import side_change
 from ..motion.motion import Motion

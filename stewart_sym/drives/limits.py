@@ -6,7 +6,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..io.arguments import status_text
 from ..io.array_types import Array, Flags
 from ..kinematics.clearance import angles_from, neutral_directions
 from ..motion.motion import Motion
@@ -210,7 +209,7 @@ class LimitTracker:
         scale, unit = self.units.of_unit(limit.unit)
         bound = scale * limit.sign * limit.bound(self.robot)[worst]
         span, count = self._span[limit][:, worst]
-        text = f"{limit.name} {status_text(verdict)} by {legs_text(legs)}: "
+        text = f"{limit.name} {verdict.replace('_', ' ')} by {legs_text(legs)}: "
         text += "" if len(legs) == 1 else f"worst leg {worst + 1}: "
         text += f"{limit.what}{amount_text(scale * value, None if sd is None else scale * sd)} {unit}"
         if self._time is None:

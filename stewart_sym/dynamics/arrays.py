@@ -12,7 +12,7 @@ import numpy as np
 
 from ..backend.kernel import OFFSETS, force_kernel, module, overflows, stored
 from ..io.arguments import instance, leading_shape
-from ..io.frozen import Frozen
+from ..io.array_types import Frozen
 from ..results import OK
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_drive, need_masses, of_symbol

@@ -8,11 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ..backend.c_kernel import address, function, library, results_of
+from ..backend.calls import address, function, library, loaded, results_of
 from ..backend.kernel import module, robot_kernel
-from ..backend.numpy_kernel import loaded
 from ..generated.interface import OUTPUTS as _OUTPUTS
-from ..generated.interface import STRUCTS
 from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..results import OK
@@ -49,8 +47,7 @@ class CClosedForm:
         6) with the shape of the motion.
         """
         forces = [] if F is None else [F]
-        code, apart = function(self._name, f"{what}_batch", "_motion"), what not in STRUCTS
-        return results_of(code, self._model, motion, _OUTPUTS[what], forces, apart)
+        return results_of(self._name, "_motion", what, self._model, motion, *forces)
 
     def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
         """Return a function for the forward dynamics of single states; see ``ForwardDynamics.one_state``."""
@@ -83,7 +80,7 @@ class NumpyClosedForm:
 
     def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """Return the results by name, as in ``CClosedForm.run``."""
-        given = self._source.motion_of(self._on, **vars(loaded(motion)))
+        given = self._source.motion_of(self._on, **loaded(motion))
         forces = [] if F is None else [[F[..., i] for i in range(6)]]
         with np.errstate(all="ignore"):
             result = getattr(self._source, what)(self._on, self._model, given, *forces)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.c_kernel import function, prepared_model, results_of
+from ..backend.calls import function, prepared_model, results_of
 from ..backend.kernel import robot_kernel
 from ..io.arguments import option
 from ..motion.motion import Motion
@@ -118,8 +118,6 @@ def force_error_bounds(
     name = robot_kernel(robot, "exact")
     prepare = function(name, "bounds_prepare", "_bounds", precision)
     model = prepared_model(prepare, robot, f"{name}_bounds", precision)
-    code = function(name, "forces_bounded_batch", "_bounds", precision)
-    shapes = {"F": (6,), "bound": (6,), "rcond": ()}
-    found = ForceErrorBoundsResult(**results_of(code, model, motion, shapes, apart=True))
+    found = ForceErrorBoundsResult(**results_of(name, "_bounds", "forces_bounded", model, motion))
     report_faults(found.status, robot, motion, on_singular)
     return found

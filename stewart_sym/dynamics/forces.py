@@ -12,12 +12,11 @@ from typing import Any, Literal, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..backend.c_kernel import address, function, prepared_model
-from ..backend.fidelity import force_kernel_name
-from ..backend.kernel import FORMULATIONS, MOTION
+from ..backend.calls import address, function, prepared_model
+from ..backend.kernel import FORMULATIONS, MOTION, force_kernel_name
 from ..io.arguments import instance, option, whole_number
+from ..io.array_types import Frozen
 from ..io.error_policy import warn
-from ..io.frozen import Frozen
 from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, ON_SINGULAR, SINGULAR, UNREACHABLE, OnSingular
 from ..robot.offset_chains import codes

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..backend.calls import Kernel
 from ..backend.kernel import FORMULATIONS
 from ..io.arguments import instance, option
 from ..io.array_types import Array, Codes, Flags
@@ -197,7 +198,7 @@ def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWr
     if backend == "reference":
         faults = inverse_dynamics.faults_of(formulation)
         return lambda robot, motion: newton_euler.actuator_wrench(robot, motion, faults)
-    kernels: dict[Robot, inverse_dynamics.DynamicsKernel] = {robot: first}
+    kernels: dict[Robot, Kernel] = {robot: first}
 
     def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
         if robot not in kernels:

@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import results
-from ..backend.c_kernel import CKernel
+from ..backend.calls import CKernel, Kernel, NumpyKernel
 from ..backend.kernel import FORMULATIONS, need_exact, robot_kernel
 from ..backend.native import CompilerError
-from ..backend.numpy_kernel import NumpyKernel
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Codes
 from ..io.error_policy import warn
+from ..io.toml_reader import per_leg
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
@@ -39,11 +39,8 @@ def faults_of(formulation: str) -> frozenset[int]:
     return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
 
 
-class _VectorKernel:
-    """Vector implementation with the interface of a kernel.
-
-    Robots with offset joints use it for every backend.
-    """
+class _VectorKernel(Kernel):
+    """Vector implementation, which robots with offset joints use for every backend."""
 
     def __init__(self, robot: Robot, formulation: str) -> None:
         """Raise ValueError for a formulation that the robot does not have."""
@@ -53,20 +50,12 @@ class _VectorKernel:
             need_exact(formulation, "with offset joints")
         self.robot, self.faults = robot, faults_of(formulation)
 
-    def forces(self, motion: Motion) -> results.InverseDynamicsResult:
-        """Compute the inverse dynamics of every pose; values are NaN if the status is not 0."""
+    def _run(self, name: str, motion: Motion, *bearing: Array) -> dict[str, Any]:
         if self.robot.offsets is not None:
-            return offset_joints.inverse_dynamics(self.robot, motion)
-        return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
-
-    def reactions(self, motion: Motion, bearing: Array) -> results.JointReactionsResult:
-        """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
-        if self.robot.offsets is not None:
-            return offset_joints.joint_reactions(self.robot, motion, bearing)
-        return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
-
-
-DynamicsKernel = CKernel | NumpyKernel | _VectorKernel
+            found = getattr(offset_joints, name)(self.robot, motion, *bearing)
+        else:
+            found = getattr(newton_euler, name)(self.robot, motion, self.faults, *bearing)
+        return {**vars(found)}
 
 
 def inverse_dynamics(
@@ -222,7 +211,7 @@ def joint_reactions(
     (6, 3)
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    where = _bearing(bearing_distance)
+    where = per_leg(0.0 if bearing_distance is None else bearing_distance, "bearing_distance")
     found = _without_overflow(kernel.reactions(motion, where))
     if on_singular == "damped":
         found = _damped(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
@@ -338,15 +327,13 @@ def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
         return (forces - F0) / forces
 
 
-def _prepared(
-    robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str
-) -> DynamicsKernel:
+def _prepared(robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str) -> Kernel:
     need_motion(robot, motion)
     option(on_singular, ON_SINGULAR, "on_singular")
     return prepared_kernel(robot, formulation, backend)
 
 
-def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKernel:
+def prepared_kernel(robot: Robot, formulation: str, backend: str) -> Kernel:
     """Return the kernel of a formulation and a backend for a robot; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
     option(backend, ("c", "numpy", "reference"), "backend")
@@ -355,7 +342,7 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
         return _VectorKernel(robot, formulation)
     if backend == "numpy":
         return NumpyKernel(robot, formulation)
-    found: DynamicsKernel = with_compiler(
+    found: Kernel = with_compiler(
         lambda: CKernel(robot, formulation), lambda: NumpyKernel(robot, formulation)
     )
     return found
@@ -389,16 +376,6 @@ def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
 @functools.cache
 def _say_once(text: str) -> None:
     warn(text, RuntimeWarning)
-
-
-def _bearing(bearing: ArrayLike | None) -> Array:
-    expected = "one finite distance or six"
-    values = np.zeros(6) if bearing is None else real_array(bearing, "bearing_distance", expected)
-    if values.shape not in ((), (6,)):
-        raise ValueError(f"bearing_distance: expected {expected}, got shape {values.shape}")
-    if not np.isfinite(values).all():
-        raise ValueError(f"bearing_distance: expected {expected}, got {values[~np.isfinite(values)][0]}")
-    return np.broadcast_to(values, (6,))
 
 
 def _without_overflow(found: results.JointReactionsResult) -> results.JointReactionsResult:

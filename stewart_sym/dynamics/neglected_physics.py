@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend import fidelity
+from ..backend.kernel import levels, resolve_level, rotor_of
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .inverse_dynamics import Formulation, inverse_dynamics
@@ -31,8 +31,8 @@ def neglected_physics(robot: Robot, formulation: Formulation, level: str, reduce
     found = effect(robot, reduced, formulation)
     if not found:
         return ""
-    own = fidelity.resolve_level(robot, formulation, level)
-    named, meaning = ", ".join(_named(robot, own)), fidelity.levels(robot)[own]["meaning"]
+    own = resolve_level(robot, formulation, level)
+    named, meaning = ", ".join(_named(robot, own)), levels(robot)[own]["meaning"]
     return (
         f"fidelity {level} ({meaning}) omits physics of the "
         f"robot file{f', such as {named}' if named else ''}; {found}"
@@ -66,7 +66,7 @@ def effect(
 
 def _named(robot: Robot, level: str) -> Iterator[str]:
     """Yield the physics that a level certainly omits."""
-    rotor = fidelity.rotor_of(robot, level)
+    rotor = rotor_of(robot, level)
     if robot.has_rotors and rotor == "none":
         yield f"rotors with up to {robot.reflected_mass.max():.3g} kg of reflected mass in each leg"
     elif rotor == "mass" and np.any(robot.rotor_momentum):

@@ -10,7 +10,7 @@ from ..backend.kernel import MOTION
 from ..dynamics.inverse_dynamics import Formulation
 from ..dynamics.leg_formulas import Functions, leg_motions, motor_torques
 from ..io.arguments import instance, option, truth
-from ..io.extras import needed_for
+from ..io.error_policy import need
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_drive
 from .symbols import prepared
@@ -92,30 +92,23 @@ def casadi_function(
     """
     option(quantity, tuple(ARGUMENTS), "quantity")
     truth(checked, "checked")
-    with needed_for("a CasADi function"):
-        import casadi
+    need("casadi", "a CasADi function")
+    import casadi
+
     given = {name: casadi.SX.sym(name, 3, 3 if name == "R" else 1) for name in MOTION}
+    given["F"] = casadi.SX.sym("F", 6)
     # CasADi stores columns, but the kernels read components row by row.
     parts = {name: casadi.vertsplit(casadi.vec(value.T)) for name, value in given.items()}
-    motion = SimpleNamespace(**parts)
-    given["F"] = casadi.SX.sym("F", 6)
-    found = _results(robot, quantity, formulation, checked, motion, casadi.vertsplit(given["F"]))
+    found = _results(robot, quantity, formulation, checked, SimpleNamespace(**parts))
     results = {name: _matrix(value) for name, value in found.items() if checked or name != "status"}
-    names = ARGUMENTS[quantity]
-    return casadi.Function(
-        quantity, [given[name] for name in names], list(results.values()), list(names), list(results)
-    )
+    inputs = {name: given[name] for name in ARGUMENTS[quantity]}
+    return casadi.Function(quantity, [*inputs.values()], [*results.values()], [*inputs], [*results])
 
 
 def _results(
-    robot: Robot,
-    quantity: str,
-    formulation: Formulation,
-    checked: bool,
-    motion: SimpleNamespace,
-    F: list[Any],
+    robot: Robot, quantity: str, formulation: Formulation, checked: bool, motion: SimpleNamespace
 ) -> dict[str, Any]:
-    """Return the results of a function by name; ``F`` are the forces of forward dynamics."""
+    """Return the results of a function by name; ``motion`` contains F for forward dynamics."""
     import casadi
 
     from ..derive.trace.interpret import Interpreter
@@ -128,10 +121,10 @@ def _results(
         return {name: [getattr(leg, name) for leg in leg_motions(on, robot, motion)]}
     if quantity == "torques":
         need_drive(robot)
-        found = _results(robot, "forces", formulation, checked, motion, F)
+        found = _results(robot, "forces", formulation, checked, motion)
         return {"torque": motor_torques(on, robot, motion, found["F"]), **found}
     program, _, model = prepared(robot, quantity, quantity, formulation)
-    more = [F] if quantity == "forward_dynamics" else []
+    more = [motion.F] if quantity == "forward_dynamics" else []
     return dict(vars(Interpreter(program, _arithmetic(checked)).run(quantity, model, motion, *more)))
 
 

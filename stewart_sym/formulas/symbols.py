@@ -33,8 +33,6 @@ FUNCTIONS = {
 
 _REQUIRED = ("R", "t", "F")
 """Arguments without a default value."""
-_FOUND = ("alpha", "a")
-"""Results of forward dynamics."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,13 +140,13 @@ class SymbolicResult:
         def evaluated(**given: Any) -> NDArray[np.float64]:
             for argument in given:
                 option(argument, tuple(self.arguments), "argument")
-            for argument in _REQUIRED:
-                if argument in self.arguments and argument not in given:
+            numbers = []
+            for argument, symbols in self.arguments.items():
+                if argument in _REQUIRED and argument not in given:
                     raise ValueError(f"{argument}: expected a value, got none")
-            numbers = [
-                np.zeros(len(of)) if argument not in given else _of_one_pose(argument, given[argument], of)
-                for argument, of in self.arguments.items()
-            ]
+                core = symbols.shape if symbols.shape[1] > 1 else symbols.shape[:1]
+                value = given.get(argument, np.zeros(core))
+                numbers.append(finite_array(value, core, f"{argument} of one pose", batch=False).ravel())
             return np.asarray(made(*np.concatenate(numbers)), dtype=np.float64).reshape(shape)
 
         return evaluated
@@ -228,14 +226,8 @@ def symbolic(robot: Robot, quantity: str, formulation: Formulation = "exact") ->
     constants = {symbol: value for symbol, value in found.constants.items() if symbol in used}
     meanings = described(symbol.name for symbol in constants)
     given = found.arguments
-    arguments = {name: given[name] for name in given if "F" not in given or name not in _FOUND}
+    arguments = {name: given[name] for name in given if "F" not in given or name not in ("alpha", "a")}
     return SymbolicResult(quantity, result, steps, constants, arguments, meanings)
-
-
-def _of_one_pose(name: str, value: Any, symbols: Matrix) -> NDArray[np.float64]:
-    """Return the numbers of an argument; ValueError that names it for other shapes or infinite numbers."""
-    shape = symbols.shape if symbols.shape[1] > 1 else symbols.shape[:1]
-    return finite_array(value, shape, f"{name} of one pose", batch=False).ravel()
 
 
 def prepared(
@@ -283,6 +275,5 @@ def _program(name: str, function: str) -> Any:
 def _chained(expr: Expression, derivatives: Mapping[Any, Any]) -> Expression:
     import sympy as sp
 
-    return sp.Add(
-        *(expr.diff(symbol) * derivatives[symbol] for symbol in expr.free_symbols & derivatives.keys())
-    )
+    symbols = expr.free_symbols & derivatives.keys()
+    return sp.Add(*(expr.diff(symbol) * derivatives[symbol] for symbol in symbols))

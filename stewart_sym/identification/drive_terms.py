@@ -13,8 +13,7 @@ import numpy as np
 from ..drives.friction import constant_part, smooth_sign, viscous
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import shown
-from ..io.array_types import Array, Flags
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Flags, Frozen
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.drive import Drive

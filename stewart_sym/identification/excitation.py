@@ -13,8 +13,7 @@ from ..drives.motor_states import motor_states
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse_dynamics import inverse_dynamics, need_universal
 from ..io.arguments import finite_array, number_in, real_array, whole_number
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen
 from ..io.progress import Progress, silent, tracked
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics

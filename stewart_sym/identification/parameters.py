@@ -16,9 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..backend.c_kernel import address, call, function
-from ..backend.kernel import robot_numbers
-from ..backend.numpy_kernel import legs_side_by_side, on_arrays
+from ..backend.calls import address, call, function, on_arrays
+from ..backend.kernel import legs_side_by_side, robot_numbers
 from ..dynamics.inverse_dynamics import Backend, need_motion, need_universal, report_faults, with_compiler
 from ..generated import exact_regressor
 from ..generated import rotor_regressor as exact_rotors

@@ -12,11 +12,7 @@ from numpy.typing import NDArray
 
 def shown(value: object) -> str:
     """Return a value as text for a one-line message."""
-    try:
-        text = " ".join(repr(value).split())
-    except (ValueError, RecursionError):
-        # Python raises an error for integers of thousands of digits and for nesting a thousand levels deep.
-        return f"{type(value).__name__} too long to show"
+    text = " ".join(repr(value).split())
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 
@@ -82,9 +78,9 @@ def shaped_array(value: object, core: tuple[int, ...], name: str, batch: bool = 
 def finite_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
     """Return the array of ``shaped_array`` with finite entries; raise ValueError otherwise."""
     array = shaped_array(value, core, name, batch)
-    finite = np.isfinite(array)
-    if not np.all(finite):
-        where = tuple(int(i) for i in np.argwhere(~finite)[0])
+    bad = np.argwhere(~np.isfinite(array))
+    if bad.size:
+        where = tuple(bad[0].tolist())
         raise ValueError(f"{name}: expected finite numbers, entry {where} is {array[where]}")
     return array
 
@@ -96,9 +92,8 @@ def leading_shape(leading: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
         try:
             shape = np.broadcast_shapes(shape, lead)
         except ValueError:
-            raise ValueError(
-                f"{name}: expected a leading shape that broadcasts with {shape}, got {lead}"
-            ) from None
+            expected = f"a leading shape that broadcasts with {shape}"
+            raise ValueError(f"{name}: expected {expected}, got {lead}") from None
     return shape
 
 
@@ -127,8 +122,3 @@ def hint(text: str, names: Iterable[str]) -> str:
     """Return a hint with the name closest to an unknown one."""
     near = difflib.get_close_matches(text, names, n=1)
     return f", did you mean {near[0]}?" if near else ""
-
-
-def status_text(name: str) -> str:
-    """Format the name of a status or limit for text reports, with blanks."""
-    return name.replace("_", " ")

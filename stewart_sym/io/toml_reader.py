@@ -160,12 +160,6 @@ def one_line(value: object, where: str) -> str:
     return value
 
 
-def need_schema(value: object, known: int, where: str) -> None:
-    """Raise ValueError unless a value is the number of the supported schema."""
-    if isinstance(value, bool) or value != known:
-        raise ValueError(f"{where}: expected {known}, got {shown(value)}")
-
-
 def number(value: Any, where: str, rule: str = "", allowed: Callable[[float], bool] = math.isfinite) -> float:
     """Return a finite number; reject Booleans, and numbers that are not allowed by the ``rule``."""
     found = number_in(value, where, "a finite number", -math.inf)
@@ -190,8 +184,11 @@ def numbers(value: object, where: str, shape: tuple[int, ...]) -> Array:
 vector = functools.partial(numbers, shape=(3,))
 
 
-def per_leg(value: object, where: str) -> Array:
-    """Return one finite number for all legs or six numbers as shape (6,)."""
-    if isinstance(value, list | tuple | np.ndarray):
-        return numbers(value, where, (6,))
-    return np.full(6, number_in(value, where, "one finite number or six", -math.inf))
+def per_leg(value: Any, where: str, check: Callable[..., float] = number, unlimited: bool = False) -> Array:
+    """Return six checked numbers from one number for all legs or six; ``unlimited`` accepts infinity."""
+    rows = value.tolist() if isinstance(value, np.ndarray) else value
+    each = isinstance(rows, list | tuple)
+    legs = [(f"{where}: leg {i}", row) for i, row in enumerate(rows, 1)] if each else [(where, rows)] * 6
+    if len(legs) != 6:
+        raise ValueError(f"{where}: expected one number or six, got {shown(value)}")
+    return np.array([row if unlimited and row == math.inf else check(row, place) for place, row in legs])

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..backend.c_kernel import call, function, pointers
+from ..backend.calls import call, function, pointers
 from ..backend.kernel import robot_numbers
 from ..backend.native import CompilerError
 from ..generated.interface import STRUCTS

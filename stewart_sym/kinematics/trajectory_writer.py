@@ -10,7 +10,7 @@ import numpy as np
 
 from ..io.arguments import instance
 from ..io.array_types import Array
-from ..io.atomic_write import write_file
+from ..io.output import write_file
 from ..motion.motion import Motion
 from ..motion.rotation import (
     angle_rates,

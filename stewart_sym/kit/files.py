@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..backend import fidelity
+from ..backend.kernel import resolve_level
 from ..derive.generated_files import generator_version
 from ..derive.package import build, cpp, fmu, kit_license
 from ..derive.package.example import example
@@ -28,7 +28,7 @@ from ..dynamics.neglected_physics import neglected_physics
 from ..dynamics.sample_poses import sample
 from ..io.array_types import Array
 from ..io.error_policy import warn
-from ..io.json_text import json_text
+from ..io.output import json_text
 from ..io.progress import Progress, silent
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rpy_from_rotation
@@ -105,7 +105,7 @@ def _left_out(robot: Robot, choice: Choice) -> str:
     """Return a clause about the physics that the forces of a kit omit, or an empty text."""
     if "forces" not in choice.functions:
         return ""
-    level = fidelity.resolve_level(robot, choice.formulation, choice.level)
+    level = resolve_level(robot, choice.formulation, choice.level)
     # The reference in 50-digit arithmetic requires no compiler.
     reduced = Truth(robot, choice.formulation, level).forces
     return neglected_physics(robot, cast("Formulation", choice.formulation), choice.level, reduced)

@@ -9,7 +9,7 @@ from ..derive.kernel.outputs import FORCES, OUTPUTS
 from ..derive.package.fmu import KINDS, PLANT
 from ..derive.package.text_format import template
 from ..io.arguments import hint, option, shown
-from ..io.toml_text import toml_text
+from ..io.output import toml_text
 from ..robot.robot import Robot
 
 TORQUE = "torque"
@@ -46,7 +46,7 @@ class Choice:
     formulation : str
         "exact" or "paper".
     fidelity : str or None
-        Fidelity level of the forces, one of ``fidelity.FIDELITIES``; None means ``general``.
+        Fidelity level of the forces, one of ``backend.kernel.levels``; None means ``general``.
     bake : bool
         True inserts the constants of the robot into the kernel of the forces.
     scalar : bool

@@ -1,6 +1,6 @@
 """Kits in languages other than C: available functions and test vectors."""
 
-from ..backend.fidelity import resolve_level
+from ..backend.kernel import resolve_level
 from ..derive.generated_files import output_program
 from ..derive.mechanics import quantities as n
 from ..derive.package import kit_license

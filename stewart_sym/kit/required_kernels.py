@@ -7,9 +7,16 @@ from importlib.metadata import version
 
 import numpy as np
 
-from ..backend import fidelity
-from ..backend.kernel import module, robot_kernel
-from ..backend.kernel_sources import generated_text
+from ..backend.kernel import (
+    force_kernel_name,
+    generated_text,
+    levels,
+    module,
+    operations_per_pose,
+    resolve_level,
+    robot_kernel,
+    rotor_of,
+)
 from ..derive.emit import lanes, scalar
 from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
@@ -150,12 +157,12 @@ def _model(file: str) -> Part:
 
 
 def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
-    level = fidelity.resolve_level(robot, choice.formulation, choice.level)
+    level = resolve_level(robot, choice.formulation, choice.level)
     if choice.bake or choice.scalar:
         return _derived(robot, choice, level)
-    name = fidelity.force_kernel_name(robot, choice.formulation, level)
-    count = fidelity.operations(robot, choice.formulation, level)
-    meaning = fidelity.levels(robot)[level]["meaning"]
+    name = force_kernel_name(robot, choice.formulation, level)
+    count = operations_per_pose(robot, choice.formulation, level)
+    meaning = levels(robot)[level]["meaning"]
     says = f"Actuator forces, kernel `{name}`, fidelity {level}: {meaning}."
     return _force_part(f"stewart_{name}_forces", f"stewart_{name}", count, says), count, None
 
@@ -189,7 +196,7 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
         *(["one pose, legs in sequence"] if choice.scalar else []),
     ]
     form = plain.formulation.name
-    meaning = fidelity.levels(robot)[level]["meaning"]
+    meaning = levels(robot)[level]["meaning"]
     says = f"Actuator forces, {form}, fidelity {level}: {meaning}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
@@ -253,7 +260,7 @@ def _kinematics() -> Part:
 def _torques(robot: Robot, choice: Choice) -> list[Part]:
     """Build the part of the motor torques and, for forces that include rotors, of the axial forces."""
     found = []
-    rotor = fidelity.rotor_of(robot, choice.level)
+    rotor = rotor_of(robot, choice.level)
     if rotor != "none":
         name = robot_kernel(robot, "exact")
         form, reflected = BY_KERNEL[name], rotor == "mass"

@@ -13,8 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..backend import fidelity as fidelities
-from ..backend.kernel import MOTION, overflows, robot_numbers
+from ..backend.kernel import MOTION, levels, overflows, resolve_level, robot_numbers
 from ..derive.kernel.outputs import FORCED
 from ..derive.package.functions import Vector
 from ..drives.friction import drive_numbers
@@ -106,9 +105,9 @@ def vectors(
     ValueError
         If the robot has no suitable pose.
     """
-    level = fidelities.resolve_level(robot, formulation, fidelity or "general")
+    level = resolve_level(robot, formulation, fidelity or "general")
     kind = PRECISIONS[precision]
-    if not np.isfinite(rounded(robot_numbers(robot, rotors=True), kind)).all():
+    if not np.isfinite(rounded(robot_numbers(robot, "exact_drive"), kind)).all():
         raise overflows(precision)
     every = poses(robot, formulation, count)
     ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
@@ -147,8 +146,8 @@ def rejected(robot: Robot, fidelity: str, precision: str) -> list[Vector]:
 
 def knows_axes(robot: Robot, fidelity: str) -> bool:
     """Return True if the forces of a level depend on the fixed axes of the universal joints."""
-    level = fidelities.resolve_level(robot, "exact", fidelity)
-    return robot.base_joint == "universal" and bool(fidelities.levels(robot)[level]["universal"])
+    level = resolve_level(robot, "exact", fidelity)
+    return robot.base_joint == "universal" and bool(levels(robot)[level]["universal"])
 
 
 def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:

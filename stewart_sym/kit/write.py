@@ -4,7 +4,7 @@ import contextlib
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..io.atomic_write import digest, must_be_replaceable, recorded, write_file
+from ..io.output import digest, must_be_replaceable, recorded, write_file
 from ..io.progress import Progress, silent
 from ..robot.robot import Robot
 from .files import MANIFEST, Kit, kit

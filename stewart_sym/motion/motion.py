@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, leading_shape
-from ..io.array_types import Array
+from ..io.array_types import Array, Frozen, read_only
 from ..io.error_policy import errors_of
-from ..io.frozen import Frozen, read_only
 from . import rotation
 
 ROTATION_TOLERANCE = 1e-9

@@ -13,7 +13,7 @@ from ..backend.kernel import FORMULATIONS
 from ..design.pose_limits import PoseLimits, need_clearance
 from ..dynamics.inverse_dynamics import Formulation
 from ..io import toml_reader
-from ..io.arguments import option
+from ..io.arguments import option, whole_number
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.robot_logs import read_poses_of
@@ -24,7 +24,7 @@ from ..robot.robot import Robot
 from .path_parameterization import MINIMIZE, Minimize
 from .plan_path import OBJECTIVES, PRICE, Objective, need_poses
 from .pose_path import COORDINATES, ViaPose
-from .timing.path_terms import PathLimits, six_positive
+from .timing.path_terms import PathLimits, leg_limits
 
 SCHEMA = 1
 RATE = 100.0
@@ -104,7 +104,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     """Convert the tables of a plan file to a plan."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot"))
-    toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    whole_number(top["schema"], f"{file}schema", SCHEMA, str(SCHEMA), SCHEMA)
     if ("via" in top) == ("via_file" in top):
         raise ValueError(f"{file}via: expected either via poses or via_file")
     options: dict[str, Any] = {
@@ -164,7 +164,7 @@ def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:
     table = toml_reader.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
-        check = six_positive if key in _LEG_LIMITS else toml_reader.positive
+        check = leg_limits if key in _LEG_LIMITS else toml_reader.positive
         found[key] = check(given, prefix + key)
     own = {key: found.pop(key) for key in _POSE_LIMITS if key in found}
     with errors_of(prefix):

@@ -10,8 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..design.pose_limits import PoseLimits
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen
 from ..kinematics.clearance import PAIRS, joined, nearest_shares, neutral_directions
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse_kinematics import leg_vectors

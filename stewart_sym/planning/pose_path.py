@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, real_array, shown
-from ..io.array_types import Array, Indices
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen, Indices
 from ..motion import rotation
 from ..motion.motion import Motion, pose_of
 from ..motion.spline import DEGREE

@@ -14,8 +14,8 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
+from ..backend.calls import loaded
 from ..backend.kernel import kernel_name
-from ..backend.numpy_kernel import loaded
 from ..derive.kernel.outputs import FORCES, program
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.formulation import BY_KERNEL, EXACT, Formulation
@@ -59,7 +59,7 @@ class Truth:
 
     def forces(self, motion: Motion) -> NDArray[np.object_]:
         """Compute the actuator forces (N) of every pose, (..., 6), as numbers of 50 digits, (35)-(37)."""
-        poses = vars(loaded(motion))
+        poses = loaded(motion)
         F = np.empty((*motion.shape, 6), dtype=object)
         for where in np.ndindex(motion.shape):
             F[where] = self.of_pose({name: value[where] for name, value in poses.items()})

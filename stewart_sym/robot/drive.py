@@ -15,9 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import shown
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen
 from .fields import LEGS, Check, LegTables, legs_text
 
 _ONE_TURN = 2.0 * math.pi
@@ -181,20 +179,7 @@ def _driven_back(efficiency: Any) -> Any:
 
 def _six(value: object, name: str) -> Array:
     """Return one checked number per leg; infinity is accepted if it means no limit."""
-    key = NUMBERS[name]
-    rows: Any = value.tolist() if isinstance(value, np.ndarray) else value
-    each = isinstance(rows, list | tuple)
-    legs = list(rows) if each else [rows] * LEGS
-    if len(legs) != LEGS:
-        raise ValueError(f"{name}: expected one number or six, got {shown(value)}")
-    return np.array(
-        [
-            math.inf
-            if isinstance(given, float) and given == key.default == math.inf
-            else key.check(given, f"{name}: leg {i}" if each else name)
-            for i, given in enumerate(legs, 1)
-        ]
-    )
+    return toml_reader.per_leg(value, name, NUMBERS[name].check, NUMBERS[name].default == math.inf)
 
 
 def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:

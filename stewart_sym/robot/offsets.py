@@ -10,8 +10,7 @@ import numpy as np
 
 from ..io import toml_reader
 from ..io.arguments import option
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Frozen
 from .fields import LEGS, LegTables, direction
 
 PLATFORM_JOINTS = ("spherical", "universal")

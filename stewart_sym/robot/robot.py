@@ -11,10 +11,9 @@ from typing import Any
 import numpy as np
 
 from ..io import toml_reader
-from ..io.arguments import instance, safe_text, shown
-from ..io.array_types import Array
+from ..io.arguments import instance, safe_text, shown, whole_number
+from ..io.array_types import Array, Frozen
 from ..io.error_policy import warn
-from ..io.frozen import Frozen
 from ..motion.trajectory_format import TrajectoryFormat
 from . import fields, schema_2
 from .bodies import inertias_of_parts, low_densities
@@ -437,7 +436,7 @@ def _need_schema(value: object, where: str) -> None:
             "common values of the legs in [legs], and [leg.1] to [leg.6] in place of [[leg]]"
         )
         raise ValueError(f"{where}: schema 1 is no longer read; {remedy}")
-    toml_reader.need_schema(value, schema_2.SCHEMA, where)
+    whole_number(value, where, schema_2.SCHEMA, str(schema_2.SCHEMA), schema_2.SCHEMA)
 
 
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:

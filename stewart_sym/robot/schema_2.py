@@ -351,9 +351,7 @@ def points(table: Mapping[str, Any], prefix: str, meters: Meters, degrees: bool)
     if not ring:
         return None
     toml_reader.require(table, RING_KEYS[:2], prefix, "missing")
-    radius = toml_reader.per_leg(table["radius"], f"{prefix}radius")
-    if np.any(radius <= 0.0):
-        raise ValueError(f"{prefix}radius: expected a number > 0, got {shown(table['radius'])}")
+    radius = toml_reader.per_leg(table["radius"], f"{prefix}radius", toml_reader.positive)
     angles = toml_reader.numbers(table["angles"], f"{prefix}angles", (fields.LEGS,))
     turns = np.abs(angles) / (360.0 if degrees else 2.0 * math.pi)
     if np.any(turns > _MOST_TURNS):

@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..backend.c_kernel import CKernel
+from ..backend.calls import CKernel
 from ..backend.kernel import MOTION
 from ..dynamics.forces import ForceKernel
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
-from ..io.arguments import instance, number_in, real_array, shown
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.arguments import instance, number_in, real_array
+from ..io.array_types import Array, Frozen
+from ..io.toml_reader import per_leg
 from ..kinematics.inverse_kinematics import inverse_kinematics, leg_vectors, tip_velocities
 from ..motion.interpolation import with_rest
 from ..motion.motion import Motion, at_rest
@@ -67,7 +67,7 @@ class LegSprings(Frozen):
         """Check the arguments and broadcast them to six legs."""
         instance(self.robot, Robot, "robot")
         for name in ("stiffness", "rest_length", "damping"):
-            self._set({name: of_six(getattr(self, name), name)})
+            self._set({name: per_leg(getattr(self, name), name)})
 
     @classmethod
     def in_equilibrium(
@@ -99,13 +99,13 @@ class LegSprings(Frozen):
         """
         instance(robot, Robot, "robot")
         instance(pose, Motion, "pose")
-        k = of_six(stiffness, "stiffness")
+        k = per_leg(stiffness, "stiffness")
         if not (k > 0.0).all():
             text = "stiffness: expected numbers > 0, because the springs support the weight"
             raise ValueError(f"{text}, got {float(k[~(k > 0.0)][0]):g}")
         rest = at_rest(pose.R, pose.t, pose.F_ext, pose.M_ext)
         F = inverse_dynamics(robot, rest).F
-        return cls(robot, k, inverse_kinematics(robot, rest).L + F / k, of_six(damping, "damping"))
+        return cls(robot, k, inverse_kinematics(robot, rest).L + F / k, per_leg(damping, "damping"))
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Compute the forces (N), shape (..., 6), of any state."""
@@ -290,12 +290,3 @@ def _gains(k_p: float, k_d: float) -> None:
     """Check the two gains."""
     for name, value in (("k_p", k_p), ("k_d", k_d)):
         number_in(value, name, "a finite gain >= 0", closed=True)
-
-
-def of_six(value: ArrayLike, name: str) -> Array:
-    """Return one finite number for each of six legs, from one or six; raise ValueError otherwise."""
-    expected = "one finite number or six"
-    values = real_array(value, name, expected)
-    if values.shape not in ((), (6,)) or not np.isfinite(values).all():
-        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
-    return np.broadcast_to(values, (6,))

@@ -3,6 +3,7 @@
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from ..backend.kernel import FORMULATIONS
 from ..dynamics.inverse_dynamics import Formulation
 from ..io import toml_reader
-from ..io.arguments import option, shown
+from ..io.arguments import option, whole_number
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.mounting_side import path_for
@@ -112,7 +113,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     """Convert the tables of a scene file to a scene."""
     file = f"{source}: "
     top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "actuation"))
-    toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    whole_number(top["schema"], f"{file}schema", SCHEMA, str(SCHEMA), SCHEMA)
     # Errors in this file are reported before errors in other files.
     legs = _actuation(top["actuation"], f"{file}actuation.")
     options: dict[str, Any] = {
@@ -177,13 +178,7 @@ def _actuation(value: object, prefix: str) -> dict[str, Any]:
     return {key: checks[key](given, prefix + key) for key, given in legs.items()}
 
 
-def _not_negative(value: object, where: str) -> Any:
-    """Return one number or six, each >= 0; raise ValueError otherwise."""
-    numbers = toml_reader.per_leg(value, where)
-    if (np.asarray(numbers) < 0.0).any():
-        raise ValueError(f"{where}: expected numbers >= 0, got {shown(value)}")
-    return numbers
-
+_not_negative = partial(toml_reader.per_leg, check=toml_reader.not_negative)
 
 _LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
     "constant_force": {"forces": lambda value, where: toml_reader.numbers(value, where, (6,))},

@@ -16,15 +16,14 @@ from ..drives.limit_status import EXCEEDED, VERDICTS, shows
 from ..drives.limits import PEAKS, RATED
 from ..io.arguments import safe_text
 from ..io.array_types import Array
-from ..io.json_text import plain
+from ..io.output import plain
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.mounting_side import platform_side, radius
 from ..motion.rotation import quaternion_from_rotation
 from ..motion.sample_times import least_step, time_text
 from ..robot.offset_chains import chains
 from ..robot.robot import Robot
-from .limit_report import LimitReport
-from .motion_history import Event, MotionHistory
+from .motion_history import Event, LimitReport, MotionHistory
 
 # Drawn radius of a lower part and length of the axes, relative to the machine size; amplitude of a twist,
 # relative to the characteristic length.

@@ -1,4 +1,4 @@
-"""Motion of a robot at n samples: poses, leg lengths, forces, condition numbers, and singular poses."""
+"""Motion of a robot at n samples, with forces, condition numbers, singular poses, and exceeded limits."""
 
 from __future__ import annotations
 
@@ -9,8 +9,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..drives.limits import replaced_names, replaced_rows
+from ..drives.limit_status import INCONCLUSIVE_NOISE, unknown_forces
+from ..drives.limits import (
+    LimitTracker,
+    limit_codes,
+    limited_angles,
+    limits_of,
+    replaced_names,
+    replaced_rows,
+)
+from ..drives.motor_states import MotorStates, motor_states, of_motor_forces
 from ..drives.noise import Deviations, all_deviations, at_replaced
 from ..dynamics.force_noise import force_std
 from ..dynamics.inverse_dynamics import inverse_dynamics
@@ -22,7 +32,7 @@ from ..kinematics.mounting_side import path_for
 from ..kinematics.pose_search import rates_per_twist
 from ..motion.csv_table import read_table
 from ..motion.interpolation import Path, interpolate
-from ..motion.motion import Motion, at_rest
+from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import PAPER_PATHS, StraightLinePath
 from ..motion.trajectory import Replaced, Trajectory, noise_text
@@ -33,11 +43,13 @@ from ..singularities.path_singularities import singularity_crossings
 from ..singularities.singular_poses import SingularityResult, singularity
 
 FORMULATIONS = ("exact", "paper")
+Forces = Mapping[str, Array] | None
 STEPS_PER_PATH = 600
 """Smallest number of time steps of a path of the paper."""
-_NAMES = {
-    name: [f"{name}_{axis}" for axis in "xyz"] for name in ("t", "theta", "v", "omega")
-} | {name: [f"{name}_{leg}" for leg in range(1, 7)] for name in "FL"}  # fmt: skip
+# Columns of a run file.
+_SCALARS = ("time", "kinetic_energy", "potential_energy")
+_VECTORS = {name: [f"{name}_{axis}" for axis in "xyz"] for name in ("t", "theta", "v", "omega")}
+_VECTORS |= {name: [f"{name}_{leg}" for leg in range(1, 7)] for name in "FL"}
 # Largest difference between the lengths in a run file and at its poses, relative to the longest leg.
 _SAME = 1e-9
 
@@ -124,10 +136,33 @@ class MotionHistory:
     noise: Noise | None = None
 
 
-def at_home(robot: Robot, home: Array) -> MotionHistory:
-    """Return the motion of a robot at rest at a home position (m), shape (3,)."""
-    motion = at_rest(np.eye(3)[None], home[None])
-    return _history(robot, "home pose", np.zeros(1), motion, None, None)
+@dataclass(frozen=True, eq=False)
+class LimitReport:
+    """Limits of a robot compared with its motion.
+
+    Attributes
+    ----------
+    stated : bool
+        True if the robot has limits.
+    told : tuple of tuple of str
+        Status and text of each limit that is exceeded or inconclusive, as in the subcommand ``forces``.
+    codes : dict of ndarray, shape (n, 6)
+        Indices of ``VERDICTS`` at each sample by quantity: F with its formulation, L, L_dot, and motor
+        torque, speed, current, and power.
+    F : ndarray, shape (n, 6)
+        Forces from which the motor quantities are computed (N).
+    motors : MotorStates, optional
+        Motor quantities of each sample; None without a drive.
+    tracker : LimitTracker
+        Status of the limits, and motor quantities of the whole motion.
+    """
+
+    stated: bool
+    told: tuple[tuple[str, str], ...]
+    codes: Mapping[str, NDArray[np.uint8]]
+    F: Array
+    motors: MotorStates | None
+    tracker: LimitTracker
 
 
 def of_path(robot: Robot, path: str | StraightLinePath) -> MotionHistory:
@@ -139,14 +174,14 @@ def of_path(robot: Robot, path: str | StraightLinePath) -> MotionHistory:
     else:
         name = "straight line"
     time = path.time_grid(path.tau_f / STEPS_PER_PATH)
-    return _history(robot, name, time, path.sample(time), path.sample, path.breakpoints())
+    return _history(robot, name, time, path.sample(time), path.sample, path.breakpoints(), None)
 
 
 def of_trajectory(robot: Robot, trajectory: Trajectory) -> MotionHistory:
     """Return the motion of a trajectory; its name is the file name."""
     path = interpolate(trajectory) if len(trajectory.time) > 1 else None
     name = os.path.basename(trajectory.source)
-    found = _history(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
+    found = _history(robot, name, trajectory.time, trajectory.motion, path, trajectory.time, None)
     return replace(found, noise=_noise(robot, trajectory, list(found.forces)))
 
 
@@ -170,25 +205,31 @@ def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion")
         raise ValueError(f"time: expected the shape of the motion, {motion.shape}, (n,), got {time.shape}")
     if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
         raise ValueError("time: expected finite, increasing times")
-    forces: Mapping[str, Array] | None = {} if motion.a is None else None
+    forces: Forces = {} if motion.a is None else None
     return _history(robot, name, time, motion, _path_of(time, motion), time, forces)
 
 
-def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]:
-    """Read ``run.csv`` of ``simulate``: times (s), (n,), states, (n,), forces (N), and lengths (m), (n, 6).
-
-    Raises ValueError with one line that contains the file and the row or column.
-    """
+def read_run(robot: Robot, path: str | os.PathLike[str]) -> StateHistory:
+    """Read ``run.csv`` of ``simulate``; raise ValueError if its lengths belong to another robot."""
     source = os.fsdecode(path)
-
-    names = ["time", *itertools.chain(*_NAMES.values())]
+    names = [*_SCALARS, *itertools.chain(*_VECTORS.values())]
     table = read_table(source, what="run")
     for name in names:
         if name not in table.header:
             raise ValueError(f"{source}: no column {name}; use a file run.csv of simulate")
     columns = dict(zip(names, table.numbers(names).T, strict=True))
-    t, theta, v, omega, F, L = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
-    return columns["time"], Motion(R=rotation_from_rpy(theta), t=t, omega=omega, v=v), F, L
+    found = {name: np.stack([columns[each] for each in of], axis=-1) for name, of in _VECTORS.items()}
+    found |= {"R": rotation_from_rpy(found.pop("theta"))} | {name: columns[name] for name in _SCALARS}
+    run = StateHistory(**found)
+    own = inverse_kinematics(robot, run.motion).L
+    same = np.abs(own - run.L) <= _SAME * run.L.max(initial=0.0)
+    if not same.all():
+        row, leg = (int(found[0]) for found in np.nonzero(~same))
+        raise ValueError(
+            f"{source}: expected a run of {robot.name}, got one of another machine: at {run.time[row]:g} s "
+            f"leg {leg + 1} is {own[row, leg]:.6g} m long, L{leg + 1} is {run.L[row, leg]:.6g} m"
+        )
+    return run
 
 
 def is_run_file(path: str | os.PathLike[str]) -> bool:
@@ -198,28 +239,8 @@ def is_run_file(path: str | os.PathLike[str]) -> bool:
     return {"omega_x", "F_1", "kinetic_energy"} <= {name.strip() for name in header}
 
 
-def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> MotionHistory:
-    """Return the motion in a file ``run.csv``; raise ValueError if its lengths belong to another robot."""
-    time, motion, F, L = read_run(path)
-    own = inverse_kinematics(robot, motion).L
-    same = np.abs(own - L) <= _SAME * L.max(initial=0.0)
-    if not same.all():
-        row, leg = (int(found[0]) for found in np.nonzero(~same))
-        raise ValueError(
-            f"{os.fsdecode(path)}: expected a run of {robot.name}, got one of another machine: at "
-            f"{time[row]:g} s leg {leg + 1} is {own[row, leg]:.6g} m long, L{leg + 1} is {L[row, leg]:.6g} m"
-        )
-    return _history(robot, "simulated run", time, motion, _path_of(time, motion), time, {"run": F})
-
-
 def _history(
-    robot: Robot,
-    name: str,
-    time: Array,
-    motion: Motion,
-    path: Path | None,
-    breaks: Array | None,
-    forces: Mapping[str, Array] | None = None,
+    robot: Robot, name: str, time: Array, motion: Motion, path: Path | None, breaks: Array, forces: Forces
 ) -> MotionHistory:
     """Return the motion with forces and events; ``forces`` is None to compute them for the formulations.
 
@@ -263,13 +284,13 @@ def _forces(robot: Robot, motion: Motion, formulation: str) -> Array:
 
 
 def _events(
-    robot: Robot, time: Array, motion: Motion, condition: Array, path: Path | None, breaks: Array | None
+    robot: Robot, time: Array, motion: Motion, condition: Array, path: Path | None, breaks: Array
 ) -> tuple[Event, ...]:
     if robot.offsets is not None:
         # The search for singular poses requires legs without offsets.
         return ()
     found = []
-    if path is not None and breaks is not None and len(breaks) > 1:
+    if path is not None and len(breaks) > 1:
         for each in singularity_crossings(robot, path, breaks):
             found.append(Event(each.time, path(np.array([each.time]))[0], each.singularity, True))
     known = np.nan_to_num(condition, nan=0.0)
@@ -289,3 +310,28 @@ def _path_of(time: Array, motion: Motion) -> Path | None:
         a, alpha = (np.gradient(rate, time, axis=0) for rate in (motion.v, motion.omega))
     full = Motion._unchecked(motion.R, motion.t, motion.omega, motion.v, alpha, a)
     return interpolate(Trajectory(time, full, "motion", range(len(time))))
+
+
+def limits(robot: Robot, shown: MotionHistory) -> LimitReport:
+    """Compare a motion with all limits; without forces, only with the limits of lengths and speeds."""
+    first, noise = next(iter(shown.forces), None), shown.noise
+    F = np.full_like(shown.L, np.nan) if first is None else shown.forces[first]
+    sd, there = (None, None) if noise is None else (noise.sd, noise.there)
+    tracker = LimitTracker(robot, shown.time, () if noise is None else noise.replaced)
+    lengths = {"L": shown.L, "L_dot": shown.L_dot}
+    values = {"F": F, **lengths, **limited_angles(robot, shown.motion)}
+    codes = limit_codes(robot, lengths, sd, there)
+    for name, forces in shown.forces.items():
+        off = None if noise is None else {"F": noise.forces[name]}
+        codes[f"F_{name}"] = limit_codes(robot, {"F": forces}, off, there)["F"]
+    motors = None
+    if robot.drive is not None:
+        of = motor_states if first in FORMULATIONS else of_motor_forces
+        motors = of(robot, robot.drive, shown.motion, F, shown.L_dot)
+        values |= motors._asdict()
+        codes |= limit_codes(robot, motors._asdict(), sd, there)
+    tracker.add(slice(None), values, sd, there)
+    unknown = None if noise is None else unknown_forces(F, np.where(noise.there[:, None], 0.0, noise.sd["F"]))
+    told = [*([] if unknown is None else [(INCONCLUSIVE_NOISE, unknown)]), *tracker.told()]
+    stated = any(limit.is_stated(robot) for limit in limits_of(robot))
+    return LimitReport(stated, tuple(told), codes, F, motors, tracker)

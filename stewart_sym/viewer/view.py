@@ -9,18 +9,19 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, cast
 
+import numpy as np
+
 from ..dynamics.home_pose import home_pose
 from ..io.arguments import instance, safe_text
-from ..io.atomic_write import write_file
+from ..io.output import write_file
 from ..kinematics.conditioning import characteristic_length
-from ..motion.motion import Motion
+from ..motion.motion import Motion, at_rest
 from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import Trajectory
 from ..robot.robot import Robot
 from ..simulation.state_history import StateHistory
 from .content import content, data_text, limits_html, noise_html, parts_text, units
-from .limit_report import LimitReport, limits
-from .motion_history import MotionHistory, at_home, of_motion, of_path, of_run, of_trajectory
+from .motion_history import LimitReport, MotionHistory, limits, of_motion, of_path, of_run, of_trajectory
 from .page import document, filled, generator
 
 _HEIGHT = 900
@@ -159,7 +160,7 @@ def view(
 
 def _history(robot: Robot, motion: object, times: object) -> MotionHistory:
     if motion is None:
-        return at_home(robot, home_pose(robot).t)
+        return of_motion(robot, at_rest(np.eye(3), home_pose(robot).t), None, "home pose")
     if isinstance(motion, str | StraightLinePath):
         return of_path(robot, motion)
     if isinstance(motion, Trajectory):

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from unsolvable_poses import semiregular
 
 import stewart_sym as ss
-from stewart_sym.backend.c_kernel import address, pointers
-from stewart_sym.backend.fidelity import FIDELITIES
+from stewart_sym.backend.calls import address, pointers
 from stewart_sym.dynamics import forces
 from stewart_sym.dynamics.forces import ForceKernel
+from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
@@ -93,7 +93,7 @@ def test_columns_have_the_bits_and_statuses_of_the_batch(count: int, precision: 
         assert codes >= {0, 1, 2} | ({3, 4} if precision == "double" else set())
 
 
-@pytest.mark.parametrize("fidelity", FIDELITIES[1::3])
+@pytest.mark.parametrize("fidelity", list(FIDELITIES)[1::3])
 def test_columns_of_reduced_kernels_do_too(fidelity: str) -> None:
     rng = np.random.default_rng(161)
     robot = flat(rng)

@@ -20,7 +20,7 @@ from unsolvable_poses import singular
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.c_kernel import address, c_sources, library, prepared_model
+from stewart_sym.backend.calls import address, c_sources, library, prepared_model
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.dynamics import force_error_bounds
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR

@@ -12,7 +12,6 @@ from command_line import Fails, Run, folder_state, read
 from kits import few_vectors
 
 from stewart_sym.cli import main as cli
-from stewart_sym.io.extras import install
 
 # reproduce
 
@@ -37,7 +36,7 @@ def test_without_matplotlib_a_study_says_how_to_get_it_and_writes_nothing(
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     line = fails("reproduce", "-o", tmp_path / "out")
-    assert line.endswith(f"{install('plot')}, or use --no-plots")
+    assert line.endswith('pip install "stewart-sym[plot]", or use --no-plots')
     assert not list(tmp_path.iterdir())
 
 

@@ -9,7 +9,7 @@ import pytest
 from command_line import Run
 
 from stewart_sym.cli import terminal
-from stewart_sym.io.json_text import json_text
+from stewart_sym.io.output import json_text
 from stewart_sym.io.progress import tracked
 
 

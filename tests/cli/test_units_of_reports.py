@@ -10,7 +10,7 @@ from command_line import Run
 from robot_files import HANGING
 
 import stewart_sym as ss
-from stewart_sym.io.toml_text import toml_text
+from stewart_sym.io.output import toml_text
 from stewart_sym.kinematics.trajectory_writer import trajectory_columns
 from stewart_sym.studies.common.text_tables import csv_lines
 

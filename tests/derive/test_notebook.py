@@ -16,7 +16,7 @@ from installed import installed
 from quick_compiler import quick_path
 from sweeps import FULL
 
-from stewart_sym.io.extras import EXTRAS
+from stewart_sym.io.error_policy import EXTRAS
 
 FOLDER = resources.files("stewart_sym.derive")
 NOTEBOOKS = ("derivation", "closed_form", "evidence")

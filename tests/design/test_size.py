@@ -17,7 +17,6 @@ import stewart_sym as ss
 from stewart_sym.design.actuator_requirements import weighted_quantiles
 from stewart_sym.design.limit_margins import compared
 from stewart_sym.drives.limit_status import EXCEEDED, INCONCLUSIVE_NOISE, WITHIN, legs_text
-from stewart_sym.io.arguments import status_text
 from stewart_sym.io.progress import silent
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.studies.design.actuator_report import figure, report
@@ -226,7 +225,7 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list
             assert set(ss.drive_effort(limited, log).limit_messages) <= set(forces.doubts(1e9))
         for name, verdict in {(name, verdict) for (name, _), verdict in lines.items()}:
             legs = [leg for leg in range(6) if lines.get((name, leg)) == verdict]
-            assert f"{name} {status_text(verdict)} by {legs_text(legs)}: " in told
+            assert f"{name} {verdict.replace('_', ' ')} by {legs_text(legs)}: " in told
         assert told.count("_limit ") + told.count("rated_torque ") == len(
             {(name, verdict) for (name, _), verdict in lines.items()}
         )

@@ -14,8 +14,7 @@ from pages import DOCS, TOP, prose_of, table_row
 from pinocchio_model import pinocchio_inverse_dynamics
 
 import stewart_sym as ss
-from stewart_sym.backend import fidelity
-from stewart_sym.backend.kernel import module
+from stewart_sym.backend.kernel import module, operations_per_pose
 from stewart_sym.reference import newton_euler
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.benchmark.benchmark import of_group
@@ -103,7 +102,7 @@ def test_the_committed_chart_is_what_the_code_computes() -> None:
     robot, motions = dasgupta(), papers_motions()
     for each in figures("chart")["candidates"]:
         how = each["formulation"], each["fidelity"]
-        assert each["operations"] == fidelity.operations(robot, *how)
+        assert each["operations"] == operations_per_pose(robot, *how)
         for path, motion in motions.items():
             true = newton_euler.inverse_dynamics(robot, motion).F
             off = np.abs(ss.ForceKernel(robot, how[0], "double", how[1]).forces(motion) - true).max()

@@ -14,8 +14,8 @@ from reduced_machines import as_simple_as
 from sweeps import slow_but
 
 import stewart_sym as ss
-from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
 from stewart_sym.derive.mechanics.reduced_models import DRIVE_FIDELITIES as DERIVED
+from stewart_sym.generated.fidelities import DRIVE_FIDELITIES
 from stewart_sym.reference import equations_of_motion as oracle
 from stewart_sym.reference import newton_euler
 

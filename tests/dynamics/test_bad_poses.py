@@ -17,8 +17,7 @@ from unsolvable_poses import BACKENDS, CASES, at_rest, semiregular
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.backend.c_kernel import CKernel
-from stewart_sym.backend.numpy_kernel import NumpyKernel
+from stewart_sym.backend.calls import CKernel, NumpyKernel
 from stewart_sym.dynamics import forces
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
 from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGTH
@@ -82,12 +81,12 @@ def test_a_leg_of_length_zero_is_seen_wherever_the_base_stands(backend, base_joi
 
 
 def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
-    from stewart_sym.backend import c_kernel, native
+    from stewart_sym.backend import calls, native
     from stewart_sym.dynamics import inverse_dynamics
 
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(native, "find_compiler", lambda: None)
-    c_kernel.library.cache_clear()
+    calls.library.cache_clear()
     inverse_dynamics._say_once.cache_clear()
     robot, motion = dasgupta(), at_rest([0.1, 0, 0.5])
     with pytest.warns(RuntimeWarning, match="NumPy kernels are used"):
@@ -96,7 +95,7 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
         second = ss.inverse_dynamics(robot, motion).F
     assert (first == second).all()
     assert (first == ss.inverse_dynamics(robot, motion, backend="numpy").F).all()
-    c_kernel.library.cache_clear()
+    calls.library.cache_clear()
 
 
 POSES = 1003

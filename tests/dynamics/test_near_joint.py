@@ -12,7 +12,6 @@ from mpmath import mp
 from reduced_machines import as_simple_as, at_rest
 
 import stewart_sym as ss
-from stewart_sym.backend import fidelity
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 
@@ -37,7 +36,7 @@ def test_a_machine_that_does_not_feel_the_joint_singularity_keeps_its_digits(sin
     whole = ss.inverse_dynamics(robot, motion)
     size = max(np.abs(values).max() for values in (whole.F, whole.D, whole.x))
     bound = UNITS * EPSILON * ss.condition_number(whole.H) * size
-    names = [name for name in fidelity.FIDELITIES if not name.startswith(("massless", "point"))]
+    names = [name for name in FIDELITIES if not name.startswith(("massless", "point"))]
     found = [ss.ForceKernel(robot, fidelity=name).forces(motion) for name in names]
     found += [ss.inverse_dynamics(robot, motion, backend=backend).F for backend in ("c", "numpy")]
     for F in found:

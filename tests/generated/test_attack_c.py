@@ -15,7 +15,7 @@ from machines import dasgupta
 from sweeps import FULL, share, slow_but
 
 from stewart_sym import results
-from stewart_sym.backend.c_kernel import address, library
+from stewart_sym.backend.calls import address, library
 from stewart_sym.backend.kernel import robot_numbers
 
 SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]

@@ -10,9 +10,9 @@ from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.backend import fidelity, native
-from stewart_sym.backend.c_kernel import address
-from stewart_sym.backend.kernel import MOTION
+from stewart_sym.backend import native
+from stewart_sym.backend.calls import address
+from stewart_sym.backend.kernel import MOTION, operations_per_pose
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.kit import Choice
 from stewart_sym.kit.required_kernels import parts
@@ -77,7 +77,7 @@ def test_terms_that_are_zero_for_a_robot_disappear_from_its_kernel() -> None:
     cost = functools.partial(_baked_operations, robot)
     general, slim = cost("general"), cost("axisymmetric")
     # Friction, offsets and products of inertia are gone by themselves.
-    assert general <= cost("frictionless") <= fidelity.operations(robot, fidelity="axisymmetric")
+    assert general <= cost("frictionless") <= operations_per_pose(robot, fidelity="axisymmetric")
     assert general <= slim + 5
     motion = motions(robot)
     found, expected = baked_forces(robot, motion), ss.inverse_dynamics(robot, motion).F

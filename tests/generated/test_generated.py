@@ -8,12 +8,10 @@ import re
 from pathlib import Path
 
 import pytest
-from attack_build import SOME, sources
+from attack_build import SOME, rotor_flags, sources
 from builds import run, written
 from kits import STRICT
 from sweeps import FULL, slow_but
-
-from stewart_sym.backend.c_kernel import rotor_flags
 
 LANGUAGES = {"c99": ["-x", "c", "-std=c99"], "c++": ["-x", "c++", "-std=c++11"]}
 PRECISIONS: dict[str, list[str]] = {"double": [], "float": ["-DSTEWART_FLOAT"]}

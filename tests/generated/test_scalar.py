@@ -13,8 +13,8 @@ from sweeps import FULL, slow_but
 from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
-from stewart_sym.backend import fidelity
 from stewart_sym.backend.kernel import robot_numbers
+from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot
@@ -24,7 +24,7 @@ PLAIN = ["general", "massless_static"]
 # Of the others one; the rest with STEWART_FULL=1. A kit
 # of every level proves itself in `test_kit`.
 SPANNING = ["slender"]
-OTHERS = [level for level in fidelity.FIDELITIES if level not in PLAIN and (FULL or level in SPANNING)]
+OTHERS = [level for level in FIDELITIES if level not in PLAIN and (FULL or level in SPANNING)]
 LEVELS = slow_but(PLAIN, [*PLAIN, *OTHERS])
 
 

@@ -19,9 +19,10 @@ import toolchain
 from sweeps import FULL
 from toolchain import CORES, Core
 
-from stewart_sym.backend import fidelity, native
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import levels
 from stewart_sym.backend.native import CompilerError
-from stewart_sym.io.json_text import json_text
+from stewart_sym.io.output import json_text
 from stewart_sym.io.progress import Progress, silent
 from stewart_sym.kit import Choice
 from stewart_sym.kit.files import stack_key
@@ -66,7 +67,7 @@ def test_every_function_of_a_kit_has_a_stack_in_the_table() -> None:
         torque = () if robot.drive is None else ("torque",)
         choices = [Choice((*closed, "reactions", "kinematics", *torque))]
         choices += [
-            Choice(("forces",), "exact", level) for level in fidelity.available(robot)[: None if FULL else 1]
+            Choice(("forces",), "exact", level) for level in list(levels(robot))[: None if FULL else 1]
         ]
         choices.append(Choice(bake=True))
         for choice in choices:
@@ -102,7 +103,7 @@ def every_choice(robots: Iterable[Robot]) -> Iterator[tuple[Robot, Choice]]:
             if (robot.base_joint, formulation) == ("universal", "exact"):
                 functions += ["motion", "derivatives"]
             asked = [Choice(tuple(functions), formulation)]
-            for level in fidelity.available(robot, formulation):
+            for level in levels(robot, formulation):
                 asked += [Choice(("forces",), formulation, level, scalar=scalar) for scalar in (False, True)]
             for choice in asked:
                 for precision in CORES:

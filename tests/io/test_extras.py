@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import stewart_sym as ss
-from stewart_sym.io.extras import EXTRAS
+from stewart_sym.io.error_policy import EXTRAS
 
 PACKAGE = Path(ss.__file__).parent
 MODULES = sorted(

@@ -12,7 +12,7 @@ from command_line import rejects
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym.io.frozen import Frozen
+from stewart_sym.io.array_types import Frozen
 from stewart_sym.simulation.actuator_models import GravityCompensation
 
 COPIES: dict[str, Callable[[Any], Any]] = {

@@ -17,7 +17,7 @@ from robot_files import PAPERS
 from sweeps import FULL
 
 from stewart_sym.cli.main import main
-from stewart_sym.io.atomic_write import RECORD, ResultFolder, write_file
+from stewart_sym.io.output import RECORD, ResultFolder, write_file
 
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 OTHERS = "exists with other content; use --force to overwrite"

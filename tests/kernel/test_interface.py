@@ -4,12 +4,12 @@ import re
 from pathlib import Path
 
 import pytest
+from attack_build import rotor_flags
 from builds import run
 
 from stewart_sym import results
 from stewart_sym.backend import native
-from stewart_sym.backend.c_kernel import rotor_flags
-from stewart_sym.backend.kernel_sources import generated_text
+from stewart_sym.backend.kernel import generated_text
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function

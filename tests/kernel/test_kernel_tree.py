@@ -17,7 +17,7 @@ from machines import dasgupta, machine_in_motion, random_motion, random_robot_of
 from sweeps import FULL
 
 import stewart_sym as ss
-from stewart_sym.backend.numpy_kernel import loaded
+from stewart_sym.backend.calls import loaded
 from stewart_sym.derive.generated_files import reduced_fidelity, reduced_forces
 from stewart_sym.derive.kernel.outputs import program
 from stewart_sym.derive.mechanics import quantities as n
@@ -42,7 +42,7 @@ ON_ARRAYS = Arithmetic(
 
 
 def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.ndarray, np.ndarray]:
-    run, stored = Interpreter(tree, ON_ARRAYS), vars(loaded(motion))
+    run, stored = Interpreter(tree, ON_ARRAYS), loaded(motion)
     # Components first and poses last.
     at = SimpleNamespace(**{q.name: [stored[q.name][(..., *key)] for key in q.keys] for q in n.MOTION})
     with np.errstate(all="ignore"):

@@ -287,7 +287,7 @@ WRONG: dict[str, Any] = {
     "five": np.zeros(5),
     "ragged": [[1], [1, 2]],
     "True": True,
-    "many digits": 16**5000,
+    "many digits": 10**400,
     "nan vector": np.full(3, np.nan),
     "nan matrix": np.full((3, 3), np.nan),
     "zero matrix": np.zeros((3, 3)),

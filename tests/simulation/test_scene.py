@@ -144,9 +144,9 @@ def test_a_start_that_is_no_machines_is_warned_of(
         (
             "stiffness = 4e4",
             "stiffness = [1, 2]",
-            "actuation.stiffness: expected 6 finite numbers, got [1, 2]",
+            "actuation.stiffness: expected one number or six, got [1, 2]",
         ),
-        ("stiffness = 4e4", "stiffness = -1", "actuation.stiffness: expected numbers >= 0, got -1"),
+        ("stiffness = 4e4", "stiffness = -1", "actuation.stiffness: expected a number >= 0, got -1"),
         (
             "[actuation]",
             "[stop_conditions]\nmax_condition = 0.5\n[actuation]",

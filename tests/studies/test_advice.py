@@ -30,7 +30,7 @@ import stewart_sym as ss
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
-from stewart_sym.io.json_text import json_text
+from stewart_sym.io.output import json_text
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot

@@ -11,7 +11,7 @@ from machines import dasgupta
 from microcontroller import right
 from sweeps import FULL
 
-from stewart_sym.io.json_text import json_text
+from stewart_sym.io.output import json_text
 from stewart_sym.studies.common.text_tables import Figures
 
 INSTRUCTIONS = {"double": 3300, "float": 2850}

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from stewart_sym.io.atomic_write import RECORD
+from stewart_sym.io.output import RECORD
 
 POSES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ...io.arguments import hint, shown
-from ...io.atomic_write import ResultFolder, write_file
+from ...io.output import ResultFolder, write_file
 from ...studies.common.report import Report
 from ..command import Arguments, Parser, results
 

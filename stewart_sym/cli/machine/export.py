@@ -12,8 +12,8 @@ from pathlib import Path
 import stewart_sym as ss
 
 from ...exchange.files import BEGINNINGS, loops_path
-from ...io.atomic_write import write_file
 from ...io.error_policy import errors_of
+from ...io.output import write_file
 from ...studies.common.report import Report
 from ..command import Arguments, Parser, need_own_file, results
 from ..inputs import robot_of

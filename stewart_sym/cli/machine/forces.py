@@ -12,9 +12,8 @@ from pathlib import Path
 
 import stewart_sym as ss
 
-from ...io.atomic_write import must_be_replaceable, write_file
-from ...io.error_policy import warn
-from ...io.extras import need
+from ...io.error_policy import need, warn
+from ...io.output import must_be_replaceable, write_file
 from ...singularities.path_warnings import crossing_warning
 from ...studies.common.report import SMALL, Picture, Report, draw, is_own_png
 from ...studies.reports.force_report import HEADERS, NOISE_THRESHOLD, ForceReport

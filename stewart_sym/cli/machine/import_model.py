@@ -11,7 +11,7 @@ Example: stewart-sym import hexapod.xml -o imported.toml
 import stewart_sym as ss
 
 from ...io.arguments import safe_text
-from ...io.toml_text import toml_text
+from ...io.output import toml_text
 from ...studies.common.report import Report
 from ..command import Arguments, Parser, results
 from ..inputs import warn_of_doubts

@@ -14,13 +14,11 @@ from pathlib import Path
 
 import stewart_sym as ss
 
-from ...dynamics.home_pose import home_pose
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...studies.common.report import Report
 from ...studies.reports.force_report import view_data
-from ...viewer import motion_history
-from ...viewer.motion_history import MotionHistory
+from ...viewer.motion_history import is_run_file, read_run
 from ...viewer.page import BEGINNING
 from ..command import Arguments, Parser, results
 from ..inputs import robot_of, trajectory_of
@@ -46,7 +44,7 @@ def run(arguments: Arguments) -> None:
     read = [] if arguments.motion is None else [Path(arguments.motion)]
     with results(arguments, read=read, beginnings=[BEGINNING]) as (take, progress):
         robot = ss.robots.dasgupta1998() if arguments.example else robot_of(arguments.robot)
-        shown = ss.Viewer(robot, _motion(robot, arguments, progress))
+        shown = _viewer(robot, arguments, progress)
         progress("writing the page")
         take(Report(shown.title, data=view_data(shown)), shown.html)
     for _, line in shown.limits.told:
@@ -55,18 +53,16 @@ def run(arguments: Arguments) -> None:
         print(f"no browser found; open {path.resolve()} in a browser", file=sys.stderr)
 
 
-def _motion(robot: ss.Robot, arguments: Arguments, progress: Progress) -> MotionHistory:
+def _viewer(robot: ss.Robot, arguments: Arguments, progress: Progress) -> ss.Viewer:
     name = "I" if arguments.example else arguments.motion
-    if name is None:
-        return motion_history.at_home(robot, home_pose(robot).t)
-    if name in ss.PAPER_PATHS:
-        return motion_history.of_path(robot, name)
+    if name is None or name in ss.PAPER_PATHS:
+        return ss.view(robot, name)
     path = Path(name, _RUN) if Path(name).is_dir() else Path(name)
     if not path.exists():
         raise ValueError(f"{path}: no such file; expected I, II, III, a CSV file, or a folder with {_RUN}")
-    if motion_history.is_run_file(path):
+    if is_run_file(path):
         progress("reading the run")
-        return motion_history.of_run_file(robot, path)
+        return ss.view(robot, read_run(robot, path))
     trajectory = trajectory_of(robot, path, arguments, progress)
     progress("computing forces and singular poses")
-    return motion_history.of_trajectory(robot, trajectory)
+    return ss.view(robot, trajectory)

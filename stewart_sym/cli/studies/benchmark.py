@@ -6,7 +6,7 @@ The study takes about two minutes on an idle machine.
 Example: stewart-sym benchmark -o bench
 """
 
-from ...io.extras import need
+from ...io.error_policy import need
 from ..command import Arguments, Parser, results
 from ..inputs import robot_of
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ...io.array_types import Array
-from ...io.extras import needed_for
+from ...io.error_policy import need
 from ...motion.rotation import rotation_from_quaternion, vector_from_rotation
 from ..model import BETWEEN, WORLD, Body, Joint, Model
 from ..notes import json_table
@@ -38,8 +38,9 @@ class _Push(NamedTuple):
 
 def model(path: str, text: str) -> Model:
     """Convert a file with its text to a model; raise ValueError in one line with a location on failure."""
-    with needed_for("import of MJCF"):
-        import mujoco
+    need("mujoco", "import of MJCF")
+    import mujoco
+
     said: list[str] = []
     usual = mujoco.get_mju_user_warning()
     # Without a function, MuJoCo writes warnings to a file in the current folder.

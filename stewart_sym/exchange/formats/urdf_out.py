@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ...io.json_text import json_text
+from ...io.output import json_text
 from ...motion.rotation import rpy_from_rotation
 from ..model import WORLD, Body, Joint, Model, Shape, in_single_axes
 from .sdf_out import BALL, DRAKE

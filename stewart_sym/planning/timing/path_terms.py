@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -21,9 +22,8 @@ import numpy as np
 from ...drives.motor_states import motor_rates
 from ...dynamics.force_noise import forces_of
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics
-from ...io.arguments import shown
 from ...io.array_types import Array, Indices
-from ...io.toml_reader import positive
+from ...io.toml_reader import per_leg, positive
 from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
@@ -65,20 +65,13 @@ class PathLimits:
         """Check the limits."""
         for name in ("force", "speed", "acceleration", "jerk"):
             value = getattr(self, name)
-            object.__setattr__(self, name, None if value is None else six_positive(value, name))
+            object.__setattr__(self, name, None if value is None else tuple(leg_limits(value, name)))
         for name in ("platform_speed", "platform_turn_rate"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, positive(getattr(self, name), name))
 
 
-def six_positive(value: object, where: str) -> tuple[float, ...]:
-    """Return six numbers > 0 from one or six; infinity means no limit."""
-    given = list(value) if isinstance(value, list | tuple | np.ndarray) else [value] * 6
-    if len(given) != 6:
-        raise ValueError(f"{where}: expected one number or six, got {shown(value)}")
-    return tuple(
-        math.inf if isinstance(each, float) and each == math.inf else positive(each, where) for each in given
-    )
+leg_limits = partial(per_leg, check=positive, unlimited=True)
 
 
 class Terms(NamedTuple):

@@ -7,7 +7,7 @@ is independent of the machine. Times matter only if the budget specifies a rate.
 from dataclasses import dataclass
 from typing import Any
 
-from ...backend import fidelity
+from ...backend.kernel import levels
 from ..common.text_tables import Figures, aligned
 from .budget import Budget
 from .cost import SAMPLED, candidate_of, worst
@@ -89,7 +89,7 @@ def answer(found: Advice) -> str:
 
 
 def _named(found: Advice, entry: Figures) -> str:
-    physics = fidelity.levels(found.budget.robot)[entry["fidelity"]]["meaning"]
+    physics = levels(found.budget.robot)[entry["fidelity"]]["meaning"]
     physics = "as printed" if entry["formulation"] == "paper" else physics
     return f"{candidate_of(entry).name} ({physics}): {entry['operations']} operations"
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ...dynamics.inverse_dynamics import first_fault
 from ...io import toml_reader
-from ...io.arguments import shown
+from ...io.arguments import shown, whole_number
 from ...io.error_policy import warn
 from ...kinematics.mounting_side import path_for
 from ...motion.motion import Motion
@@ -49,7 +49,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     file = f"{source}: "
     with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
         top = toml_reader.checked_table(d, file, _KEYS, _KEYS[:4])
-        toml_reader.need_schema(top["schema"], SCHEMA, f"{file}schema")
+        whole_number(top["schema"], f"{file}schema", SCHEMA, str(SCHEMA), SCHEMA)
         motions, expected = top["motions"], f"one or more of {', '.join(PAPER_PATHS)} or CSV files"
         if not isinstance(motions, list) or not motions:
             raise ValueError(f"{file}motions: expected a list of {expected}, got {shown(motions)}")

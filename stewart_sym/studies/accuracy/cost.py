@@ -16,9 +16,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...backend import fidelity
-from ...backend.kernel import FORMULATIONS, MOTION
-from ...backend.numpy_kernel import loaded
+from ...backend.calls import loaded
+from ...backend.kernel import FORMULATIONS, MOTION, levels, operations_per_pose
 from ...dynamics.forces import CORES, ForceKernel, Precision
 from ...dynamics.inverse_dynamics import Backend, prepared_kernel
 from ...io.array_types import Array
@@ -110,7 +109,7 @@ def cost(
     entries = [
         {
             **candidate._asdict(),
-            "operations": fidelity.operations(robot, candidate.formulation, candidate.fidelity),
+            "operations": operations_per_pose(robot, candidate.formulation, candidate.fidelity),
             "one_pose_ns": statistics.median(times[tasks[candidate, "one pose"]]),
             "batch_ns": statistics.median(times[tasks[candidate, "batch"]]),
             "errors": errors[candidate],
@@ -143,8 +142,8 @@ def cost(
 
 def _compiled(robot: Robot, progress: Progress) -> dict[Candidate, ForceKernel]:
     """Compile every available fidelity level of every formulation in both precisions, in parallel."""
-    levels = [(each, level) for each in FORMULATIONS for level in fidelity.available(robot, each)]
-    every = [Candidate(*level, precision) for level in levels for precision in PRECISIONS]
+    choices = [(each, level) for each in FORMULATIONS for level in levels(robot, each)]
+    every = [Candidate(*choice, precision) for choice in choices for precision in PRECISIONS]
     kernels = {}
     with ThreadPoolExecutor(CORES) as pool:
         given: Any = [(each, (each.formulation, each.precision, each.fidelity)) for each in every]
@@ -224,7 +223,7 @@ def _tasks(
 def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
     """Return the fields of a motion, shape (count, ...), with poses of all motions, repeated if necessary."""
     parts = [loaded(motion) for motion in motions]
-    arrays = [np.concatenate([getattr(part, name) for part in parts]) for name in MOTION]
+    arrays = [np.concatenate([part[name] for part in parts]) for name in MOTION]
     # If fewer poses are required, they are spread evenly along the motions.
     every = np.linspace(0, len(arrays[0]) - 1, min(count, len(arrays[0]))).round().astype(int)
     return [np.resize(array[every], (count, *array.shape[1:])) for array in arrays]

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...backend import kernel
-from ...backend.c_kernel import function
+from ...backend.calls import function
 from ...dynamics import equations
 from ...dynamics.forces import CORES, ForceKernel
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, prepared_kernel

@@ -3,7 +3,6 @@
 from typing import Any
 
 from ...design.axis_travel import AXES, AxisTravelResult
-from ...io.arguments import status_text
 from ...io.array_types import Array
 from ...robot.units import Units
 from .text_tables import aligned
@@ -17,7 +16,7 @@ def axis_text(found: AxisTravelResult, units: Units) -> str:
     rows = []
     for i, name in enumerate(AXES):
         scale, way = (units.meters, "along") if i < 3 else (units.radians, "about")
-        causes = ["" if cause == "none" else status_text(cause) for cause in found.limits[i]]
+        causes = ["" if cause == "none" else cause.replace("_", " ") for cause in found.limits[i]]
         row = [f"{name}, {way} {'xyz'[i % 3]}", *_cells(found.travel[i] / scale, "outside"), *causes]
         row += _cells(found.speed[i : i + 1] / scale, "-")
         if found.acceleration is not None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...io.extras import needed_for
+from ...io.error_policy import need
 from ...robot.robot import Robot
 
 if TYPE_CHECKING:
@@ -40,8 +40,9 @@ _FAR = 5.0
 
 def new_figure(width: float, height: float) -> Figure:
     """Create an empty figure (inches); raise ImportError without Matplotlib."""
-    with needed_for("drawing"):
-        from matplotlib import figure
+    need("matplotlib", "drawing")
+    from matplotlib import figure
+
     return figure.Figure(figsize=(width, height), layout="constrained")
 
 
@@ -109,8 +110,9 @@ def name_points(
 
     The layout of the figure is fixed from this call on. Raises ValueError if there is no room for all labels.
     """
-    with needed_for("drawing"):
-        import textalloc
+    need("textalloc", "drawing")
+    import textalloc
+
     figure: Any = axes.get_figure()
     figure.draw_without_rendering()
     figure.set_layout_engine("none")

@@ -34,9 +34,7 @@ def machine() -> dict[str, Any]:
 
 def software(*packages: str) -> dict[str, Any]:
     """List the compiler, if any, its flags, and versions; raises native.CompilerError without a compiler."""
-    compiler = native.find_compiler()
-    if compiler is None:
-        raise native.CompilerError("no C compiler found")
+    compiler = native.require_compiler()
     return {
         "compiler": compiler.version,
         "command": list(compiler.command),

@@ -10,7 +10,7 @@ from typing import Any, TypeGuard
 import numpy as np
 
 from ...io.arguments import safe_text
-from ...io.json_text import plain
+from ...io.output import plain
 from ...io.progress import Progress, silent
 from ...viewer.page import document, filled, generator
 from ...viewer.view import frame

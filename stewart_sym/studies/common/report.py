@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from ...io.atomic_write import ResultFolder, write_file
-from ...io.json_text import json_text
+from ...io.output import ResultFolder, json_text, write_file
 from ...io.progress import Progress, silent
 from .text_tables import csv_lines
 

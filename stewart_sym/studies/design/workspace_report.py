@@ -11,7 +11,6 @@ from ...design import pose_limits
 from ...design.axis_travel import axis_travel
 from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits, at_reference
 from ...design.workspace import WorkspaceResult
-from ...io.arguments import status_text
 from ...io.array_types import Array
 from ...io.progress import Progress, tracked
 from ...kinematics.offset_legs import leg_lengths
@@ -67,7 +66,7 @@ def center_doubt(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> st
     R = rotation_from_rpy(found.rpy[None])
     t = found.position - R @ found.tool
     code = int(examiner.broken_limits(R, t)[0])
-    text = status_text(REASONS[code])
+    text = REASONS[code].replace("_", " ")
     if code == pose_limits.LENGTH:
         L = leg_lengths(examiner.robot, R, t)
         units = Units.of(robot)
@@ -157,7 +156,8 @@ def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
         ends = scale * np.concatenate([found.extent, found.bounds], axis=1)[axis - varying.start]
         rows.append((f"{AXES[axis]}, {unit}", *("-" if np.isnan(end) else f"{end:.4g}" for end in ends)))
     header = ("coordinate", "at least from", "to", "searched from", "to")
-    shares = [(status_text(name), f"{100.0 * share:.2f}") for name, share in found.limit_fractions.items()]
+    fractions = found.limit_fractions.items()
+    shares = [(name.replace("_", " "), f"{100.0 * share:.2f}") for name, share in fractions]
     tables = aligned(header, rows), aligned(("first limit that breaks", "% of poses"), shares)
     return "\n\n".join(["\n".join(lines), *tables])
 
@@ -230,7 +230,7 @@ def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     title = f"{as_written(robot.name)}: {_title(found, Units.of(robot))}"
     drawn.suptitle(f"{title}\n{size}; planes through the pose marked +", fontsize=10.0)
     broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
-    handles = [Patch(facecolor=_OUTSIDE[code], label=status_text(REASONS[code])) for code in broken]
+    handles = [Patch(facecolor=_OUTSIDE[code], label=REASONS[code].replace("_", " ")) for code in broken]
     if handles:
         legend_below(drawn, handles, title="first limit that breaks")
     return drawn

@@ -11,7 +11,6 @@ from ...drives.limit_status import SURE, counts_text, unknown_forces
 from ...drives.motor_states import motor_states
 from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
-from ...io.arguments import status_text
 from ...io.array_types import Array, Flags
 from ...io.progress import Progress
 from ...kinematics.conditioning import condition_number
@@ -158,7 +157,7 @@ class ForceReport:
             "peak force, N": amounts(at_rows(F, peak), None if F_sd is None else at_rows(F_sd, peak), 6),
             "at, s": [time_text(when, self.step) for when in time[peak]],
             "force_limit, N": [
-                f"{most:g}" + (f" {status_text(verdict)}" if np.isfinite(most) else "")
+                f"{most:g}" + (f" {verdict.replace('_', ' ')}" if np.isfinite(most) else "")
                 for most, verdict in zip(self.robot.force_limit, tracker.verdicts(limits.FORCE), strict=True)
             ],
             f"length, {units.length}": [" to ".join(both) for both in zip(*ends, strict=True)],

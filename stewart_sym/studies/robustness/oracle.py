@@ -16,9 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import native
-from ...backend.c_kernel import address, c_sources
+from ...backend.calls import address, c_sources, loaded
 from ...backend.kernel import robot_numbers
-from ...backend.numpy_kernel import loaded
 from ...dynamics import closed_form
 from ...generated.interface import STRUCTS
 from ...io.array_types import Array, Codes
@@ -107,7 +106,7 @@ class Cases:
 def cases_of(robots: list[Robot], motions: list[Motion], distance: Array | None = None) -> Cases:
     """Return cases from n robots and n motions of shape (); the forces are multiples of the weight."""
     numbers = np.array([robot_numbers(robot) for robot in robots])
-    every = [[np.ravel(getattr(loaded(motion), name)) for name in STRUCTS["motion"]] for motion in motions]
+    every = [[*map(np.ravel, loaded(motion).values())] for motion in motions]
     with np.errstate(over="ignore"):
         forces = numbers[:, 192:193] * 9.81 * np.array([0.7, -1.1, 0.4, 1.3, -0.2, 0.9])
     distance = np.zeros(len(numbers)) if distance is None else distance

@@ -11,12 +11,17 @@ from pathlib import Path
 from builds import written
 from sweeps import FULL
 
-from stewart_sym.backend.kernel_sources import digests, generated_text
+from stewart_sym.backend.kernel import digests, generated_text
 from stewart_sym.generated.interface import HEADERS
 
 ATTACK = Path(__file__).parents[1] / "c"
 # To note which line code comes from takes a quarter of the time; functions are named without.
 STRICT = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-g" if FULL else "-g0")
+
+
+def rotor_flags(kernel: str) -> list[str]:
+    """The compiler flags that the C code of a kernel requires."""
+    return ["-DSTEWART_ROTORS"] if "_drive" in kernel else []
 
 
 def stems() -> list[str]:

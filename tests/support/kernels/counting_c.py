@@ -6,9 +6,9 @@ from pathlib import Path
 from string import Template
 
 import numpy as np
+from attack_build import rotor_flags
 
-from stewart_sym.backend.c_kernel import rotor_flags
-from stewart_sym.backend.kernel import MOTION, robot_numbers, takes_rotors
+from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
@@ -92,7 +92,7 @@ def counted(
     texts: the C by file name; kernel: for whose robots it is.
     """
     given = {
-        "ROBOT": listed(robot_numbers(robot, takes_rotors(kernel))),
+        "ROBOT": listed(robot_numbers(robot, kernel)),
         "MOTION": listed(*(getattr(motion, name) for name in MOTION)),
     }
     program = Template(COUNTING).substitute(given, INCLUDES=includes, CALL=calls)

@@ -8,8 +8,8 @@ import numpy as np
 from mpmath import mp
 from numpy.typing import NDArray
 
+from stewart_sym.backend.calls import loaded
 from stewart_sym.backend.kernel import MOTION
-from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.mechanics.actuator_forces import ForceKernel
 from stewart_sym.derive.mechanics.formulation import Formulation
 from stewart_sym.derive.mechanics.inverse_dynamics import kernel
@@ -71,9 +71,7 @@ def errors(found: NDArray[Any], robot: Robot, motion: Motion, dtype: Any = np.fl
         if isinstance(value, np.ndarray) and name not in ("k", "offsets", "drive")
     }
     own = dataclasses.replace(robot, M=float(dtype(robot.M)), **numbers)
-    given = {
-        name: np.asarray(value, dtype).astype(np.float64) for name, value in vars(loaded(motion)).items()
-    }
+    given = {name: np.asarray(value, dtype).astype(np.float64) for name, value in loaded(motion).items()}
     R = np.vectorize(digits.mpf, otypes=[object])(given["R"])
     for _ in range(6):
         R = R @ (3 * np.eye(3, dtype=object) - R.T @ R) / 2

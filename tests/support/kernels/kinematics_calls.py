@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.backend import native
-from stewart_sym.backend.c_kernel import address, c_sources
+from stewart_sym.backend.calls import address, c_sources
 from stewart_sym.backend.kernel import robot_numbers
 
 Array = NDArray[np.float64]

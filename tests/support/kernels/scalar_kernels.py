@@ -10,9 +10,9 @@ import numpy as np
 from machines import random_motion, random_robot
 from numpy.typing import NDArray
 
-from stewart_sym.backend import fidelity, native
-from stewart_sym.backend.kernel import MOTION, robot_numbers
-from stewart_sym.backend.numpy_kernel import loaded
+from stewart_sym.backend import native
+from stewart_sym.backend.calls import loaded
+from stewart_sym.backend.kernel import resolve_level, robot_numbers
 from stewart_sym.kit import Choice
 from stewart_sym.kit.required_kernels import parts
 from stewart_sym.motion.motion import Motion
@@ -54,8 +54,7 @@ class Kernel:
 
 
 def numbers(motion: Motion) -> Array:
-    poses = loaded(motion)
-    return np.concatenate([np.ravel(getattr(poses, name)) for name in MOTION])
+    return np.concatenate([*map(np.ravel, loaded(motion).values())])
 
 
 def compiled(robot: Robot, precision: str, **choice: Any) -> tuple[ctypes.CDLL, str]:
@@ -76,7 +75,7 @@ def library(formulation: str, joint: str, level: str, precision: str) -> tuple[c
 def prepared(
     robot: Robot, formulation: str = "exact", level: str = "general", precision: str = "double"
 ) -> Kernel:
-    level = fidelity.resolve_level(robot, formulation, level)
+    level = resolve_level(robot, formulation, level)
     joint = robot.base_joint if level == "general" else "universal"
     found, prefix = library(formulation, joint, level, precision)
     dtype = np.float32 if precision == "float" else np.float64

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 import stewart_sym as ss
-from stewart_sym.io.toml_text import toml_text
+from stewart_sym.io.output import toml_text
 
 PAPERS = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
 PRESS = """\

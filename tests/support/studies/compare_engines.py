@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import casadi_forces
@@ -28,13 +29,12 @@ import numpy as np
 import pinocchio as pin
 from benchmark_tables import CLOSED, PASSES, PLAIN
 
-from stewart_sym.backend import c_kernel, kernel, native
-from stewart_sym.backend.numpy_kernel import loaded
+from stewart_sym.backend import calls, kernel, native
+from stewart_sym.backend.calls import loaded
 from stewart_sym.derive.passes import passes
 from stewart_sym.exchange.model_from_robot import robot_of_bodies
 from stewart_sym.io.array_types import Array
-from stewart_sym.io.atomic_write import write_file
-from stewart_sym.io.json_text import json_text
+from stewart_sym.io.output import json_text, write_file
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import cross_matrix, quaternion_from_rotation
 from stewart_sym.reference import newton_euler
@@ -105,7 +105,7 @@ def casadi_cases(few: Poses, truth: Array) -> Iterator[Case]:
 
 def pass_cases(poses: Poses, truth: Array) -> Iterator[Case]:
     """Yield the kernel after every pass of the derivation, for one pose and for a batch."""
-    numbers, few, address = kernel.robot_numbers(poses.robot), poses.resized(FEW), c_kernel.address
+    numbers, few, address = kernel.robot_numbers(poses.robot), poses.resized(FEW), calls.address
     for number, made in enumerate(passes(), 1):
         library = native.load(f"bench_pass_{number}", made.sources)
         one, batch, prepare = (
@@ -124,7 +124,7 @@ def pass_cases(poses: Poses, truth: Array) -> Iterator[Case]:
 def _c_batch(function: Any, model: Array, poses: Poses) -> Timed:
     """Time a batch function in C."""
     F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-    size, motions, address = ctypes.c_size_t(len(poses)), c_kernel.pointers(poses.arrays), c_kernel.address
+    size, motions, address = ctypes.c_size_t(len(poses)), calls.pointers(poses.arrays), calls.address
     # The addresses are computed in each call, because a pointer does not keep its array alive.
     run = over(lambda: function(address(model), size, motions, address(F), address(status)))
     return Task(run, len(poses)), lambda: F
@@ -176,7 +176,8 @@ def base_frames(robot: Robot) -> Array:
 
 def joint_tree(robot: Robot, motion: Motion) -> JointTree:
     """Compute the joint motion at poses (n,); base joints must be universal."""
-    given, leg, k = loaded(motion), newton_euler.legs(robot, motion), np.broadcast_to(robot.k, (6, 3))
+    given = SimpleNamespace(**loaded(motion))
+    leg, k = newton_euler.legs(robot, motion), np.broadcast_to(robot.k, (6, 3))
     R, to_platform = given.R, np.swapaxes(given.R, -1, -2)
     _, second, third = np.moveaxis(np.einsum("kji,nkj->nki", base_frames(robot), leg.y), -1, 0)
     tilt = np.arccos(np.einsum("ki,nki->nk", k, leg.s))

@@ -23,7 +23,7 @@ from stewart_sym.derive.package.functions import Vector
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.dynamics.sample_poses import sample
 from stewart_sym.io.array_types import Array
-from stewart_sym.io.json_text import json_text
+from stewart_sym.io.output import json_text
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from stewart_sym.kit import Choice, kit

@@ -16,8 +16,7 @@ from scipy.stats import spearmanr
 
 from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
 from stewart_sym.io.array_types import Array
-from stewart_sym.io.atomic_write import write_file
-from stewart_sym.io.json_text import json_text
+from stewart_sym.io.output import json_text, write_file
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from stewart_sym.motion.motion import at_rest
