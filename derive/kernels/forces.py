@@ -32,24 +32,21 @@ def forces(k: Trace, kernel: ForceKernel, scaled: bool | None = None) -> None:
     is None, the prepared model decides.
     """
     ready, (roots, rest) = ready_in(kernel.leg.steps), as_far_as_roots(kernel.leg)
+    known: dict[str, Value] = {}
     ahead = rest.operations().total > ONE_LEG_AHEAD
+    # Roots and quotients take long; meanwhile a processor computes the terms that are common to all legs.
+    with k.part("leg_roots", _says("a leg up to its square roots", roots), per_leg=True, ahead=ahead):
+        k.run(roots, {}, known, ready)
+        points = [known[name].name for name in n.q.names if name in known]
+        k.slots |= {name: Slot("leg_roots", n.q.name, i) for i, name in enumerate(points)}
     says = _says("terms of a pose that are common to all legs", kernel.shared)
-    # Next to a short loop over the legs, gcc stores the constants of an inlined function once for each block.
-    with k.part("shared_terms", says, fuses_named=True, apart=not ahead):
+    with k.part("shared_terms", says, fuses_named=True):
         pose = k.run(kernel.shared, {})
         reach = larger(k.input(BASE_REACH.name), constant("SHORTEST") / constant("ROUNDING"))
         for component in k.inputs_named(n.t):
             reach = larger(abs(component), reach)
         # A leg is q + t - b, so a leg that is short compared with q is also short compared with t or b.
         least_L = k.let("least_L", as_value(2.25) * constant("SHORT_SHARE") * reach)
-    known: dict[str, Value] = {}
-    if ahead:
-        with k.part("leg_roots", _says("a leg up to its square roots", roots), per_leg=True, ahead=True):
-            k.run(roots, {}, known, ready)
-            points = [known[name].name for name in n.q.names if name in known]
-            k.slots |= {name: Slot("leg_roots", n.q.name, i) for i, name in enumerate(points)}
-    else:
-        rest = kernel.leg
     with k.part("legs_fit", "Marks a pose in which a leg must be examined."):
         any_unfit = k.accumulator("any_unfit", as_value(0.0), operator="larger")
         is_short = k.let("is_short", as_value(0.0))

@@ -53,7 +53,7 @@ class Lanes(Schedule):
         large = part.per_leg and not self.poses_in_lanes and len(part.steps) > INLINE_STEPS
         legs = {leg for step in part.steps for _, leg in reads(step.expr) if leg is not None}
         combines = self.poses_in_lanes and len(legs) > 1
-        apart = part.apart or part.ahead or combines or part.name in self.branch_of or large
+        apart = part.ahead or combines or part.name in self.branch_of or large
         name = f"compute_{part.name}{self.end}"
         return t.Function(name, part.meaning, tuple(arguments), None, body, apart=apart)
 

@@ -63,6 +63,7 @@ def _sum(trace: Trace, step: Step, terms: list[str]) -> t.Expression:
 def in_loop_order(trace: Trace, body: list[Any]) -> list[Any]:
     """Sort the parts: before the loop over the legs, in it, and after it, each in order.
 
+    A part that is a leg ahead begins with leg 1 before the loop.
     A part that reads leg 1 only is called in the loop, so that only this leg's results are stored.
     """
     before: list[Any] = []
@@ -79,7 +80,7 @@ def in_loop_order(trace: Trace, body: list[Any]) -> list[Any]:
         if not isinstance(item, Part) or late or totals:
             after.append(item)
         elif item.per_leg:
-            loop.append(item)
+            (before if item.ahead else loop).append(item)
         elif legs == {0} or (not legs and {name for name, _ in read} & of_first):
             of_first |= _written(item)
             loop.append(replace(item, only_first=True))

@@ -79,8 +79,6 @@ class Part:
         True if the function is in a header because several kernels use it.
     fuses_named : bool
         True if named products are fused with the sums that read them.
-    apart : bool
-        True if compilers may not inline the function. They never inline large functions and rare ones.
     """
 
     name: str
@@ -91,7 +89,6 @@ class Part:
     only_first: bool = False
     common: bool = False
     fuses_named: bool = False
-    apart: bool = False
     steps: list[Step] = field(default_factory=list)
 
 

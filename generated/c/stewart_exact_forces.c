@@ -279,13 +279,6 @@ int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model
 }
 
 typedef struct {
-    stewart_real B[9];
-    stewart_real c_force[3];
-    stewart_real c_moment[3];
-    stewart_real least_L;
-} STEWART_ALIGNED shared_terms_pose;
-
-typedef struct {
     stewart_real L[LANES];
     stewart_real S_x[LANES];
     stewart_real S_y[LANES];
@@ -299,6 +292,13 @@ typedef struct {
     stewart_real rho[LANES];
     stewart_real zeta[LANES];
 } STEWART_ALIGNED leg_roots_pose;
+
+typedef struct {
+    stewart_real B[9];
+    stewart_real c_force[3];
+    stewart_real c_moment[3];
+    stewart_real least_L;
+} STEWART_ALIGNED shared_terms_pose;
 
 typedef struct {
     stewart_real D[LANES];
@@ -344,6 +344,58 @@ typedef struct {
 typedef struct {
     stewart_real reach_2[LANES];
 } STEWART_ALIGNED reach_of_rows_pose;
+
+/* Computes a leg up to its square roots: 46 (22 mul, 20 add, 2 div, 2 sqrt). */
+STEWART_APART static void compute_leg_roots_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    leg_roots_pose *STEWART_RESTRICT leg_roots)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x));
+        /* (2) leg length, and distance of the tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
+        const stewart_real rho = STEWART_SQRT(rho2);
+        leg_roots->inv_L[l] = REAL(1)/L;
+        leg_roots->inv_rho[l] = REAL(1)/rho;
+        leg_roots->q[0][l] = q_x;
+        leg_roots->q[1][l] = q_y;
+        leg_roots->q[2][l] = q_z;
+        leg_roots->S_x[l] = S_x;
+        leg_roots->S_y[l] = S_y;
+        leg_roots->S_z[l] = S_z;
+        leg_roots->zeta[l] = zeta;
+        leg_roots->k_cross_S_x[l] = k_cross_S_x;
+        leg_roots->k_cross_S_y[l] = k_cross_S_y;
+        leg_roots->k_cross_S_z[l] = k_cross_S_z;
+        leg_roots->L[l] = L;
+        leg_roots->rho[l] = rho;
+    }
+}
 
 /* Computes terms of a pose that are common to all legs: 180 (93 mul, 87 add, 0 div, 0 sqrt). */
 static void compute_shared_terms_pose(
@@ -464,58 +516,6 @@ static void compute_shared_terms_pose(
     shared_terms->B[6] = B_zx;
     shared_terms->B[7] = B_zy;
     shared_terms->B[8] = B_zz;
-}
-
-/* Computes a leg up to its square roots: 46 (22 mul, 20 add, 2 div, 2 sqrt). */
-STEWART_APART static void compute_leg_roots_pose(
-    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    leg_roots_pose *STEWART_RESTRICT leg_roots)
-{
-    int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
-        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    for (l = 0; l < LANES; ++l) {
-        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
-        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
-        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
-        /* (1) platform point from the reference point */
-        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
-        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
-        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
-        /* (1) reference point from base point, base frame */
-        const stewart_real t_b_x = t_x - b_x;
-        const stewart_real t_b_y = t_y - b_y;
-        const stewart_real t_b_z = t_z - b_z;
-        /* (1) leg vector */
-        const stewart_real S_x = t_b_x + q_x;
-        const stewart_real S_y = t_b_y + q_y;
-        const stewart_real S_z = t_b_z + q_z;
-        /* (10) component of the leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
-        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
-        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
-        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
-            k_cross_S_y, k_cross_S_x*k_cross_S_x));
-        /* (2) leg length, and distance of the tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
-        const stewart_real rho = STEWART_SQRT(rho2);
-        leg_roots->inv_L[l] = REAL(1)/L;
-        leg_roots->inv_rho[l] = REAL(1)/rho;
-        leg_roots->q[0][l] = q_x;
-        leg_roots->q[1][l] = q_y;
-        leg_roots->q[2][l] = q_z;
-        leg_roots->S_x[l] = S_x;
-        leg_roots->S_y[l] = S_y;
-        leg_roots->S_z[l] = S_z;
-        leg_roots->zeta[l] = zeta;
-        leg_roots->k_cross_S_x[l] = k_cross_S_x;
-        leg_roots->k_cross_S_y[l] = k_cross_S_y;
-        leg_roots->k_cross_S_z[l] = k_cross_S_z;
-        leg_roots->L[l] = L;
-        leg_roots->rho[l] = rho;
-    }
 }
 
 /* Computes a leg: its D, its column of H, and its part of c: 219 (134 mul, 85 add, 0 div, 0 sqrt). */
@@ -1167,8 +1167,8 @@ STEWART_APART static void compute_reach_of_rows_pose(
 int stewart_exact_forces(const stewart_exact_model *model, const stewart_motion *motion, stewart_real F[6])
 {
     int i;
-    shared_terms_pose shared_terms;
     leg_roots_pose leg_roots;
+    shared_terms_pose shared_terms;
     columns_pose columns;
     leg_terms_pose leg_terms;
     legs_fit_pose legs_fit;
@@ -1185,8 +1185,8 @@ int stewart_exact_forces(const stewart_exact_model *model, const stewart_motion 
     if (model == NULL || motion == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    compute_shared_terms_pose(model, motion, &shared_terms);
     compute_leg_roots_pose(model, motion, &leg_roots);
+    compute_shared_terms_pose(model, motion, &shared_terms);
     compute_leg_terms_pose(model, motion, &leg_roots, &shared_terms, &columns, &leg_terms);
     compute_legs_fit_pose(&leg_terms, &legs_fit);
     if (legs_fit.any_unfit > REAL(0)) {
@@ -1251,17 +1251,6 @@ int stewart_exact_forces(const stewart_exact_model *model, const stewart_motion 
 }
 
 typedef struct {
-    stewart_real B[9][POSES];
-    stewart_real c_force[3][POSES];
-    stewart_real c_moment[3][POSES];
-    stewart_real least_L[POSES];
-} STEWART_ALIGNED shared_terms_block;
-
-typedef struct {
-    stewart_real any_unfit[POSES];
-} STEWART_ALIGNED legs_fit_block;
-
-typedef struct {
     stewart_real L[POSES];
     stewart_real S_x[POSES];
     stewart_real S_y[POSES];
@@ -1275,6 +1264,17 @@ typedef struct {
     stewart_real rho[POSES];
     stewart_real zeta[POSES];
 } STEWART_ALIGNED leg_roots_block;
+
+typedef struct {
+    stewart_real B[9][POSES];
+    stewart_real c_force[3][POSES];
+    stewart_real c_moment[3][POSES];
+    stewart_real least_L[POSES];
+} STEWART_ALIGNED shared_terms_block;
+
+typedef struct {
+    stewart_real any_unfit[POSES];
+} STEWART_ALIGNED legs_fit_block;
 
 typedef struct {
     stewart_real D[POSES];
@@ -1299,6 +1299,58 @@ typedef struct {
     stewart_real F[6][POSES];
     stewart_real unfinished[POSES];
 } STEWART_ALIGNED forces_block;
+
+/* Computes a leg up to its square roots: 46 (22 mul, 20 add, 2 div, 2 sqrt). */
+STEWART_APART static void compute_leg_roots_block(
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int leg,
+    leg_roots_block *STEWART_RESTRICT leg_roots)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x));
+        /* (2) leg length, and distance of the tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
+        const stewart_real rho = STEWART_SQRT(rho2);
+        leg_roots->inv_L[l] = REAL(1)/L;
+        leg_roots->inv_rho[l] = REAL(1)/rho;
+        leg_roots->q[0][l] = q_x;
+        leg_roots->q[1][l] = q_y;
+        leg_roots->q[2][l] = q_z;
+        leg_roots->S_x[l] = S_x;
+        leg_roots->S_y[l] = S_y;
+        leg_roots->S_z[l] = S_z;
+        leg_roots->zeta[l] = zeta;
+        leg_roots->k_cross_S_x[l] = k_cross_S_x;
+        leg_roots->k_cross_S_y[l] = k_cross_S_y;
+        leg_roots->k_cross_S_z[l] = k_cross_S_z;
+        leg_roots->L[l] = L;
+        leg_roots->rho[l] = rho;
+    }
+}
 
 /* Computes terms of a pose that are common to all legs: 180 (93 mul, 87 add, 0 div, 0 sqrt). */
 static void compute_shared_terms_block(
@@ -1415,58 +1467,6 @@ static void compute_legs_fit_block(legs_fit_block *STEWART_RESTRICT legs_fit)
     int l;
     for (l = 0; l < POSES; ++l) {
         legs_fit->any_unfit[l] = REAL(0);
-    }
-}
-
-/* Computes a leg up to its square roots: 46 (22 mul, 20 add, 2 div, 2 sqrt). */
-STEWART_APART static void compute_leg_roots_block(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int leg,
-    leg_roots_block *STEWART_RESTRICT leg_roots)
-{
-    int l;
-    for (l = 0; l < POSES; ++l) {
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
-        /* (1) platform point from the reference point */
-        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
-        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
-        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
-        /* (1) reference point from base point, base frame */
-        const stewart_real t_b_x = t_x - b_x;
-        const stewart_real t_b_y = t_y - b_y;
-        const stewart_real t_b_z = t_z - b_z;
-        /* (1) leg vector */
-        const stewart_real S_x = t_b_x + q_x;
-        const stewart_real S_y = t_b_y + q_y;
-        const stewart_real S_z = t_b_z + q_z;
-        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
-        /* (10) component of the leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
-        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
-        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
-        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
-            k_cross_S_y, k_cross_S_x*k_cross_S_x));
-        /* (2) leg length, and distance of the tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
-        const stewart_real rho = STEWART_SQRT(rho2);
-        leg_roots->inv_L[l] = REAL(1)/L;
-        leg_roots->inv_rho[l] = REAL(1)/rho;
-        leg_roots->q[0][l] = q_x;
-        leg_roots->q[1][l] = q_y;
-        leg_roots->q[2][l] = q_z;
-        leg_roots->S_x[l] = S_x;
-        leg_roots->S_y[l] = S_y;
-        leg_roots->S_z[l] = S_z;
-        leg_roots->zeta[l] = zeta;
-        leg_roots->k_cross_S_x[l] = k_cross_S_x;
-        leg_roots->k_cross_S_y[l] = k_cross_S_y;
-        leg_roots->k_cross_S_z[l] = k_cross_S_z;
-        leg_roots->L[l] = L;
-        leg_roots->rho[l] = rho;
     }
 }
 
@@ -1926,9 +1926,9 @@ STEWART_APART static void compute_results_of_pivots_block(
 static void forces_of_block(const stewart_exact_model *model, const motion_lanes *at, forces_block *forces)
 {
     int l, leg;
+    leg_roots_block leg_roots[6];
     shared_terms_block shared_terms;
     legs_fit_block legs_fit;
-    leg_roots_block leg_roots[6];
     columns_block columns[6];
     leg_terms_block leg_terms[6];
     leg_terms_now_block leg_terms_now;
@@ -1936,9 +1936,9 @@ static void forces_of_block(const stewart_exact_model *model, const motion_lanes
     right_side_block right_side;
     results_block results;
     solution_block solution;
+    compute_leg_roots_block(model, at, 0, &leg_roots[0]);
     compute_shared_terms_block(model, at, &shared_terms);
     compute_legs_fit_block(&legs_fit);
-    compute_leg_roots_block(model, at, 0, &leg_roots[0]);
     for (leg = 0; leg < 6; ++leg) {
         if (leg < 5) {
             compute_leg_roots_block(model, at, leg + 1, &leg_roots[leg + 1]);
