@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from ..dynamics.home_pose import home_pose, level_lengths, radius
+from ..dynamics.home_pose import home_pose
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
 from ..kinematics.inverse_kinematics import length_rows
-from ..kinematics.mounting_side import level_positions
+from ..kinematics.mounting_side import level_positions, radius
+from ..kinematics.offset_legs import leg_lengths
 from ..robot.robot import Robot
 
 GOOD_CONDITION, MISPAIRED = 12.0, 6.0
@@ -38,7 +39,7 @@ def level_home(robot: Robot) -> Array:
         directions += [normal, -normal]
     others = np.concatenate([level_positions(robot, direction, HEIGHTS) for direction in directions])
     found = level_conditions(robot.b, robot.p, others)
-    lengths = level_lengths(robot, others)
+    lengths = leg_lengths(robot, np.eye(3), others)
     if limited:
         score = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
         score[found > max(GOOD_CONDITION, found.min())] = np.inf
