@@ -3,7 +3,7 @@
 import ctypes
 import functools
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from ..generated.interface import HEADERS, MODELS, OUTPUTS
 from ..io.array_types import Array
 from ..motion.motion import Motion
-from ..results import OK, InverseDynamicsResult, JointReactionsResult
+from ..results import OK
 from ..robot.robot import Robot
 from . import native
 from .kernel import MOTION, overflows, robot_kernel, robot_numbers, takes_rotors
 from .kernel_sources import generated_text
+from .threads import in_parts
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -45,25 +46,43 @@ def rotor_flags(name: str) -> list[str]:
 
 
 class CKernel:
-    """C kernel of one formulation with the constants of one robot; calls release the interpreter lock."""
+    """C functions of one kernel with the constants of one robot; calls release the interpreter lock."""
 
-    def __init__(self, robot: Robot, formulation: str) -> None:
-        """Compile the kernel or load it from the cache, and store the constants of the robot."""
-        self._name = robot_kernel(robot, formulation)
-        library(self._name)
-        self._numbers = robot_numbers(robot, takes_rotors(self._name))
+    def __init__(self, robot: Robot, formulation: str, part: str = "", precision: str = "double") -> None:
+        """Compile a part of the kernel or load it from the cache, and prepare the constants of the robot.
 
-    def forces(self, motion: Motion) -> InverseDynamicsResult:
-        """Compute the inverse dynamics of every pose; results are NaN if the status is not 0."""
-        return InverseDynamicsResult(**self._run("inverse_dynamics", motion))
+        ``part`` is "" for inverse dynamics and joint reactions, "_motion" for the closed form, or "_bounds".
+        Raises ValueError for a robot without this kernel or with constants that overflow.
+        """
+        self._name, self._part, self._precision = robot_kernel(robot, formulation), part, precision
+        library(f"{self._name}{part}", precision)
+        if part:
+            prefix, name = ("bounds_", f"{self._name}_bounds") if part == "_bounds" else ("", self._name)
+            self._model = prepared_model(self.function(f"{prefix}prepare"), robot, name, precision)
+        else:
+            self._model = robot_numbers(robot, takes_rotors(self._name))
 
-    def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
-        """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
-        return JointReactionsResult(**self._run("joint_reactions", motion, bearing))
+    def function(self, suffix: str) -> Any:
+        """Return the C function of the kernel with this suffix."""
+        return function(self._name, suffix, self._part, self._precision)
 
-    def _run(self, name: str, motion: Motion, *given: Array) -> dict[str, Any]:
-        code = function(self._name, f"{name}_batch")
-        return results_of(code, self._numbers, motion, OUTPUTS[name], given)
+    def run(self, output: str, motion: Motion, *given: Array) -> dict[str, Any]:
+        """Return the results of an output by name, NaN if the status is not 0, and the status (...).
+
+        ``given`` are the arrays after the motion: the distances of the bearings (m), (6,), or the forces (N),
+        (..., 6), with the shape of the motion.
+        """
+        shapes, apart = _SHAPES[output], output not in _STRUCTURES
+        return results_of(self.function(f"{output}_batch"), self._model, motion, shapes, given, apart)
+
+    def single_pose(self, output: str, *arrays: Array) -> "OnePose":
+        """Return buffers for one pose; ``arrays`` are the other inputs and the result."""
+        return OnePose(self.function(output), self._model, *arrays)
+
+
+_SHAPES = {**OUTPUTS, "forces_bounded": {"F": (6,), "bound": (6,), "rcond": ()}}
+# Outputs whose results are members of a structure; other results are separate arguments.
+_STRUCTURES = ("inverse_dynamics", "joint_reactions", "equations", "derivatives", "linearization")
 
 
 def results_of(
@@ -71,28 +90,104 @@ def results_of(
     model: Array,
     motion: Motion,
     shapes: Mapping[str, tuple[int, ...]],
-    given: Iterable[Array] = (),
+    given: Sequence[Any] = (),
     apart: bool = False,
+    threads: int = 1,
 ) -> dict[str, Any]:
     """Call a C function for many poses; return its results, NaN if the status is not 0, and the status.
 
-    ``shapes`` are the shapes of the results for one pose, and ``given`` the arrays after the motion. With
-    ``apart``, the function takes the result arrays as separate arguments instead of a structure.
+    ``shapes`` are the shapes of the results for one pose. For other arguments see ``run_batch``.
     """
     found = {name: np.full((*motion.shape, *of), np.nan, dtype=model.dtype) for name, of in shapes.items()}
     status = np.zeros(motion.shape, dtype=np.int32)
-    targets = map(address, found.values()) if apart else [pointers(found.values())]
-    arrays = [np.ascontiguousarray(array) for array in given]
-    call(function, model, motion, *map(address, arrays), *targets, address(status))
+    arrays = [getattr(motion, name) for name in MOTION]
+    run_batch(function, model, arrays, [*found.values()], status, given, apart, threads)
     return {**found, "status": status}
 
 
-def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
-    """Call a C function for many poses, and return its value; the motion gets the type of the constants."""
-    with np.errstate(over="ignore"):
-        arrays = (getattr(motion, name) for name in MOTION)
-        inputs = [None if each is None else np.ascontiguousarray(each, model.dtype) for each in arrays]
-    return function(address(model), ctypes.c_size_t(math.prod(motion.shape)), pointers(inputs), *arguments)
+def run_batch(
+    function: Any,
+    model: Array,
+    motion: Sequence[Array | None],
+    results: Sequence[Array],
+    status: NDArray[np.int32],
+    given: Sequence[Any] = (),
+    apart: bool = False,
+    threads: int = 1,
+) -> None:
+    """Call a C function for many poses, in parts on threads, and write results and statuses.
+
+    ``motion`` contains arrays in the order of ``MOTION``, which get the type of the constants. ``given`` are
+    the arguments after the motion: arrays with a row for each pose, or arguments that all poses share. With
+    ``apart``, the function takes the result arrays as separate arguments instead of a structure.
+    """
+    count = status.size
+    inputs = [_rows(each, count) for each in motion]
+    outputs, codes = [_rows(each, count) for each in results], status.reshape(count)
+    others = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in given]
+
+    def run(start: int, poses: int) -> None:
+        part = slice(start, start + poses)
+        with np.errstate(over="ignore"):
+            rows = (each if each is None else each[part] for each in inputs)
+            arrays = [each if each is None else np.ascontiguousarray(each, model.dtype) for each in rows]
+        targets = [each[part] for each in outputs]
+        function(
+            address(model),
+            ctypes.c_size_t(poses),
+            pointers(arrays),
+            *(_argument(each, count, part) for each in others),
+            *(map(address, targets) if apart else [pointers(targets)]),
+            address(codes[part]),
+        )
+
+    in_parts(count, threads, run)
+
+
+def _argument(given: Any, count: int, part: slice) -> Any:
+    """Return the address of the rows of an array for some poses, or of an array that all poses share."""
+    if not isinstance(given, np.ndarray):
+        return given
+    return address(given if given.ndim == 1 else _rows(given, count)[part])
+
+
+def _rows(array: Array | None, count: int) -> Any:
+    """Return an array with one row for each pose."""
+    return None if array is None else array.reshape(count, array.size // max(count, 1))
+
+
+class OnePose:
+    """Buffers of one pose: set the inputs R, t, omega, ..., M_ext in place, call ``solve``, and read ``F``.
+
+    The inputs are views of ``numbers``, (30,), with the order of ``stewart_motion``. ``solve`` returns the
+    status; results do not change if the status is not 0.
+    """
+
+    def __init__(self, function: Any, model: Array, *arrays: Array) -> None:
+        """Store the addresses of the buffers; ``arrays`` follow the motion in C, F is the first of them."""
+        self.numbers, self.F = np.zeros(sum(_WIDTHS), dtype=model.dtype), arrays[0]
+        # These references keep the arrays alive as long as this object.
+        self._function, self._arrays = function, (model, self.numbers, *arrays)
+        self._addresses = [address(array) for array in self._arrays]
+
+    def load(self, motion: Motion) -> None:
+        """Set the inputs to a motion of shape (); missing accelerations and loads are zero."""
+        values, zero = (getattr(motion, name) for name in MOTION), np.zeros(3)
+        np.concatenate([zero if each is None else each.ravel() for each in values], out=self.numbers)
+
+    def solve(self) -> int:
+        """Compute the results from the current numbers; return the status."""
+        return int(self._function(*self._addresses))
+
+    def __getattr__(self, name: str) -> Any:
+        if name not in MOTION:
+            raise AttributeError(name)
+        index = list(MOTION).index(name)
+        start = sum(_WIDTHS[:index])
+        return self.numbers[start : start + _WIDTHS[index]].reshape(MOTION[name])
+
+
+_WIDTHS = [math.prod(shape) for shape in MOTION.values()]
 
 
 def prepared_model(prepare: Any, robot: Robot, name: str, precision: str) -> NDArray[Any]:
@@ -120,13 +215,11 @@ def pointers(arrays: Iterable[Array | None]) -> Any:
     return (ctypes.c_void_p * len(found))(*found)
 
 
-def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:
-    """Return the address of an entry of a contiguous array, or NULL for None."""
+def address(array: NDArray[Any] | None) -> ctypes.c_void_p:
+    """Return the address of an array, or NULL for None."""
     if array is None:
         return ctypes.c_void_p(None)
     if array.flags.carray and array.size > 0:
         # This is much faster than the array interface, which is required only for read-only or empty arrays.
-        start = ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
-    else:
-        start = array.__array_interface__["data"][0]
-    return ctypes.c_void_p(start + entries * array.itemsize)
+        return ctypes.c_void_p(ctypes.addressof(ctypes.c_char.from_buffer(array)))  # type: ignore[arg-type]
+    return ctypes.c_void_p(array.__array_interface__["data"][0])

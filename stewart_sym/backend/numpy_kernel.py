@@ -10,7 +10,7 @@ import numpy as np
 from ..generated.interface import OUTPUTS
 from ..io.array_types import Array
 from ..motion.motion import Motion
-from ..results import OK, InverseDynamicsResult, JointReactionsResult
+from ..results import OK
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, of_symbol
 from .kernel import LEG, MOTION, PLATFORM, ROTOR, columns, module, robot_kernel, stored
@@ -29,9 +29,14 @@ class NumpyKernel:
         self._module: Any = module(robot_kernel(robot, formulation))
         self._robot = legs_side_by_side(robot)
 
-    def forces(self, motion: Motion) -> InverseDynamicsResult:
-        """Compute the inverse dynamics of every pose; results are NaN if the status is not 0."""
-        return InverseDynamicsResult(**_blanked(self.terms(motion)))
+    def run(self, output: str, motion: Motion, *given: Array) -> dict[str, Any]:
+        """Return the results by name of inverse dynamics or joint reactions, as ``CKernel.run``."""
+        found = self.terms(motion)
+        if output == "joint_reactions":
+            found = {**self.reactions_of(motion, found["x"], *given), "status": found["status"]}
+        for name in found.keys() - {"status"}:
+            found[name][found["status"] != OK] = np.nan
+        return found
 
     def terms(self, motion: Motion) -> dict[str, Any]:
         """Compute terms and status of every pose; D, K, H, and c are finite if H is singular."""
@@ -54,12 +59,6 @@ class NumpyKernel:
         shapes = {name: shape[::-1] for name, shape in OUTPUTS["joint_reactions"].items()}
         found = on_arrays(run, motion, shapes)
         return {name: np.moveaxis(found[name], -1, len(motion.shape)) for name in shapes}
-
-    def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
-        """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
-        forces = self.forces(motion)
-        found = self.reactions_of(motion, forces.x, bearing)
-        return JointReactionsResult(**_blanked({**found, "status": forces.status}))
 
 
 def on_arrays(
@@ -89,13 +88,6 @@ def on_arrays(
         for name, target in found.items():
             _store(target[at], made[name])
     return {name: each.reshape((*motion.shape, *each.shape[1:])) for name, each in found.items()}
-
-
-def _blanked(found: dict[str, Any]) -> dict[str, Any]:
-    """Set results to NaN if the status is not 0, and return them."""
-    for name in found.keys() - {"status"}:
-        found[name][found["status"] != OK] = np.nan
-    return found
 
 
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:

@@ -10,9 +10,12 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from ..backend.kernel import OFFSETS, force_kernel, module, overflows, stored
+from ..backend.kernel import MOTION, OFFSETS, force_kernel, module, overflows, stored
+from ..generated.interface import OUTPUTS
 from ..io.arguments import instance, leading_shape
+from ..io.array_types import Array
 from ..io.frozen import Frozen
+from ..motion.motion import Motion
 from ..results import OK
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_drive, need_masses, of_symbol
@@ -330,8 +333,22 @@ class ArrayKernel(Frozen):
         rows = [R[..., i, j] for i in range(3) for j in range(3)]
         return SimpleNamespace(R=rows, **parts), leading_shape(shapes)
 
+    def run(self, output: str, motion: Motion, *given: Array) -> dict[str, Any]:
+        """Return the results by name of an output of the closed form, as ``CKernel.run``."""
+        fields = {name: getattr(motion, name) for name in MOTION} | dict(zip("F", given, strict=False))
+        result, shape = self._evaluated(output, fields)
+        found = {name: stacked(np, value, shape) for name, value in vars(result).items()}
+        if "alpha" in found:
+            found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
+        return {name: found[name] for name in OUTPUTS[output]} | {"status": found["status"].astype(np.int32)}
+
     def _run(self, function: str, kind: type[Result], fields: dict[str, Any]) -> Result:
         need_masses(self.robot)
+        found, shape = self._evaluated(function, fields)
+        return kind(*(stacked(self.xp, getattr(found, name), shape) for name in kind._fields))
+
+    def _evaluated(self, function: str, fields: dict[str, Any]) -> tuple[Any, tuple[int, ...]]:
+        """Return the results of a function of the generated module, and their leading shape."""
         if not hasattr(self._source, function):
             raise ValueError(
                 f'{function}: expected formulation "exact" and universal base joints without offsets, '
@@ -340,12 +357,12 @@ class ArrayKernel(Frozen):
             )
         given = {name: self._array(name, value) for name, value in fields.items() if value is not None}
         shapes = {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in given.items()}
-        shape, forces = leading_shape(shapes), [given.pop("F")] if "F" in given else []
+        forces = [given.pop("F")] if "F" in given else []
         more = [[F[..., i] for i in range(6)] for F in forces]
         motion = self._source.motion_of(self._on, **given)
         with np.errstate(all="ignore"):
             found = getattr(self._source, function)(self._on, self._model, motion, *more)
-        return kind(*(stacked(self.xp, getattr(found, name), shape) for name in kind._fields))
+        return found, leading_shape(shapes)
 
     def _array(self, name: str, value: Any) -> Any:
         """Convert an argument to an array of real numbers of the library, and check its shape."""

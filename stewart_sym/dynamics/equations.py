@@ -27,8 +27,7 @@ from ..results import (
 )
 from ..robot.robot import Robot
 from . import inverse_dynamics
-from .closed_form import ClosedForm
-from .forward_dynamics import TERMS, closed_form_of, terms_from_forces
+from .forward_dynamics import TERMS, ClosedForm, closed_form_of, terms_from_forces
 from .forward_dynamics import ForwardDynamics as ForwardDynamics
 
 

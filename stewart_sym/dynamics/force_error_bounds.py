@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.c_kernel import function, prepared_model, results_of
-from ..backend.kernel import robot_kernel
+from ..backend.c_kernel import CKernel
 from ..io.arguments import option
 from ..motion.motion import Motion
 from ..results import ON_FAULT, OnFault
@@ -115,11 +114,7 @@ def force_error_bounds(
     option(on_singular, ON_FAULT, "on_singular")
     need_universal(robot)
     need_motion(robot, motion)
-    name = robot_kernel(robot, "exact")
-    prepare = function(name, "bounds_prepare", "_bounds", precision)
-    model = prepared_model(prepare, robot, f"{name}_bounds", precision)
-    code = function(name, "forces_bounded_batch", "_bounds", precision)
-    shapes = {"F": (6,), "bound": (6,), "rcond": ()}
-    found = ForceErrorBoundsResult(**results_of(code, model, motion, shapes, apart=True))
+    kernel = CKernel(robot, "exact", "_bounds", precision)
+    found = ForceErrorBoundsResult(**kernel.run("forces_bounded", motion))
     report_faults(found.status, robot, motion, on_singular)
     return found

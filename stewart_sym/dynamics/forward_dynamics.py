@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..backend.c_kernel import CKernel
 from ..backend.kernel import FORMULATIONS
 from ..io.arguments import instance, option
 from ..io.array_types import Array, Codes, Flags
@@ -19,8 +20,11 @@ from ..reference.equations_of_motion import ActuatorWrench, by_linearity, inerti
 from ..results import MASS_MATRIX_INDEFINITE, NOT_FINITE, OK, EquationsOfMotionResult
 from ..robot.robot import Robot
 from . import inverse_dynamics
-from .closed_form import CClosedForm, ClosedForm, NumpyClosedForm
+from .arrays import ArrayKernel
 from .forward_from_inverse import ForwardFromInverse
+
+ClosedForm = CKernel | ArrayKernel
+"""Kernels of the closed form: equations of motion, forward dynamics, and derivatives."""
 
 TERMS = ("M", "C", "g", "friction", "bias", "bias_and_friction")
 """Terms of ``EquationsOfMotionResult``."""
@@ -79,8 +83,8 @@ class ForwardDynamics:
 
         The returned function owns its buffers. Create one function per thread.
         """
-        if isinstance(self.closed, CClosedForm):
-            return self.closed.one_state()
+        if isinstance(self.closed, CKernel):
+            return _one_state(self.closed)
         by_forces: ForwardFromInverse | None = None
         if (
             self.backend == "c"
@@ -202,8 +206,8 @@ def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWr
     def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
         if robot not in kernels:
             kernels[robot] = inverse_dynamics.prepared_kernel(robot, formulation, backend)
-        found = kernels[robot].forces(motion)
-        return np.einsum("...ij,...j->...i", found.H, found.D) - found.c, found.status
+        found = kernels[robot].run("inverse_dynamics", motion)
+        return np.einsum("...ij,...j->...i", found["H"], found["D"]) - found["c"], found["status"]
 
     return wrench
 
@@ -217,8 +221,21 @@ def closed_form_of(robot: Robot, formulation: str, backend: str) -> ClosedForm |
     if robot.offsets is not None:
         return None
     if backend == "numpy":
-        return NumpyClosedForm(robot)
+        return ArrayKernel(robot, np)
     found: ClosedForm = inverse_dynamics.with_compiler(
-        lambda: CClosedForm(robot), lambda: NumpyClosedForm(robot)
+        lambda: CKernel(robot, "exact", "_motion"), lambda: ArrayKernel(robot, np)
     )
     return found
+
+
+def _one_state(closed: CKernel) -> Callable[[Motion, Array], tuple[Array, int]]:
+    x = np.empty(6)
+    pose = closed.single_pose("forward_dynamics", np.zeros(6), x)
+
+    def solve(motion: Motion, F: Array) -> tuple[Array, int]:
+        pose.load(motion)
+        pose.F[:] = F
+        status = pose.solve()
+        return (x.copy() if status == OK else np.full(6, np.nan)), status
+
+    return solve

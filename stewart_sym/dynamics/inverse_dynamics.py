@@ -53,17 +53,12 @@ class _VectorKernel:
             need_exact(formulation, "with offset joints")
         self.robot, self.faults = robot, faults_of(formulation)
 
-    def forces(self, motion: Motion) -> results.InverseDynamicsResult:
-        """Compute the inverse dynamics of every pose; values are NaN if the status is not 0."""
-        if self.robot.offsets is not None:
-            return offset_joints.inverse_dynamics(self.robot, motion)
-        return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
-
-    def reactions(self, motion: Motion, bearing: Array) -> results.JointReactionsResult:
-        """Compute the joint reactions of every pose; ``bearing`` (m) has shape (6,)."""
-        if self.robot.offsets is not None:
-            return offset_joints.joint_reactions(self.robot, motion, bearing)
-        return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
+    def run(self, output: str, motion: Motion, *given: Array) -> dict[str, Any]:
+        """Return the results by name of inverse dynamics or joint reactions, as ``CKernel.run``."""
+        offset = self.robot.offsets is not None
+        of, faults = (offset_joints, ()) if offset else (newton_euler, (self.faults,))
+        found: dict[str, Any] = vars(getattr(of, output)(self.robot, motion, *faults, *given))
+        return found
 
 
 DynamicsKernel = CKernel | NumpyKernel | _VectorKernel
@@ -143,7 +138,7 @@ def inverse_dynamics(
     0
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    found = kernel.forces(motion)
+    found = results.InverseDynamicsResult(**kernel.run("inverse_dynamics", motion))
     if on_singular == "damped":
         error = np.where((found.status == results.OK)[..., None], np.zeros(6), np.nan)
         found = dataclasses.replace(found, wrench_error=error)
@@ -223,7 +218,7 @@ def joint_reactions(
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     where = _bearing(bearing_distance)
-    found = _without_overflow(kernel.reactions(motion, where))
+    found = _without_overflow(results.JointReactionsResult(**kernel.run("joint_reactions", motion, where)))
     if on_singular == "damped":
         found = _damped(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
     return _checked(found, found.M_u, robot, motion, on_singular)

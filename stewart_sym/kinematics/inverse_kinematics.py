@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..backend.c_kernel import call, function, pointers
+from ..backend.c_kernel import function, results_of
 from ..backend.kernel import robot_numbers
 from ..backend.native import CompilerError
 from ..generated.interface import STRUCTS
@@ -15,7 +15,6 @@ from ..io.arguments import instance
 from ..io.array_types import Array, Flags
 from ..motion.motion import Motion
 from ..motion.rotation import cross
-from ..results import OK
 from ..robot.offset_chains import SLIDING, columns_of_H
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
@@ -129,27 +128,22 @@ def legs_or_overflow(robot: Robot, motion: Motion) -> InverseKinematicsResult:
             S=moving.at.P,
         )
     found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK // 2 else None
-    return (
-        InverseKinematicsResult(**found)
-        if found
-        else InverseKinematicsResult(*_in_blocks(_legs, robot, motion))
-    )
+    return found or InverseKinematicsResult(*_in_blocks(_legs, robot, motion))
 
 
-_SHAPES = STRUCTS["legs"]
-
-
-def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
+def _compiled_legs(robot: Robot, motion: Motion) -> InverseKinematicsResult | None:
     """Compute all leg quantities with the C code; None without a compiler or if a pose has an error."""
     try:
         code = function("legs", "batch")
     except CompilerError:
         return None
-    wanted = {name: shape for name, shape in _SHAPES.items() if name != "L_ddot" or motion.a is not None}
-    found = {name: np.empty((*motion.shape, *shape)) for name, shape in wanted.items()}
-    outputs = pointers(map(found.get, _SHAPES))
-    status = call(code, robot_numbers(robot), motion, outputs, None)
-    return dict.fromkeys(_SHAPES) | found if status == OK else None
+    # Without accelerations, any values serve: L_ddot is discarded.
+    rates = {"a": motion.v, "alpha": motion.omega} if motion.a is None else {}
+    moving = Motion._unchecked(**vars(motion) | rates)
+    found = results_of(code, robot_numbers(robot), moving, STRUCTS["legs"])
+    if found.pop("status").any():
+        return None
+    return InverseKinematicsResult(**found | ({} if motion.a is not None else {"L_ddot": None}))
 
 
 def wrench_matrix(robot: Robot, motion: Motion) -> Array:

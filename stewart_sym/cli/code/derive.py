@@ -29,9 +29,9 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> int:
+    from ...backend.threads import CORES
     from ...derive.generated_files import generated_files
     from ...derive.on_demand import committed
-    from ...dynamics.forces import CORES
 
     installed = Path(str(files("stewart_sym.generated")))
     directory = arguments.output or installed
