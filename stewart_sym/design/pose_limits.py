@@ -19,7 +19,7 @@ from ..kinematics.clearance import PAIRS, distances_of, joined, neutral_directio
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import leg_vectors, length_rows
 from ..kinematics.mounting_side import up_direction
-from ..kinematics.offset_legs import inverse_jacobians, leg_axes
+from ..kinematics.offset_legs import actuated_lengths, leg_axes
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, legs_text
@@ -206,7 +206,11 @@ class PoseExaminer(Frozen):
 
     def _rows(self, R: Array, t: Array, q: Array, S: Array, L: Array) -> Array:
         """Return H^T, shape (n, 6, 6), with moments divided by the characteristic length."""
-        rows = length_rows(q, S, L) if self.robot.offsets is None else inverse_jacobians(self.robot, R, t)
+        rows = (
+            length_rows(q, S, L)
+            if self.robot.offsets is None
+            else actuated_lengths(self.robot, R, t, screws=True)[2]
+        )
         rows[..., 3:] /= characteristic_length(self.robot) or 1.0
         return rows
 

@@ -6,9 +6,8 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
-from ..kinematics.inverse_kinematics import wrench_matrix
+from ..kinematics.inverse_kinematics import leg_lengths, wrench_matrix
 from ..kinematics.mounting_side import Side, level_positions, platform_side, up_direction
-from ..kinematics.offset_legs import leg_lengths
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .inverse_dynamics import inverse_dynamics

@@ -18,7 +18,7 @@ from ..motion.rotation import cross
 from ..robot.offset_chains import SLIDING, columns_of_H
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
-from .offset_legs import checked_motion, rate_of_H
+from .offset_legs import checked_motion, leg_axes, rate_of_H
 
 MIN_JOINT_SINE = 0.3
 """Smallest sine of the angle between a leg and its universal joint axis k that is clear of a singularity."""
@@ -253,6 +253,11 @@ def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
     q = robot.p @ np.swapaxes(R, -1, -2)
     S = q + t[..., None, :] - robot.b
     return q, S, np.sqrt(np.einsum("...i,...i->...", S, S))
+
+
+def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
+    """Return the leg lengths (m), shape (..., 6), of legs with or without offsets; NaN without a solution."""
+    return (leg_vectors if robot.offsets is None else leg_axes)(robot, R, t)[2]
 
 
 def length_rows(q: Array, S: Array, L: Array) -> Array:

@@ -13,11 +13,11 @@ from ..motion.motion import Motion
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import MOST_TURNS, Trajectory, angle_range
 from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS, TrajectoryWarning
-from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
 from ..robot.units import Units
+from .inverse_kinematics import leg_lengths
 from .mounting_side import platform_side
-from .offset_legs import leg_lengths
+from .offset_legs import actuated_lengths
 from .pose_search import rates_per_twist
 
 # Number of samples that are checked.
@@ -243,7 +243,7 @@ def side_change(robot: Robot, motion: Motion) -> int | None:
         if robot.offsets is None:
             H = rates_per_twist(robot, motion.R, motion.t)
         else:
-            H = columns_of_H(robot, joint_motion(robot, motion).G)
+            H = actuated_lengths(robot, motion.R, motion.t, screws=True)[2]
         sign = np.sign(np.linalg.det(H))
     changes = np.flatnonzero(sign[1:] * sign[:-1] < 0.0)
     return int(changes[0]) if changes.size else None

@@ -6,8 +6,8 @@ import numpy as np
 
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
+from ..kinematics.inverse_kinematics import leg_lengths
 from ..kinematics.mounting_side import radius
-from ..kinematics.offset_legs import leg_lengths
 from ..motion.motion import at_rest
 from ..robot.robot import Robot, legs_text
 from .finding import Finding, finding, in_file

@@ -5,9 +5,8 @@ import numpy as np
 from ..dynamics.home_pose import home_pose
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
-from ..kinematics.inverse_kinematics import length_rows
+from ..kinematics.inverse_kinematics import leg_lengths, length_rows
 from ..kinematics.mounting_side import level_positions, radius
-from ..kinematics.offset_legs import leg_lengths
 from ..robot.robot import Robot
 
 GOOD_CONDITION, MISPAIRED = 12.0, 6.0

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from ..kinematics.inverse_kinematics import leg_lengths
 from ..kinematics.mounting_side import platform_side
-from ..kinematics.offset_legs import leg_lengths
 from ..kinematics.trajectory_checks import LEAST_TURN, impossible, meters_doubt
 from ..motion.rotation import rotation_from_rpy
 from ..motion.trajectory import MOST_TURNS
