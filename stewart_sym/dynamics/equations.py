@@ -15,6 +15,7 @@ from ..io.array_types import Array
 from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
 from ..reference import newton_euler
+from ..reference.equations_of_motion import by_linearity
 from ..results import (
     OK,
     ON_FAULT,
@@ -27,7 +28,7 @@ from ..results import (
 )
 from ..robot.robot import Robot
 from . import inverse_dynamics
-from .forward_dynamics import TERMS, ClosedForm, closed_form_of, terms_from_forces
+from .forward_dynamics import ClosedForm, actuator_wrench, closed_form_of
 from .forward_dynamics import ForwardDynamics as ForwardDynamics
 
 
@@ -100,10 +101,11 @@ def equations_of_motion(
     _need(robot, motion, on_singular)
     closed = closed_form_of(robot, formulation, backend)
     if closed is None:
-        found = terms_from_forces(robot, motion, formulation, backend)
+        found = by_linearity(actuator_wrench(robot, formulation, backend), robot, motion)
     else:
         terms = closed.run("equations", motion)
-        found = EquationsOfMotionResult(**{name: terms[name] for name in TERMS}, status=terms["status"])
+        del terms["H"], terms["H_dot"]
+        found = EquationsOfMotionResult(**terms)
     inverse_dynamics.report_faults(found.status, robot, motion, on_singular)
     return found
 
@@ -392,7 +394,7 @@ def joint_space_inertia(
         direct = closed.run("joint_inertia", motion)
         inverse_dynamics.report_faults(direct["status"], robot, motion, on_singular)
         return np.asarray(direct["inertia"])
-    found = terms_from_forces(robot, motion, formulation, backend)
+    found = by_linearity(actuator_wrench(robot, formulation, backend), robot, motion)
     ok = found.status == OK
     H, M = wrench_matrix(robot, motion[ok]), found.M[ok]
     regular = ~newton_euler.is_singular(robot, H)
