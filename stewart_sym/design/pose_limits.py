@@ -17,9 +17,9 @@ from ..io.array_types import Array, Flags
 from ..io.frozen import Frozen
 from ..kinematics.clearance import PAIRS, distances_of, joined, neutral_directions
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse_kinematics import leg_vectors, length_rows
+from ..kinematics.inverse_kinematics import leg_axes, leg_vectors, length_rows
 from ..kinematics.mounting_side import up_direction
-from ..kinematics.offset_legs import actuated_lengths, leg_axes
+from ..kinematics.pose_search import rates_per_twist
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, legs_text
@@ -125,7 +125,7 @@ class PoseExaminer(Frozen):
         instance(self.limits, PoseLimits, "limits")
         t = home_pose(self.robot).t
         R, t = np.eye(3)[None], t[None]
-        H = self._rows(R, t, *self._legs(R, t))[0]
+        H = self._rows(R, t, *leg_axes(self.robot, R, t))[0]
         self._set({"up": up_direction(self.robot).copy(), "side": float(np.sign(np.linalg.det(H)))})
         need_clearance(self.robot, self.limits.min_clearance)
 
@@ -161,13 +161,13 @@ class PoseExaminer(Frozen):
 
     def conditions(self, R: Array, t: Array) -> Array:
         """Return the scaled condition numbers of H at poses R (n, 3, 3) and t (n, 3), shape (n,)."""
-        H = np.swapaxes(self._rows(R, t, *self._legs(R, t)), -1, -2)
+        H = np.swapaxes(self._rows(R, t, *leg_axes(self.robot, R, t)), -1, -2)
         return scaled_condition_number(H, 1.0)
 
     def _block(self, R: Array, t: Array) -> NDArray[np.int8]:
         robot, limits = self.robot, self.limits
         codes = np.zeros(len(t), dtype=np.int8)
-        q, S, L = self._legs(R, t)
+        q, S, L = leg_axes(robot, R, t)
         over = (q.mean(axis=-2) + t - robot.b.mean(axis=0)) @ self.up
         codes[over < 0.0] = SIDE
         left = np.flatnonzero(over >= 0.0)
@@ -200,18 +200,11 @@ class PoseExaminer(Frozen):
             np.all(cosines >= np.cos(np.minimum(self.robot.joint_angle_limit, np.pi)), axis=(-2, -1))
         )
 
-    def _legs(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
-        """Return q and vectors along the legs (m), (n, 6, 3), and lengths (m), (n, 6); NaN if unsolvable."""
-        return leg_vectors(self.robot, R, t) if self.robot.offsets is None else leg_axes(self.robot, R, t)
-
     def _rows(self, R: Array, t: Array, q: Array, S: Array, L: Array) -> Array:
         """Return H^T, shape (n, 6, 6), with moments divided by the characteristic length."""
-        rows = (
-            length_rows(q, S, L)
-            if self.robot.offsets is None
-            else actuated_lengths(self.robot, R, t, screws=True)[2]
-        )
-        rows[..., 3:] /= characteristic_length(self.robot) or 1.0
+        robot = self.robot
+        rows = length_rows(q, S, L) if robot.offsets is None else rates_per_twist(robot, R, t, screws=True)
+        rows[..., 3:] /= characteristic_length(robot) or 1.0
         return rows
 
     def _conditions_kept(self, R: Array, t: Array, q: Array, S: Array, L: Array) -> Flags:

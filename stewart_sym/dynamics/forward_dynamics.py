@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -11,9 +12,8 @@ from ..backend.c_kernel import CKernel
 from ..backend.kernel import FORMULATIONS
 from ..io.arguments import instance, option
 from ..io.array_types import Array, Codes, Flags
-from ..kinematics.inverse_kinematics import leg_vectors
+from ..kinematics.pose_search import rates_per_twist
 from ..motion.motion import Motion
-from ..motion.rotation import cross
 from ..reference import newton_euler, offset_joints
 from ..reference.equations_of_motion import ActuatorWrench, inertia_and_bias
 from ..results import MASS_MATRIX_INDEFINITE, NOT_FINITE, OK
@@ -53,7 +53,8 @@ class ForwardDynamics:
             return x[..., :3], x[..., 3:], found["status"]
         with np.errstate(all="ignore"):
             M, bias, status = inertia_and_bias(self._wrench, self.robot, motion)
-            rest = _wrench_of(self.robot, motion, F) - bias
+            H_T = rates_per_twist(self.robot, motion.R, motion.t, screws=True)
+            rest = np.einsum("...ji,...j->...i", H_T, F) + motion.external_wrench() - bias
             status = _not_finite(status, np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1))
             x, definite = solve_positive(M, rest)
             status = np.where((status == OK) & ~definite, MASS_MATRIX_INDEFINITE, status)
@@ -90,11 +91,6 @@ def _not_finite(status: Codes, finite: Flags | np.bool_) -> Codes:
     return np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
 
 
-def _at_rest(motion: Motion) -> Motion:
-    none = np.zeros_like(motion.t)
-    return Motion._unchecked(motion.R, motion.t, none, none, none, none)
-
-
 def solve_positive(M: Array, w: Array) -> tuple[Array, Flags]:
     """Solve M x = w; return x (..., n) and a mask (...) of positive definite M.
 
@@ -110,31 +106,18 @@ def solve_positive(M: Array, w: Array) -> tuple[Array, Flags]:
     return np.where(definite[..., None], x / size, np.nan), definite
 
 
-def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
-    """Return H F + W_ext, shape (..., 6); NaN if a leg has length zero."""
-    if robot.offsets is not None:
-        H = offset_joints.terms(robot, _at_rest(motion))["H"]
-        return np.asarray(np.einsum("...ij,...j->...i", H, F) + motion.external_wrench())
-    q, S, L = leg_vectors(robot, motion.R, motion.t)
-    push = S * (F / L)[..., None]
-    actuators = np.concatenate([push.sum(axis=-2), cross(q, push).sum(axis=-2)], axis=-1)
-    return np.asarray(actuators + motion.external_wrench())
-
-
 def actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
     """Return the function H F = H D - c for robots that differ from this one only in numbers."""
-    first = inverse_dynamics.prepared_kernel(robot, formulation, backend)
+    kernel = functools.lru_cache(4)(lambda each: inverse_dynamics.prepared_kernel(each, formulation, backend))
+    kernel(robot)
     if robot.offsets is not None:
         return offset_joints.actuator_wrench
     if backend == "reference":
         faults = inverse_dynamics.faults_of(formulation)
         return lambda robot, motion: newton_euler.actuator_wrench(robot, motion, faults)
-    kernels: dict[Robot, inverse_dynamics.DynamicsKernel] = {robot: first}
 
     def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
-        if robot not in kernels:
-            kernels[robot] = inverse_dynamics.prepared_kernel(robot, formulation, backend)
-        found = kernels[robot].run("inverse_dynamics", motion)
+        found = kernel(robot).run("inverse_dynamics", motion)
         return np.einsum("...ij,...j->...i", found["H"], found["D"]) - found["c"], found["status"]
 
     return wrench

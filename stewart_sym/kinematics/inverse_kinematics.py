@@ -13,12 +13,12 @@ from ..backend.native import CompilerError
 from ..generated.interface import STRUCTS
 from ..io.arguments import instance
 from ..io.array_types import Array, Flags
-from ..motion.motion import Motion
+from ..motion.motion import Motion, at_rest
 from ..motion.rotation import cross
-from ..robot.offset_chains import SLIDING, columns_of_H
+from ..robot.offset_chains import SLIDING, chains, columns_of_H
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
-from .offset_legs import checked_motion, leg_axes, rate_of_H
+from .offset_legs import checked_motion, rate_of_H
 
 MIN_JOINT_SINE = 0.3
 """Smallest sine of the angle between a leg and its universal joint axis k that is clear of a singularity."""
@@ -255,9 +255,21 @@ def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
     return q, S, np.sqrt(np.einsum("...i,...i->...", S, S))
 
 
+def leg_axes(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
+    """Return q and vectors along the prismatic joints (m), (..., 6, 3), and lengths (m), (..., 6).
+
+    Legs may have offsets. NaN if a leg has no solution.
+    """
+    if robot.offsets is None:
+        return leg_vectors(robot, R, t)
+    with np.errstate(all="ignore"):
+        at = chains(robot, at_rest(R, t))
+    return at.q, at.s * at.L, at.L[..., 0]
+
+
 def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
     """Return the leg lengths (m), shape (..., 6), of legs with or without offsets; NaN without a solution."""
-    return (leg_vectors if robot.offsets is None else leg_axes)(robot, R, t)[2]
+    return leg_axes(robot, R, t)[2]
 
 
 def length_rows(q: Array, S: Array, L: Array) -> Array:

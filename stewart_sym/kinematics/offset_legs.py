@@ -53,34 +53,20 @@ def _at_twist(robot: Robot, motion: Motion, twist: Array) -> Array:
     return found
 
 
-def leg_axes(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
-    """Return q and vectors along the prismatic joints (m), (..., 6, 3), and lengths (m), (..., 6).
-
-    NaN if a leg has no solution.
-    """
-    with np.errstate(all="ignore"):
-        at = chain.chains(robot, _still(R, t))
-    return at.q, at.s * at.L, at.L[..., 0]
-
-
 def actuated_lengths(robot: Robot, R: Array, t: Array, screws: bool = False) -> tuple[Array, Array, Array]:
     """Return q, (..., 6, 3), the lengths (m), (..., 6), and their derivative by the twist, (..., 6, 6).
 
     With ``screws``, the lengths are motor angles divided by N, which include the spin of the upper leg parts,
     and the derivative is H^T. NaN if a leg has no solution.
     """
+    none = np.zeros_like(t)
     with np.errstate(all="ignore"):
-        moving = joint_motion(robot, _still(R, t))
+        moving = joint_motion(robot, Motion._unchecked(R, t, none, none))
         q, L = moving.at.q, moving.at.L[..., 0]
         if not screws:
             return q, L, moving.G[..., SLIDING, :]
         turned = L + chain.lead_share(robot) * moving.at.spin[..., 0]
         return q, turned, np.swapaxes(chain.columns_of_H(robot, moving.G), -1, -2)
-
-
-def _still(R: Array, t: Array) -> Motion:
-    none = np.zeros_like(t)
-    return Motion._unchecked(R, t, none, none, None, None)
 
 
 def without_offsets(robot: Robot) -> Robot:

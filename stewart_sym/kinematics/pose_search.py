@@ -36,13 +36,14 @@ _AT_ONCE = 64
 _ALMOST = 1e-6
 
 
-def rates_per_twist(robot: Robot, R: Array, t: Array) -> Array:
-    """Compute J = H^T, shape (..., 6, 6), whose rows [s^T, (q x s)^T] map the twist [v; omega] to L_dot, (5).
+def rates_per_twist(robot: Robot, R: Array, t: Array, screws: bool = False) -> Array:
+    """Compute J, shape (..., 6, 6), whose rows [s^T, (q x s)^T] map the twist [v; omega] to L_dot, (5).
 
-    With offset joints, J is the derivative of the lengths.
+    With joint offsets, J is the derivative of the lengths; with ``screws``, it is H^T, which contains the
+    spin of the upper leg parts in their nuts. NaN if a leg has no solution.
     """
     if robot.offsets is not None:
-        return actuated_lengths(robot, R, t)[2]
+        return actuated_lengths(robot, R, t, screws)[2]
     return length_rows(*leg_vectors(robot, R, t))
 
 
@@ -301,7 +302,7 @@ def newton(
 
 def _at(robot: Robot, R: Array, t: Array, screws: bool) -> tuple[Array, Array, Array]:
     """Return lengths, their derivative by the twist, and the largest component in S = q + t - b (m), (n,)."""
-    if robot.offsets is None and not screws:
+    if robot.offsets is None:
         q, S, L = leg_vectors(robot, R, t)
         J = length_rows(q, S, L)
     else:

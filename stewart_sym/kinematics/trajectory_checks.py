@@ -17,7 +17,6 @@ from ..robot.robot import Robot
 from ..robot.units import Units
 from .inverse_kinematics import leg_lengths
 from .mounting_side import platform_side
-from .offset_legs import actuated_lengths
 from .pose_search import rates_per_twist
 
 # Number of samples that are checked.
@@ -240,11 +239,7 @@ def side_change(robot: Robot, motion: Motion) -> int | None:
     A singular pose exists between this pose and the next one.
     """
     with np.errstate(invalid="ignore"):
-        if robot.offsets is None:
-            H = rates_per_twist(robot, motion.R, motion.t)
-        else:
-            H = actuated_lengths(robot, motion.R, motion.t, screws=True)[2]
-        sign = np.sign(np.linalg.det(H))
+        sign = np.sign(np.linalg.det(rates_per_twist(robot, motion.R, motion.t, screws=True)))
     changes = np.flatnonzero(sign[1:] * sign[:-1] < 0.0)
     return int(changes[0]) if changes.size else None
 
