@@ -254,7 +254,7 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
     if not side.certain or np.any(center @ side.direction >= 0.0):
         return None
     where, unless = ("on the other side of the base than at home", "")
-    if side.by_gravity:
+    if robot.home_position is None:
         where = "below the base, in the direction of gravity,"
         unless = " (forces are correct for a suspended machine)"
     return (
