@@ -9,9 +9,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..dynamics.forces import ForceKernel
+from ..dynamics.forces import forces_of
 from ..dynamics.home_pose import home_pose
-from ..dynamics.inverse_dynamics import inverse_dynamics, with_compiler
 from ..io.arguments import finite_array, instance, number_in, truth
 from ..io.array_types import Array, Flags
 from ..io.frozen import Frozen
@@ -226,8 +225,5 @@ class PoseExaminer(Frozen):
         robot, load, zero = self.robot, self.limits.load, np.zeros_like(t)
         loads = (np.broadcast_to(part, t.shape) for part in (load[:3], load[3:]))
         motion = Motion._unchecked(R, t, zero, zero, zero, zero, *loads)
-        F = with_compiler(
-            lambda: ForceKernel(robot).forces_and_status(motion)[0],
-            lambda: inverse_dynamics(robot, motion, backend="numpy", on_singular="nan").F,
-        )
+        F = forces_of(robot, "exact", "c")(motion)
         return np.asarray(np.all(np.abs(F) <= robot.force_limit, axis=-1))

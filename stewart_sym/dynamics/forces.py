@@ -1,7 +1,7 @@
 """Actuator forces by C kernels whose constants are prepared once per robot, with threads."""
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Literal, cast
@@ -21,7 +21,15 @@ from ..results import NOT_FINITE, OK, ON_SINGULAR, SINGULAR, UNREACHABLE, OnSing
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .array_layouts import in_columns, need_layout
-from .inverse_dynamics import Formulation, damped_terms, need_motion, report_faults
+from .inverse_dynamics import (
+    Backend,
+    Formulation,
+    damped_terms,
+    inverse_dynamics,
+    need_motion,
+    report_faults,
+    with_compiler,
+)
 from .neglected_physics import neglected_physics
 
 Array = NDArray[Any]
@@ -292,3 +300,15 @@ class ForceKernel(Frozen):
             Function of ``ctypes``.
         """
         return function(self.name, name, "_forces", self.precision)
+
+
+def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
+    """Return a function that computes forces (n, 6), NaN for unsolvable poses, by the fastest kernel."""
+
+    def full(motion: Motion) -> Array:
+        return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
+
+    if backend != "c" or (robot.offsets is not None and robot.offsets.has_spinning_parts):
+        return full  # Checks the options and supports all robots, in contrast to the force kernels.
+    kernel = with_compiler(lambda: ForceKernel(robot, formulation), lambda: None)
+    return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]

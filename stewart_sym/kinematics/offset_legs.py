@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 
 from ..io.array_types import Array
@@ -67,8 +65,3 @@ def actuated_lengths(robot: Robot, R: Array, t: Array, screws: bool = False) -> 
             return q, L, moving.G[..., SLIDING, :]
         turned = L + chain.lead_share(robot) * moving.at.spin[..., 0]
         return q, turned, np.swapaxes(chain.columns_of_H(robot, moving.G), -1, -2)
-
-
-def without_offsets(robot: Robot) -> Robot:
-    """Return the robot with legs without offsets, from which a search starts."""
-    return dataclasses.replace(robot, offsets=None)
