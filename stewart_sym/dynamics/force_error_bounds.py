@@ -95,20 +95,13 @@ def force_error_bounds(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> result = ss.force_error_bounds(robot, motion)
     >>> bool((result.bound < 1e-10).all())
     True
     >>> round(float(result.rcond), 3)
-    0.043
+    0.024
     """
     option(precision, ("double", "float"), "precision")
     option(on_singular, ON_FAULT, "on_singular")

@@ -64,17 +64,10 @@ class ForceKernel(Frozen):
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> kernel = ss.ForceKernel(ss.robots.load("unal"))
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> kernel = ss.ForceKernel(ss.robots.load("dasgupta1998"))
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> kernel.forces(motion).round(2).tolist()
-    [4.0, 6.33, 11.19, 3.52, 3.79, 10.22]
+    [373.49, -1058.71, 1347.93, -569.37, -77.71, 382.36]
     """
 
     robot: Robot

@@ -201,18 +201,11 @@ def joint_reactions(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> reactions = ss.joint_reactions(robot, motion)
     >>> reactions.F_u[0].round(2).tolist()
-    [0.59, -0.81, 16.75]
+    [-115.44, -156.74, 348.17]
     >>> reactions.M_p.shape
     (6, 3)
     """
@@ -257,17 +250,10 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> ss.massless_forces(robot, motion).round(2).tolist()
-    [2.72, 3.66, 6.2, 2.88, 2.59, 5.37]
+    [268.53, -827.09, 1096.09, -481.61, -55.66, 332.42]
     """
     need_motion(robot, motion)
     need_masses(robot)
@@ -312,18 +298,11 @@ def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> F = ss.inverse_dynamics(robot, motion).F
     >>> ss.leg_dynamics_fraction(robot, motion, F=F).round(2).tolist()
-    [0.32, 0.42, 0.45, 0.18, 0.32, 0.47]
+    [0.28, 0.22, 0.19, 0.15, 0.28, 0.13]
     """
     F0 = massless_forces(robot, motion)
     forces = real_array(F, "F", f"forces of shape {F0.shape}")
